@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <random>
 #include <string>
 #include <vector>
@@ -76,12 +78,21 @@ void add(const app::Run& run, Letters& all) {
   all.seconds = std::max(all.seconds, run.timings.optimise);
 }
 
+constexpr const char* letter_texts[] = {"T", "B", "E", "S", "R", "Q"};
+
+/// Of each letter, side by side: of rows that tell no time.
+std::vector<app::Run> letter_runs(const std::function<app::Run(targets::DisplayGoal)>& run) {
+  std::vector<app::Run> runs(std::size(letter_texts));
+  model::run_in_parallel(static_cast<int>(runs.size()), 0,
+                         [&](int k) { runs[k] = run(targets::glyph_goal(letter_texts[k], side, side)); });
+  return runs;
+}
+
 std::vector<Figure> letters() {
   Letters all, thin;
-  for (const char* text : {"T", "B", "E", "S", "R", "Q"}) {
-    add(shown(targets::glyph_goal(text, side, side), 0.08, true), all);
-    add(shown(targets::glyph_goal(text, side, side), 0.04, true), thin);
-  }
+  for (const char* text : letter_texts) add(shown(targets::glyph_goal(text, side, side), 0.08, true), all);
+  for (const app::Run& run : letter_runs([](auto goal) { return shown(std::move(goal), 0.04, true); }))
+    add(run, thin);
   const std::string scene = "T, B, E, S, R, Q, 12 x 12 cells, rows straight, ";
   constexpr double apart = 36 * radians_per_degree;  // that walls shall stay apart to
   return {{scene + "offset <= 0.8 mm: exact state",
@@ -132,8 +143,8 @@ Figure disturbed() {
 Figure free_rows() {
   Letters all;
   double farthest = 0;
-  for (const char* text : {"T", "B", "E", "S", "R", "Q"}) {
-    const app::Run run = shown_by(DriveKind::hinge, false, targets::glyph_goal(text, side, side));
+  for (const app::Run& run :
+       letter_runs([](auto goal) { return shown_by(DriveKind::hinge, false, std::move(goal)); })) {
     add(run, all);
     farthest = std::max(farthest, run.verification->agrees ? run.verification->distance.max : INFINITY);
   }
@@ -151,8 +162,8 @@ Figure pressed() {
   Letters all;
   int agree = 0, let_go = 0;
   double farthest = 0;
-  for (const char* text : {"T", "B", "E", "S", "R", "Q"}) {
-    const app::Run run = shown_by(DriveKind::plates, true, targets::glyph_goal(text, side, side));
+  for (const app::Run& run :
+       letter_runs([](auto goal) { return shown_by(DriveKind::plates, true, std::move(goal)); })) {
     add(run, all);
     agree += run.verification->agrees;
     farthest = std::max(farthest, run.verification->distance.max);

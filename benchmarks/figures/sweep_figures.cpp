@@ -103,8 +103,8 @@ struct Scaling {
 };
 
 // Samples: so many that a run takes seconds, beside which starting workers does not count.
-constexpr Scaling scalings[] = {{"exact model", "exact", 1200000, 1.8},
-                                {"equilibrium model", "equilibrium", 300, 1.9}};
+constexpr Scaling scalings[] = {{"exact model", "exact", 500000, 1.8},
+                                {"equilibrium model", "equilibrium", 150, 1.9}};
 
 Figure two_workers(const Scaling& scaling, const std::string& kind,
                    const std::function<double(const Sweep&, int)>& rate) {
