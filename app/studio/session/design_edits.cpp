@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "app/files/structure_section.hpp"
@@ -13,6 +14,7 @@
 namespace kinetix::app::studio {
 namespace {
 
+constexpr double rounded_share = 1e-9;  // of a length: by as much its digits in a file may be off
 constexpr int most_cells_a_side = 200;  // what a page can show at 15 frames a second
 
 const targets::KeyTable& only_hinge() {
@@ -184,6 +186,16 @@ DesignFile with_cell(DesignFile design, const Message& message) {
   return design;
 }
 
+/// Walls as thick or as high as is usual of their cells stay so; others keep their millimetres.
+model::CellSize with_edge(const model::CellSize& size, double edge_mm) {
+  const model::CellSize usual = default_size(size.edge_mm), now = default_size(edge_mm);
+  const auto follow = [](double own, double usual_before, double usual_now) {
+    return std::abs(own - usual_before) <= rounded_share * usual_before ? usual_now : own;
+  };
+  return {edge_mm, follow(size.thickness_mm, usual.thickness_mm, now.thickness_mm),
+          follow(size.height_mm, usual.height_mm, now.height_mm)};
+}
+
 DesignFile with_sheet(DesignFile design, const Message& message) {
   const model::Structure& squares = squares_of(design);
   std::array<int, 2> extent = model::extent(squares);
@@ -191,7 +203,7 @@ DesignFile with_sheet(DesignFile design, const Message& message) {
   if (message.has("columns")) extent[0] = message.integer("columns", 1, most_cells_a_side);
   if (message.has("rows")) extent[1] = message.integer("rows", 1, most_cells_a_side);
   model::CellSize size = squares.size;
-  if (message.has("cell_mm")) size = default_size(message.number("cell_mm", 0.1, 1000));
+  if (message.has("cell_mm")) size = with_edge(size, message.number("cell_mm", 0.1, 1000));
   if (message.has("thickness_mm")) size.thickness_mm = message.number("thickness_mm", 0.01, 100);
   if (message.has("height_mm")) size.height_mm = message.number("height_mm", 0.01, 1000);
   std::vector<model::Cell> cells = is_new ? model::full_sheet(extent) : squares.cells;

@@ -3,6 +3,13 @@ import {$, element, show, status, summaryRows} from "./dom.js";
 
 const USUAL = ["stl", "3mf"];  // what most printers take
 
+/** {bed_mm: [x, y]}; {} where none is given, null where the text is no bed. */
+export function bedSides(text) {
+  if (!text.trim()) return {};
+  const sides = text.split(/[,x\u00d7]/).map(Number);
+  return sides.length === 2 && sides.every((side) => side > 0 && side < Infinity) ? {bed_mm: sides} : null;
+}
+
 export class MakePanel {
   constructor(state) {
     Object.assign(this, {state, connection: state.connection});
@@ -22,14 +29,10 @@ export class MakePanel {
     const formats = [...document.querySelectorAll('input[name="format"]:checked')].map(({value}) => value), {process: {value: process}, hinge: {value: hinge}, orient: {value: orient}, clearance_mm: {value: clearance}, bed} = $("export").elements;
     if (!$("export").reportValidity()) return;
     if (!formats.length) return status("choose a format first");
+    const sides = bedSides(bed.value);
+    if (!sides) return status("the bed is two lengths in mm: 250, 210");
     status("exporting\u2026");
-    await this.connection.send("export", {formats, orient, ...(process ? {process} : {}), ...(hinge ? {hinge} : {}), ...(clearance ? {clearance_mm: Number(clearance)} : {}), ...this.bed(bed.value)}).catch(() => status("nothing was written"));
-  }
-
-  /** {bed_mm: [x, y]}, or nothing where none is given. */
-  bed(text) {
-    const sides = text.split(/[,x\u00d7]/).map(Number);
-    return sides.length === 2 && sides.every((side) => side > 0) ? {bed_mm: sides} : {};
+    await this.connection.send("export", {formats, orient, ...(process ? {process} : {}), ...(hinge ? {hinge} : {}), ...(clearance ? {clearance_mm: Number(clearance)} : {}), ...sides}).catch(() => status("nothing was written"));
   }
 
   showExported() {
