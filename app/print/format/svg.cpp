@@ -27,7 +27,7 @@ constexpr double check_foot_mm = 10;   // mm, of the page, for that line and its
 constexpr double check_margin_mm = 2;  // mm, from the line to the page's edge, and of its end marks
 constexpr double check_text_mm = 4;    // mm: read at arm's length
 
-/// What a drawing is on, mm, y down.
+/// What a drawing is printed on, mm, y down. SVG goes to cutters too, which would cut the line.
 struct DrawnPage {
   Vector2d size;
   std::optional<Vector2d> check = {};  ///< where the line to measure begins, below the drawing
@@ -54,19 +54,6 @@ std::string check_words() { return fmt::format("{:g} mm, if printed at 1:1", che
 /// Middle of the foot of its words.
 Vector2d check_words_place(const Vector2d& from) {
   return from + Vector2d(check_mm / 2, -check_margin_mm / 2);
-}
-
-std::string check_svg(const DrawnPage& page) {
-  if (!page.check) return "";
-  std::string out = fmt::format("<g id=\"check\" stroke=\"black\" stroke-width=\"{:g}\">\n", line_mm);
-  for (const auto& [from, to] : check_lines(*page.check))
-    out += fmt::format("<line x1=\"{:.8g}\" y1=\"{:.8g}\" x2=\"{:.8g}\" y2=\"{:.8g}\"/>\n", from.x(),
-                       from.y(), to.x(), to.y());
-  const Vector2d words = check_words_place(*page.check);
-  return out + fmt::format(
-                   "</g>\n<text x=\"{:.8g}\" y=\"{:.8g}\" font-family=\"sans-serif\" font-size=\"{:g}\" "
-                   "text-anchor=\"middle\">{}</text>\n",
-                   words.x(), words.y(), check_text_mm, check_words());
 }
 
 /// Middle of a number's foot, mm: at its hinge, but for what would be cut off by the drawing's edge.
@@ -98,13 +85,13 @@ std::string group(const SheetDrawing& drawing, const char* name, const char* fil
   return out + "</g>\n";
 }
 
-/// 1:1, its box that of the parts and of the line to measure.
+/// 1:1, its box that of the parts.
 std::string svg(const PrintSheet& sheet, const SheetDrawing& drawing) {
-  const DrawnPage page = drawn_page(drawing.high - drawing.low);
+  const Vector2d size = drawing.high - drawing.low;
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.8g}mm\" height=\"{1:.8g}mm\" viewBox=\"0 0 "
       "{0:.8g} {1:.8g}\">\n",
-      page.size.x(), page.size.y());
+      size.x(), size.y());
   out +=
       group(drawing, "bodies", "#d9d9d4", drawing.bodies) + group(drawing, "soft", "#2e6fb7", drawing.soft);
   out += fmt::format(
@@ -116,7 +103,7 @@ std::string svg(const PrintSheet& sheet, const SheetDrawing& drawing) {
     out += fmt::format("<text x=\"{:.5g}\" y=\"{:.5g}\">{}</text>\n", at.x() - drawing.low.x(),
                        drawing.high.y() - at.y(), hinge.number);
   }
-  return out + "</g>\n" + check_svg(page) + "</svg>\n";
+  return out + "</g>\n</svg>\n";
 }
 
 cairo_status_t collect(void* text, const unsigned char* data, unsigned length) {
@@ -205,12 +192,11 @@ std::string labels_svg(const char* name, const char* fill, const Strips& strips,
 }
 
 std::string strips_svg(const Strips& strips) {
-  const DrawnPage page = drawn_page(strips.size);
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.8g}mm\" height=\"{1:.8g}mm\" viewBox=\"0 0 "
       "{0:.8g} "
       "{1:.8g}\">\n<g id=\"cuts\" fill=\"none\" stroke=\"black\" stroke-width=\"{2:g}\">\n",
-      page.size.x(), page.size.y(), line_mm);
+      strips.size.x(), strips.size.y(), line_mm);
   for (const auto& cut : strips.cuts) {
     out += "<path d=\"";
     for (std::size_t k = 0; k < cut.size(); ++k)
@@ -224,7 +210,7 @@ std::string strips_svg(const Strips& strips) {
     out += fmt::format("<line x1=\"{:.8g}\" y1=\"{:.8g}\" x2=\"{:.8g}\" y2=\"{:.8g}\"/>\n", from.x(),
                        strips.size.y() - from.y(), to.x(), strips.size.y() - to.y());
   return out + "</g>\n" + labels_svg("numbers", "#c03030", strips, strips.numbers) +
-         labels_svg("vertices", "#606060", strips, strips.vertices) + check_svg(page) + "</svg>\n";
+         labels_svg("vertices", "#606060", strips, strips.vertices) + "</svg>\n";
 }
 
 void draw_labels(cairo_t* page, const Strips& strips, const std::vector<Strips::Label>& labels) {
