@@ -155,39 +155,51 @@ SlicerAnswer sliced(const WorkFolder& folder, const std::string& program, const 
   return {estimate};
 }
 
-std::string content_of(const PrintFormat& format, const PrintJob& job, const std::string& name) {
-  for (const auto& [file, content] : format.write(job))
-    if (file == name) return content;
-  return {};
-}
-
-SlicerAnswer sliced_fdm(const PrintJob& job, const WorkFolder& folder, const std::string& program) {
-  write_file(folder / "sheet.3mf", content_of(threemf_format, job, job.sheet.name + ".3mf"));
-  const bool supports = steepest_deg(job.sheet) > steep_deg;
-  SlicerAnswer out =
-      sliced(folder, program,
-             {bed_settings(hard_part(job)) + fdm_settings(supports), folder / "sheet.3mf", "--export-gcode",
-              "sheet.gcode", [](const std::string& file) { return read_gcode(text_of(file)); }});
-  if (out.estimate) out.estimate->supports = supports;
-  return out;
-}
-
-/// Hard and soft are a print each.
-SlicerAnswer sliced_sla(const PrintJob& job, const WorkFolder& folder, const std::string& program) {
+/// One print after the other: what all take.
+SlicerAnswer all_sliced(const WorkFolder& folder, const std::string& program,
+                        const std::vector<Slicing>& prints) {
   SlicerAnswer sum{SliceEstimate{.prints = 0}};
-  for (const char* part : {"hard.stl", "soft.stl"}) {
-    const std::string stl = content_of(stl_format, job, part);
-    if (stl.empty()) continue;
-    write_file(folder / part, stl);
-    const SlicerAnswer one = sliced(folder, program,
-                                    {bed_settings(hard_part(job)) + sla_settings, folder / part,
-                                     "--export-sla", "sheet.sl1", read_slices});
+  for (const Slicing& print : prints) {
+    const SlicerAnswer one = sliced(folder, program, print);
     if (!one.estimate) return one;
     sum.estimate->seconds += one.estimate->seconds;
     sum.estimate->material_mm3 += one.estimate->material_mm3;
     ++sum.estimate->prints;
   }
   return sum;
+}
+
+/// Loose rods lie on the bed and need no supports.
+SlicerAnswer sliced_fdm(const PrintJob& job, const WorkFolder& folder, const std::string& program) {
+  const bool supports = steepest_deg(job.sheet) > steep_deg;
+  const std::string sheet = job.sheet.name + ".3mf", rods = job.sheet.name + "_rods.3mf";
+  std::vector<Slicing> prints;
+  for (const auto& [name, content] : threemf_format.write(job)) {
+    if (name != sheet && name != rods) continue;
+    const bool is_sheet = name == sheet;
+    const std::string file = folder / (is_sheet ? "sheet.3mf" : "rods.3mf");
+    write_file(file, content);
+    prints.push_back({bed_settings(is_sheet ? hard_part(job) : laid_out_rods(job.sheet)) +
+                          fdm_settings(supports && is_sheet),
+                      file, "--export-gcode", "sheet.gcode",
+                      [](const std::string& gcode) { return read_gcode(text_of(gcode)); }});
+  }
+  SlicerAnswer out = all_sliced(folder, program, prints);
+  if (out.estimate) out.estimate->supports = supports;
+  return out;
+}
+
+/// Hard and soft are a print each, and so are loose rods.
+SlicerAnswer sliced_sla(const PrintJob& job, const WorkFolder& folder, const std::string& program) {
+  std::vector<Slicing> prints;
+  for (const auto& [name, content] : stl_format.write(job)) {
+    if (name != "hard.stl" && name != "soft.stl" && name != "rods.stl") continue;
+    write_file(folder / name, content);
+    prints.push_back(
+        {bed_settings(name == "rods.stl" ? laid_out_rods(job.sheet) : hard_part(job)) + sla_settings,
+         folder / name, "--export-sla", "sheet.sl1", read_slices});
+  }
+  return all_sliced(folder, program, prints);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ struct SliceEstimate {
   double seconds = 0;       ///< of printing, s, > 0: all prints one after the other
   double material_mm3 = 0;  ///< of filament or resin, mm^3, with skirts, > 0
   bool supports = false;    ///< whether time and material have them
-  int prints = 1;           ///< one where both materials are printed together, else one of each
+  int prints = 1;  ///< one where both materials are printed together, else one of each; and one of loose rods
 };
 
 /// Of a slicer that was asked.

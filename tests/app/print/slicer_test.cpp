@@ -38,6 +38,19 @@ TEST(Slicer, TellsTimeAndAsMuchMaterialAsThereIsVolume) {
   }
 }
 
+/// Loose rods are a file and a print of their own.
+TEST(Slicer, CountsLooseRods) {
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, panel, "--format stl --hinge pin --process sla --loose-rods --slice").code, 0);
+  const Json json = said_of(scratch);
+  ASSERT_TRUE(json["slicer"].contains("seconds")) << json["slicer"];
+  const double hard = json["volume_mm3"]["hard"], rods = volume_of_stl(text_of(scratch / "out/rods.stl"));
+  ASSERT_GT(rods, 0.02 * hard);
+  EXPECT_NEAR(double(json["slicer"]["material_mm3"]) / (hard + rods), 1, 0.01);
+  EXPECT_EQ(json["slicer"]["prints"], 2);
+  EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("in 2 prints"));
+}
+
 /// The report beside the design learns it, if it is of the same sheet.
 TEST(Slicer, IsQuotedByTheReportOfTheSameSheet) {
   const Scratch scratch;
