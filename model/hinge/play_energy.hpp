@@ -15,7 +15,7 @@
 /// in units of k_point edge^2, gaps in cell edges. The corner of E_p is rounded over played_width of the play, so
 /// that second derivatives are continuous; beyond it, forces are those above. `loose` keeps bodies from lying
 /// anywhere within the play, where no equilibrium is a point of its own. The mismatch of the axis needs no term:
-/// two points with play p tilt by asin(p / reach).
+/// two points with play p tilt by 2 asin(p / 2 reach).
 namespace kinetix::model {
 
 /// Of the play, in which the pull begins: half before it and half behind.

@@ -30,7 +30,8 @@ class Goal:
     :param columns: of cells, at least 2
     :param cell_mm: cell edge, mm
     :param rows: of cells
-    :param wall_mm: thickness and height of the walls, mm; by default a tenth and three fifths of the cell edge
+    :param wall_mm: thickness and height of the walls, mm; by default a tenth and three fifths of the cell edge,
+        at most 3 and 30
     :param beta: least and largest tilt, rad
     :param theta: least and largest fold parameter, rad; it stays below where walls close the cells
     :param per: ``column``: each has a tilt of its own; ``all``: all turn alike

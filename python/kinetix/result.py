@@ -83,8 +83,8 @@ class Result:
     def path(self) -> Optional[Dict[str, NDArray[np.float64]]]:
         """The equilibrium path from flat, one number a step; None where no equilibrium was asked for.
 
-        ``theta`` (rad), ``drive`` (compression, or rad of a driven hinge, or mm of a cord), ``load`` (N, or N mm),
-        ``energy`` (N mm), ``gap`` (cell edges), ``contacts``, ``stable`` (0 or 1).
+        ``theta`` (rad), ``drive`` (compression, or rad of a driven hinge, or mm of a cord, or rad at which springs of shape
+        memory rest), ``load`` (N, or N mm), ``energy`` (N mm), ``gap`` (cell edges), ``contacts``, ``stable`` (0 or 1).
         """
         return self._core.path
 
