@@ -78,7 +78,8 @@ std::vector<targets::Key> stiffness_and_shape() {
        {},
        "stiffness of the whole hinge by the directions of its own frame, instead of `k_point` and `k_turn`"},
       {"reach_mm", value::length(targets::from_to(0.01, 10, "mm (0.01 to 10 cells)")),
-       targets::otherwise("0.18 cells; of a made hinge its height over the root of 12"),
+       targets::otherwise(
+           "0.18 cells; of a made hinge its height over the root of 12, with `play` half of it"),
        "half distance of the two points at which a hinge holds its bodies together: what makes it resist "
        "tilting"},
       {"kind",
@@ -114,10 +115,10 @@ std::vector<targets::Key> stiffness_and_shape() {
 std::vector<targets::Key> keys_with(targets::Key model) {
   std::vector<targets::Key> keys = stiffness_and_shape();
   keys.insert(keys.begin(), std::move(model));
-  keys.push_back(
-      {"k_contact", value::number(targets::above(0, "N/mm")),
-       targets::otherwise("10 `k_point`, or 5 times the largest stiffness of `k` or of a made hinge"),
-       "stiffness of two walls pressed together"});
+  keys.push_back({"k_contact", value::number(targets::above(0, "N/mm")),
+                  targets::otherwise("10 `k_point`, or 5 times the largest stiffness of `k` or of a made "
+                                     "hinge; of several the stiffest counts"),
+                  "stiffness of two walls pressed together"});
   return keys;
 }
 
