@@ -36,7 +36,7 @@ const char* drive_text(const DesignFile& design) {
     case Kind::plates:
       return design.drive->press ? "two plates that press" : "two plates";
     case Kind::hinge:
-      return "one hinge that is turned";
+      return "one hinge that is turned, its force at a lever of a cell edge";
     case Kind::cord:
       return "a cord that is pulled";
     case Kind::shape_memory:

@@ -45,7 +45,9 @@ model::EquilibriumPathOptions SheetEquilibria::options(const std::stop_token& st
 }
 
 double SheetEquilibria::force_N(double theta, double load) const {
-  return drive_to(design_, theta).has_force() ? load : load / linkage_.size.edge_mm;
+  const model::LinkageDrive drive = drive_to(design_, theta);
+  if (drive.heats_springs()) return 0;
+  return drive.has_force() ? load : load / linkage_.size.edge_mm;
 }
 
 /// One state after the other, each next to the one before. @return whether it came to theta

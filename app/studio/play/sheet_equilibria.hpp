@@ -33,7 +33,7 @@ class SheetEquilibria {
   /// Where the structure goes when it is let go along the way.
   std::vector<model::StableState> stable(const KnownWay& way, const std::stop_token& stop) const;
 
-  /// Load as a force, N: a moment by the lever of a cell edge.
+  /// Load as a force from outside, N: a moment by the lever of a cell edge; 0 of springs, which need nobody.
   double force_N(double theta, double load) const;
 
  private:

@@ -83,11 +83,16 @@ TEST(StudioEquilibria, GoesUnderTheDesignsOwnDrive) {
     const auto anew = equilibria.go(15 * deg, nullptr, {}, nobody, why);
     EXPECT_LE(turn_distance(design.structure, last.state, anew->states.back().state), 1e-5);
     const model::Linkage linkage = design.structure;
+    const double load = last.step.load, force = equilibria.force_N(last.step.theta, load);
+    EXPECT_GT(std::abs(load), 0);
     if (kind == Kind::hinge) {
+      EXPECT_EQ(force, load / linkage.size.edge_mm) << "at a lever of a cell edge";
       EXPECT_NEAR(hinge_turn(linkage, last.state, drive.hinge), drive.angle, 1e-9);
     } else if (kind == Kind::cord) {
+      EXPECT_EQ(force, load);
       EXPECT_NEAR(cord_length(linkage, drive.through, last.state), drive.rest_mm - drive.shorten_mm, 1e-6);
     } else {
+      EXPECT_EQ(force, 0) << "springs need nobody";
       EXPECT_GT(mean_theta(linkage, last.state), 5 * deg);
     }
   }
