@@ -58,6 +58,10 @@ const targets::KeyTable& k_keys() {
       {"shear", newtons, targets::needed, "across that and the axis"},
       {"along", newtons, targets::needed, "along the axis"},
       {"turn", moments, targets::needed, "about the axis"},
+      {"rock", moments, targets::otherwise("axial times `reach_mm` squared"),
+       "about the direction across body to body and the axis"},
+      {"twist", moments, targets::otherwise("shear times `reach_mm` squared"),
+       "about the direction from body to body"},
   });
   return keys;
 }
@@ -217,6 +221,8 @@ class Reader {
       k.read_needed("shear", "a stiffness in N/mm", hinge.k.shear);
       k.read_needed("along", "a stiffness in N/mm", hinge.k.along);
       k.read_needed("turn", "a stiffness in N mm/rad", hinge.k.turn);
+      k.read("rock", hinge.k.rock);
+      k.read("twist", hinge.k.twist);
     }
     section.read("diameter_mm", hinge.rod_mm);
     section.read("clearance_mm", hinge.clearance_mm);
@@ -250,6 +256,16 @@ std::string vector_text(const Vector3d& v) {
          shortest_text(v.z() + 0.0) + "]";
 }
 
+/// Of its tilts those that do not follow from its reach.
+std::string k_text(const model::HingeStiffness& k) {
+  using targets::shortest_text;
+  std::string out = fmt::format("{{axial: {}, shear: {}, along: {}, turn: {}", shortest_text(k.axial),
+                                shortest_text(k.shear), shortest_text(k.along), shortest_text(k.turn));
+  if (k.rock) out += ", rock: " + shortest_text(*k.rock);
+  if (k.twist) out += ", twist: " + shortest_text(*k.twist);
+  return out + "}";
+}
+
 std::string hinge_line(const model::Assembly& a, const model::AssemblyHinge& h) {
   using targets::shortest_text;
   std::string out =
@@ -257,9 +273,8 @@ std::string hinge_line(const model::Assembly& a, const model::AssemblyHinge& h) 
                   a.bodies[h.lower].name, a.bodies[h.upper].name, h.ball ? "ball" : to_string(h.kind),
                   vector_text(h.point), vector_text(h.axis), vector_text(h.along));
   if (h.ball) return out + "}\n";
-  out += fmt::format(", reach_mm: {}, k: {{axial: {}, shear: {}, along: {}, turn: {}}}, confidence: {:.4g}",
-                     shortest_text(h.reach_mm), shortest_text(h.k.axial), shortest_text(h.k.shear),
-                     shortest_text(h.k.along), shortest_text(h.k.turn), h.confidence);
+  out += fmt::format(", reach_mm: {}, k: {}, confidence: {:.4g}", shortest_text(h.reach_mm), k_text(h.k),
+                     h.confidence);
   if (h.rod_mm > 0)
     out += fmt::format(", diameter_mm: {}, clearance_mm: {}", shortest_text(h.rod_mm),
                        shortest_text(h.clearance_mm));

@@ -24,6 +24,8 @@ ResultJson hinge_of_json(const model::AssemblyHinge& h) {
       {"axis", vector_json3(h.axis)},
       {"reach_mm", h.reach_mm},
       {"k", {{"axial", h.k.axial}, {"shear", h.k.shear}, {"along", h.k.along}, {"turn", h.k.turn}}}};
+  if (h.k.rock) out["k"]["rock"] = *h.k.rock;
+  if (h.k.twist) out["k"]["twist"] = *h.k.twist;
   if (h.ball) out["ball"] = true;
   return out;
 }

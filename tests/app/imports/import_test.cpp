@@ -8,6 +8,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "app/assembly/assembly_file.hpp"
+#include "app/files/design_file.hpp"
 #include "app/print/format/stl_text.hpp"
 #include "app/print/format/zip_text.hpp"
 #include "model/base/angle.hpp"
@@ -93,6 +95,27 @@ TEST(Import, TakesMaterialsAndNamesOfObj) {
       "millimetres, guessed: the file does not say, and the model is 18 of them long; --unit says otherwise");
   EXPECT_TRUE(fs::exists(scratch / "out/parts/left_wall.stl"));
   EXPECT_EQ(kinetix_opt("check " + (scratch / "out/design.yaml").string()).code, 0);
+}
+
+/// Neither follows from its reach.
+TEST(Import, WritesTheRockingAndTwistOfABlock) {
+  const Scratch scratch;
+  imported(scratch, scratch.write("pair.obj", pair_of_walls()));
+  const std::string design = (scratch / "out/design.yaml").string();
+  const model::HingeStiffness k =
+      app::read_assembly(targets::read_document(design, app::max_design_bytes)).assembly.hinges.front().k;
+  const model::HingeStiffness block = stiffness(model::MadeHinge{.kind = model::HingeKind::block,
+                                                                 .material = *model::find_material("tango"),
+                                                                 .gap_mm = 1,
+                                                                 .thickness_mm = 0.8,
+                                                                 .height_mm = 6});
+  ASSERT_TRUE(k.rock && k.twist);
+  EXPECT_NEAR(*k.rock / *block.rock, 1, 1e-6);
+  EXPECT_NEAR(*k.twist / *block.twist, 1, 1e-6);
+  ASSERT_EQ(kinetix_opt("simulate " + design + " -o " + (scratch / "run").string()).code, 0);
+  const Json result = Json::parse(text_of(scratch / "run/result.json"));
+  EXPECT_EQ(schema_errors(result), "");
+  EXPECT_EQ(double(result["structure"]["hinges"][0]["k"]["twist"]), *k.twist);
 }
 
 TEST(Import, ScalesByTheUnitThatIsAskedFor) {
