@@ -97,6 +97,16 @@ TEST(BlurredLight, IsNearWhatARasterShowsOfThickWalls) {
   expect_as_in_raster(0.6, 4, 0.1);
 }
 
+// Its corners, which two walls cover, lie towards its middle: on the other side of their vertices they would count for half.
+TEST(BlurredLight, OfOneCellIsWhatARasterShows) {
+  const Linkage panel = make_sheet(1, 1, {10, 4, 6});
+  const State flat = rest_state(panel);
+  const double cover =
+      1 / (2 * pi * BlurredLight::deviation * BlurredLight::deviation);  // of one cell's area
+  const double shadow = 1 - raster_light(panel, flat, {0.5, 0.5});
+  EXPECT_NEAR(BlurredLight(panel, flat).values().front(), 1 - shadow / cover, 0.01);
+}
+
 TEST(BlurredLight, OfAFlatPanelIsTheSameInAllCells) {
   const Structure sheet = make_sheet(6, 4, size);
   const std::vector<double> light = BlurredLight(sheet, rest_state(sheet)).values();

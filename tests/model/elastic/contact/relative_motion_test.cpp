@@ -88,6 +88,20 @@ TEST(RelativeMotion, FarPartsOfASheetMayMoveApart) {
   EXPECT_FALSE(motion.keeps_apart(to, margin));
 }
 
+/// Two neighbours that turn carry points towards each other by more than the margin, though either alone does not.
+TEST(RelativeMotion, CountsHowBothOfTwoBodiesTurn) {
+  const State from = grid(100, 10);
+  RelativeMotion motion(spacing_mm, reach);
+  motion.remember(from);
+  const double turn = 0.65 * margin / reach;
+  for (const std::size_t first : {std::size_t{0}, from.size() - 2}) {
+    State to = from;
+    to[first].R = Eigen::AngleAxisd(turn, Vector3d::UnitZ()).toRotationMatrix();
+    to[first + 1].R = Eigen::AngleAxisd(turn, Vector3d::UnitZ()).toRotationMatrix();
+    EXPECT_FALSE(motion.keeps_apart(to, margin)) << first;
+  }
+}
+
 TEST(RelativeMotion, KnowsNothingOfOtherStructuresAndOfStatesThatAreNotFinite) {
   RelativeMotion motion(spacing_mm, reach);
   EXPECT_FALSE(motion.keeps_apart(grid(2, 2), margin));
