@@ -275,11 +275,11 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
   if (slicer) line("slicer", slicer_words(*slicer));
   line("supports", support_words(job));
   if (const auto gaps = gap_settings(sheet)) line("gaps", gap_words(*gaps));
-  const LeastDistance& least = clearance.least();
-  if (least.first >= 0 && sheet.path.size() > 1)
+  const LeastDistance& nearest = clearance.nearest;
+  if (nearest.first >= 0 && sheet.path.size() > 1)
     line("fold",
          fmt::format("{:.3f} mm stay between solids from flat to {:.1f} degrees, least at {:.1f} degrees",
-                     least.mm, to_degrees(sheet.thetas.back()), to_degrees(least.theta)));
+                     nearest.mm, to_degrees(sheet.thetas.back()), to_degrees(nearest.theta)));
   for (const std::string& warning : print_warnings(job)) line("note", warning);
   return out;
 }

@@ -54,8 +54,16 @@ double clearance_of(const model::HingePrint& hinge) {
 
 PathClearance nothing_near() {
   PathClearance none;
-  none.in_hinges.mm = none.elsewhere.mm = none.flat_mm = nothing_mm;
+  none.in_hinges.mm = none.elsewhere.mm = none.nearest.mm = none.flat_mm = nothing_mm;
   return none;
+}
+
+void take_less(const LeastDistance& other, LeastDistance& known) {
+  if (other.spare_mm() < known.spare_mm()) known = other;
+}
+
+void take_nearer(const LeastDistance& other, LeastDistance& known) {
+  if (other.mm < known.mm) known = other;
 }
 
 class Distances {
@@ -103,10 +111,13 @@ class Distances {
                           theta,
                           Vector3d::Zero(),
                           asked};
-      if (found.spare_mm() < known.spare_mm()) compare(one, other, state, found, known);
+      if (!(found.spare_mm() < known.spare_mm() || found.mm < least.nearest.mm)) continue;
+      found = compared(one, other, state, found);
+      take_less(found, known);
+      take_nearer(found, least.nearest);
     }
-    for (int h = 0; h < hinges(); ++h) compare_bore(h, theta, state, least.in_hinges);
-    least.flat_mm = std::min(least.in_hinges.mm, least.elsewhere.mm);
+    for (int h = 0; h < hinges(); ++h) compare_bore(h, theta, state, least);
+    least.flat_mm = least.nearest.mm;
     return least;
   }
 
@@ -139,8 +150,8 @@ class Distances {
     return least < nothing_mm ? least : 0;
   }
 
-  void compare(const Shape& a, const Shape& b, const model::State& state, LeastDistance found,
-               LeastDistance& known) const {
+  LeastDistance compared(const Shape& a, const Shape& b, const model::State& state,
+                         LeastDistance found) const {
     btGjkEpaSolver2::sResults result;
     const btTransform at_a = to_bullet(pose_of(a, state)), at_b = to_bullet(pose_of(b, state));
     const btVector3 guess = at_b * to_bullet(b.center) - at_a * to_bullet(a.center);
@@ -150,11 +161,11 @@ class Distances {
       result.distance = 0;  // they touch
     found.mm = result.distance;
     found.place = 0.5 * from_bullet(result.witnesses[0] + result.witnesses[1]);
-    if (found.spare_mm() < known.spare_mm()) known = found;
+    return found;
   }
 
   /// Two cylinders whose axes differ by as much as the bodies disagree about the hinge, at both ends of the eye.
-  void compare_bore(int h, double theta, const model::State& state, LeastDistance& known) const {
+  void compare_bore(int h, double theta, const model::State& state, PathClearance& least) const {
     if (sheet_.hinges[h].made.kind != model::HingeKind::pin) return;
     const model::RestHinge& hinge = sheet_.linkage.hinges[h];
     const model::Pose &lower = state[hinge.lower], &upper = state[hinge.upper];
@@ -170,7 +181,8 @@ class Distances {
                                 theta,
                                 place + high * axis,
                                 clearance};
-      if (found.spare_mm() < known.spare_mm()) known = found;
+      take_less(found, least.in_hinges);
+      take_nearer(found, least.nearest);
     }
   }
 
@@ -180,10 +192,6 @@ class Distances {
   std::vector<double> asked_;                     // of each body, the least of its pins, mm
   std::map<std::pair<int, int>, double> hinged_;  // clearance, mm; of blocks and films 0
 };
-
-void take_less(const LeastDistance& other, LeastDistance& known) {
-  if (other.spare_mm() < known.spare_mm()) known = other;
-}
 
 /// Where parts first come too near. @param by_state of the path, some of them
 LeastDistance first_of(const PrintSheet& sheet, const Distances& distances,
@@ -218,6 +226,7 @@ PathClearance path_clearance(const PrintSheet& sheet) {
   for (const PathClearance& state : by_state) {
     take_less(state.in_hinges, all.in_hinges);
     take_less(state.elsewhere, all.elsewhere);
+    take_nearer(state.nearest, all.nearest);
   }
   if (!is_kept(all)) all.first_too_near = first_of(sheet, distances, by_state);
   return all;

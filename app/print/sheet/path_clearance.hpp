@@ -24,6 +24,7 @@ struct LeastDistance {
 struct PathClearance {
   LeastDistance in_hinges;  ///< of two bodies that share a hinge, mm
   LeastDistance elsewhere;  ///< of all other parts, mm
+  LeastDistance nearest;    ///< of all, whatever they must keep: where pins differ, others have less to spare
   std::optional<LeastDistance> first_too_near =
       {};              ///< on the way, to within 0.1 degrees where a motion is known
   double flat_mm = 0;  ///< least distance of any two parts in the flat state

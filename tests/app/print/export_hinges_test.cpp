@@ -285,6 +285,26 @@ TEST(Export, NamesEachKindOfHingeAndTheMaterialThatItsFilesMix) {
   EXPECT_THAT(words, HasSubstr("polyjet prints soft parts of tango"));
 }
 
+/// Ends of walls at blocks come as near as they like, and nearer than a pin's clearance.
+TEST(Export, SaysHowNearPartsComeThatNeedNotKeepApart) {
+  const auto fold_mm = [](const std::string& own) {
+    std::string design = panel;
+    design.replace(design.find("{theta_deg: 20}"), 15,
+                   "{theta_deg: 30" + own + "}\nhinge: {kind: block, material: tango, gap_mm: 0.6}");
+    const Scratch scratch;
+    EXPECT_EQ(exported(scratch, design, "--format stl").code, 0);
+    std::smatch found;
+    const std::string text = text_of(scratch / "out/print.txt");
+    EXPECT_TRUE(std::regex_search(text, found, std::regex("fold +([0-9.]+) mm stay"))) << text;
+    return found.empty() ? 0 : std::stod(found[1]);
+  };
+  const double blocks = fold_mm("");
+  EXPECT_LT(blocks, 0.25);
+  EXPECT_EQ(fold_mm(", hinges: [{wall: [[0, 0], [1, 0]], hinge: {kind: pin, diameter_mm: 1, clearance_mm: "
+                    "0.3}}]"),
+            blocks);
+}
+
 /// What is said of one hinge is of those that most are, wherever the others stand.
 TEST(Export, SaysTheClearanceAndStiffnessOfMostHinges) {
   std::string design = panel;

@@ -191,6 +191,21 @@ TEST(Export, SaysHowFarPartsMaySwell) {
   EXPECT_NEAR(said_of(scratch)["swelling_mm"], 0.25 / 2, 1e-9) << "rods and bores, and eyes between forks";
 }
 
+/// The pin with least to spare over its own clearance, by rounding, is not the one that fuses first.
+TEST(Export, SaysWhatTheNarrowestPinLeaves) {
+  std::string design = panel;
+  design.replace(design.find("{theta_deg: 20}"), 15,
+                 "{theta_deg: 10, hinges: [{wall: [[0, 0], [1, 0]], hinge: {kind: pin, diameter_mm: 1, "
+                 "clearance_mm: 0.4}}]}\nhinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.1}");
+  const Scratch scratch;
+  ASSERT_EQ(exported(scratch, design, "--format stl --cell-mm 20").code, 0);
+  EXPECT_NEAR(said_of(scratch)["swelling_mm"], 0.1 / 2, 0.005) << "polygons leave their circles by 0.01 mm";
+  EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("fold         0.1"));
+  const Outcome coupon = kinetix_opt("export --coupon -o " + std::string(scratch / "coupon"));
+  ASSERT_EQ(coupon.code, 0) << coupon.err;
+  EXPECT_NEAR(Json::parse(text_of(scratch / "coupon/print.json"))["swelling_mm"], 0.1 / 2, 0.005);
+}
+
 TEST(Export, RefusesAFolderThatCannotBeWritten) {
   const Scratch scratch;
   const std::string file = scratch.write("file", "");
