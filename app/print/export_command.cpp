@@ -184,6 +184,14 @@ std::optional<std::string> always_flat_note(const PrintRequest& request, const F
       flat);
 }
 
+/// Likewise of tiles, which are joined flat.
+std::optional<std::string> flat_tiles_note(const PrintRequest& request, const PrintSheet& sheet) {
+  if (!request.folded || sheet.tiles.count() < 2) return std::nullopt;
+  return "--state folded changes nothing in tiles, which are printed flat, on the sheet's own side; sizes "
+         "here "
+         "are of the fold";
+}
+
 /// Likewise of the way it lies on the bed. @param lie what was chosen
 std::optional<std::string> unlaid_note(const PrintRequest& request, const Formats& formats,
                                        std::string_view lie) {
@@ -303,7 +311,8 @@ Exported exported(const Source& source, const PrintRequest& request, const std::
   progress("building solids", -1);
   PreparedPrint print = source.prepared_for(request);
   lay_as_asked(request, print.job);
-  for (auto& note : {always_flat_note(request, formats), unlaid_note(request, formats, print.job.lie)})
+  for (auto& note : {always_flat_note(request, formats), flat_tiles_note(request, print.job.sheet),
+                     unlaid_note(request, formats, print.job.lie)})
     if (note) print.job.sheet.warnings.push_back(*note);
   if (request.slice) progress("slicing", -1);
   const std::optional<SlicerAnswer> slicer =

@@ -34,6 +34,13 @@ model::Polyhedron lying(const model::Polyhedron& rod, double x, double y) {
   return out;
 }
 
+/// A body as it is printed where its rods are parts of their own.
+model::Polyhedron without_rods(const PrintSheet& sheet, const model::State& state, int body) {
+  model::Polyhedron out = sheet.meshes[body];
+  for (Eigen::Vector3d& p : out.points) p = state[body].R * p + state[body].p;
+  return out;
+}
+
 }  // namespace
 
 model::Polyhedron as_filed(model::Polyhedron solid) {
@@ -46,7 +53,7 @@ model::Polyhedron as_filed(model::Polyhedron solid) {
 model::Polyhedron hard_part(const PrintJob& job) {
   model::Polyhedron all;
   for (int b = 0; b < static_cast<int>(job.sheet.meshes.size()); ++b)
-    append(placed_body(job.sheet, job.state(), b), all);
+    append(without_rods(job.sheet, job.state(), b), all);
   return as_filed(std::move(all));
 }
 
@@ -66,12 +73,8 @@ TileParts tile_parts(const PrintJob& job, int tile) {
   const PrintSheet& sheet = job.sheet;
   const model::State& flat = job.folded ? sheet.path.front() : job.state();
   TileParts parts;
-  for (int b = 0; b < static_cast<int>(sheet.meshes.size()); ++b) {
-    if (sheet.tiles.of_body[b] != tile) continue;
-    model::Polyhedron body = sheet.meshes[b];
-    for (Eigen::Vector3d& p : body.points) p = flat[b].R * p + flat[b].p;
-    append(body, parts.hard);
-  }
+  for (int b = 0; b < static_cast<int>(sheet.meshes.size()); ++b)
+    if (sheet.tiles.of_body[b] == tile) append(without_rods(sheet, flat, b), parts.hard);
   for (int h = 0; h < static_cast<int>(sheet.soft.size()); ++h)
     if (sheet.tiles.of_body[sheet.linkage.hinges[h].lower] == tile && !sheet.soft[h].points.empty())
       append(placed_soft(sheet, flat, h), parts.soft);

@@ -8,8 +8,8 @@ namespace kinetix::app {
 /// corners.
 model::Polyhedron as_filed(model::Polyhedron solid);
 
-/// All bodies and loose rods of a job as one list of triangles, each a closed surface of its own; mm, where they are in
-/// the sheet.
+/// All bodies of a job as one list of triangles, each a closed surface of its own; mm, where they are in the sheet. Without
+/// loose rods, which would be printed with their forks.
 model::Polyhedron hard_part(const PrintJob& job);
 /// All blocks and films likewise; empty where there are none.
 model::Polyhedron soft_part(const PrintJob& job);

@@ -14,6 +14,7 @@ namespace kinetix::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using Json = nlohmann::json;
 
 /// Its own size along x and y, as print.json has it, up to whole mm.
@@ -34,11 +35,23 @@ TEST(Export, CutsALargeSheetIntoTilesThatTheBedHolds) {
     tiles += volume_of_stl(bytes);
     EXPECT_LE(width_of_stl(bytes), 28);
   }
-  tiles += volume_of_stl(text_of(scratch / "out/rods.stl"));
-  EXPECT_NEAR(tiles / double(json["volume_mm3"]["hard"]), 1, 1e-6);
+  EXPECT_NEAR(tiles / double(json["volume_mm3"]["hard"]), 1, 1e-6) << "rods are a file of their own";
+  EXPECT_NEAR(volume_of_stl(text_of(scratch / "out/rods.stl")), 3 * M_PI / 4 * 6, 0.02 * 3 * M_PI / 4 * 6);
   for (const char* name : {"out/panel_tile_2.3mf", "out/panel_rods.3mf"})
     EXPECT_TRUE(fs::exists(scratch / name));
   expect_refused(panel, "--format stl --bed 10,10", "a bed of 10 x 10 mm does not hold a body");
+}
+
+TEST(Export, SaysThatTilesOfAFoldedSheetAreFlat) {
+  const Scratch scratch;
+  const std::string options = "--format stl --hinge pin --bed 28,30";
+  ASSERT_EQ(exported(scratch, panel, options).code, 0);
+  EXPECT_THAT(text_of(scratch / "out/print.txt"), Not(HasSubstr("--state folded")));
+  const std::string flat = text_of(scratch / "out/tile_1.stl");
+  ASSERT_EQ(exported(scratch, panel, options + " --state folded --orient over").code, 0);
+  EXPECT_EQ(text_of(scratch / "out/tile_1.stl"), flat);
+  EXPECT_THAT(text_of(scratch / "out/print.txt"),
+              HasSubstr("--state folded changes nothing in tiles, which are printed flat"));
 }
 
 TEST(Export, LeavesASheetWholeThatTheBedHolds) {
