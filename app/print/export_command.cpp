@@ -201,6 +201,17 @@ std::optional<std::string> unlaid_note(const PrintRequest& request, const Format
                      others);
 }
 
+/// Of sheets whose hinges stretch on the way, in formats that have to move them without.
+std::optional<std::string> unstretched_note(const PrintSheet& sheet, const Formats& formats) {
+  const std::string rigid = names_of(formats, [](const PrintFormat& format) { return format.turns_alone; });
+  if (sheet.is_path_exact || sheet.path.size() < 2 || rigid.empty()) return std::nullopt;
+  return fmt::format(
+      "hinges of {} turn and do not stretch, as those of the design do on the way: its actuator need not "
+      "reach "
+      "the fold",
+      rigid);
+}
+
 /// What is to be made: a design, or a coupon.
 struct Source {
   std::string file;
@@ -311,8 +322,9 @@ Exported exported(const Source& source, const PrintRequest& request, const std::
   progress("building solids", -1);
   PreparedPrint print = source.prepared_for(request);
   lay_as_asked(request, print.job);
-  for (auto& note : {always_flat_note(request, formats), flat_tiles_note(request, print.job.sheet),
-                     unlaid_note(request, formats, print.job.lie)})
+  for (auto& note :
+       {always_flat_note(request, formats), flat_tiles_note(request, print.job.sheet),
+        unlaid_note(request, formats, print.job.lie), unstretched_note(print.job.sheet, formats)})
     if (note) print.job.sheet.warnings.push_back(*note);
   if (request.slice) progress("slicing", -1);
   const std::optional<SlicerAnswer> slicer =

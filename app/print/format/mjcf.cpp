@@ -300,6 +300,7 @@ std::vector<NamedContent> write_mjcf(const PrintJob& job) {
 const PrintFormat mjcf_format = {.name = "mjcf",
                                  .meaning = "MuJoCo, with an actuator that folds it",
                                  .write = write_mjcf,
-                                 .is_always_flat = true};
+                                 .is_always_flat = true,
+                                 .turns_alone = true};
 
 }  // namespace kinetix::app

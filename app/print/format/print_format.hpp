@@ -33,6 +33,7 @@ struct PrintFormat {
   void (*load)() = nullptr;
   bool is_always_flat = false;  ///< shows the flat sheet in every state of the job
   bool lies_on_bed = false;     ///< lies as the job is laid; others have the sheet in its own place
+  bool turns_alone = false;     ///< its hinges turn and do not stretch, and its sheet moves by itself
 };
 
 /// All formats, in the order of the help.

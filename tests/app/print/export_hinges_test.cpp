@@ -108,6 +108,13 @@ drive: {kind: plates, axis: y, compression: 0.03}
   EXPECT_GE(json["path"]["states"], 10);
   EXPECT_NEAR(json["path"]["theta_deg"], std::acos(1 - 0.03) * 180 / M_PI, 1e-6);
   EXPECT_THAT(json["warnings"].dump(), HasSubstr("along the equilibrium of the design's hinges"));
+  const auto rigid =
+      HasSubstr("hinges of mjcf turn and do not stretch, as those of the design do on the way");
+  EXPECT_THAT(json["warnings"].dump(), Not(rigid));
+  ASSERT_EQ(exported(scratch, design, "--format stl,mjcf --hinge block").code, 0);
+  EXPECT_THAT(said_of(scratch)["warnings"].dump(), rigid);
+  ASSERT_EQ(exported(scratch, panel, "--format mjcf").code, 0);
+  EXPECT_THAT(said_of(scratch)["warnings"].dump(), Not(rigid)) << "it has an exact motion";
 }
 
 TEST(Export, SaysThatAFoldOfOtherCellsIsTheEquilibriumOfItsOwn) {
