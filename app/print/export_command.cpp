@@ -307,9 +307,9 @@ bool is_of_another_export(const std::string& file, const Exported& now, const st
   return !same_format || (ending != ".stl" && !file.starts_with(name + "_"));
 }
 
-/// Whether a report beside the design may be of what is printed: of a flat sheet of the design's own size.
+/// Whether a report beside the design may be of what is printed: of a flat sheet of the design's own size, as a whole.
 bool is_of_a_result(const Source& source, const PrintJob& job) {
-  if (!source.design || source.file.empty() || job.folded) return false;
+  if (!source.design || source.file.empty() || job.folded || job.sheet.tiles.count() > 1) return false;
   return !resized_words(source.design->structure.size().edge_mm, job.sheet.linkage.size.edge_mm);
 }
 

@@ -142,14 +142,14 @@ std::string time_words(double seconds) {
                       : fmt::format("{} h {} min", minutes / 60, minutes % 60);
 }
 
-std::string slicer_words(const SlicerAnswer& slicer) {
+std::string slicer_words(const SlicerAnswer& slicer, const Tiles& tiles) {
   if (!slicer.estimate) return slicer.why_none;
   const SliceEstimate& print = *slicer.estimate;
   return fmt::format(
-      "{} and {:.2f} cm3 of material{}, {} supports, by PrusaSlicer with its own settings for speed",
+      "{} and {:.2f} cm3 of material{}, {} supports, by PrusaSlicer with its own settings for speed{}",
       time_words(print.seconds), print.material_mm3 / mm3_per_cm3,
-      print.prints > 1 ? fmt::format(" in {} prints", print.prints) : "",
-      print.supports ? "with" : "without");
+      print.prints > 1 ? fmt::format(" in {} prints", print.prints) : "", print.supports ? "with" : "without",
+      tiles.count() > 1 ? ", as if one bed held all tiles" : "");
 }
 
 /// How the sheet lies in its files.
@@ -272,7 +272,7 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
     line("rods",
          fmt::format("{} parts of their own, which hold by friction in the forks", sheet.loose_rods()));
   line("orientation", orientation_words(job));
-  if (slicer) line("slicer", slicer_words(*slicer));
+  if (slicer) line("slicer", slicer_words(*slicer, sheet.tiles));
   line("supports", support_words(job));
   if (const auto gaps = gap_settings(sheet)) line("gaps", gap_words(*gaps));
   const LeastDistance& nearest = clearance.nearest;
