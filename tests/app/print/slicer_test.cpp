@@ -18,6 +18,7 @@ namespace kinetix::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using Json = nlohmann::json;
 
 /// The sheets' volume in plastic, to within what skirts and rounding of lines to whole widths come to.
@@ -75,6 +76,11 @@ TEST(Slicer, IsQuotedByTheReportOfTheSameSheet) {
   EXPECT_EQ(larger.out.find("report       "), std::string::npos) << larger.out;
   ASSERT_EQ(kinetix_opt(print + " --state folded").code, 0);
   EXPECT_EQ(text_of(page), before) << "of the sheet that stands folded in the printer";
+  EXPECT_THAT(run.out, Not(HasSubstr("as if one bed held all tiles")));
+  const Outcome tiles = kinetix_opt(print + " --bed 28,30");
+  ASSERT_EQ(tiles.code, 0) << tiles.err;
+  EXPECT_THAT(tiles.out, HasSubstr(" with its own settings for speed, as if one bed held all tiles"));
+  EXPECT_EQ(text_of(page), before) << "in two prints one after the other";
   std::string other = panel;
   other.replace(other.find("cell_mm: 12"), 11, "cell_mm: 13");
   std::ofstream(design) << other;

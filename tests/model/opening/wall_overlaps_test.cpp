@@ -21,10 +21,8 @@ Linkage body_with(const std::vector<double>& angles) {
   panel.size = {10, 10 * thickness, 6};
   panel.bodies.resize(1);
   for (const double angle : angles) {
-    Plate plate;
-    plate.body = 0;
+    Plate& plate = panel.plates.emplace_back();
     plate.edge = {std::cos(angle), std::sin(angle), 0};
-    panel.plates.push_back(plate);
   }
   return panel;
 }
