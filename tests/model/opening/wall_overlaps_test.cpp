@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double thickness = 0.4;  // cell edges
+constexpr double thickness = 0.4;  // cell edges: thick, so that a raster counts much
 
 /// One body with half walls at these angles, rad.
 Linkage body_with(const std::vector<double>& angles) {
