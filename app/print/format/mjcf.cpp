@@ -159,13 +159,17 @@ class MujocoFile {
     }
   }
 
-  /// Hinges of loops have no joint of their own: what they resist with at the fold is shared by those of the tree.
+  /// Hinges of loops have no joint of their own: what they resist with at the fold is shared by those of the tree that
+  /// resist themselves, or by all where these are pins.
   void share_loops() {
     double all = 0;
     const model::State& folded = sheet_.path.back();
     for (int h = 0; h < static_cast<int>(turns_.size()); ++h)
       all += stiffness(h) * std::pow(hinge_turn(sheet_.linkage, folded, h), 2);
-    if (held() > 0) with_loops_ = all / held();
+    if (held() > 0)
+      with_loops_ = all / held();
+    else if (turned_ > 0)
+      of_pins_ = all / turned_;
   }
 
   void add_assets() {
@@ -250,10 +254,11 @@ class MujocoFile {
     out_ += "</equality>\n";
   }
 
-  /// Of a joint of the tree, N m/rad; a pin turns freely.
+  /// Of a joint of the tree, N m/rad; a pin turns freely where it has none of a loop's.
   double stiffness(int h) const {
     const model::MadeHinge& made = sheet_.hinges[h].made;
-    return made.kind == model::HingeKind::pin ? 0 : with_loops_ * model::stiffness(made).turn * metres_per_mm;
+    return made.kind == model::HingeKind::pin ? of_pins_
+                                              : with_loops_ * model::stiffness(made).turn * metres_per_mm;
   }
   /// N m: by the hinges of the tree at the fold, over their part of the tendon.
   double held() const {
@@ -287,6 +292,7 @@ class MujocoFile {
   std::vector<double> turns_;
   double turned_ = 0;      // sum of their squares, rad^2
   double with_loops_ = 1;  // energy of all hinges at the fold over that of those in trees
+  double of_pins_ = 0;     // N m/rad, of each pin of the tree, for blocks and films that are in loops alone
   std::string out_;
 };
 

@@ -15,6 +15,7 @@
 #include "app/print/format/parts.hpp"
 #include "model/closure/closure_drive.hpp"
 #include "model/linkage/state.hpp"
+#include "model/matter/made_hinge.hpp"
 #include "tests/app/print/gltf_judge.hpp"
 #include "tests/app/print/mujoco_judge.hpp"
 #include "tests/app/print/slices.hpp"
@@ -377,6 +378,28 @@ TEST(Coupon, FallsFromTwoPiecesAHingeToOneWhereTheSlicerClosesItsGap) {
     EXPECT_EQ(printed_pieces(sliced(scratch.path(), scratch / "out/hard.stl", {200, 60, radius_mm})),
               36 - 3 * fused_gaps)
         << "gaps of less than " << 2 * radius_mm << " mm, at 0, 30 and 60 degrees";
+}
+
+/// A block among pins, which is no joint of the tree: they hold back for it.
+TEST(Mujoco, CountsABlockThatIsInALoopAlone) {
+  const Scratch scratch;
+  const std::string design = scratch.write("panel.yaml", R"(kinetix: 1
+structure: {cells: [3, 2], cell_mm: 12, wall_mm: {thickness: 0.8, height: 6}}
+design: {theta_deg: 20, hinges: [{wall: [[0, 0], [0, 1]], hinge: {kind: block, material: tango, gap_mm: 1.6}}]}
+hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.1}
+)");
+  const std::string out = scratch / "out";
+  ASSERT_EQ(kinetix_opt("export " + design + " --format mjcf -o " + out).code, 0);
+  model::MadeHinge block;
+  block.kind = model::HingeKind::block;
+  block.material = *model::find_material("tango");
+  block.gap_mm = 1.6;
+  block.thickness_mm = 0.8;
+  block.height_mm = 6;
+  const MujocoVerdict verdict = fold_in_mujoco(text_of(out + "/panel.xml"), 1, 1.2);
+  EXPECT_EQ(verdict.error, "");
+  const double turn = 40 * M_PI / 180, energy_Nmm = model::stiffness(block).turn * turn * turn / 2;
+  EXPECT_NEAR(1e3 * verdict.energy_J, energy_Nmm, 0.02 * energy_Nmm);
 }
 
 /// Eighteen hinges beside one another, each of which turns alone.
