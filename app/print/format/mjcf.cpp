@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <queue>
 #include <set>
 
@@ -159,17 +160,18 @@ class MujocoFile {
     }
   }
 
-  /// Hinges of loops have no joint of their own: what they resist with at the fold is shared by those of the tree that
-  /// resist themselves, or by all where these are pins.
+  /// Hinges of loops have no joint of their own: what they resist with at the fold is shared by those of the tree. Where
+  /// some hinges are pins all share alike, so that the actuator moves what turns freely, too.
   void share_loops() {
     double all = 0;
     const model::State& folded = sheet_.path.back();
     for (int h = 0; h < static_cast<int>(turns_.size()); ++h)
       all += stiffness(h) * std::pow(hinge_turn(sheet_.linkage, folded, h), 2);
-    if (held() > 0)
+    const bool has_pins = std::any_of(sheet_.hinges.begin(), sheet_.hinges.end(), is_pin);
+    if (has_pins && turned_ > 0)
+      shared_ = all / turned_;
+    else if (held() > 0)
       with_loops_ = all / held();
-    else if (turned_ > 0)
-      of_pins_ = all / turned_;
   }
 
   void add_assets() {
@@ -254,11 +256,12 @@ class MujocoFile {
     out_ += "</equality>\n";
   }
 
-  /// Of a joint of the tree, N m/rad; a pin turns freely where it has none of a loop's.
+  static bool is_pin(const model::HingePrint& hinge) { return hinge.made.kind == model::HingeKind::pin; }
+  /// Of a joint of the tree, N m/rad.
   double stiffness(int h) const {
-    const model::MadeHinge& made = sheet_.hinges[h].made;
-    return made.kind == model::HingeKind::pin ? of_pins_
-                                              : with_loops_ * model::stiffness(made).turn * metres_per_mm;
+    if (shared_) return *shared_;
+    const model::HingePrint& hinge = sheet_.hinges[h];
+    return is_pin(hinge) ? 0 : with_loops_ * model::stiffness(hinge.made).turn * metres_per_mm;
   }
   /// N m: by the hinges of the tree at the fold, over their part of the tendon.
   double held() const {
@@ -273,12 +276,15 @@ class MujocoFile {
     return turned_ > 0 ? std::min(step_s, resolved * std::sqrt(moved_mass() / (gain() + held()))) : step_s;
   }
 
-  /// All hinges of the tree by one tendon that is 1 longer when each has turned as far as the fold turns it.
+  /// All hinges of the tree by one tendon that is 1 longer when each has turned as far as the fold turns it. It pulls at
+  /// each as hard as that resists there: so all come to rest in the fold, however many ways the sheet can move.
   void add_actuator() {
     out_ += "<tendon>\n<fixed name=\"fold\">\n";
+    const double all = held();
     for (int h = 0; h < static_cast<int>(turns_.size()); ++h)
       if (turns_[h] != 0)
-        out_ += fmt::format("<joint joint=\"j{}\" coef=\"{:.10g}\"/>\n", h, turns_[h] / turned_);
+        out_ += fmt::format("<joint joint=\"j{}\" coef=\"{:.10g}\"/>\n", h,
+                            turns_[h] * (all > 0 ? stiffness(h) / all : 1 / turned_));
     // It pushes as much harder as the hinges hold back at the fold: there its length is exactly what was asked for.
     out_ += fmt::format(
         "</fixed>\n</tendon>\n<actuator>\n<general name=\"fold\" tendon=\"fold\" gainprm=\"{:.10g}\" "
@@ -290,9 +296,9 @@ class MujocoFile {
   const std::vector<TreeLink> links_;
   std::vector<Mass> masses_;
   std::vector<double> turns_;
-  double turned_ = 0;      // sum of their squares, rad^2
-  double with_loops_ = 1;  // energy of all hinges at the fold over that of those in trees
-  double of_pins_ = 0;     // N m/rad, of each pin of the tree, for blocks and films that are in loops alone
+  double turned_ = 0;             // sum of their squares, rad^2
+  double with_loops_ = 1;         // energy of all hinges at the fold over that of those in trees
+  std::optional<double> shared_;  // N m/rad, of each joint of the tree of a sheet with pins
   std::string out_;
 };
 

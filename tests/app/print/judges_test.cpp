@@ -402,6 +402,35 @@ hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.1}
   EXPECT_NEAR(1e3 * verdict.energy_J, energy_Nmm, 0.02 * energy_Nmm);
 }
 
+/// Films that lean among pins: what the actuator pulls at is what holds back, at every joint.
+TEST(Mujoco, FoldsPinsBesideFilmsToTheExactShape) {
+  std::string hinges;
+  for (const auto& [column, lean] : {std::pair{2, 15}, {3, -12}})
+    for (const int row : {0, 1})
+      hinges += fmt::format(
+          "    - {{wall: [[{0}, {1}], [{2}, {1}]], beta_deg: {3}, hinge: {{kind: film, material: pp, gap_mm: "
+          "3, "
+          "thickness_mm: 0.4}}}}\n",
+          column, row, column + 1, row == 0 ? lean : -lean);
+  const Scratch scratch;
+  const std::string design =
+      scratch.write("strip.yaml",
+                    "kinetix: 1\nstructure: {cells: [6, 1], cell_mm: 22, wall_mm: {thickness: 1, height: "
+                    "6}}\ndesign:\n  theta_deg: 25\n  hinges:\n" +
+                        hinges + "hinge: {kind: pin, diameter_mm: 1.5, clearance_mm: 0.25}\n");
+  const std::string out = scratch / "out";
+  ASSERT_EQ(kinetix_opt("export " + design + " --process sla --format mjcf -o " + out).code, 0);
+  const MujocoVerdict verdict = fold_in_mujoco(text_of(out + "/strip.xml"), 1, 1.2);
+  EXPECT_EQ(verdict.error, "");
+  const app::PreparedPrint print =
+      app::prepared(app::read_design(design), *model::find_process("sla"), {}, false);
+  const app::PrintSheet& sheet = print.job.sheet;
+  model::State settled = sheet.path.back();
+  ASSERT_EQ(verdict.positions.size(), settled.size());
+  for (std::size_t b = 0; b < settled.size(); ++b) settled[b].p = 1e3 * verdict.positions[b];
+  EXPECT_LE(aligned_distance(sheet.linkage, settled, sheet.path.back()).max, 1e-4) << "cell edges";
+}
+
 /// Eighteen hinges beside one another, each of which turns alone.
 TEST(Coupon, IsReadByMujocoAsAHingeEach) {
   const Scratch scratch;
