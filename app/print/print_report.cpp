@@ -44,20 +44,27 @@ Json distance_json(const PrintSheet& sheet, const LeastDistance& d) {
           {"place_mm", vector_json(d.place)}};
 }
 
-/// Of a sheet whose bed nobody named.
-bool exceeds_usual_bed(const PrintJob& job) {
-  const PrintSheet& sheet = job.sheet;
-  if (sheet.tiles.bed_mm) return false;
-  return !fits_on_bed(bounds(hard_part(job)).head<2>(), {sheet.process.bed_mm[0], sheet.process.bed_mm[1]});
-}
-
-std::string bed_words(const PrintSheet& sheet) {
-  const auto& [x, y] = sheet.process.bed_mm;
+std::string bed_words(const PrintJob& job) {
+  const model::Process& process = job.sheet.process;
+  const auto& [x, y] = process.bed_mm;
   const std::string bed =
-      fmt::format("larger than the bed of a usual {} printer, {:g} x {:g} mm", sheet.process.name, x, y);
-  if (sheet.is_imported) return bed;
+      fmt::format("larger than the bed of a usual {} printer, {:g} x {:g} mm", process.name, x, y);
+  if (job.sheet.is_imported || job.folded) return bed;
   return bed +
          fmt::format(": with that bed given (kinetix-opt export --bed {:g},{:g}) it is cut into tiles", x, y);
+}
+
+/// Where a usual printer does not hold what is printed; of the bed, where nobody named one.
+std::vector<std::string> room_warnings(const PrintJob& job) {
+  const model::Process& process = job.sheet.process;
+  const Eigen::Vector3d size = bounds(hard_part(job));
+  std::vector<std::string> out;
+  if (!job.sheet.tiles.bed_mm && !fits_on_bed(size.head<2>(), {process.bed_mm[0], process.bed_mm[1]}))
+    out.push_back(bed_words(job));
+  if (size.z() > process.most_height_mm)
+    out.push_back(fmt::format("{:.1f} mm high: a usual {} printer prints {:g} mm at most", size.z(),
+                              process.name, process.most_height_mm));
+  return out;
 }
 
 /// Where loose rods, side by side, do not lie on the bed that was asked for.
@@ -196,9 +203,8 @@ std::vector<std::string> print_warnings(const PrintJob& job) {
   if (job.sheet.has_soft() && !job.sheet.process.joins_two && !job.sheet.is_one_material())
     out.push_back(job.sheet.process.name +
                   " prints one material: soft parts are a print of their own, to be glued to the walls");
-  const std::vector<std::string> materials = material_warnings(job.sheet);
-  out.insert(out.end(), materials.begin(), materials.end());
-  if (!job.folded && exceeds_usual_bed(job)) out.push_back(bed_words(job.sheet));
+  for (const auto& notes : {material_warnings(job.sheet), room_warnings(job)})
+    out.insert(out.end(), notes.begin(), notes.end());
   if (const auto rods = rods_warning(job.sheet)) out.push_back(*rods);
   const double steep = steepest_deg(job.sheet);
   if (steep > steep_deg)

@@ -37,6 +37,7 @@ struct Process {
   std::string source = {};
   std::string rubber = {};            ///< name of the material that its soft parts are made of
   std::array<double, 2> bed_mm = {};  ///< of a usual printer, x and y
+  double most_height_mm = 0;          ///< of a print on it
   bool joins_two = false;  ///< hard and soft in one print; else soft parts are a print of their own
   std::string film =
       {};  ///< name of the material of walls and films in one; empty: films are strips of their own

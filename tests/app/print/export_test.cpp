@@ -206,6 +206,37 @@ TEST(Export, SaysWhatTheNarrowestPinLeaves) {
   EXPECT_NEAR(Json::parse(text_of(scratch / "coupon/print.json"))["swelling_mm"], 0.1 / 2, 0.005);
 }
 
+/// Tiles do not help there.
+TEST(Export, SaysWhereThePrintIsHigherThanUsualPrinters) {
+  const std::string words = " mm high: a usual fdm printer prints 250 mm at most";
+  for (const auto& [height, is_told] : {std::pair("251", true), {"249", false}}) {
+    const std::string design = fmt::format(
+        "kinetix: 1\nstructure: {{cells: [2, 1], cell_mm: 40, wall_mm: {{thickness: 2, height: "
+        "{}}}}}\ndesign: {{theta_deg: 10}}\n",
+        height);
+    const Scratch scratch;
+    ASSERT_EQ(exported(scratch, design, "--format stl --process fdm --hinge block").code, 0);
+    EXPECT_EQ(said_of(scratch)["warnings"].dump().find(words) != std::string::npos, is_told) << height;
+  }
+}
+
+/// The flat sheet of 24 columns is 12 * 24 mm long: what folds within the bed is cut for nothing.
+TEST(Export, AdvisesNoTilesOfTheFold) {
+  std::string design = panel;
+  design.replace(design.find("[3, 2]"), 6, "[24, 1]");
+  const std::string words = "larger than the bed of a usual fdm printer, 220 x 220 mm", advice = "--bed 220";
+  for (const auto& [state, is_advised] : {std::pair("flat", true), {"folded", false}}) {
+    const Scratch scratch;
+    ASSERT_EQ(
+        exported(scratch, design, std::string("--format stl --process fdm --hinge block --state ") + state)
+            .code,
+        0);
+    const std::string notes = said_of(scratch)["warnings"].dump();
+    EXPECT_THAT(notes, HasSubstr(words)) << state;
+    EXPECT_EQ(notes.find(advice) != std::string::npos, is_advised) << state;
+  }
+}
+
 TEST(Export, RefusesAFolderThatCannotBeWritten) {
   const Scratch scratch;
   const std::string file = scratch.write("file", "");
