@@ -68,15 +68,6 @@ std::string stiffness_sentence(const Run& run, const model::Elasticity& e) {
                      run.own_hinges.empty() ? e.k_point : run.hinge.k_point, e.k_turn, end);
 }
 
-model::EquilibriumPathOptions options_of(const Run& run, double goal, int frames) {
-  model::EquilibriumPathOptions options;
-  options.planar = run.plan.planar;
-  options.side = run.side;
-  const double frame = std::abs(goal) / (frames - 1);
-  if (frame > 0) options.longest_step = std::clamp(frame, options.first_step, options.longest_step);
-  return options;
-}
-
 /// The drive, as far as the path came.
 model::LinkageDrive reached_drive(model::LinkageDrive drive, const model::EquilibriumPath& path) {
   double& coordinate = drive.pulls_cord()                                ? drive.shorten_mm
@@ -120,11 +111,20 @@ void add_fidelity(Run& run, double seconds) {
 
 }  // namespace
 
+model::EquilibriumPathOptions steps_to(const model::LinkageDrive& drive, int frames, bool planar) {
+  model::EquilibriumPathOptions options;
+  options.planar = planar;
+  const double frame = std::abs(drive.theta()) / (frames - 1);
+  if (frame > 0) options.longest_step = std::clamp(frame, options.first_step, options.longest_step);
+  return options;
+}
+
 void add_equilibrium(Run& run, const model::LinkageDrive& drive, const model::Elasticity& elasticity,
                      int frames, const RunOptions& run_options) {
   run.plan.why.push_back(stiffness_sentence(run, elasticity));
   const double goal = drive.theta();
-  model::EquilibriumPathOptions path_options = options_of(run, goal, frames);
+  model::EquilibriumPathOptions path_options = steps_to(drive, frames, run.plan.planar);
+  path_options.side = run.side;
   path_options.stop = run_options.stop;
   FrameKeeper keeper(goal, frames);
   model::EnergyTurns turns(drive);

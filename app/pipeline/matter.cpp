@@ -139,8 +139,11 @@ MatterPath path_in_matter(const Run& run, const Scene& scene, const std::stop_to
   if (!exact || out.path.stop != model::EquilibriumPath::Stop::reached) return out;
   const optim::InMatter after =
       made_up_for(run, scene, out.path, elasticity, exact->tolerance_mm, stop).after;
-  return {after.sheet, after.theta, goal_drive(run, after.sheet, after.theta),
-          path_to(run, after.sheet, after.theta, elasticity, stop)};
+  const model::LinkageDrive drive = goal_drive(run, after.sheet, after.theta);
+  model::EquilibriumPathOptions options = steps_to(drive, motion_states, run.plan.planar);
+  options.stop = stop;
+  return {after.sheet, after.theta, drive,
+          trace_equilibrium({after.sheet, drive, exact_motion(after.sheet)}, elasticity, options)};
 }
 
 void settle_in_matter(Run& run, const Scene& scene, const RunOptions& options) {

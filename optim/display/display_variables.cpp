@@ -1,5 +1,7 @@
 #include "optim/display/display_variables.hpp"
 
+#include <algorithm>
+
 namespace kinetix::optim {
 
 using Eigen::VectorXd;
@@ -14,11 +16,21 @@ VectorXd DisplayVariables::joined(const VectorXd& of_ties, double of_compression
   return x;
 }
 
+VectorXd DisplayVariables::bounds_of_ties(int side) const {
+  const double turned = 1 - t[1 - side];
+  VectorXd out = VectorXd::Constant(ties.variables, t[side]);
+  for (std::size_t h = 0; h < ties.variable.size(); ++h) {
+    if (ties.variable[h] == HingeTies::centred || !ties.reversed[h]) continue;
+    double& of_tie = out[ties.variable[h]];
+    of_tie = side == 0 ? std::max(of_tie, turned) : std::min(of_tie, turned);
+  }
+  return out;
+}
+
 VectorXd DisplayVariables::bounds(int side) const {
   const double most = side == 0 ? -offset : offset;
-  const VectorXd widest =
-      joined(VectorXd::Constant(ties.variables, t[side]), compression ? (*compression)[side] : 0,
-             VectorXd::Constant(static_cast<Eigen::Index>(ties.variable.size()), most));
+  const VectorXd widest = joined(bounds_of_ties(side), compression ? (*compression)[side] : 0,
+                                 VectorXd::Constant(static_cast<Eigen::Index>(ties.variable.size()), most));
   if (middle.size() == 0) return widest;
   return side == 0 ? VectorXd(widest.array().max(middle.array() - reach))
                    : VectorXd(widest.array().min(middle.array() + reach));

@@ -12,7 +12,7 @@ namespace kinetix::optim {
 /// compression where it has a range, then the offset of each hinge where they may have any.
 struct DisplayVariables {
   HingeTies ties;
-  std::array<double, 2> t = {0.08, 0.92};            ///< range, within (0, 1)
+  std::array<double, 2> t = {0.08, 0.92};  ///< range, within (0, 1); with 0.5 inside where hinges are tied
   std::optional<std::array<double, 2>> compression;  ///< range, within (0, 0.5]
   double offset = 0;            ///< largest |offset| of a hinge, cell edges; 0: they stay
   Eigen::VectorXd middle = {};  ///< x that all others keep near to; empty: no matter how far
@@ -35,6 +35,8 @@ struct DisplayVariables {
   Eigen::VectorXd gather(const PanelEquilibrium::Gradient& gradient) const;
 
  private:
+  /// Of the ties' variables: hinges whose walls are turned end to end have 1 - t, which keeps the range as well.
+  Eigen::VectorXd bounds_of_ties(int side) const;
   Eigen::VectorXd bounds(int side) const;
   Eigen::VectorXd joined(const Eigen::VectorXd& of_ties, double of_compression,
                          const Eigen::VectorXd& of_offsets) const;

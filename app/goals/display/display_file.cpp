@@ -70,7 +70,8 @@ targets::KeyTable drive_keys(const DisplayFile& usual) {
 targets::KeyTable t_keys(const DisplayFile& usual) {
   return targets::KeyTable({
       {"range", value::range({0, 1, false, false}), targets::by_default(usual.t),
-       "where hinges may sit along their walls; `[0.08, 0.92]` where `variables.offset_mm` is 0"},
+       "where hinges may sit along their walls; `[0.08, 0.92]` where `variables.offset_mm` is 0; with a "
+       "`symmetry` the side that is nearer to 0.5 counts for both where it takes t to 1 - t"},
       {"corner_mm", value::length(targets::from_to(0, 0.45, "mm (up to 0.45 cells)")),
        targets::by_default(0.0), "least distance of a hinge from the ends of its wall"},
       symmetry_key("of the panel as it is printed; `rotate_4` needs as many columns as rows"),
@@ -216,6 +217,13 @@ void read_drive(const targets::Section& root, DisplayFile& file) {
   if (by_hinge) read_driven_hinge(root, section, file);
 }
 
+/// A symmetry turns walls end to end, or onto themselves: those have their hinges at 1 - t, or in the middle.
+void check_tied_t(const targets::Section& t, const DisplayFile& file) {
+  if (file.symmetry == optim::Symmetry::none || (file.t[0] < 0.5 && file.t[1] > 0.5)) return;
+  throw t.optional("range")->error(
+      "must hold 0.5 inside with a symmetry, which has hinges at t, at 1 - t and in the middle of walls");
+}
+
 /// Walls are scaled alike in all of the panel: nothing of it is mirrored, and hinges sit to both sides.
 void check_scaled_t(const targets::Section& t, const DisplayFile& file) {
   if (!(file.offset > 0)) return;
@@ -236,6 +244,7 @@ void read_t(const targets::Section& t, DisplayFile& file) {
     if (!(file.t[0] < file.t[1])) throw t.optional("corner_mm")->error("leaves nothing of variables.t.range");
   }
   check_scaled_t(t, file);
+  check_tied_t(t, file);
 }
 
 void read_compression(const targets::Section& root, const targets::Section& compression, DisplayFile& file) {

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "app/goals/display/search_panel.hpp"
+#include "app/pipeline/equilibrium.hpp"
+#include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/hinge_loads.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/sheet/sheet_motion.hpp"
@@ -33,12 +35,11 @@ PanelLoads panel_loads(const DisplayFile& file, const model::Sheet& basic, optim
   view.plates.press = file.press;
   model::Sheet panel = basic;
   place_hinges(view, panel);
-  model::EquilibriumPathOptions options;
-  options.planar = true;
-  const model::EquilibriumPath path =
-      trace_equilibrium({panel, drive_on(panel, view), exact_motion(panel)}, elasticity, options);
+  const model::LinkageDrive drive = drive_on(panel, view);
+  const model::EquilibriumPath path = trace_equilibrium({panel, drive, exact_motion(panel)}, elasticity,
+                                                        steps_to(drive, motion_states, true));
   PanelLoads loads;
-  loads.hinges = hinge_loads(path, drive_on(panel, view), panel, file.hinge);
+  loads.hinges = hinge_loads(path, drive, panel, file.hinge);
   loads.compression = view.turn ? NAN : view.plates.compression;
   if (view.turn) loads.turn = view.turn->angle;
   const DisplayReading seen = read_panel(file, panel, path.state);

@@ -94,6 +94,22 @@ TEST(DisplaySearch, StartsOfTiedPanelsAreAsFarOffTheMiddleAsTheRule) {
   }
 }
 
+/// Hinges of walls that the symmetry turns end to end sit at 1 - t.
+TEST(DisplayVariables, KeepTheRangeOnWallsThatAreTurnedEndToEnd) {
+  const model::Structure panel = make_structure(model::rectangle(4, 4), {});
+  for (const Symmetry symmetry :
+       {Symmetry::none, Symmetry::mirror_x, Symmetry::mirror_y, Symmetry::rotate_2, Symmetry::rotate_4}) {
+    const DisplayVariables variables = {hinge_ties(panel, symmetry), {0.3, 0.6}, {}};
+    for (const VectorXd& t : {variables.t_of(variables.lower()), variables.t_of(variables.upper())}) {
+      EXPECT_GE(t.minCoeff(), 0.3 - 1e-15) << static_cast<int>(symmetry);
+      EXPECT_LE(t.maxCoeff(), 0.6 + 1e-15) << static_cast<int>(symmetry);
+    }
+  }
+  const DisplayVariables turned = {hinge_ties(panel, Symmetry::rotate_2), {0.3, 0.6}, {}};
+  EXPECT_NEAR(turned.lower().minCoeff(), 0.4, 1e-15);
+  EXPECT_NEAR(turned.upper().maxCoeff(), 0.6, 1e-15);
+}
+
 TEST(PictureCost, DerivativesMatchCentralDifferences) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> any(0, 1);

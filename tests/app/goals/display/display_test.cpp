@@ -272,6 +272,24 @@ TEST(Display, ContrastWithoutScatterIsANumber) {
   EXPECT_GT(Json::parse(text_of(scratch / "result.json"))["metrics"]["contrast"], 100);
 }
 
+// By longer steps than those of the path that is told, the largest load on the way was another.
+TEST(DisplayLimits, AreJudgedByTheLoadsThatAreTold) {
+  const Scratch scratch;
+  const std::string goal = R"(kinetix: 1
+target: {kind: display, rows: ["0110", "0110", "0000", "1111"], channel: area}
+tolerance: {contrast: 0, auc: 0.51, stretch: 1, force_N: 100000}
+solver: {starts: 1, max_evaluations: 30}
+)";
+  const Outcome run = kinetix_opt(scratch.write("t.yaml", goal) + " --no-verify -o " + scratch.path());
+  ASSERT_EQ(run.code, 0) << run.out << run.err;
+  const Json result = Json::parse(text_of(scratch / "result.json"));
+  EXPECT_DOUBLE_EQ(result["display"]["loads"]["force_N"], result["metrics"]["force_N"]);
+  double largest = 0;
+  for (const Json& step : result["equilibrium"]["path"])
+    largest = std::max(largest, std::abs(step["load"].get<double>()));
+  EXPECT_DOUBLE_EQ(result["display"]["loads"]["force_N"], largest);
+}
+
 TEST(DisplayLimits, PressLessWhateverTheDrive) {
   app::DisplayFile file;
   file.compression_range = {0.1, 0.2};
