@@ -59,9 +59,10 @@ std::vector<SummaryLine> SpaceBlockOutcome::summary_lines(const Run&) const {
   const Eigen::Vector3d& g = found.gusset;
   std::vector<SummaryLine> lines = {
       {"block",
-       fmt::format("{} at rest, {} pressed: {} of its lengths, off by {:.1e}: {}",
-                   lengths_text(found.size_mm), lengths_text(error.factors.cwiseProduct(found.size_mm)),
-                   factors_text(error.factors), error.off, verdict(error.off <= file.factor_tolerance))},
+       fmt::format(
+           "{} at rest between its outermost rotors, {} pressed: {} of its lengths, off by {:.1e}: {}",
+           lengths_text(found.size_mm), lengths_text(error.factors.cwiseProduct(found.size_mm)),
+           factors_text(error.factors), error.off, verdict(error.off <= file.factor_tolerance))},
       {"lattice",
        fmt::format("sodalite, {} x {} x {} cells with edges of {:.3g} mm, gussets of {:.3g}, {:.3g} "
                    "and {:.3g} edges in squares normal to x, y and z",

@@ -16,8 +16,8 @@ class SpaceBlockScene final : public Scene {
 
   Forecast forecast() const override {
     Forecast out{block()};
-    const Eigen::Vector3d pressed = file_.goal.factors.cwiseProduct(file_.found.size_mm);
-    out.folded_mm = {pressed.x(), pressed.y(), pressed.z()};
+    if (const auto motion = exact_motion(out.sheet))
+      out.folded_mm = size_of(out.sheet, motion.at(file_.found.theta));
     add_settings(file_, out);
     return out;
   }

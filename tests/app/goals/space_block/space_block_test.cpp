@@ -37,6 +37,21 @@ TEST(SpaceBlockResult, WhoseWallsMeetIsNotSaidToMissItsFactors) {
   EXPECT_THAT(run.out, HasSubstr(": WITHIN TOLERANCE, BUT NOT AS REQUIRED\n"));
 }
 
+// Gussets of its sides stand out beyond the rotors, from which its lengths are measured.
+TEST(SpaceBlockTarget, IsForetoldAsLargeAsItsDesignIs) {
+  const Scratch scratch;
+  const std::string file = scratch.write(
+      "block.yaml", "kinetix: 1\ntarget: {kind: space_block, factor: 0.85}\nstructure: {cells: [1, 1, 1]}\n");
+  ASSERT_EQ(kinetix_opt(file + " --no-verify -o " + std::string(scratch / "out")).code, 0);
+  const auto folded = [](const std::string& what) {
+    const Json told = Json::parse(kinetix_opt("check --json " + what).out);
+    return told["expected"]["folded_mm"].get<std::vector<double>>();
+  };
+  const std::vector<double> foretold = folded(file), designed = folded(scratch / "out/design.yaml");
+  ASSERT_EQ(foretold.size(), 3u);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(foretold[k], designed[k], 1e-6);
+}
+
 TEST(SpaceBlockTarget, RefusesWhatNoBlockDoes) {
   const Scratch scratch;
   const auto refused = [&](const std::string& rest) {
