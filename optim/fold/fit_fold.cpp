@@ -72,6 +72,7 @@ class NetSearch {
     const int finest = all_columns_are_given(goal_.nets[0]) ? 1 : most_columns_a_right_angle;
     for (int finer = 1; finer <= finest && !design_.folds && !options_.stop.stop_requested(); ++finer)
       try_all(finer);
+    design_.stopped = !design_.folds && options_.stop.stop_requested();
     if (!design_.folds) take_the_nearest(finest);
     return std::move(design_);
   }

@@ -34,6 +34,7 @@ struct FoldDesign {
   FoldedNet folded;                    ///< where none folds, the first unfolding with its tilts cut off
   int net = 0;                         ///< in the goal
   bool folds = false;                  ///< within all limits, with no wall and no face in the way
+  bool stopped = false;                ///< before all was tried, with none that folds
   std::vector<FoldAttempt> attempts;   ///< in the order in which they were tried
   std::vector<std::string> obstacles;  ///< why none folds, each reason once; empty where one does
   int evaluations = 0;                 ///< motions that were checked for walls in the way

@@ -107,6 +107,7 @@ SolidDesign fit_solid(const targets::Solid& solid, int cells, int columns, const
     design.attempts.push_back({k, why});
     design.folds = why.empty();
   }
+  design.stopped = !design.folds && options.stop.stop_requested();
   search.finish();
   return std::move(design);
 }

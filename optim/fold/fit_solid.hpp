@@ -20,6 +20,7 @@ struct SolidDesign {
   std::vector<double> tilt;   ///< of each crease, rad
   double theta = 0;           ///< rad
   bool folds = false;         ///< within all limits, with no wall in the way
+  bool stopped = false;       ///< before all was tried, with none that folds
   targets::SolidError error;  ///< of the closed form at theta
   std::vector<SolidAttempt> attempts;
   int evaluations = 0;  ///< motions that were checked for walls in the way

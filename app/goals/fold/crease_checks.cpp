@@ -60,10 +60,11 @@ void add_fold_metrics(const std::vector<FoldedCrease>& creases, double rms, cons
   metrics["face_rms" + state] = rms;
 }
 
-nlohmann::ordered_json closed_form_json(std::size_t starts, int evaluations, bool folds,
+nlohmann::ordered_json closed_form_json(std::size_t starts, int evaluations, bool stopped, bool folds,
                                         const std::string& why_not) {
   nlohmann::ordered_json out = {{"solver", "closed form"}, {"starts", starts}, {"evaluations", evaluations}};
-  add_end(false, folds, "every crease reaches its angle at one theta, with no wall in the way", why_not, out);
+  add_end(stopped, folds, "every crease reaches its angle at one theta, with no wall in the way", why_not,
+          out);
   return out;
 }
 

@@ -43,7 +43,7 @@ void add_fold_metrics(const std::vector<FoldedCrease>& creases, double rms, cons
                       nlohmann::ordered_json& metrics);
 
 /// `optimiser` of a search by closed form. @param why_not it folds, where it does not
-nlohmann::ordered_json closed_form_json(std::size_t starts, int evaluations, bool folds,
+nlohmann::ordered_json closed_form_json(std::size_t starts, int evaluations, bool stopped, bool folds,
                                         const std::string& why_not);
 
 }  // namespace kinetix::app

@@ -157,8 +157,9 @@ void FoldOutcome::add_sections(const Run& run, Json& result) const {
   result["fold"] = fold_json(*this);
   if (design.folds && !run.states.empty() && is_finite(run.states.front().poses))
     result["fold"]["ideal_mm"] = ideal_json(*this, run.states.front().poses);
-  result["optimiser"] = closed_form_json(design.attempts.size(), design.evaluations, design.folds,
-                                         "no unfolding and no number of columns tried folds freely");
+  result["optimiser"] =
+      closed_form_json(design.attempts.size(), design.evaluations, design.stopped, design.folds,
+                       "no unfolding and no number of columns tried folds freely");
 }
 
 void FoldOutcome::add_metrics(Json& metrics) const {

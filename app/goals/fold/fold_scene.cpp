@@ -76,6 +76,11 @@ std::string other_size(const FoldFile& file, const FoldOutcome& found, const Run
   if (better)
     return fmt::format("structure.cell_mm: {:g} comes within {:.1f} %", better->edge_mm,
                        100 * optim::size_miss(better->folded_mm, *found.goal.box_mm));
+  if (options.stop.stop_requested())
+    return fmt::format(
+        "the search was stopped before it had tried all cells; try another cell edge (structure.cell_mm), or "
+        "allow {}",
+        looser);
   const auto mm = found.edges_mm();
   return fmt::format(
       "no cells of about {:.3g} to {:.3g} mm come as near; these fold to box_mm: [{:.1f}, {:.1f}, {:.1f}], "

@@ -125,8 +125,8 @@ void SolidOutcome::add_sections(const Run& run, Json& result) const {
   result["fold"] = fold_json(*this);
   if (design.folds && !run.states.empty() && is_finite(run.states.front().poses))
     result["fold"]["ideal_mm"] = ideal_faces_json(design, run.states.front().poses);
-  result["optimiser"] = closed_form_json(design.attempts.size(), design.evaluations, design.folds,
-                                         "no number of columns tried folds freely");
+  result["optimiser"] = closed_form_json(design.attempts.size(), design.evaluations, design.stopped,
+                                         design.folds, "no number of columns tried folds freely");
 }
 
 void SolidOutcome::add_metrics(Json& metrics) const {

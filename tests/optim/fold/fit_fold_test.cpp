@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <stop_token>
 
 #include "model/contact/wall_contact.hpp"
 #include "model/lattice/square/family/classify.hpp"
@@ -44,6 +45,18 @@ TEST(FitFold, SaysThatOneColumnACreaseCannotFoldACube) {
   EXPECT_FALSE(design.folds);
   ASSERT_EQ(design.obstacles.size(), 1u);
   EXPECT_THAT(design.obstacles[0], ::testing::HasSubstr("walls of"));
+}
+
+TEST(FitFold, SaysThatItWasStoppedBeforeOneFolds) {
+  std::stop_source stop;
+  FoldOptions told = options();
+  told.stop = stop.get_token();
+  EXPECT_FALSE(fit_fold(targets::box_goal({4, 4, 4}), told).stopped);
+  EXPECT_FALSE(fit_fold(targets::box_goal({4, 4, 4}, {}, 1), told).stopped) << "nothing is left to try";
+  stop.request_stop();
+  const FoldDesign design = fit_fold(targets::box_goal({4, 4, 4}), told);
+  EXPECT_FALSE(design.folds);
+  EXPECT_TRUE(design.stopped);
 }
 
 TEST(FitFold, SaysThatTiltsAreTooSmall) {
