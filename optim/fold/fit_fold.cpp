@@ -49,6 +49,8 @@ std::size_t steepest_crease(const targets::FoldNet& net, const std::vector<int>&
   return steepest;
 }
 
+constexpr const char* was_told_to_stop = "the search was told to stop";
+
 /// What stops a net with given columns.
 struct Obstacle {
   std::string why;
@@ -73,6 +75,7 @@ class NetSearch {
     for (int finer = 1; finer <= finest && !design_.folds && !options_.stop.stop_requested(); ++finer)
       try_all(finer);
     design_.stopped = !design_.folds && options_.stop.stop_requested();
+    if (design_.stopped && design_.obstacles.empty()) add_obstacle(was_told_to_stop);
     if (!design_.folds) take_the_nearest(finest);
     return std::move(design_);
   }
@@ -138,7 +141,7 @@ class NetSearch {
     std::vector<Blocked> blocked;
     const int steps = static_cast<int>(std::ceil((upper_ - lower) / look_step));
     for (int k = steps; k >= 0; --k) {
-      if (options_.stop.stop_requested()) return Obstacle{"the search was told to stop", false, 0};
+      if (options_.stop.stop_requested()) return Obstacle{was_told_to_stop, false, 0};
       FoldedNet net = folded(index, columns, lower + (upper_ - lower) * k / steps);
       const auto share = blocked_share(net);
       if (!share) return accept(index, refined(index, columns, std::move(net), k < steps));

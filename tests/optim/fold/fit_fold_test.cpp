@@ -57,6 +57,8 @@ TEST(FitFold, SaysThatItWasStoppedBeforeOneFolds) {
   const FoldDesign design = fit_fold(targets::box_goal({4, 4, 4}), told);
   EXPECT_FALSE(design.folds);
   EXPECT_TRUE(design.stopped);
+  EXPECT_THAT(design.obstacles, ::testing::ElementsAre("the search was told to stop"))
+      << "a goal without any is met";
 }
 
 TEST(FitFold, SaysThatTiltsAreTooSmall) {
