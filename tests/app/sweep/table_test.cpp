@@ -183,18 +183,20 @@ TEST(SweepTable, IsKeptFromBeingReplacedTakenForAnotherOrWrittenTwiceAtOnce) {
   EXPECT_EQ(Json::parse(done.out)["computed"], 0);
 }
 
+/// Runs statements, without quotes, on the table of a sweep into `out`. @return 0 where they were done
+int change_table(const Scratch& scratch, const std::string& sql) {
+  const std::string script = scratch.write(
+      "change.py", "import sqlite3, sys\nsqlite3.connect(sys.argv[1]).executescript('" + sql + "')\n");
+  return std::system(("/usr/bin/python3 " + script + " " + (scratch / "out/sweep.sqlite").string()).c_str());
+}
+
 /// What a sweep leaves that is stopped before its first sample has nothing to lose.
 TEST(SweepTable, WithoutASampleIsTakenWithoutResume) {
   const Scratch scratch;
   const std::string small =
       sweep_of("{kind: factorial}", "  - {path: design.theta_deg, range: [5, 40]}\n", "end_mm");
   ASSERT_EQ(run_sweep_in(scratch, small).code, 0);
-  const std::string script = scratch.write("empty.py",
-                                           "import sqlite3, sys\n"
-                                           "table = sqlite3.connect(sys.argv[1])\n"
-                                           "table.executescript('DELETE FROM samples')\n");
-  ASSERT_EQ(
-      std::system(("/usr/bin/python3 " + script + " " + (scratch / "out/sweep.sqlite").string()).c_str()), 0);
+  ASSERT_EQ(change_table(scratch, "DELETE FROM samples"), 0);
   const Outcome run = run_sweep_in(scratch, small, "--json");
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(Json::parse(run.out)["computed"], 4);
@@ -217,14 +219,10 @@ TEST(SweepTable, AViewWithoutEndInItsPlaceIsRefused) {
   const std::string small =
       sweep_of("{kind: factorial}", "  - {path: design.theta_deg, range: [5, 40]}\n", "end_mm");
   ASSERT_EQ(run_sweep_in(scratch, small).code, 0);
-  const std::string script = scratch.write(
-      "change.py",
-      "import sqlite3, sys\n"
-      "table = sqlite3.connect(sys.argv[1])\n"
-      "table.executescript('DROP TABLE samples; CREATE VIEW samples AS WITH RECURSIVE n(sample) AS '\n"
-      "                    '(SELECT 0 UNION ALL SELECT sample FROM n) SELECT sample FROM n')\n");
-  ASSERT_EQ(
-      std::system(("/usr/bin/python3 " + script + " " + (scratch / "out/sweep.sqlite").string()).c_str()), 0);
+  ASSERT_EQ(change_table(scratch,
+                         "DROP TABLE samples; CREATE VIEW samples AS WITH RECURSIVE n(sample) AS "
+                         "(SELECT 0 UNION ALL SELECT sample FROM n) SELECT sample FROM n"),
+            0);
   const Outcome run = run_sweep_in(scratch, small, "--resume");
   EXPECT_EQ(run.code, 2);
   EXPECT_THAT(run.err, HasSubstr("is not the table of a sweep"));
