@@ -34,13 +34,6 @@ model::Polyhedron lying(const model::Polyhedron& rod, double x, double y) {
   return out;
 }
 
-/// A body as it is printed where its rods are parts of their own.
-model::Polyhedron without_rods(const PrintSheet& sheet, const model::State& state, int body) {
-  model::Polyhedron out = sheet.meshes[body];
-  for (Eigen::Vector3d& p : out.points) p = state[body].R * p + state[body].p;
-  return out;
-}
-
 }  // namespace
 
 model::Polyhedron as_filed(model::Polyhedron solid) {
@@ -53,7 +46,7 @@ model::Polyhedron as_filed(model::Polyhedron solid) {
 model::Polyhedron hard_part(const PrintJob& job) {
   model::Polyhedron all;
   for (int b = 0; b < static_cast<int>(job.sheet.meshes.size()); ++b)
-    append(without_rods(job.sheet, job.state(), b), all);
+    append(placed(job.sheet.meshes[b], job.state()[b]), all);
   return as_filed(std::move(all));
 }
 
@@ -74,7 +67,7 @@ TileParts tile_parts(const PrintJob& job, int tile) {
   const model::State& flat = job.folded ? sheet.path.front() : job.state();
   TileParts parts;
   for (int b = 0; b < static_cast<int>(sheet.meshes.size()); ++b)
-    if (sheet.tiles.of_body[b] == tile) append(without_rods(sheet, flat, b), parts.hard);
+    if (sheet.tiles.of_body[b] == tile) append(placed(sheet.meshes[b], flat[b]), parts.hard);
   for (int h = 0; h < static_cast<int>(sheet.soft.size()); ++h)
     if (sheet.tiles.of_body[sheet.linkage.hinges[h].lower] == tile && !sheet.soft[h].points.empty())
       append(placed_soft(sheet, flat, h), parts.soft);

@@ -260,10 +260,13 @@ PrintSheet make_print_sheet(const DesignFile& design, const PrintPath& path, con
   return SheetMaker(design, path, process, choice).made();
 }
 
+model::Polyhedron placed(model::Polyhedron mesh, const model::Pose& pose) {
+  for (Eigen::Vector3d& p : mesh.points) p = pose.R * p + pose.p;
+  return mesh;
+}
+
 model::Polyhedron placed_body(const PrintSheet& sheet, const model::State& state, int body) {
-  model::Polyhedron out = sheet.with_rods(body);
-  for (Eigen::Vector3d& p : out.points) p = state[body].R * p + state[body].p;
-  return out;
+  return placed(sheet.with_rods(body), state[body]);
 }
 
 model::Polyhedron placed_soft(const PrintSheet& sheet, const model::State& state, int hinge) {

@@ -83,6 +83,8 @@ PrintSheet make_print_sheet(const DesignFile& design, const PrintPath& path, con
 /// Bodies, meshes and blocks of a sheet whose linkage and hinges are known. @throws InvalidInput as above
 void make_solids(PrintSheet& sheet);
 
+/// A mesh of a body's frame where that body stands, mm.
+model::Polyhedron placed(model::Polyhedron mesh, const model::Pose& pose);
 /// A body's or a block's mesh in a state of the path. @param state an element of path, or the rest state
 model::Polyhedron placed_body(const PrintSheet& sheet, const model::State& state, int body);
 /// Each end of a block goes with its own wall.
