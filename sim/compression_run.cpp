@@ -72,6 +72,7 @@ class Run {
     world_.parts().push(rate_ * (1 - tau) / drive_steps_);
     if (options_.elastic) world_.relax_along(start_, theta_ * tau * (2 - tau) * (1 - tau));
     world_.set_drive(theta_ * tau * (2 - tau));
+    world_.slow_to_cord();
     world_.step();
     ++result_.steps;
     measure();

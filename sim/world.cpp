@@ -240,6 +240,18 @@ void World::relax_along(const std::vector<model::Twist>& motion, double amount) 
 
 void World::set_drive(double theta) { engine_->actuator->move_to(theta); }
 
+void World::slow_to_cord() {
+  if (!engine_->cord || engine_->elastic) return;
+  const model::State state = engine_->parts.state();
+  const Eigen::VectorXd pull = engine_->cord->pull(state);
+  const std::vector<Vector6> speeds = engine_->parts.speeds();
+  double shortens = 0;  // cell edges, in the next step
+  for (std::size_t b = 0; b < speeds.size(); ++b)
+    shortens += engine_->options.step_s * pull.segment<6>(6 * static_cast<Eigen::Index>(b)).dot(speeds[b]);
+  const double asked = std::max(0.0, engine_->cord->excess(state));
+  if (shortens > asked) engine_->parts.damp(asked / shortens);
+}
+
 void World::step() {
   engine_->speeds_before = engine_->parts.speeds();
   if (wall_surface(engine_->options) == WallSurface::sharp) engine_->drop_points_that_slid();

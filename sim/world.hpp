@@ -38,6 +38,9 @@ class World {
   /// @pre there is a drive: here, and for its gap
   /// Sets where the drive is to be at the end of the next step. @param theta rad, with sign
   void set_drive(double theta);
+  /// Rotary hinges hold no sheet back that coasts: slows all parts alike until its cord is not slack at the end of the next step.
+  /// Without a cord, or with elastic hinges, nothing.
+  void slow_to_cord();
   void step();
 
   /// Largest force or moment (over the cell edge) that moved a part in the last step, which is what its

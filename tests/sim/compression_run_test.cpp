@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/linkage/actuators.hpp"
 #include "tests/sim/runs.hpp"
 
 namespace kinetix::sim {
@@ -96,6 +97,24 @@ TEST(CompressionRun, ReachesTheSameStateByADrivenHinge) {
       expect_exact(design, run_compression(structure, drive.on(structure)));
     }
   }
+}
+
+/// Nothing but the cord holds rotary hinges back: a sheet that coasts ahead of it would stay there.
+TEST(CompressionRun, FoldsAsFarAsItsCordGetsShorterAndNoFurther) {
+  const model::Structure sheet = make_structure(model::rectangle(4, 3), {});
+  std::vector<int> through;
+  for (int i = 0; i <= 4; ++i) through.push_back(*sheet.hinge_at({{i, 1}, model::Axis::y}));
+  const double shorten_mm = 0.1 * cord_length(sheet, through, rest_state(sheet));
+  for (const int branch : {1, -1})
+    for (const double step_s : {0.01, 0.001}) {
+      PhysicsOptions options = physics_without_contact();
+      options.step_s = step_s;
+      const PhysicsResult result =
+          run_compression(sheet, cord_drive(sheet, through, shorten_mm, branch), options);
+      ASSERT_EQ(result.status, Status::settled) << result.why;
+      const model::State expected = fold(classify(sheet), sheet, branch * std::acos(0.9));
+      EXPECT_LE(aligned_distance(sheet, result.state, expected).max, 1e-4);
+    }
 }
 
 TEST(CompressionRun, TurnsAHingeBeyondAQuarterTurn) {
