@@ -21,8 +21,9 @@ std::string load_text(const Equilibrium& equilibrium, const model::EquilibriumSt
 }
 
 std::string effort_text(const Equilibrium& equilibrium) {
-  return fmt::format("{:.4g} {}: a matter for {}", largest_load(equilibrium.path),
-                     equilibrium.drive.load_unit(), effort_of(equilibrium));
+  const char* gripped = equilibrium.path.let_go > 0 ? " (by plates that grip until the end)" : "";
+  return fmt::format("{:.4g} {}{}: a matter for {}", largest_load(equilibrium.path),
+                     equilibrium.drive.load_unit(), gripped, effort_of(equilibrium));
 }
 
 std::string drive_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {

@@ -95,9 +95,11 @@ double prominence_of(const Loads& loads, std::size_t k) {
   return std::min(fall(loads[k], after, loads.end()), fall(loads[k], before, loads.rend()));
 }
 
+/// Without the last state where plates that press have let go in it: those before it are of plates that grip.
 Loads signed_loads(const EquilibriumPath& path, double sign) {
   Loads loads;
   for (const EquilibriumStep& step : path.steps) loads.push_back(sign * step.load);
+  if (path.let_go > 0) loads.pop_back();
   return loads;
 }
 

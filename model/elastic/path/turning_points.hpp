@@ -66,7 +66,7 @@ EnergyBarrier energy_summit(const Linkage& structure, const Elasticity& elastici
 
 /// The steps of a path at which its load has a maximum or a minimum, as events in the order of the path; the
 /// ends do not count. A maximum stands out where the load falls on both sides of it, before it rises above it
-/// again, by at least `prominence` times the span of all loads; a minimum likewise.
+/// again, by at least `prominence` times the span of all loads; a minimum likewise. Plates that let go at the end make none.
 std::vector<PathEvent> limit_points(const EquilibriumPath& path, double prominence = 0.02);
 
 /// Adds them to the path's events, which stay in the order of the path.

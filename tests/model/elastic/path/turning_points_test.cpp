@@ -67,6 +67,13 @@ TEST(LimitPoints, StandAmongTheOtherEventsInTheOrderOfThePath) {
   EXPECT_THAT(thetas, ElementsAre(0.5, 1, 1, 2, 3));
 }
 
+TEST(LimitPoints, AreNotWherePlatesLetGoAtTheEnd) {
+  EquilibriumPath path = with_loads({0, 3, 5, 1});
+  ASSERT_EQ(limit_points(path).size(), 1u);
+  path.let_go = 1;
+  EXPECT_THAT(limit_points(path), IsEmpty()) << "the last load is of other rows than those before it";
+}
+
 /// Up to the barrier and down behind it: the steepest rise and the steepest fall of the energy.
 TEST(LimitPoints, OfATwistUnitAreOnBothSidesOfItsBarrier) {
   const CellTuple unit{.A_in = {pi / 2, pi / 3, pi / 2, pi / 3}};
