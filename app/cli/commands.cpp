@@ -91,13 +91,15 @@ targets::Node document_of(const CommandOptions& options) {
   return targets::read_document(options.file, max_design_bytes);
 }
 
-/// The design, to another theta where the command line gives one.
+/// The design, to another theta where the command line gives one: by the drive of a file that has none.
 DesignFile design_of(const CommandOptions& options, const targets::Node& root) {
   DesignFile design = read_design(root);
-  if (options.theta_given) {
-    design.theta = options.theta_deg * radians_per_degree;
-    design.drive.reset();
-  }
+  if (!options.theta_given) return design;
+  if (design.drive && !options.drives)
+    Console(options.quiet)
+        .warning("--theta-deg takes the place of `drive:`: the sheet is folded as a design without one is");
+  design.theta = options.theta_deg * radians_per_degree;
+  design.drive.reset();
   return design;
 }
 

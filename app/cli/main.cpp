@@ -281,9 +281,10 @@ int run(int argc, char** argv) {
                    "exact: closed form; equilibrium: elastic hinges; bullet: physics run")
       ->check(CLI::IsMember({"exact", "equilibrium", "bullet"}));
   add_time_limit(*simulate, options, "the path so far, or of --drives those that it came to");
-  CLI::Option* theta =
-      simulate->add_option("--theta-deg", options.theta_deg, "fold angle instead of the design's own")
-          ->check(within(-89.0, 89.0));
+  CLI::Option* theta = simulate
+                           ->add_option("--theta-deg", options.theta_deg,
+                                        "fold angle instead of the design's own, and of its drive")
+                           ->check(within(-89.0, 89.0));
   simulate->add_flag(
       "--drives", options.drives,
       "tries plates, single hinges and cords to the same theta with --model equilibrium, and says which "

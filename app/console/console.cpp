@@ -137,6 +137,13 @@ void Console::error(const std::string& message) {
   log().error("{}", message);
 }
 
+void Console::warning(const std::string& message) {
+  if (quiet_) return;
+  const std::lock_guard lock(mutex_);
+  clear_line();
+  log().warn("{}", message);
+}
+
 Progress Console::progress() {
   return [this](const std::string& name, double done, const std::string& so_far) {
     stage(name, done, {}, so_far);

@@ -29,6 +29,7 @@ class Console {
   void stage(const std::string& name, double done, const std::string& note = {},
              const std::string& so_far = {});
   void error(const std::string& message);
+  void warning(const std::string& message);  ///< nothing where quiet
   Progress progress();
 
  private:

@@ -40,6 +40,10 @@ class DesignScene final : public Scene {
     Forecast out{design_.structure};
     out.has_physics = model_ == Model::bullet;
     if (const auto motion = exact_motion(design_.structure)) out.folded_mm = folded_size(motion, design_);
+    if (needs_elastic_hinges() && design_.hinge.model == HingeSection::Model::rotary)
+      out.notes.push_back(
+          "`verify` needs elastic hinges for this drive: give `hinge: {model: elastic}`; --model equilibrium "
+          "takes rotary ones as elastic");
     return out;
   }
 
@@ -71,6 +75,10 @@ class DesignScene final : public Scene {
   }
 
  private:
+  bool needs_elastic_hinges() const {
+    return design_.drive && (design_.drive->press || design_.drive->kind == DriveSection::Kind::shape_memory);
+  }
+
   DesignFile design_;
   Model model_;
 };

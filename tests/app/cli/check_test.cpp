@@ -48,6 +48,20 @@ TEST(Check, TellsBeforehandWhatTheRunWillHave) {
   }
 }
 
+TEST(Check, NotesDrivesWhosePhysicsRunWantsElasticHinges) {
+  const std::string sheet = "kinetix: 1\nstructure: {cells: [2, 2], cell_mm: 10}\n";
+  for (const std::string drive : {"drive: {kind: shape_memory, angle_deg: 40, k_turn: 5}\n",
+                                  "drive: {kind: plates, compression: 0.1, press: true}\n"}) {
+    const Json rotary = checked(sheet + drive)["expected"]["notes"];
+    ASSERT_EQ(rotary.size(), 1u) << drive << rotary;
+    EXPECT_THAT(rotary[0].get<std::string>(), HasSubstr("needs elastic hinges"));
+    EXPECT_TRUE(checked(sheet + drive + "hinge: {model: elastic}\n")["expected"]["notes"].empty());
+    const Scratch scratch;
+    const std::string file = scratch.write("d.yaml", sheet + drive);
+    EXPECT_EQ(kinetix_opt("verify " + file + " -o " + (scratch / "out").string()).code, 2);
+  }
+}
+
 /// Walls that lean by 45 degrees reach sin(45 deg) of half their height to either side.
 TEST(Check, TellsTheFlatSizeWithWallsThatLean) {
   const std::string head =

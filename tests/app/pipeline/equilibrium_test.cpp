@@ -186,6 +186,17 @@ TEST(Equilibrium, TakesTheOtherSignOfThetaAndADrivenHinge) {
   EXPECT_NEAR(of_hinge, energy, 1e-3 * energy);
 }
 
+TEST(Equilibrium, SaysThatAnAngleTakesThePlaceOfTheFilesDrive) {
+  const Scratch scratch;
+  const std::string file = scratch.write("d.yaml", panel);
+  const Outcome run = kinetix_opt("simulate " + file + " --model exact --theta-deg -20 --json -o " +
+                                  (scratch / "out").string());
+  EXPECT_NEAR(Json::parse(run.out)["metrics"]["theta_rad"].get<double>(), -20 * degree, 1e-12);
+  EXPECT_THAT(run.err, HasSubstr("--theta-deg takes the place of `drive:`"));
+  const Outcome own = kinetix_opt("simulate " + file + " --model exact -o " + (scratch / "own").string());
+  EXPECT_THAT(own.err, Not(HasSubstr("drive")));
+}
+
 /// Four cells in a row, the middle of three rows, each of 10 mm.
 const std::string corded = R"(kinetix: 1
 name: corded
