@@ -198,7 +198,7 @@ examples:
 
 exit codes:
   0 done   1 internal error   2 bad input   3 target missed or not reached
-  4 physics run disagrees or failed)";
+  4 physics run disagrees or failed   130 Ctrl-C before there was anything to keep)";
 
 /// A 3MF file brings the settings that keep a coupon's gaps open.
 void choose_format(kinetix::app::PrintRequest& request) {

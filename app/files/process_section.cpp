@@ -100,8 +100,10 @@ std::string process_text(const model::Process& process) {
 }
 
 std::string problem_text(const model::PrintProblem& problem) {
-  return fmt::format("{}; it could be with a cell_mm of {:.3g}, as a larger sheet or one of fewer cells",
-                     problem.what, problem.cell_mm);
+  return fmt::format(
+      "{}; it could be with a cell_mm of {:.3g}, as a larger sheet or one of fewer cells, if walls "
+      "and hinges become as much larger: those that the file gives in mm stay as they are",
+      problem.what, problem.cell_mm);
 }
 
 void note_process(const model::Process& process, const model::CellSize& size,

@@ -23,6 +23,7 @@ DisplayGoal enlarged(const DisplayGoal& goal, PanelSize size) {
           goal.level((2 * i + 1) * goal.columns / (2 * size[0]), (2 * j + 1) * goal.rows / (2 * size[1])));
   DisplayGoal out = make_goal(size, std::move(levels));
   out.whole = size[0] % goal.columns == 0 && size[1] % goal.rows == 0;
+  out.redrawn = [own = goal](PanelSize other) { return enlarged(own, other); };
   return out;
 }
 

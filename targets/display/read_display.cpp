@@ -62,12 +62,14 @@ DisplayGoal read_rows(const Section& target, const Node& rows, const std::option
     texts.push_back(row.text("a row of 0 and 1 such as \"0110\""));
     row.located([&] { check_row(texts.back(), texts.front().size()); });
   }
-  DisplayGoal goal = rows.located([&] { return rows_goal(texts); });
-  const PanelSize own = {goal.columns, goal.rows};
-  if (size.value_or(own) != own)
-    throw cells->error("is not the size of target.rows, which is [" + std::to_string(own[0]) + ", " +
-                       std::to_string(own[1]) + "]; give that, or leave structure.cells out");
-  return goal;
+  const DisplayGoal goal = rows.located([&] { return rows_goal(texts); });
+  const PanelSize own = {goal.columns, goal.rows}, asked = size.value_or(own);
+  if (asked[0] % own[0] != 0 || asked[1] % own[1] != 0)
+    throw cells->error("is no multiple of the size of target.rows, which is [" + std::to_string(own[0]) +
+                       ", " + std::to_string(own[1]) +
+                       "]; give that or a multiple, which draws each of its cells as several, or leave "
+                       "structure.cells out");
+  return size ? goal.redrawn(asked) : goal;
 }
 
 }  // namespace
@@ -89,7 +91,8 @@ const KeyTable& display_target_keys() {
           {"rows",
            value::list(value::text("0 and 1 a cell"), "rows such as `[\"0110\", \"1001\"]`"),
            {},
-           "what to show, cell by cell: 1 is letter, top row first"},
+           "what to show, cell by cell: 1 is letter, top row first; where `structure.cells` is a multiple of "
+           "their size, each cell as several"},
           {"channel", value::choice({"light", "aperture", "area", "rotation"}),
            otherwise("`light`; `aperture` where `variables.offset_mm` is 0"),
            "what of a cell the picture is read by ([definitions](#channels-of-a-display))"},

@@ -63,6 +63,12 @@ double edge_of_cells(const FoldOutcome& found, int across) {
 
 bool looks_for_other_cells(const FoldFile& file) { return !file.robust && !file.limits.any(); }
 
+/// What of such cells the file's process does not print, in words; empty where it prints them.
+std::string too_fine(const FoldFile& file, const model::CellSize& size) {
+  const auto problems = print_problems(file.process, size, file.hinge.made);
+  return problems.empty() ? "" : ", where " + problems.front().what;
+}
+
 /// Other cells that give a box its size, found by a search of each; where there are none the box that these cells give.
 std::string other_size(const FoldFile& file, const FoldOutcome& found, const RunOptions& options) {
   const char* looser = "a larger tolerance.size";
@@ -74,8 +80,9 @@ std::string other_size(const FoldFile& file, const FoldOutcome& found, const Run
   box.fold.stop = options.stop;
   const auto better = optim::other_cells(box, file.size_tolerance);
   if (better)
-    return fmt::format("structure.cell_mm: {:g} comes within {:.1f} %", better->edge_mm,
-                       100 * optim::size_miss(better->folded_mm, *found.goal.box_mm));
+    return fmt::format("structure.cell_mm: {:g} comes within {:.1f} %{}", better->edge_mm,
+                       100 * optim::size_miss(better->folded_mm, *found.goal.box_mm),
+                       too_fine(file, box.size(better->edge_mm)));
   if (options.stop.stop_requested())
     return fmt::format(
         "the search was stopped before it had tried all cells; try another cell edge (structure.cell_mm), or "

@@ -264,7 +264,7 @@ TEST(Program, HelpNamesEveryCommandAndExitCode) {
   const Outcome help = kinetix_opt("--help");
   EXPECT_EQ(help.code, 0);
   for (const char* word : {"verify", "simulate", "check", "--json", "--threads", "--seed", "--quiet",
-                           "--version", "exit codes", "TARGET.yaml"})
+                           "--version", "exit codes", "130 Ctrl-C", "TARGET.yaml"})
     EXPECT_THAT(help.out, HasSubstr(word));
   EXPECT_EQ(kinetix_opt("--version").out, "kinetix-opt " KINETIX_VERSION "\n");
 }

@@ -534,6 +534,20 @@ TEST(Matter, PrintsOfADisplayAreAsExpected) {
   EXPECT_NEAR(expected["auc"], prints["auc"], 0.01);
 }
 
+/// Equilibria of hinges as soft as these agree to 2e-5 cell edges, by what is left of forces, and are one all the same.
+TEST(Matter, TellsNoOtherEquilibriumWhereThePathEndsInTheOneThatWasFound) {
+  const Scratch scratch;
+  const Finished run = finished(
+      scratch,
+      "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [30, 25], [70, 38], [110, 30], [150, 8], [190, 0], "
+      "[230, 14], [260, 40]]}\nstructure: {cell_mm: 8.4}\n"
+      "hinge: {kind: block, material: tango, gap_mm: 3}\n",
+      " --no-verify");
+  ASSERT_EQ(run.code, 3) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("plates and single hinges let soft hinges lean or buckle"));
+  EXPECT_THAT(run.out, ::testing::Not(HasSubstr("another equilibrium")));
+}
+
 TEST(Matter, RefusesWhatCannotBeMade) {
   const struct {
     std::string text;
@@ -544,6 +558,10 @@ TEST(Matter, RefusesWhatCannotBeMade) {
       {"kinetix: 1\ntarget: {kind: fold, box: [2, 2, 2]}\nstructure: {cell_mm: 5}\nprocess: sla\n",
        "goal.yaml:4:10: process: a wall of 0.5 mm is less than sla prints, 0.8 mm; it could be with "
        "a cell_mm of 8, as a larger sheet or one of fewer cells"},
+      {"kinetix: 1\ntarget: {kind: fold, box: [2, 2, 2]}\n"
+       "structure: {wall_mm: {thickness: 0.4}}\nprocess: fdm\n",
+       "a cell_mm of 20, as a larger sheet or one of fewer cells, if walls and hinges become as much "
+       "larger: those that the file gives in mm stay as they are"},
       {letter + "variables: {offset_mm: 0.5}\n",
        "variables.offset_mm: a hinge made so in walls of 2 mm can sit at most 0.4 mm off their middle"},
       {letter + "tolerance: {strain: 0.8}\n",

@@ -67,7 +67,12 @@ TEST(ReadDisplay, FindsImagesBesideTheDocument) {
 
 TEST(ReadDisplay, TakesRowsQuotedOrNot) {
   EXPECT_THAT(display_of("{kind: display, rows: [\"0110\", 1001]}").row_texts(), ElementsAre("0110", "1001"));
-  EXPECT_EQ(display_of("{kind: display, rows: [\"01\", \"10\"]}\nstructure: {cells: [2, 2]}").columns, 2);
+  const std::string rows = "{kind: display, rows: [\"01\", \"10\"]}\nstructure: {cells: ";
+  EXPECT_EQ(display_of(rows + "[2, 2]}").columns, 2);
+  const DisplayGoal larger = display_of(rows + "[4, 2]}");
+  EXPECT_THAT(larger.row_texts(), ElementsAre("0011", "1100"));
+  EXPECT_TRUE(larger.whole);
+  EXPECT_THAT(larger.redrawn({2, 2}).row_texts(), ElementsAre("01", "10"));
 }
 
 TEST(ReadDisplay, ReadsTheGoalsThatShip) {
@@ -118,7 +123,7 @@ TEST(ReadDisplay, NamesThePlaceOfEveryMistake) {
        2,
        20,
        "structure.cells",
-       {"target.rows", "[2, 2]"}},
+       {"is no multiple of the size of target.rows, which is [2, 2]"}},
       {glyph + "structure: {cells: [1, 10]}", 2, 21, "structure.cells[0]", {"from 2 to 1000"}},
       {glyph + "structure: {cells: [10, 1001]}", 2, 25, "structure.cells[1]", {"from 2 to 1000"}},
       {glyph + "structure: {cells: [501, 500]}", 2, 20, "structure.cells", {"250000 in all"}},

@@ -151,13 +151,18 @@ target: {kind: display, rows: ["0110", "1001", "1001", "0110"]}
 tolerance: {contrast: 8}
 solver: {starts: 1, max_evaluations: 40}
 )";
-  const Outcome run = kinetix_opt(scratch.write("rhomb.yaml", text) + " --no-verify -o " + scratch.path());
+  const auto run_of = [&](const std::string& goal) {
+    return kinetix_opt(scratch.write("rhomb.yaml", goal) + " --no-verify -o " + scratch.path());
+  };
+  const Outcome run = run_of(text);
   EXPECT_EQ(run.code, 3) << run.out << run.err;
   const Json result = Json::parse(text_of(scratch / "result.json"));
   EXPECT_EQ(schema_errors(result), "");
   EXPECT_EQ(result["display"]["needed_for"], "contrast");
   EXPECT_EQ(result["display"]["needed_cells"], (std::vector{8, 8}));
-  EXPECT_THAT(run.out, HasSubstr("cells shows it within these bounds"));
+  EXPECT_THAT(run.out, HasSubstr("a panel of [8, 8] cells shows it within these bounds"));
+  const Outcome larger = run_of(text + "structure: {cells: [8, 8]}\n");
+  EXPECT_EQ(larger.code, 0) << larger.out << larger.err;
 }
 
 /// An L on 6 x 6 cells and what else a file says, in the model.

@@ -114,6 +114,18 @@ TEST(Fold, OfABoxThatMissesItsSizeNamesCellsThatDoNot) {
   EXPECT_EQ(met.code, 0) << met.out << met.err;
 }
 
+TEST(Fold, OfABoxThatMissesItsSizeSaysWhichCellsItsProcessDoesNotPrint) {
+  const Scratch scratch;
+  const Outcome missed = kinetix_opt(scratch.write("tray.yaml",
+                                                   "kinetix: 1\n"
+                                                   "target: {kind: fold, box_mm: [90, 60, 30], open: top}\n"
+                                                   "structure: {cell_mm: 8}\nprocess: fdm\n") +
+                                     " --no-verify -o " + scratch.path());
+  EXPECT_EQ(missed.code, 3) << missed.out << missed.err;
+  EXPECT_THAT(missed.out, ::testing::ContainsRegex("comes within 1\\.9 %, where a wall of 0\\.4[0-9]+ mm is "
+                                                   "less than fdm prints, 0\\.8 mm"));
+}
+
 TEST(Fold, WhoseWallsCollideSaysAtWhichThetaAndHowFarItWouldHaveToGo) {
   const Scratch scratch;
   const Outcome run = kinetix_opt(
