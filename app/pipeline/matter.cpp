@@ -99,14 +99,16 @@ void take_end_of_path(Run& run, const Scene& scene, const model::State& end, dou
   run.matter->why = elsewhere + ", and within tolerance as well";
 }
 
-/// The design that was found, in place of the exact one, and its path from flat.
+/// The design that was found, in place of the exact one, and its path from flat. Of the plan what the search added stays: the
+/// rest was said of the exact design, whose states come from the closed form.
 void show(Run& run, const Scene& scene, const optim::InMatter& found, const model::Elasticity& elasticity,
           const RunOptions& options) {
-  std::vector<std::string> why = std::move(run.plan.why);
+  const Plan exact = std::move(run.plan);
   run.structure = found.sheet;
   run.theta = found.theta;
   run.plan = make_plan(run.structure, Model::equilibrium);
-  run.plan.why.insert(run.plan.why.begin(), why.begin(), why.end());
+  run.plan.why.insert(run.plan.why.end(), exact.why.begin() + static_cast<std::ptrdiff_t>(exact.decided),
+                      exact.why.end());
   run.states.clear();
   run.fidelity.clear();
   run.drive = goal_drive_section(run);

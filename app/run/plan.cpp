@@ -92,6 +92,7 @@ Plan make_plan(const model::Sheet& sheet, std::optional<Model> model) {
     plan.why.push_back(wall_sentence(*plan.free_range));
   }
   plan.why.push_back(model_sentence(plan, structure));
+  plan.decided = plan.why.size();
   return plan;
 }
 

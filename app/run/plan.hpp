@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ struct Plan {
   std::optional<model::ThetaRange>
       free_range;                ///< theta without walls touching; empty outside the exact families
   std::vector<std::string> why;  ///< one sentence per decision
+  std::size_t decided = 0;       ///< of `why`: the first of them are make_plan's, others what a scene adds
 
   /// Whether it is known to move in more than one way.
   bool is_floppy() const { return mobility && mobility->dofs_along > 1; }

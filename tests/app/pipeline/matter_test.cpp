@@ -58,6 +58,10 @@ TEST(Matter, MakesUpForSoftHingesOfACurve) {
   EXPECT_LE(matter["after_mm"], matter["tolerance_mm"]);
   EXPECT_LE(run.result["metrics"]["verify_rms"], 1e-4);
   EXPECT_EQ(run.result["states"][0]["model"], "equilibrium");
+  const std::string plan = run.result["plan"]["why"].dump();
+  EXPECT_THAT(plan, HasSubstr("states are equilibria"));
+  EXPECT_THAT(plan, ::testing::Not(HasSubstr("states come from the closed form")));
+  EXPECT_THAT(plan, HasSubstr("theta kept below"));
   EXPECT_NEAR(run.result["as_made"]["designed_mm"], matter["after_mm"], 1e-6);
   EXPECT_THAT(run.out, HasSubstr("with its hinges as made, points of the sheet are "));
   const Json& is_free = run.result["as_made"]["free_of_contact"];
