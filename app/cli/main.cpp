@@ -99,6 +99,7 @@ void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintReque
   add_output(app, options, "folder for the files (default results/NAME_print)");
   app.add_option("--format", request.formats, kinetix::app::format_help() + "; default with --coupon: 3mf")
       ->delimiter(',')
+      ->allow_extra_args(false)  // the design may stand behind it
       ->type_name("NAME");
   app.add_option("--process", request.process,
                  "polyjet, fdm, sla or sls: what it can print is checked (default: the design's)")
@@ -122,6 +123,7 @@ void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintReque
                  "the printer's bed: a larger sheet is cut into tiles that join by hinges")
       ->expected(2)
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->type_name("X,Y")
       ->check(within(1.0, 1e5));
   app.add_flag("--loose-rods", request.loose_rods, "rods of pins as parts of their own, to be pushed in");

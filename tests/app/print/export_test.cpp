@@ -35,6 +35,19 @@ TEST(Export, WritesTheSameBytesAgain) {
   }
 }
 
+/// Formats and beds have commas between them, so that what follows is the design.
+TEST(Export, TakesADesignBehindItsOptions) {
+  const Scratch scratch;
+  const std::string design = scratch.write("panel.yaml", panel), out = " -o " + std::string(scratch / "out");
+  for (const char* options : {"--format stl,svg ", "--format stl --format svg --bed 300,200 "}) {
+    const Outcome run = kinetix_opt("export" + out + " " + options + design);
+    ASSERT_EQ(run.code, 0) << options << run.err;
+    EXPECT_FALSE(text_of(scratch / "out/panel.svg").empty());
+  }
+  const Outcome bed = kinetix_opt("export" + out + " --format stl --bed 300,200 " + design);
+  EXPECT_EQ(bed.code, 0) << bed.err;
+}
+
 TEST(Export, SaysTheVolumesOfItsFiles) {
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge block").code, 0);
