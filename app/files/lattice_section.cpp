@@ -240,6 +240,13 @@ targets::Key angle_key() {
           "of `rhombus`: between walls along the rows and across them"};
 }
 
+/// Of walls that have their lengths already.
+targets::Key drawn_cell_mm_key() {
+  return cell_mm_key(
+      targets::otherwise("of a drawing and of a list of walls their mean length, which it does not change: "
+                         "distances in cell edges and the usual walls go by it"));
+}
+
 targets::Key any_cells_key() { return cells_key(targets::needed, "the cells of the sheet"); }
 
 const targets::KeyTable& square_keys() {
@@ -281,7 +288,7 @@ const targets::KeyTable& drawing_keys() {
       {"drawing", value::text("path of a DXF or SVG file, from the folder of the design"), targets::needed,
        "of `graph`: its lines are the walls, in mm"},
       rim_key(),
-      cell_mm_key(targets::otherwise("of a drawing and of a list of walls their mean length")),
+      drawn_cell_mm_key(),
       wall_mm_key(),
   });
   return keys;
@@ -313,7 +320,7 @@ const targets::KeyTable& graph_keys() {
                    "`[[from, to], ...]`"),
        targets::needed, "of `graph` without a drawing: each by the numbers of its two vertices, from 0"},
       rim_key(),
-      cell_mm_key(targets::otherwise("of a drawing and of a list of walls their mean length")),
+      drawn_cell_mm_key(),
       wall_mm_key(),
   });
   return keys;
