@@ -24,6 +24,13 @@ constexpr double most_miss =
 constexpr double most_slope = 80;   // deg from the mean normal: steeper, a height over the plane says little
 constexpr double same_area = 1e-3;  // ratio: of triangles and of the loop round them, seen along the normal
 
+/// Without triangles that have a corner twice, as those at the pole of a dome made of quadrilaterals.
+TriangleMesh with_three_corners(TriangleMesh mesh) {
+  std::erase_if(mesh.triangles,
+                [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  return mesh;
+}
+
 /// The one loop of edges that a single triangle has.
 std::vector<int> rim_of(const TriangleMesh& mesh) {
   std::map<std::pair<int, int>, int> uses;
@@ -157,7 +164,7 @@ Eigen::VectorXd fitted(const std::vector<Vector3d>& points, const Vector2d& half
 }  // namespace
 
 SurfacePatch mesh_patch(const TriangleMesh& given) {
-  const TriangleMesh mesh = joined(given);
+  const TriangleMesh mesh = with_three_corners(joined(given));
   const std::vector<int> rim = rim_of(mesh);
   Eigen::Matrix3d frame = upright(mesh);
   const Vector3d z = frame.row(2);

@@ -76,6 +76,18 @@ TEST(MeshPatch, IsTheSurfaceThatItWasSampledFrom) {
     EXPECT_NEAR(mesh.height(at).z - shift, cap.height(at).z, 0.01);
 }
 
+TEST(MeshPatch, LeavesOutTrianglesThatHaveACornerTwice) {
+  const TriangleMesh whole = sampled(cap_patch(100, 1), 8);
+  TriangleMesh with_pole = whole;
+  for (int k = 0; k < 3; ++k) {
+    with_pole.vertices.push_back(whole.vertices[40]);
+    with_pole.triangles.push_back({40, static_cast<int>(with_pole.vertices.size()) - 1, 41});
+  }
+  const SurfacePatch plain = mesh_patch(whole), same = mesh_patch(with_pole);
+  EXPECT_EQ(same.half, plain.half);
+  EXPECT_EQ(same.height({10, 20}).z, plain.height({10, 20}).z);
+}
+
 TEST(MeshPatch, RefusesWhatIsNoSingleOpenSmoothSurface) {
   TriangleMesh closed;
   closed.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
