@@ -43,4 +43,16 @@ sed -i 's/drive: .*/drive: {kind: shape_memory, angle_deg: 20, k_turn: 5}/' "$wo
 "$program" simulate "$work/panel.yaml" --model equilibrium --quiet -o "$work/springs" >/dev/null || fail "springs end with $?"
 draw "$work/springs/report.html"
 holds 'its own springs fold it</dd>'
+
+# A sheet that one hinge moves has the size that its closed form has, however it lies.
+cat >"$work/aslant.yaml" <<'END'
+kinetix: 1
+structure: {cells: [4, 4], cell_mm: 10}
+drive: {kind: hinge, wall: [[0, 0], [1, 0]], angle_deg: 40}
+hinge: {model: elastic}
+END
+"$program" simulate "$work/aslant.yaml" --model equilibrium --quiet -o "$work/aslant" >/dev/null || fail "one hinge ends with $?"
+draw "$work/aslant/report.html"
+holds 'Folded</dt><dd>41.9 × 41.9 × 6.00 mm</dd>'
+holds 'Printed flat: 4 × 4 cells of 10&nbsp;mm, 41&nbsp;mm × 41&nbsp;mm'
 echo "equilibrium_renders: all sections are drawn"

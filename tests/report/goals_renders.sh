@@ -28,6 +28,7 @@ tolerance: {angle_deg: 0.3, shape: 0.03}
 END
 search box
 drawn fold '<th scope="col">Required</th>'
+drawn layout '&nbsp;columns and '  # which the net does not fill
 holds 'allowed 0.3'
 holds 'allowed 0.03'
 

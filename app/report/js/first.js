@@ -9,8 +9,21 @@ const FIRST_SLANT = [-0.55, 0.42], FIRST_TOP = [0, 1.1];  // azimuth and elevati
 const OTHER_BRANCH = "another branch";  // as results say that physics ended in another equilibrium
 const OWN_SPRINGS = "its own springs";  // as `effort` of results calls a drive that nobody presses
 
+/** Whether no plates hold a panel's sides: its equilibrium then lies in its plane turned by whatever moved it. */
+function liesAslant({view, equilibrium, goal, states}) {
+  if (view !== "top" || !states.flat) return false;
+  return equilibrium ? equilibrium.drive !== DRIVES.plates : finite(goal?.angle) !== null;
+}
+
+/** Turned in its plane so that its bodies lie as nearly as they can where they were flat. */
+function squarePlace({states: {model, flat}}) {
+  const inPlane = ({p: [x, y]}) => [x, y], {move} = planeMotion(model.poses.map(inPlane), flat.poses.map(inPlane));
+  return ([x, y, z]) => [...move([x, y]), z];
+}
+
 /** Into the frame that the goal was drawn in, where a strip stands as its curve does. */
 function standingPlace(data) {
+  if (liesAslant(data)) return squarePlace(data);
   if (!seenFromSide(data)) return (p) => p;
   const {place} = sideView(data);
   return ([x, y, z]) => {

@@ -179,16 +179,20 @@ function offsetWords({hinges}) {
 
 const LATTICE_WORDS = {graph: "cells of a drawing"};
 
-function sizeWords(structure) {
-  const side = (k) => {
-    const places = structure.bodies.map((body) => body.rest[k]);
-    return millimetres(Math.max(...places) - Math.min(...places));
-  };
+/** As many cells as there are, which need not fill their columns and rows. */
+function squaresWords({columns, rows, cells, cell}) {
+  if (!cells || cells === columns * rows) return `${columns} \u00d7 ${rows} cells of ${millimetres(cell)}`;
+  return `${count(cells, "cell", "cells")} of ${millimetres(cell)} in ${count(columns, "column", "columns")} and ${count(rows, "row", "rows")}`;
+}
+
+/** Over all, walls as thick as they are. */
+function sizeWords(data) {
+  const {structure} = data, [x, y] = boxOfPlates(standingFlat(data)).map(millimetres);
   const cells = structure.isSquare ?
-      `${structure.columns} \u00d7 ${structure.rows} cells of ${millimetres(structure.cell)}` :
+      squaresWords(structure) :
       `${structure.cells} ${LATTICE_WORDS[structure.lattice] ?? `cells of a ${structure.lattice} lattice`}, ` +
           `cell edge ${millimetres(structure.cell)}`;
-  return `${cells}, ${side(0)} \u00d7 ${side(1)}`;
+  return `${cells}, ${x} \u00d7 ${y}`;
 }
 
 /** Whether walls of a column lean to the other side from row to row, as those do that bend a strip; sheets of one's own need not. */
@@ -212,7 +216,7 @@ function layoutSection(data) {
   return [
     html(
         "p", {class: "lead"},
-        `Printed flat: ${sizeWords(structure)}, ${wallText}. Front is at the bottom of the picture.`),
+        `Printed flat: ${sizeWords(data)}, ${wallText}. Front is at the bottom of the picture.`),
     responsive((width) => drawLayout(data, width)),
     tilted ? keys : null,
     tilted ? legend(

@@ -9,7 +9,7 @@ function readCurve(raw, target) {
     error: numberRows(raw.error, 2),
     scale: finite(raw.scale_mm),
     turn: turn.map((t) => ({column: t.column, needed: t.needed_deg, allowed: finite(t.allowed_deg)})),
-    robust: list(raw.robust).filter((one) => finite(one?.as_made_rms_mm) !== null && finite(one?.shape_rms) !== null),
+    robust: list(raw.robust).map((one, k) => ({...one, plain: k === 0})).filter((one) => finite(one?.as_made_rms_mm) !== null && finite(one?.shape_rms) !== null),
     reasons: list(raw.reasons).filter((reason) => typeof reason === "string"),
   };
 }
@@ -228,7 +228,7 @@ function frontOf(tried) {
 
 function drawRobust(data, width) {
   const {robust, scale} = data.goal, off = (one) => one.shape_rms * scale;
-  const near = robust.filter((one) => one.allowed || one === robust[0]);
+  const near = robust.filter((one) => one.allowed || one.plain);
   const axes = plot({
     width,
     label: "Error of the design and of its prints",
@@ -237,7 +237,7 @@ function drawRobust(data, width) {
   });
   const dot = (one) => svg("circle", {
     cx: axes.X(off(one)), cy: axes.Y(one.as_made_rms_mm), r: one.chosen ? 6 : 3.5,
-    class: one.chosen ? "tried chosen" : one === robust[0] ? "tried plain" : "tried"
+    class: one.chosen ? "tried chosen" : one.plain ? "tried plain" : "tried"
   }, svg("title", {}, `${one.columns} columns, theta ${degrees(toDegrees(one.theta_rad))}`));
   axes.root.append(svg("path", {class: "model", d: path(frontOf(near).map((one) => [axes.X(off(one)), axes.Y(one.as_made_rms_mm)]))}),
                    ...near.map(dot));
@@ -248,14 +248,14 @@ function drawRobust(data, width) {
 function robustFigure(data) {
   const {robust} = data.goal;
   if (!robust.length || data.goal.scale === null) return null;
-  const chosen = robust.find((one) => one.chosen), plain = robust[0];
+  const chosen = robust.find((one) => one.chosen), plain = robust.find((one) => one.plain);
   const gaps = (one) => finite(one.gap_mm) === null ? "" : `, gaps of ${millimetres(one.gap_mm)}`;
   const named = (one) => `${one.columns} columns of ${millimetres(one.cell_mm)} at ${degrees(toDegrees(one.theta_rad))}${gaps(one)}`;
   return html(
       "div", {class: "part"}, html("h3", {}, "Designs and their prints"),
       html("p", {class: "lead"}, chosen && chosen !== plain ?
           `Prints of ${named(chosen)} are expected ${millimetres(chosen.as_made_rms_mm)} off; of the design with the least error of ` +
-              `its own, ${named(plain)}, ${millimetres(plain.as_made_rms_mm)}.` :
+              (plain ? `its own, ${named(plain)}, ${millimetres(plain.as_made_rms_mm)}.` : "its own that is not known.") :
           "No other strip that was tried promises better prints than the one with the least error of its own."),
       responsive((width) => drawRobust(data, width)),
       legend(["tried", "strips that meet the goal"], ["tried plain", "least error of its own"], ["tried chosen", "this one"]));
