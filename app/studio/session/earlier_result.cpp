@@ -87,6 +87,17 @@ Json read(const fs::path& file) {
   }
 }
 
+/// Whether it is a result of a search as the program writes them: nobody asked for the file beside a design.
+bool is_of_search(const Json& result) {
+  const auto is = [](const Json& part, const char* key, bool (Json::*kind)() const noexcept) {
+    return part.contains(key) && (part[key].*kind)();
+  };
+  return result.is_object() && is(result, "target", &Json::is_object) &&
+         is(result, "metrics", &Json::is_object) &&
+         (!result.contains("name") || is(result, "name", &Json::is_string)) &&
+         (!result.contains("stopped") || is(result, "stopped", &Json::is_boolean));
+}
+
 }  // namespace
 
 std::optional<double> theta_reached(const Json& message) {
@@ -100,9 +111,7 @@ std::optional<double> theta_reached(const Json& message) {
 Json earlier_result(const std::string& design_file, const DesignFile& design) {
   const fs::path file = fs::path(design_file).parent_path() / "result.json";
   Json result = read(file);
-  if (!result.is_object() || !result.contains("target") || !result["target"].is_object()) return nullptr;
-  if (!result.contains("metrics") || !result["metrics"].is_object()) return nullptr;
-  if (!is_of_sheet(result, design, rounding)) return nullptr;
+  if (!is_of_search(result) || !is_of_sheet(result, design, rounding)) return nullptr;
   const Json met = result["metrics"].value("met", Json(nullptr));
   const bool stopped = result.value("stopped", false);
   const std::string text = words(result, file.string());

@@ -132,6 +132,7 @@ const std::map<std::string, Session::Command>& Session::commands() {
       {"reset",
        [](S& s, const M&) {
          s.tracer_.ask_to_stop();
+         ++s.traces_;  // states of it that wait to be shown are not
          s.player_.reset();
          s.tell_state();
        }},

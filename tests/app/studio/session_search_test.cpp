@@ -156,6 +156,14 @@ TEST_F(Studio, KnowsNoGoalOfADesignThatWasChangedSince) {
   ASSERT_FALSE(app::studio::earlier_result(path, higher).is_null());
   higher.structure.squares()->size.height_mm *= 5;
   EXPECT_TRUE(app::studio::earlier_result(path, higher).is_null()) << "its walls are other ones";
+  const std::filesystem::path beside = std::filesystem::path(path).parent_path() / "result.json";
+  const json known = json::parse(std::ifstream(beside));
+  for (const json& odd : {json{{"name", 5}}, json{{"stopped", "yes"}}, json{{"metrics", 1}}}) {
+    json other = known;
+    other.update(odd);
+    std::ofstream(beside) << other;
+    EXPECT_TRUE(app::studio::earlier_result(path, app::read_design(path)).is_null()) << odd;
+  }
 }
 
 }  // namespace
