@@ -109,8 +109,14 @@ void check_pin(const MadeHinge& p, const CellSize& size) {
   if (!(p.diameter_mm > 0)) refuse("diameter_mm", p.diameter_mm, "above 0");
   const double room = room_for_knuckles(size);
   if (knuckle_mm(p) <= room) return;
+  const double most = room - (knuckle_mm(p) - p.diameter_mm);
+  if (!(most > 0))
+    throw InvalidInput("a pin does not fit cells of " + number_text(size.edge_mm) + " mm: its clearance of " +
+                       number_text(p.clearance_mm) +
+                       " mm and walls of 0.8 mm leave no room for a rod where two knuckles of one body stand "
+                       "beside each other");
   refuse("diameter_mm", p.diameter_mm,
-         "at most " + number_text(room - (knuckle_mm(p) - p.diameter_mm)) +
+         "at most " + number_text(most) +
              " mm: with its clearance and walls of 0.8 mm, two knuckles of one body then stand beside each "
              "other");
 }

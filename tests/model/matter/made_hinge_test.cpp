@@ -179,6 +179,14 @@ TEST(MadeHinge, NamesAFieldThatCannotBeMade) {
                 h.diameter_mm = 12;
               }),
               HasSubstr("at most 11.9421 mm"));
+  MadeHinge rod = block(3, 1, 2, 0.45);
+  pin(rod);
+  rod.diameter_mm = 1;
+  EXPECT_THAT(refusal([&] {
+                validate(rod, CellSize{3, 1, 2});
+              }),
+              HasSubstr("a pin does not fit cells of 3 mm"))
+      << "not a diameter below 0";
   EXPECT_THAT(refused([&](MadeHinge& h) {
                 pin(h);
                 h.diameter_mm = std::nan("");
