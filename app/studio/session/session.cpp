@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "app/assembly/assembly_file.hpp"
 #include "app/exports/write_results.hpp"
 #include "app/io/atomic_file.hpp"
+#include "app/run/run.hpp"
 #include "app/studio/messages/design_message.hpp"
 #include "app/studio/messages/templates.hpp"
 #include "app/studio/session/design_edits.hpp"
@@ -19,6 +21,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr double largest_push_N = 1000;  // more than a person pushes with
+constexpr double same_fold = 1e-6;  // rad of theta: nearer to where a search ended nobody moved the slider
 
 /// Where the equilibrium of a result ended, rad, which need not be where its design was asked to go; nothing of other results, whose
 /// designs stand as they were saved.
@@ -241,14 +244,14 @@ void Session::save() {
   const fs::path file = save_file();
   std::error_code ignored;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
-  if (const auto& run = history_.finding().run; run && file.filename() == "design.yaml") {
-    write_results(const_cast<Run&>(*run), file.parent_path().string());
-  } else {
-    DesignFile design = history_.current();
-    // Without an exact motion it is opened by its drive, whose theta need not be the sheet's.
-    design.theta = player_.moving().exact ? player_.sheet_theta() : player_.theta();
-    write_file(file.string(), design_text(design));
-  }
+  const auto& run = history_.finding().run;
+  const bool has_results = run && file.filename() == "design.yaml", is_exact = bool(player_.moving().exact);
+  if (has_results) write_results(const_cast<Run&>(*run), file.parent_path().string());
+  DesignFile design = history_.current();
+  // Without an exact motion it is opened by its drive, whose theta need not be the sheet's.
+  design.theta = is_exact ? player_.sheet_theta() : player_.theta();
+  const bool is_moved = has_results && is_exact && std::abs(design.theta - run->theta) > same_fold;
+  if (!has_results || is_moved) write_file(file.string(), design_text(design));
   history_.mark_saved();
   tell({{"type", "saved"}, {"path", file.string()}});
   tell(design_message(history_.current(), player_.moving()));

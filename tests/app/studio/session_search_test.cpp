@@ -145,6 +145,18 @@ TEST_F(Studio, KnowsTheGoalOfADesignThatLiesBesideItsResult) {
   EXPECT_NEAR(page.ask({{"type", "release"}}).head(3), 0.1, 1e-12) << "as it was saved since";
 }
 
+TEST_F(Studio, SavesWhatASearchFoundAsFarFoldedAsItIsShown) {
+  client.send(json{{"type", "search"}, {"target", target}, {"files", {{"arc.csv", base64(arc())}}}}.dump());
+  const json found = client.text("result");
+  client.ask({{"type", "theta"}, {"deg", 5}});
+  client.send(R"({"type": "save"})");
+  const std::string path = client.text("saved")["path"];
+  EXPECT_NEAR(app::read_design(path).theta, 5 * pi / 180, 1e-9);
+  const auto again = app::studio::earlier_result(path, app::read_design(path));
+  ASSERT_FALSE(again.is_null()) << "its result is beside it all the same";
+  EXPECT_EQ(again["result"]["metrics"]["theta_rad"], found["result"]["metrics"]["theta_rad"]);
+}
+
 TEST_F(Studio, KnowsNoGoalOfADesignThatWasChangedSince) {
   client.send(json{{"type", "search"}, {"target", target}, {"files", {{"arc.csv", base64(arc())}}}}.dump());
   client.text("result");
