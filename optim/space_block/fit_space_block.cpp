@@ -51,10 +51,11 @@ double off(const Eigen::Vector3d& size, const Eigen::Vector3d& asked) {
   return (size - asked).cwiseQuotient(asked).cwiseAbs().maxCoeff();
 }
 
-/// Edge with which the cells come nearest to the lengths: least squares of their ratios.
+/// Edge with which the cells come nearest to the lengths: the longest over what was asked is as much too long as the shortest is
+/// too short.
 double edge_of(const std::array<int, 3>& cells, const Eigen::Vector3d& asked) {
   const Eigen::Vector3d ratios = lengths(cells, 1).cwiseQuotient(asked);
-  return ratios.sum() / ratios.squaredNorm();
+  return 2 / (ratios.minCoeff() + ratios.maxCoeff());
 }
 
 void choose_size(const Eigen::Vector3d& asked, const SpaceBlockVariables& v, double enough,

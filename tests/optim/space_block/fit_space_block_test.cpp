@@ -59,6 +59,16 @@ TEST(FitSpaceBlock, TakesTheSizeAskedFor) {
   EXPECT_EQ(by_edge.cells, (std::array<int, 3>{2, 2, 2}));
 }
 
+/// A cube of 101.96 mm is off by as much either way, over the lengths asked for.
+TEST(FitSpaceBlock, TakesTheEdgeOfOwnCellsThatMissesTheSizeLeast) {
+  SpaceBlockVariables own;
+  own.cells = {2, 2, 2};
+  const SpaceBlockDesign found =
+      fit_space_block({{0.9, 0.9, 0.9}, Eigen::Vector3d(100, 100, 104)}, own, 0.02);
+  EXPECT_NEAR(found.size_off, 4.0 / 204, 1e-12);
+  EXPECT_NEAR(found.size_mm[0], 100 * (1 + 4.0 / 204), 1e-9);
+}
+
 /// Gussets of a fifth of the edge at one side would be too long at another.
 TEST(FitSpaceBlock, TakesShorterGussetsThanUsualWhereLongOnesWouldBeTooLong) {
   const targets::SpaceBlockGoal goal{{0.88, 0.841, 0.781}, {}};
