@@ -8,6 +8,12 @@
 namespace kinetix::app {
 namespace {
 
+/// What of the file to change for lengths at rest nearer to those asked for.
+std::string size_advice(const optim::SpaceBlockVariables& given) {
+  if (!given.cells) return "give smaller cells";
+  return given.edge_mm ? "give other `cells` or another `cell_mm`" : "give other `cells`";
+}
+
 class SpaceBlockScene final : public Scene {
  public:
   explicit SpaceBlockScene(SpaceBlockFile file) : file_(std::move(file)) {}
@@ -42,10 +48,9 @@ class SpaceBlockScene final : public Scene {
     outcome.error = error_of(run, outcome.exact);
     outcome.violations = violations(file_, outcome.error, "model");
     if (file_.goal.size_mm && !(file_.found.size_off <= file_.size_tolerance))
-      outcome.violations.push_back(fmt::format(
-          "lengths at rest are up to {:.1f} % off those asked for; at most {:g} % is allowed: give "
-          "smaller cells",
-          100 * file_.found.size_off, 100 * file_.size_tolerance));
+      outcome.violations.push_back(
+          fmt::format("lengths at rest are up to {:.1f} % off those asked for; at most {:g} % is allowed: {}",
+                      100 * file_.found.size_off, 100 * file_.size_tolerance, size_advice(file_.variables)));
     const auto& range = run.plan.free_range;
     if (range && range->positive.touches && run.theta > range->positive.theta)
       outcome.violations.push_back(fmt::format(

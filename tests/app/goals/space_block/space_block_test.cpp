@@ -37,6 +37,19 @@ TEST(SpaceBlockResult, WhoseWallsMeetIsNotSaidToMissItsFactors) {
   EXPECT_THAT(run.out, HasSubstr(": WITHIN TOLERANCE, BUT NOT AS REQUIRED\n"));
 }
 
+// Smaller cells of the same number would be a smaller block.
+TEST(SpaceBlockResult, WhoseOwnCellsMissItsSizeAsksForOtherCells) {
+  const Scratch scratch;
+  const std::string file =
+      scratch.write("block.yaml",
+                    "kinetix: 1\ntarget: {kind: space_block, factor: 0.9, size_mm: [100, 100, 150]}\n"
+                    "structure: {cells: [1, 1, 1]}\n");
+  const Outcome run = kinetix_opt(file + " --no-verify -o " + std::string(scratch / "out"));
+  EXPECT_EQ(run.code, 3) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("lengths at rest are up to 20.0 % off those asked for; at most 5 % is "
+                                 "allowed: give other `cells`"));
+}
+
 // Gussets of its sides stand out beyond the rotors, from which its lengths are measured.
 TEST(SpaceBlockTarget, IsForetoldAsLargeAsItsDesignIs) {
   const Scratch scratch;
