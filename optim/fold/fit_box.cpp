@@ -23,10 +23,18 @@ constexpr int rounds = 6;       // cells and theta depend on each other: two or 
 constexpr double settled_edge =
     1e-9;  // change of the cell edge over itself: rounding, far below what a print shows
 
+/// Pitches that creases of so many columns add along x, y and z: one at either end, none at the end of a face left out.
+Lengths insets(const std::optional<int>& open, int columns) {
+  const double inset = targets::edge_inset(pi / 2, columns);
+  Lengths out = {2 * inset, 2 * inset, 2 * inset};
+  if (open) out[targets::box_face_axis(*open)] = inset;
+  return out;
+}
+
 /// Lengths of the edges in pitches.
-Lengths pitches(const std::array<int, 3>& edges, double inset) {
+Lengths pitches(const std::array<int, 3>& edges, const Lengths& insets) {
   Lengths out;
-  for (int k = 0; k < 3; ++k) out[k] = edges[k] + 2 * inset;
+  for (int k = 0; k < 3; ++k) out[k] = edges[k] + insets[k];
   return out;
 }
 
@@ -41,10 +49,10 @@ double best_pitch(const Lengths& asked_mm, const Lengths& pitches) {
 }
 
 /// Cells nearest to the edges, at a pitch in mm.
-std::array<int, 3> cells_at(const Lengths& asked_mm, double pitch, double inset) {
+std::array<int, 3> cells_at(const Lengths& asked_mm, double pitch, const Lengths& insets) {
   std::array<int, 3> out;
   for (int k = 0; k < 3; ++k)
-    out[k] = std::max(1, static_cast<int>(std::lround(asked_mm[k] / pitch - 2 * inset)));
+    out[k] = std::max(1, static_cast<int>(std::lround(asked_mm[k] / pitch - insets[k])));
   return out;
 }
 
@@ -53,15 +61,20 @@ double miss_at(const Lengths& asked_mm, Lengths in_pitches, double pitch) {
   return size_miss(in_pitches, asked_mm);
 }
 
+/// With so many along the shortest edge.
+std::array<int, 3> cells_with_shortest(const Lengths& asked_mm, int count, const Lengths& insets) {
+  const auto shortest = std::min_element(asked_mm.begin(), asked_mm.end());
+  return cells_at(asked_mm, *shortest / (count + insets[shortest - asked_mm.begin()]), insets);
+}
+
 /// Cells whose proportions come nearest, among few first.
-std::array<int, 3> nearest_cells(const Lengths& asked_mm, double inset) {
-  const double shortest = *std::min_element(asked_mm.begin(), asked_mm.end());
+std::array<int, 3> nearest_cells(const Lengths& asked_mm, const Lengths& insets) {
   std::array<int, 3> best = {};
   double least = std::numeric_limits<double>::infinity();
   for (int count = fewest; count <= most_cells_across && !(least <= good); ++count) {
-    const auto cells = cells_at(asked_mm, shortest / (count + 2 * inset), inset);
+    const auto cells = cells_with_shortest(asked_mm, count, insets);
     if (*std::max_element(cells.begin(), cells.end()) > targets::max_face_side) break;
-    const Lengths lengths = pitches(cells, inset);
+    const Lengths lengths = pitches(cells, insets);
     const double miss = miss_at(asked_mm, lengths, best_pitch(asked_mm, lengths));
     if (miss < least) std::tie(least, best) = std::pair{miss, cells};
   }
@@ -71,11 +84,6 @@ std::array<int, 3> nearest_cells(const Lengths& asked_mm, double inset) {
                     "factor of {} at most",
                     targets::max_face_side, targets::max_face_side / fewest));
   return best;
-}
-
-std::array<int, 3> cells_with_shortest(const Lengths& asked_mm, int shortest, double inset) {
-  return cells_at(asked_mm, *std::min_element(asked_mm.begin(), asked_mm.end()) / (shortest + 2 * inset),
-                  inset);
 }
 
 class BoxSearch {
@@ -99,18 +107,18 @@ class BoxSearch {
   }
 
  private:
-  double inset() const { return targets::edge_inset(pi / 2, columns_); }
+  Lengths added() const { return insets(options_.open, columns_); }
 
   void choose() {
     if (options_.edge_mm) {
       now_.edge_mm = *options_.edge_mm;
-      now_.edges = cells_at(options_.asked_mm, now_.edge_mm * std::cos(theta_), inset());
+      now_.edges = cells_at(options_.asked_mm, now_.edge_mm * std::cos(theta_), added());
     } else {
-      now_.edges = shortest_ > 0 ? cells_with_shortest(options_.asked_mm, shortest_, inset())
-                                 : nearest_cells(options_.asked_mm, inset());
-      now_.edge_mm = best_pitch(options_.asked_mm, pitches(now_.edges, inset())) / std::cos(theta_);
+      now_.edges = shortest_ > 0 ? cells_with_shortest(options_.asked_mm, shortest_, added())
+                                 : nearest_cells(options_.asked_mm, added());
+      now_.edge_mm = best_pitch(options_.asked_mm, pitches(now_.edges, added())) / std::cos(theta_);
     }
-    now_.folded_mm = folded_box(now_.edges, now_.edge_mm, theta_, columns_);
+    now_.folded_mm = folded_box(now_.edges, options_.open, now_.edge_mm, theta_, columns_);
   }
 
   /// What theta and columns such cells fold with. @return false where they do not
@@ -143,8 +151,8 @@ double least_miss(const BoxOptions& options, int shortest) {
   double least = std::numeric_limits<double>::infinity();
   for (int columns = std::max(given, 1); columns <= (given > 0 ? given : targets::max_crease_columns);
        ++columns) {
-    const double inset = targets::edge_inset(pi / 2, columns);
-    const Lengths lengths = pitches(cells_with_shortest(options.asked_mm, shortest, inset), inset);
+    const Lengths added = insets(options.open, columns);
+    const Lengths lengths = pitches(cells_with_shortest(options.asked_mm, shortest, added), added);
     least = std::min(least, miss_at(options.asked_mm, lengths, best_pitch(options.asked_mm, lengths)));
   }
   return least;
@@ -158,8 +166,8 @@ std::optional<BoxInCells> folded_within(const BoxOptions& options, double tolera
   const FoldDesign design =
       fit_fold(targets::box_goal(box.edges, options.open, options.crease_columns), fold);
   if (!design.folds) return std::nullopt;
-  box.folded_mm =
-      folded_box(box.edges, box.edge_mm, design.folded.theta, design.folded.layout.creases[0].columns());
+  box.folded_mm = folded_box(box.edges, options.open, box.edge_mm, design.folded.theta,
+                             design.folded.layout.creases[0].columns());
   return size_miss(box.folded_mm, options.asked_mm) <= tolerance ? std::optional(box) : std::nullopt;
 }
 
@@ -183,8 +191,9 @@ double size_miss(const Lengths& mm, const Lengths& asked_mm) {
   return most;
 }
 
-Lengths folded_box(const std::array<int, 3>& edges, double edge_mm, double theta, int columns) {
-  Lengths out = pitches(edges, targets::edge_inset(pi / 2, columns));
+Lengths folded_box(const std::array<int, 3>& edges, const std::optional<int>& open, double edge_mm,
+                   double theta, int columns) {
+  Lengths out = pitches(edges, insets(open, columns));
   for (double& length : out) length *= edge_mm * std::cos(theta);
   return out;
 }
@@ -202,12 +211,12 @@ std::optional<BoxInCells> other_cells(const BoxOptions& options, double toleranc
 }
 
 std::vector<std::array<int, 3>> tried_cells(const BoxOptions& options, double tolerance) {
-  const double inset =
-      targets::edge_inset(pi / 2, options.crease_columns > 0 ? options.crease_columns : usual_columns);
+  const Lengths added =
+      insets(options.open, options.crease_columns > 0 ? options.crease_columns : usual_columns);
   std::vector<std::array<int, 3>> out;
   for (int shortest = 1; shortest <= most_cells_across; ++shortest) {
     if (!(least_miss(options, shortest) <= tolerance)) continue;
-    const auto cells = cells_with_shortest(options.asked_mm, shortest, inset);
+    const auto cells = cells_with_shortest(options.asked_mm, shortest, added);
     if (*std::max_element(cells.begin(), cells.end()) <= targets::max_face_side) out.push_back(cells);
   }
   return out;

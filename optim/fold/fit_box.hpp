@@ -20,9 +20,10 @@ struct BoxInCells {
 double size_miss(const std::array<double, 3>& mm, const std::array<double, 3>& asked_mm);
 
 /// Edges of the solid that a box of these cells folds to: faces shrink by cos(theta), and each crease adds an inset at
-/// both ends (targets::edge_inset).
-/// @param theta rad   @param columns of a crease, >= 1
-std::array<double, 3> folded_box(const std::array<int, 3>& edges, double edge_mm, double theta, int columns);
+/// both ends (targets::edge_inset), but for the end of a face that is left out.
+/// @param open that face, by box_face_names   @param theta rad   @param columns of a crease, >= 1
+std::array<double, 3> folded_box(const std::array<int, 3>& edges, const std::optional<int>& open,
+                                 double edge_mm, double theta, int columns);
 
 struct BoxOptions {
   std::array<double, 3> asked_mm = {};                  ///< > 0

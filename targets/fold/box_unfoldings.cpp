@@ -178,6 +178,11 @@ const std::vector<std::string>& box_face_names() {
   return names;
 }
 
+int box_face_axis(int face) {
+  const Direction n = inward(face);
+  return n.x() != 0 ? 0 : n.y() != 0 ? 1 : 2;
+}
+
 std::vector<FoldNet> box_unfoldings(const std::array<int, 3>& edges, std::optional<int> open) {
   std::vector<int> faces;
   for (int f = 0; f < 6; ++f)

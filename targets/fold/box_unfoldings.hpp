@@ -11,6 +11,8 @@ namespace kinetix::targets {
 
 /// Names of a box's faces: bottom, top, front, back, left, right, in this order.
 const std::vector<std::string>& box_face_names();
+/// Of a face by box_face_names: 0, 1, 2 for the axis x, y, z that it is normal to.
+int box_face_axis(int face);
 
 /// All ways to cut a box open into one flat piece, no two congruent (11 for a cube), all folds 90 degrees.
 /// First those whose faces are the fewest folds apart, among these those of the smallest bounding rectangle.

@@ -65,7 +65,8 @@ std::string columns_in_words(const targets::NetLayout& layout) {
 
 std::string size_text(const FoldOutcome& fold) {
   const auto mm = fold.edges_mm();
-  std::string text = fmt::format("{:.1f} x {:.1f} x {:.1f} mm when it is closed", mm[0], mm[1], mm[2]);
+  std::string text = fmt::format("{:.1f} x {:.1f} x {:.1f} mm when it is {}", mm[0], mm[1], mm[2],
+                                 fold.goal.open ? "folded" : "closed");
   const auto& asked = fold.goal.box_mm;
   if (asked)
     text += fmt::format(", of {:g} x {:g} x {:g} mm: {:.1f} % off at most", (*asked)[0], (*asked)[1],
@@ -126,7 +127,8 @@ Json ideal_json(const FoldOutcome& fold, const model::State& state) {
 
 std::array<double, 3> FoldOutcome::edges_mm() const {
   const optim::FoldedNet& net = design.folded;
-  return optim::folded_box(*goal.box, net.structure.size.edge_mm, net.theta, net.layout.creases[0].columns());
+  return optim::folded_box(*goal.box, goal.open, net.structure.size.edge_mm, net.theta,
+                           net.layout.creases[0].columns());
 }
 
 std::vector<FoldedCrease> FoldOutcome::creases(const targets::FoldError& error) const {

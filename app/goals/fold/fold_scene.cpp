@@ -57,8 +57,10 @@ std::vector<int> usual_columns(const targets::FoldNet& net, double theta, double
 double edge_of_cells(const FoldOutcome& found, int across) {
   const optim::FoldedNet& net = found.design.folded;
   const auto& asked_mm = *found.goal.box_mm;
-  return *std::min_element(asked_mm.begin(), asked_mm.end()) /
-         optim::folded_box({across, across, across}, 1, net.theta, net.layout.creases[0].columns())[0];
+  const auto shortest = std::min_element(asked_mm.begin(), asked_mm.end());
+  const auto edges = optim::folded_box({across, across, across}, found.goal.open, 1, net.theta,
+                                       net.layout.creases[0].columns());
+  return *shortest / edges[shortest - asked_mm.begin()];
 }
 
 bool looks_for_other_cells(const FoldFile& file) { return !file.robust && !file.limits.any(); }
@@ -108,7 +110,8 @@ class FoldScene final : public Scene {
     const std::vector<int> columns = usual_columns(net, theta, file_.tilt);
     Forecast out{optim::fold_to(net, columns, theta, file_.size, file_.tilt).structure};
     if (file_.goal.box) {
-      const auto mm = optim::folded_box(*file_.goal.box, file_.size.edge_mm, theta, columns.front());
+      const auto mm =
+          optim::folded_box(*file_.goal.box, file_.goal.open, file_.size.edge_mm, theta, columns.front());
       out.folded_mm = {mm[0], mm[1], mm[2]};
     } else if (const auto motion = exact_motion(out.sheet)) {
       out.folded_mm = size_of(out.sheet, motion.at(theta));

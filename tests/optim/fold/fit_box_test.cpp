@@ -29,8 +29,8 @@ TEST(FitBox, ACubeHasItsSizeAsTheSearchFoldsIt) {
   fold.size = asked.size(found.edge_mm);
   const FoldDesign design = fit_fold(targets::box_goal(found.edges), fold);
   ASSERT_TRUE(design.folds);
-  const auto mm =
-      folded_box(found.edges, found.edge_mm, design.folded.theta, design.folded.layout.creases[0].columns());
+  const auto mm = folded_box(found.edges, {}, found.edge_mm, design.folded.theta,
+                             design.folded.layout.creases[0].columns());
   for (const double edge : mm) EXPECT_NEAR(edge, 50, 1e-6);
 }
 
@@ -59,7 +59,7 @@ TEST(FitBox, OtherCellsGiveABoxItsSizeWhenTheyAreGiven) {
     fold.size = asked.size(better->edge_mm);
     const FoldDesign design = fit_fold(targets::box_goal(better->edges), fold);
     ASSERT_TRUE(design.folds);
-    EXPECT_LE(size_miss(folded_box(better->edges, better->edge_mm, design.folded.theta,
+    EXPECT_LE(size_miss(folded_box(better->edges, {}, better->edge_mm, design.folded.theta,
                                    design.folded.layout.creases[0].columns()),
                         asked.asked_mm),
               0.02);
@@ -70,9 +70,9 @@ TEST(FitBox, HasNoOtherCellsForASizeThatNoneComesNear) { EXPECT_FALSE(other_cell
 
 TEST(FitBox, AFoldedEdgeIsItsFaceInPitchesAndTwoInsets) {
   const double pitch = 10 * std::cos(0.5);
-  EXPECT_NEAR(folded_box({4, 2, 1}, 10, 0.5, 1)[0], 5 * pitch, 1e-12)
+  EXPECT_NEAR(folded_box({4, 2, 1}, {}, 10, 0.5, 1)[0], 5 * pitch, 1e-12)
       << "one column: half a pitch at either end";
-  EXPECT_NEAR(folded_box({4, 2, 1}, 10, 0.5, 2)[2], (1 + 1 / std::tan(pi / 8)) * pitch, 1e-12);
+  EXPECT_NEAR(folded_box({4, 2, 1}, {}, 10, 0.5, 2)[2], (1 + 1 / std::tan(pi / 8)) * pitch, 1e-12);
 }
 
 TEST(FitBox, RefusesABoxOfTooUnlikeEdges) { EXPECT_THROW(fit_box(box({1, 500, 30})), InvalidInput); }

@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -112,6 +115,32 @@ TEST(Fold, OfABoxThatMissesItsSizeNamesCellsThatDoNot) {
   EXPECT_THAT(missed.out, HasSubstr("mm off the closed box of these cells (rms over points of the sheet"));
   const Outcome met = run(edge[1]);
   EXPECT_EQ(met.code, 0) << met.out << met.err;
+}
+
+/// The vertices of an open box span its edges, of which one has a crease at one end alone.
+TEST(Fold, OfAnOpenBoxIsAsHighAsItsWalls) {
+  const Scratch scratch;
+  const std::string folder = scratch / "out";
+  const Outcome run = kinetix_opt(
+      scratch.write("tray.yaml", "kinetix: 1\ntarget: {kind: fold, box_mm: [90, 60, 30], open: top}\n") +
+      " --no-verify -o " + folder);
+  EXPECT_THAT(run.out, HasSubstr("mm when it is folded, of 90 x 60 x 30 mm"));
+  const Json result = Json::parse(text_of(folder + "/result.json"));
+  std::array<double, 3> least, most, spans;
+  least.fill(INFINITY);
+  most.fill(-INFINITY);
+  for (const Json& pose : result["states"][0]["poses"])
+    for (int k = 0; k < 3; ++k) {
+      const double at = pose["position_mm"][k];
+      least[k] = std::min(least[k], at);
+      most[k] = std::max(most[k], at);
+    }
+  for (int k = 0; k < 3; ++k) spans[k] = most[k] - least[k];
+  auto edges = result["fold"]["edges_mm"].get<std::array<double, 3>>();
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(edges[k], (std::array{90, 60, 30}[k]), 0.02 * edges[k]);
+  std::sort(spans.begin(), spans.end());
+  std::sort(edges.begin(), edges.end());
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(spans[k], edges[k], 1e-6);
 }
 
 TEST(Fold, OfABoxThatMissesItsSizeSaysWhichCellsItsProcessDoesNotPrint) {
