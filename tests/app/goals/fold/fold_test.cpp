@@ -147,7 +147,7 @@ TEST(Fold, OfABoxThatMissesItsSizeSaysWhichCellsItsProcessDoesNotPrint) {
   const Scratch scratch;
   const Outcome missed = kinetix_opt(scratch.write("tray.yaml",
                                                    "kinetix: 1\n"
-                                                   "target: {kind: fold, box_mm: [90, 60, 30], open: top}\n"
+                                                   "target: {kind: fold, box_mm: [90, 60, 30]}\n"
                                                    "structure: {cell_mm: 8}\nprocess: fdm\n") +
                                      " --no-verify -o " + scratch.path());
   EXPECT_EQ(missed.code, 3) << missed.out << missed.err;
