@@ -81,6 +81,10 @@ int run_and_write(const CommandOptions& options, const Scene& scene, const std::
   console.progress()("files", -1);
   const auto json = write_results(run, folder.path());
   folder.keep();
+  if (!run.kept_design.empty())
+    console.warning(
+        fmt::format("{0}/design.yaml had been changed since a run wrote it: that one is kept as {0}/{1}",
+                    folder.path(), run.kept_design));
   print(run, json, folder.path(), options.json);
   if (options.open) open_report(folder.path() + "/report.html");
   return exit_code(run);

@@ -1,5 +1,8 @@
 #include "app/exports/write_results.hpp"
 
+#include <fmt/format.h>
+
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "app/exports/registry.hpp"
@@ -13,17 +16,31 @@ namespace {
 
 constexpr int indent = 1;  // spaces: small, and still one number a line
 
-/// @return whether there is anything to remember
-bool add_files(const Run& run, FileSet& files, FileRecord& record) {
-  bool remembers = false;
+constexpr const char* design_name = "design.yaml";  // which users change by hand
+
+void add_files(const Run& run, FileSet& files, FileRecord& record) {
   for (const Exporter* exporter : exporters())
     for (const auto& [name, content] : exporter->write(run)) {
       files.add(name, content);
-      if (exporter->of_every_run) continue;
-      record.add(name, content);
-      remembers = true;
+      if (!exporter->of_every_run || name == design_name) record.add(name, content);
     }
-  return remembers;
+}
+
+/// The first that is free in the folder.
+std::string name_for_changed_design(const std::string& folder) {
+  std::string name = "design_changed.yaml";
+  for (int k = 2; std::filesystem::exists(std::filesystem::path(folder) / name); ++k)
+    name = fmt::format("design_changed_{}.yaml", k);
+  return name;
+}
+
+/// @return under which name
+std::string keep_changed_design(const std::string& folder, const FileRecord& record, FileSet& files) {
+  const auto changed = record.changed(design_name);
+  if (!changed) return "";
+  const std::string name = name_for_changed_design(folder);
+  files.add(name, *changed);
+  return name;
 }
 
 }  // namespace
@@ -32,7 +49,9 @@ nlohmann::ordered_json write_results(Run& run, const std::string& folder) {
   Stopwatch watch;
   FileSet files(folder);
   FileRecord record(folder);
-  if (add_files(run, files, record)) files.add(FileRecord::name, record.text());
+  add_files(run, files, record);
+  run.kept_design = keep_changed_design(folder, record, files);
+  files.add(FileRecord::name, record.text());
   run.timings.write = watch.lap();
   nlohmann::ordered_json json = result_json(run);
   files.add("result.json", json.dump(indent) + "\n");

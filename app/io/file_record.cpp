@@ -58,6 +58,13 @@ void FileRecord::keep(const std::function<bool(const std::string& file)>& is_of_
     if (is_of_others(file)) now_.emplace(file, hash);
 }
 
+std::optional<std::string> FileRecord::changed(const std::string& file) const {
+  const auto earlier = earlier_.find(file);
+  if (earlier == earlier_.end() || !is_inside(folder_, file)) return std::nullopt;
+  std::string content = content_of(fs::path(folder_) / file);
+  return sha256(content) == earlier->second ? std::nullopt : std::optional(std::move(content));
+}
+
 std::string FileRecord::text() const {
   std::string text;
   for (const auto& [file, hash] : now_) text += hash + "  " + file + "\n";

@@ -2,13 +2,14 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace kinetix::app {
 
-/// Which files a run writes into a folder beside those that every run writes, kept there as `sha256sum` lists
-/// them. So a later run knows what an earlier one left, and that nobody has changed it since.
+/// Files that a run writes into a folder, kept there as `sha256sum` lists them. So a later run knows what an earlier one left,
+/// and whether somebody has changed it since.
 class FileRecord {
  public:
   static constexpr const char* name = ".kinetix-files";  ///< hidden: for the program alone
@@ -19,6 +20,8 @@ class FileRecord {
   void add(const std::string& file, std::string_view content);
   /// Keeps what earlier runs wrote for others: it stays, and in the record too.
   void keep(const std::function<bool(const std::string& file)>& is_of_others);
+  /// What a file holds that somebody changed since the earlier run wrote it; nothing of other files.
+  std::optional<std::string> changed(const std::string& file) const;
   /// Of this run's files: a line `HASH  NAME` each.
   std::string text() const;
   /// Removes what the earlier run wrote and this one does not, and folders that are empty then. Files that

@@ -155,6 +155,8 @@ struct Run {
   std::vector<Fidelity> fidelity;
   double verify_tolerance = GoalSettings::usual_verify;  ///< of verification->distance.rms, cell edges
   Timings timings;
+  std::string
+      kept_design;  ///< where writing left a design.yaml that somebody had changed, its name; else empty
 
   /// Whether the sheet of a design stands folded to the other side than asked. What it shows of a goal is the goal's to judge.
   bool is_on_the_other_side() const {

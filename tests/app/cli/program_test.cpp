@@ -89,6 +89,25 @@ TEST(Program, NeverReplacesItsOwnInput) {
 }
 
 /// A design that lies where its results would go by default: they go beside it.
+TEST(Program, KeepsADesignThatWasChangedByHand) {
+  const Scratch scratch;
+  const std::string goal = scratch.write("bow.yaml", bow), found = scratch / "found",
+                    design = found + "/design.yaml", kept = found + "/design_changed.yaml";
+  const auto search = [&] { return kinetix_opt(goal + " --no-verify -o " + found); };
+  ASSERT_EQ(search().code, 0);
+  const std::string written = text_of(design), changed = written + "# my own\n";
+  EXPECT_THAT(search().err, Not(HasSubstr("changed")));
+  EXPECT_FALSE(fs::exists(kept)) << "nobody changed it";
+  scratch.write("found/design.yaml", changed);
+  EXPECT_THAT(search().err, HasSubstr("is kept as " + kept));
+  EXPECT_EQ(text_of(design), written);
+  EXPECT_EQ(text_of(kept), changed);
+  scratch.write("found/design.yaml", "");
+  search();
+  EXPECT_EQ(text_of(kept), changed);
+  EXPECT_TRUE(fs::exists(found + "/design_changed_2.yaml"));
+}
+
 TEST(Program, WritesBesideItsInputWhereThatIsTheUsualFolder) {
   const Scratch scratch;
   const std::string goal = scratch.write("bow.yaml", bow), there = "cd " + scratch.path() + " && ";

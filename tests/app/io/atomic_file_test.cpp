@@ -180,6 +180,16 @@ TEST(FileRecord, LeavesTheUsersOwnFilesAlone) {
   EXPECT_TRUE(fs::is_symlink(folder.path("b.svg")));
 }
 
+TEST(FileRecord, KnowsWhatSomebodyHasChanged) {
+  TemporaryFolder folder;
+  write_recorded(folder, {"a.yaml", "b.yaml"});
+  folder.write("a.yaml", "changed by hand");
+  folder.write("own.yaml", "x");
+  const FileRecord record(folder.path(""));
+  EXPECT_EQ(record.changed("a.yaml"), "changed by hand");
+  for (const char* name : {"b.yaml", "own.yaml", "none.yaml"}) EXPECT_FALSE(record.changed(name)) << name;
+}
+
 TEST(FileRecord, NeverReachesOutOfItsFolder) {
   TemporaryFolder outer;
   const std::string hash = sha256("mine");
