@@ -127,9 +127,22 @@ void AssemblySession::set_mode(const Message& message) {
         "equilibrium: of a design of bodies it is not live; `kinetix-opt simulate --model equilibrium` finds "
         "it");
   if (name != "exact" && name != "bullet") throw InvalidInput("mode: must be exact or bullet");
+  awaits_engine_ = false;
   if (name == "bullet") return enter_engine();
   player_.enter_exact();
   tell_state();
+}
+
+/// Long work for whoever asked for it, who hears what goes wrong.
+void AssemblySession::start(Job& job, double id, const std::function<void(const std::stop_token&)>& work) {
+  job.start([this, client = client_, id, work](const std::stop_token& asked) {
+    try {
+      work(asked);
+    } catch (const std::exception& e) {
+      enqueue(
+          [this, client, id, what = std::string(e.what())] { tell_json(error_message(what, id), client); });
+    }
+  });
 }
 
 /// Bodies collide by convex pieces, which are cut once and take a while.
@@ -138,14 +151,15 @@ void AssemblySession::enter_engine() {
     player_.enter_engine(parts_);
     return tell_state();
   }
+  awaits_engine_ = true;
   const int client = client_;
   const double id = std::exchange(id_, 0);
-  cutter_.start([this, client, id, assembly = player_.file().assembly](const std::stop_token&) {
+  start(cutter_, id, [this, client, id, assembly = player_.file().assembly](const std::stop_token&) {
     const auto parts =
         std::make_shared<const sim::ContactParts>(contact_parts(pieces_of(assembly, threads_), assembly));
     enqueue([this, client, id, parts] {
       parts_ = parts;
-      player_.enter_engine(parts_);
+      if (std::exchange(awaits_engine_, false)) player_.enter_engine(parts_);
       note_heard(client, id);
       changed_ = true;
       tell_state();
@@ -177,7 +191,7 @@ void AssemblySession::drive_by(int hinge, double theta, const std::optional<mode
       tell_design();
     });
   };
-  follower_.start(job);
+  start(follower_, 0, job);
 }
 
 void AssemblySession::take(const AssemblyWay& way, double theta) {

@@ -27,6 +27,7 @@ class AssemblySession : public SessionLoop {
   int body_of(const Message& message) const;
   void set_mode(const Message& message);
   void enter_engine();
+  void start(Job& job, double id, const std::function<void(const std::stop_token&)>& work);
   void drive_by(int hinge, double theta, const std::optional<model::Pull>& pull = {});
   void take(const AssemblyWay& way, double theta);
   void tell_design(int client = everybody) const;
@@ -37,7 +38,8 @@ class AssemblySession : public SessionLoop {
   int revision_ = 1;
   WayKnown known_;                                  ///< of the present driven hinge
   std::shared_ptr<const sim::ContactParts> parts_;  ///< of the engine; null until it was asked for
-  Job follower_, cutter_;                           ///< last: they end before what they speak to
+  bool awaits_engine_ = false;  ///< bodies are being cut for the engine, which is still wanted
+  Job follower_, cutter_;       ///< last: they end before what they speak to
 };
 
 }  // namespace kinetix::app::studio
