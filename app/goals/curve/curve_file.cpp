@@ -60,8 +60,15 @@ void check_cell_against_curve(const targets::Node& cell_mm, double edge_mm, doub
                         length_text(curve_mm) + " long; points are in millimetres; are these metres?");
 }
 
-double default_edge(const targets::Section& root, double curve_mm, int columns) {
-  const double edge = curve_mm / (columns * std::cos(default_theta));
+/// default_theta, or what is nearest to it of `variables.theta.range_deg`.
+double length_theta(const targets::Section& root, const optim::AngleRange& usual) {
+  std::array<double, 2> range = {usual.lower, usual.upper};
+  root.section("variables").section("theta").read("range_deg", range);
+  return std::clamp(default_theta, range[0], range[1]);
+}
+
+double default_edge(const targets::Section& root, double curve_mm, int columns, double theta) {
+  const double edge = curve_mm / (columns * std::cos(theta));
   if (edge < smallest_default_cell_mm)
     throw root.required("target", "")
         .error("the curve is " + length_text(curve_mm) + " long, so that " + std::to_string(columns) +
@@ -71,8 +78,8 @@ double default_edge(const targets::Section& root, double curve_mm, int columns) 
 }
 
 /// As many as the process can print with walls that follow default_size.
-int default_columns(double curve_mm, const model::Process& process, int usual) {
-  const double printed = curve_mm / (least_cell_mm(process, default_size(1), {}) * std::cos(default_theta));
+int default_columns(double curve_mm, double theta, const model::Process& process, int usual) {
+  const double printed = curve_mm / (least_cell_mm(process, default_size(1), {}) * std::cos(theta));
   return static_cast<int>(std::clamp(std::floor(printed), static_cast<double>(least_default_columns),
                                      static_cast<double>(usual)));
 }
@@ -93,7 +100,7 @@ std::optional<std::array<int, 2>> read_sides(const targets::Section& structure) 
 }
 
 void read_structure(const targets::Section& root, CurveFile& file) {
-  const double length = file.curve.length();
+  const double length = file.curve.length(), theta = length_theta(root, file.theta);
   const targets::Section structure = root.section("structure");
   const auto sides = read_sides(structure);
   if (sides) std::tie(file.columns, file.rows) = std::pair{(*sides)[0], (*sides)[1]};
@@ -101,11 +108,11 @@ void read_structure(const targets::Section& root, CurveFile& file) {
   file.free_size = !cell_mm;
   file.free_walls = !structure.optional("wall_mm");
   if (!sides && file.free_size && file.free_walls)
-    file.columns = default_columns(length, read_process(root), file.columns);
-  file.size = read_size(structure, cell_mm ? 1.0 : default_edge(root, length, file.columns));
+    file.columns = default_columns(length, theta, read_process(root), file.columns);
+  file.size = read_size(structure, cell_mm ? 1.0 : default_edge(root, length, file.columns, theta));
   if (!cell_mm) return;
   check_cell_against_curve(*cell_mm, file.size.edge_mm, length);
-  const double fitting = std::round(length / (file.size.edge_mm * std::cos(default_theta)));
+  const double fitting = std::round(length / (file.size.edge_mm * std::cos(theta)));
   if (!sides && fitting > max_columns)
     throw cell_mm->error(fmt::format("a curve of {} would take {:.0f} cells of {}; at most {} columns",
                                      length_text(length), fitting, length_text(file.size.edge_mm),
@@ -161,7 +168,8 @@ targets::KeyTable curve_structure_keys(const CurveFile& usual) {
                 "process could not print the walls of so many; where only `cell_mm` is given, as many "
                 "columns as make the "
                 "strip as long as the curve"),
-      cell_mm_key(targets::otherwise("gives the strip the curve's length at theta = 30 degrees")),
+      cell_mm_key(targets::otherwise("gives the strip the curve's length at theta = 30 degrees, or what is "
+                                     "nearest to it of `variables.theta`")),
       wall_mm_key(),
   });
 }

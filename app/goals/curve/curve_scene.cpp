@@ -37,8 +37,15 @@ double repeats(const targets::Curve& curve, int columns) {
   return all >= full_turn ? repeats_of_full : 1;
 }
 
+/// What of `variables.beta` ties the tilts of columns to each other, as a file asks for it; empty: nothing.
+std::string tied_tilts(const CurveFile& file) {
+  std::string out = file.per == optim::Per::all ? "`per: all`" : "";
+  if (file.symmetry != optim::Symmetry::none) out += out.empty() ? "`symmetry`" : " and `symmetry`";
+  return out;
+}
+
 /// Of the ranges that the file gives, and of what walls that meet leave of them.
-std::vector<std::string> why_too_far(const optim::FreeCurveDesign& found) {
+std::vector<std::string> why_too_far(const CurveFile& file, const optim::FreeCurveDesign& found) {
   std::vector<std::string> why = found.design.reach.obstacles;
   const double rms = found.design.error.rms;
   if (!found.narrowed.empty())
@@ -46,17 +53,20 @@ std::vector<std::string> why_too_far(const optim::FreeCurveDesign& found) {
         fmt::format("no start whose walls stay apart came closer than {:.3g} of the diagonal; {}: use lower "
                     "or thinner walls, or more cells",
                     rms, found.narrowed));
+  const std::string tied = tied_tilts(file);
   if (why.empty())
     why.push_back(
         fmt::format("no start came closer than {:.3g} of the diagonal, although every column by itself can "
-                    "bend enough: use more or smaller cells",
-                    rms));
+                    "bend enough: {}",
+                    rms,
+                    tied.empty() ? "use more or smaller cells"
+                                 : "leave out " + tied + ", by which their tilts depend on each other"));
   return why;
 }
 
-std::vector<std::string> violations(const optim::FreeCurveDesign& found, double tolerance) {
+std::vector<std::string> violations(const CurveFile& file, const optim::FreeCurveDesign& found) {
   std::vector<std::string> why;
-  if (!(found.design.error.rms <= tolerance)) why = why_too_far(found);
+  if (!(found.design.error.rms <= file.shape_tolerance)) why = why_too_far(file, found);
   if (!found.walls_are_free)
     why.push_back(found.notes.back() + ": use lower or thinner walls, or larger cells");
   return why;
@@ -163,7 +173,7 @@ class CurveScene final : public Scene {
     curve->shape_tolerance = file.shape_tolerance;
     curve->target_mm = file.curve.points();
     curve->solver = curve_search(file, {}).solver;
-    curve->violations = violations(found, file.shape_tolerance);
+    curve->violations = violations(file, found);
     run.structure = sheet_of(found.design.design, file.size);
     run.theta = found.design.design.theta;
     curve->found = std::move(found);

@@ -36,7 +36,19 @@ double mean_crease_tilt(const model::Sheet& net, const targets::SolidCrease& cre
   return sum / static_cast<double>(count);
 }
 
-constexpr int usual_solid_columns = 2;          // of a crease, what searches find for most solids
+// Rad, where searches for solids end that the tilts limit: at a smaller theta these would be larger than is allowed.
+constexpr double steep_theta = 22 * radians_per_degree;
+
+/// Of a crease: as few as fold the solid's sharpest edge at that theta, as its search begins with.
+int usual_columns(const targets::Solid& solid, const FoldFile& file) {
+  if (file.goal.solid->columns > 0) return file.goal.solid->columns;
+  double sharpest = 0;
+  for (const targets::SolidEdge& edge : edges_of(solid)) sharpest = std::max(sharpest, edge.turn);
+  const double theta = std::clamp(steep_theta, file.theta.lower, file.theta.upper),
+               turn = 2 * std::atan(std::tan(file.tilt) * std::sin(theta));
+  return static_cast<int>(std::clamp(std::ceil(sharpest / turn), 1.0, 1.0 * optim::most_solid_columns));
+}
+
 constexpr double seconds_a_solid_body = 0.005;  // measured: of a search of columns and theta
 
 class SolidScene final : public Scene {
@@ -47,9 +59,8 @@ class SolidScene final : public Scene {
 
   Forecast forecast() const override {
     const targets::SolidGoal& goal = *file_.goal.solid;
-    const int columns = goal.columns > 0 ? goal.columns : usual_solid_columns;
     const targets::Solid solid = targets::named_solid(goal.solid);
-    const auto net = lay_out(solid, goal.cells, columns, file_.size);
+    const auto net = lay_out(solid, goal.cells, usual_columns(solid, file_), file_.size);
     Forecast out{net.structure};
     out.folded_mm = net.edge * file_.size.edge_mm * std::cos(usual_theta(file_.theta)) * standing_size(solid);
     out.search_s = out.sheet.bodies() * seconds_a_solid_body;

@@ -191,6 +191,16 @@ TEST(Check, TellsTheSizeOfAFoldedSolid) {
     EXPECT_NEAR(expected[k].get<double>(), shares[k] * edge, 0.05 * edge) << "standing on a face, " << k;
 }
 
+/// Edges of few degrees fold over one column: their nets are smaller than those of two.
+TEST(Check, CountsTheColumnsOfASolidAsItsSearchDoes) {
+  for (const char* solid : {"octahedron", "dodecahedron", "icosahedron"}) {
+    const std::string target = "kinetix: 1\ntarget: {kind: fold, solid: " + std::string(solid) + "}\n";
+    EXPECT_EQ(checked(target)["expected"]["bodies"].get<std::size_t>(),
+              found(target)["structure"]["bodies"].size())
+        << solid;
+  }
+}
+
 TEST(Check, TellsTheSizeOfAHelmet) {
   const Scratch scratch;
   const std::string file = std::string(KINETIX_SOURCE) + "/targets/shapes/headform.yaml";

@@ -182,6 +182,24 @@ TEST(Program, EndsWith3AndSaysWhyWhenTheBoundsMissTheTarget) {
   EXPECT_TRUE(fs::exists(folder + "/result.json"));
 }
 
+/// Other cells do not make a shape uneven whose halves mirror each other.
+TEST(Program, SaysWhereTiedTiltsMissTheTarget) {
+  const Scratch scratch;
+  const std::string text =
+      "kinetix: 1\nname: tied\ntarget: {kind: curve, points: [[0, 0], [20, 10], [45, 12], [70, 0], [95, "
+      "-12], "
+      "[120, -10], [140, 0]]}\nstructure: {cells: [12, 1], cell_mm: 14}\nsolver: {starts: 2}\ntolerance: "
+      "{shape: 0.02}\n";
+  const auto said = [&](const std::string& beta) {
+    return kinetix_opt(scratch.write("tied.yaml", text + beta) + " --no-verify -o " +
+                       std::string(scratch / "out"));
+  };
+  EXPECT_EQ(said("").code, 0);
+  const Outcome tied = said("variables: {beta: {symmetry: mirror_x}}\n");
+  EXPECT_EQ(tied.code, 3) << tied.out;
+  EXPECT_THAT(tied.out, HasSubstr("leave out `symmetry`, by which their tilts depend on each other"));
+}
+
 TEST(Program, EndsWith4WhenThePhysicsRunDoesNotAgree) {
   const Scratch scratch;
   const Outcome run = kinetix_opt(

@@ -108,6 +108,16 @@ TEST(TargetFile, TakesAsManyColumnsAsItsProcessCanPrint) {
   EXPECT_EQ(columns(100, "structure: {cells: [25, 1]}\n"), 25);
 }
 
+TEST(TargetFile, GivesAStripItsLengthAtAThetaThatItMayHave) {
+  const auto edge_mm = [](const std::string& range) {
+    return read(target + "structure: {cells: [20, 1]}\nvariables: {theta: {range_deg: " + range + "}}\n")
+        .size.edge_mm;
+  };
+  EXPECT_DOUBLE_EQ(edge_mm("[10, 40]") * 20 * std::cos(30 * radians_per_degree), 100);
+  EXPECT_NEAR(edge_mm("[10, 25]") * 20 * std::cos(25 * radians_per_degree), 100, 1e-9);
+  EXPECT_NEAR(edge_mm("[35, 40]") * 20 * std::cos(35 * radians_per_degree), 100, 1e-9);
+}
+
 TEST(TargetFile, NeedsNoMoreThanAVersionAndATarget) {
   const CurveFile file = read(target);
   EXPECT_EQ(file.name, "rib");
