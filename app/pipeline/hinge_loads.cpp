@@ -14,6 +14,7 @@ HingeLoads hinge_loads(const model::EquilibriumPath& path, const model::LinkageD
                        const std::map<int, HingeSection>& own) {
   HingeLoads loads;
   loads.reached = path.stop == model::EquilibriumPath::Stop::reached;
+  loads.by_lever = drive.kind == model::LinkageDrive::Kind::hinge;
   if (!drive.heats_springs())
     loads.force_N = largest_load(path) / (drive.has_force() ? 1 : linkage.size.edge_mm);
   for (int h = 0; h < static_cast<int>(linkage.hinges.size()); ++h) {
@@ -36,8 +37,8 @@ std::vector<std::string> violations(const HingeLimits& limits, const HingeLoads&
   std::vector<std::string> why;
   if (limits.force_N && !(loads.force_N <= *limits.force_N))
     why.push_back(
-        fmt::format("the drive takes {:.3g} N; at most {:g} N is allowed, and {} does not keep that",
-                    loads.force_N, *limits.force_N, instead));
+        fmt::format("the drive takes {:.3g} N{}; at most {:g} N is allowed, and {} does not keep that",
+                    loads.force_N, lever_words(loads), *limits.force_N, instead));
   if (limits.strain && !(loads.strain <= *limits.strain))
     why.push_back(
         fmt::format("a hinge is strained by {:.2f}; at most {:g} is allowed, and {} does not keep that: a "

@@ -85,8 +85,8 @@ Json loads_json(const FoldLoads& loads) {
 }
 
 std::string loads_text(const FoldLoads& loads) {
-  return fmt::format("at theta {:.1f} deg: {:.3g} N, strain {:.2f}", to_degrees(loads.theta),
-                     loads.hinges.force_N, loads.hinges.strain);
+  return fmt::format("at theta {:.1f} deg: {:.3g} N{}, strain {:.2f}", to_degrees(loads.theta),
+                     loads.hinges.force_N, lever_words(loads.hinges), loads.hinges.strain);
 }
 
 Json fold_json(const FoldOutcome& fold) {
