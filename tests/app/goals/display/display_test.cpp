@@ -92,8 +92,8 @@ TEST(Display, LeavesNoPicturesOfAnEarlierRun) {
   ASSERT_EQ(kinetix_opt("simulate " + design + " --model equilibrium -o " + folder).code, 0);
   std::set<std::string> left;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) left.insert(entry.path().filename());
-  EXPECT_EQ(left, (std::set<std::string>{"before.svg", "design.yaml", "frames", "own.txt", "report.html",
-                                         "result.json"}));
+  EXPECT_EQ(left, (std::set<std::string>{".kinetix-files", "before.svg", "design.yaml", "frames", "own.txt",
+                                         "report.html", "result.json"}));
 }
 
 /// The picture has no symmetry of its own; its hinges are tied all the same.
