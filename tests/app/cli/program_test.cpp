@@ -278,7 +278,8 @@ TEST(Program, WritesAllOfItsFilesOrNoneWhenTheDiskIsFull) {
   EXPECT_EQ(kinetix_opt(other + " --no-verify -o " + folder, full_disk).code, 2);
   EXPECT_EQ(text_of(folder + "/design.yaml"), design);
   EXPECT_EQ(text_of(folder + "/result.json"), result);
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 3);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 4)
+      << "with .kinetix-files";
 }
 
 TEST(Program, RefusesOptionsOfASearchBeforeACommand) {
