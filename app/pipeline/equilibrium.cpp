@@ -20,21 +20,21 @@ namespace {
 
 constexpr double steps_per_frame = 2;  // states kept for each frame shown, so that frames lie nearly evenly
 
-/// Keeps states of a motion at even distances of theta, closer than the frames that are wanted in the end.
+/// Keeps states of a motion at even distances of theta, closer than the frames that are wanted in the end, and its last one.
 class FrameKeeper {
  public:
   FrameKeeper(double goal, int frames) : spacing_(std::abs(goal) / (steps_per_frame * frames)) {}
 
   void see(double theta, const model::State& state) {
-    if (!kept_.empty() && std::abs(theta - kept_.back().theta) < spacing_) return;
-    kept_.push_back({"frame", to_string(Model::equilibrium), theta, state, {}});
+    latest_ = {"frame", to_string(Model::equilibrium), theta, state, {}};
+    if (kept_.empty() || !(std::abs(theta - kept_.back().theta) < spacing_)) kept_.push_back(latest_);
   }
 
-  /// Those nearest to `count` even distances up to `last`.
+  /// Those nearest to `count` even distances up to `last`, where the motion ends.
   std::vector<NamedState> even(double last, int count) const {
     std::vector<NamedState> frames;
     for (int k = 0; k < count; ++k) {
-      const NamedState& frame = nearest(last * k / (count - 1));
+      const NamedState& frame = k + 1 < count ? nearest(last * k / (count - 1)) : latest_;
       if (frames.empty() || frame.theta != frames.back().theta) frames.push_back(frame);
     }
     return frames;
@@ -49,6 +49,7 @@ class FrameKeeper {
 
   double spacing_;
   std::vector<NamedState> kept_;
+  NamedState latest_;
 };
 
 std::string stiffness_sentence(const Run& run, const model::Elasticity& e) {

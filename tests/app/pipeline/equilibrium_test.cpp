@@ -186,6 +186,17 @@ TEST(Equilibrium, TakesTheOtherSignOfThetaAndADrivenHinge) {
   EXPECT_NEAR(of_hinge, energy, 1e-3 * energy);
 }
 
+TEST(Equilibrium, ShowsItsWayToTheEnd) {
+  const Scratch scratch;
+  const Outcome run = equilibrium(scratch,
+                                  "kinetix: 1\nstructure: {cells: [4, 4], cell_mm: 10}\n"
+                                  "drive: {kind: hinge, wall: [[0, 0], [1, 0]], angle_deg: 40}\n",
+                                  "--json");
+  const Json states = Json::parse(run.out)["states"];
+  EXPECT_EQ(states.back()["name"], "frame");
+  EXPECT_NEAR(states.back()["theta_rad"].get<double>(), -20 * degree, 1e-6);
+}
+
 TEST(Equilibrium, SaysThatAnAngleTakesThePlaceOfTheFilesDrive) {
   const Scratch scratch;
   const std::string file = scratch.write("d.yaml", panel);
