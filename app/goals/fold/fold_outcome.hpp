@@ -31,7 +31,8 @@ class FoldOutcome final : public GoalOutcome {
 
   /// A box of a given size is another one than its cells fold to: tolerance.size is for that.
   std::string judged_against() const override {
-    return goal.box_mm ? "the closed box of these cells" : "the goal";
+    if (!goal.box_mm) return "the goal";
+    return goal.open ? "the open box of these cells" : "the closed box of these cells";
   }
 
   /// The net that was folded, as faces and creases; the box where one was asked for.
