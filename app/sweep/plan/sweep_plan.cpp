@@ -134,13 +134,17 @@ bool moves_goal(const targets::DocumentEditor& document, const Edit& edit) {
   return path.starts_with("structure.cell") || path.starts_with("drive.");
 }
 
+/// Whether samples have other bodies than the base.
+bool changes_cells(const targets::DocumentEditor& document, const Edit& edit) {
+  return edit.kind == Edit::Kind::document && document.path(edit.index).starts_with("structure.cells");
+}
+
 /// What would make an edit without effect, or ambiguous.
 void check_edits(const DoeFile& doe, const Columns& columns, const SweepBase& base,
                  const targets::DocumentEditor& document) {
   std::set<std::pair<Edit::Kind, int>> written;
-  const bool cells_change = std::any_of(columns.edits.begin(), columns.edits.end(), [&](const Edit& edit) {
-    return edit.kind == Edit::Kind::document && document.path(edit.index).starts_with("structure.cells");
-  });
+  const bool cells_change = std::any_of(columns.edits.begin(), columns.edits.end(),
+                                        [&](const Edit& edit) { return changes_cells(document, edit); });
   for (const Edit& edit : columns.edits) {
     const targets::Node& node = columns.nodes[edit.factor];
     if (edit.kind == Edit::Kind::theta_deg && base.design->drive)
@@ -158,14 +162,32 @@ void check_edits(const DoeFile& doe, const Columns& columns, const SweepBase& ba
   }
 }
 
+/// Bodies are compared one by one.
+void check_moved(const DoeFile& doe, const Columns& columns, const targets::DocumentEditor& document,
+                 const std::vector<Metric>& responses) {
+  if (std::none_of(columns.edits.begin(), columns.edits.end(),
+                   [&](const Edit& edit) { return changes_cells(document, edit); }))
+    return;
+  for (std::size_t r = 0; r < responses.size(); ++r)
+    if (responses[r].needs_nominal)
+      throw doe.responses[r].error(
+          "compares bodies with the base's own, of which there are others while `structure.cells` changes");
+}
+
+/// The values of the factors that are the base.
+std::vector<double> base_of(const Columns& columns) {
+  for (std::size_t k = 0; k < columns.factors.size(); ++k)
+    if (std::isnan(columns.bases[k]))
+      throw columns.nodes[k].error(
+          "has no value that is the base, from which `one_at_a_time` starts: the base leaves the number out, "
+          "or holds several; write it into the base, or give `add: true` or `scale: true`");
+  return columns.bases;
+}
+
 optim::SamplePlan make_samples(const DoeFile& doe, const Columns& columns, std::uint64_t seed) {
   optim::SamplingOptions options{.method = method_of(doe.method.kind), .seed = seed, .base = {}};
   if (doe.method.samples) options.samples = static_cast<std::uint64_t>(*doe.method.samples);
-  if (doe.method.kind == DoeMethod::Kind::one_at_a_time) {
-    for (std::size_t k = 0; k < columns.factors.size(); ++k)
-      options.base.push_back(std::isnan(columns.bases[k]) ? quantile(columns.factors[k], 0.5)
-                                                          : columns.bases[k]);
-  }
+  if (doe.method.kind == DoeMethod::Kind::one_at_a_time) options.base = base_of(columns);
   optim::SamplePlan samples =
       doe.method.node.located([&] { return optim::SamplePlan(columns.factors, options); });
   if (samples.size() > static_cast<std::uint64_t>(most_samples))
@@ -301,6 +323,7 @@ SweepPlan make_sweep_plan(const std::string& file, std::optional<std::uint64_t> 
   Target goal = doe.goal ? read_goal(*doe.goal) : Target{};
   std::vector<Metric> responses = find_responses(doe, base, goal);
   check_columns(doe, columns, responses);
+  check_moved(doe, columns, document, responses);
   const std::uint64_t used = seed.value_or(doe.method.seed);
   optim::SamplePlan samples = make_samples(doe, columns, used);
   SweepPlan plan{std::move(doe),       std::move(base), std::move(document),
