@@ -34,8 +34,8 @@ struct MainEffect {
   /// any table whose rows are independent. The correlation ratio without its bias, (S_b - (k - 1) s^2) / S_t
   /// with S_b and S_t the sums of squares between levels and in all, s^2 the variance within, k the levels
   /// (Kelley, Proc. Natl. Acad. Sci. 21, 554, 1935); may fall a little below 0. Of a grid S_b / S_t, the index itself:
-  /// means of its levels hold nothing of the other factors. NaN for a constant response, where there are no more usable
-  /// rows than levels, and where rows are related.
+  /// means of its levels hold nothing of the other factors; by all its levels, also where these are binned. NaN for a
+  /// constant response, where there are no more usable rows than levels, and where rows are related.
   double variance_share = 0;
   /// The interval that holds it in about 95 of 100 tables, within 0 and 1: by the shares of the tables that lack one row
   /// (jackknife). NaN of a grid, which has no chance in it, and where variance_share is.

@@ -137,24 +137,41 @@ Rows sorted_by_value(const SampleMatrix& samples, Eigen::Index j, Rows rows) {
   return rows;
 }
 
-MainEffect effect(const Table& table, Eigen::Index j, const Rows& rows, const MainEffectOptions& options) {
-  const Rows sorted = sorted_by_value(table.samples, j, rows);
-  std::vector<std::size_t> starts = value_starts(table.samples, j, sorted);
-  MainEffect effect;
-  effect.binned = starts.size() > static_cast<std::size_t>(options.most_values) + 1;
-  if (effect.binned) starts = bin_starts(starts, options.bins);
+/// Levels and what is left of the rows that the share needs.
+struct Levels {
+  std::vector<EffectLevel> said;
   std::vector<Moments> moments;
   std::vector<Placed> placed;
+};
+
+/// @param starts places in `sorted` where levels begin, and their end
+Levels levels_at(const std::vector<std::size_t>& starts, const Table& table, Eigen::Index j,
+                 const Rows& sorted, TableRows rows) {
+  Levels levels;
   for (std::size_t k = 0; k + 1 < starts.size(); ++k) {
     const auto rows_of_level = std::span(sorted).subspan(starts[k], starts[k + 1] - starts[k]);
     LevelMoments read = read_level(table, j, rows_of_level);
-    if (options.rows == TableRows::related) read.level.standard_error = nan;
+    if (rows == TableRows::related) read.level.standard_error = nan;
     for (const Eigen::Index i : rows_of_level)
-      if (std::isfinite(table.responses[i])) placed.push_back({k, table.responses[i]});
-    effect.levels.push_back(read.level);
-    moments.push_back(read.moments);
+      if (std::isfinite(table.responses[i])) levels.placed.push_back({k, table.responses[i]});
+    levels.said.push_back(read.level);
+    levels.moments.push_back(read.moments);
   }
-  add_shares(moments, placed, options.rows, effect);
+  return levels;
+}
+
+/// A grid's share is by all its levels, however many: bins lack what changes within them.
+MainEffect effect(const Table& table, Eigen::Index j, const Rows& rows, const MainEffectOptions& options) {
+  const Rows sorted = sorted_by_value(table.samples, j, rows);
+  const std::vector<std::size_t> starts = value_starts(table.samples, j, sorted);
+  MainEffect effect;
+  effect.binned = starts.size() > static_cast<std::size_t>(options.most_values) + 1;
+  Levels levels =
+      levels_at(effect.binned ? bin_starts(starts, options.bins) : starts, table, j, sorted, options.rows);
+  effect.levels = levels.said;
+  if (effect.binned && options.rows == TableRows::grid)
+    levels = levels_at(starts, table, j, sorted, options.rows);
+  add_shares(levels.moments, levels.placed, options.rows, effect);
   return effect;
 }
 

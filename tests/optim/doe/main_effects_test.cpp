@@ -43,6 +43,20 @@ TEST(MainEffects, SharesOfAGridAreExact) {
   EXPECT_DOUBLE_EQ(alone[1].variance_share, 0);
 }
 
+TEST(MainEffects, SharesOfAGridOfManyLevelsLackNothingWithinTheirBins) {
+  Eigen::MatrixXd samples(40, 2);
+  std::vector<double> saw;
+  for (int row = 0; row < 40; ++row) {
+    samples.row(row) << row / 2, row % 2;
+    saw.push_back(row / 2 % 2);
+  }
+  const auto effects = main_effects(samples, saw, {.rows = TableRows::grid});
+  EXPECT_TRUE(effects[0].binned);
+  EXPECT_EQ(effects[0].levels.size(), 10u);
+  EXPECT_DOUBLE_EQ(effects[0].variance_share, 1) << "two levels in each bin, which the response tells apart";
+  EXPECT_DOUBLE_EQ(effects[1].variance_share, 0);
+}
+
 TEST(MainEffects, TheIntervalHoldsTheShareInMostTables) {
   const std::vector<Factor> factors = {{"a", UniformRange{0, 1}}, {"b", UniformRange{0, 1}}};
   for (const double share : {0.1, 0.5, 0.9}) {
