@@ -41,10 +41,10 @@ function answerCards(data) {
 function factorTable(data) {
   const shown = data.responses.filter((response) => (response.families ?? []).some(Boolean) && !isConstant(response)).slice(0, CARDS);
   const rows = data.families.map(({name, factors}, f) => {
-    const {words: said} = factorNamed(name), first = data.factors[factors[0]];
+    const {words: said} = factorNamed(name);
     return {
       cells: [
-        said, String(factors.length), valuesWords(first),
+        said, String(factors.length), valuesOfFamily(data, factors),
         ...shown.map((response) => shareWords(response.families[f]))
       ]
     };

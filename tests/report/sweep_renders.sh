@@ -80,6 +80,19 @@ drawn factors "times the base's"
 drawn factors "added to the base's"
 drawn response-0 'samples, 2500 in all'
 drawn response-0 '2000 of 2500 samples, drawn by lot'
+# Factors of one kind with other values each: all are told, not the first factor's alone.
+cat >"$work/kinds.yaml" <<END
+kinetix: 1
+base: crease.yaml
+method: {kind: factorial, levels: 3}
+factors:
+  - {path: "design.columns[0].beta_deg", range: [0, 10]}
+  - {path: "design.columns[1].beta_deg", range: [-60, 5]}
+responses: [end_mm]
+END
+"$program" sweep "$work/kinds.yaml" -o "$work/kinds" --quiet >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+draw "$work/kinds/report.html"
+drawn factors '; -60 to 5'
 sed -i 's/\[3, 1\]/[1, 1]/' "$work/crease.yaml"
 cat >"$work/bad.yaml" <<END
 kinetix: 1

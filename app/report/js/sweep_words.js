@@ -13,7 +13,7 @@ const UNIT_WORDS = {
 };
 
 // Responses whose names say no unit.
-const IN_CELL_EDGES = ["gap_peak", "hinge_gap_max", "hinge_gap_rms", "exact_rms", "exact_max", "verify_rms", "verify_max", "unrest"];
+const IN_CELL_EDGES = ["gap_peak", "stretch_max", "hinge_gap_max", "hinge_gap_rms", "exact_rms", "exact_max", "verify_rms", "verify_max", "unrest"];
 
 const TIMES = "times the base's";  // unit of factors that multiply what the base has
 
@@ -52,6 +52,14 @@ function factorSaid({name, scale}) {
 function valuesWords(factor) {
   const said = valuesAlone(factor, factorSaid(factor).unit);
   return factor.add ? `${said}, added to the base's` : said;
+}
+
+const MOST_KINDS = 3;  // of values that are told one by one: more fill the table
+
+/** The values of a family's factors: each kind once. */
+function valuesOfFamily(data, factors) {
+  const kinds = [...new Set(factors.map((f) => valuesWords(data.factors[f])))];
+  return kinds.length > MOST_KINDS ? `${kinds.length} kinds, from ${kinds[0]} on` : kinds.join("; ");
 }
 
 function valuesAlone(factor, unit) {
