@@ -44,6 +44,13 @@ void set_hinges(model::Sheet& sheet, HingeField field, const std::string& name,
   for (int h = 0; h < sheet.hinges(); ++h) sheet.hinge(h).*field = numbers->data()[h] / scale;
 }
 
+/// As files are refused: what is made so could not be saved.
+void check_offsets_as_made(const app::DesignFile& file) {
+  for (int h = 0; h < file.structure.hinges(); ++h)
+    if (const auto why = app::why_offset_does_not_fit(file, h))
+      throw InvalidInput("offset_mm of wall " + wall_name(file.structure, h) + ": " + *why);
+}
+
 Design with_hinges(const Design& design, const std::optional<Numbers>& t, const std::optional<Numbers>& alpha,
                    const std::optional<Numbers>& beta, const std::optional<Numbers>& offset_mm) {
   app::DesignFile file = design.file();
@@ -53,6 +60,7 @@ Design with_hinges(const Design& design, const std::optional<Numbers>& t, const 
   set_hinges(file.structure, &model::HingeParameters::beta, "beta", beta);
   set_hinges(file.structure, &model::HingeParameters::offset, "offset_mm", offset_mm, edge);
   validate_hinges(file.structure);
+  if (offset_mm) check_offsets_as_made(file);
   return Design(std::move(file));
 }
 

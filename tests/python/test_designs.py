@@ -59,6 +59,12 @@ class Designs(Scratch):
         with self.assertRaisesRegex(kinetix.InvalidInput, "beta"):
             flat.with_hinges(beta=np.full(flat.hinges, 2.0))
 
+    def test_offsets_are_refused_as_of_files(self):
+        made = kinetix.Design({**strip(4), "hinge": {"kind": "pin", "diameter_mm": 1.5, "clearance_mm": 0.2}})
+        with self.assertRaisesRegex(kinetix.InvalidInput, r"offset_mm of wall \[\[0, 0\], \[1, 0\]\]: a hinge made so"):
+            made.with_hinges(offset_mm=np.full(made.hinges, 3.0))
+        self.assertEqual(kinetix.Design(strip(4)).with_hinges(offset_mm=np.full(made.hinges, 3.0)).offset_mm[0], 3)
+
     def test_a_sheet_without_closed_form_says_why(self):
         sheet = kinetix.Design({"kinetix": 1, "structure": {"cells": [3, 3], "cell_mm": 10},
                                 "design": {"hinges": [{"wall": [[1, 1], [2, 1]], "beta_deg": 20}]}})
