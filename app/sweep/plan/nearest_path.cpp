@@ -24,6 +24,14 @@ bool has_hinges(const SweepBase& base) {
   return design && design->optional("hinges");
 }
 
+/// Squares alone have columns and rows of walls.
+std::vector<const char*> groups_of_hinges(const SweepBase& base) {
+  std::vector<const char*> groups = {"walls"};
+  if (base.design->structure.squares()) groups.insert(groups.end(), {"columns", "rows"});
+  if (has_hinges(base)) groups.push_back("hinges");
+  return groups;
+}
+
 std::set<std::string> patterns(const SweepBase& base, const targets::DocumentEditor& editor) {
   std::set<std::string> names;
   const auto add = [&](const std::string& name) {
@@ -33,9 +41,9 @@ std::set<std::string> patterns(const SweepBase& base, const targets::DocumentEdi
   for (const std::string& name : editor.numbers()) add(name);
   for (const std::string& name : optional_keys(base)) add(name);
   if (!base.design) return names;
-  for (const char* group : {"walls", "columns", "rows", "hinges"})
+  for (const char* group : groups_of_hinges(base))
     for (const char* key : {"t", "t_mm", "alpha_deg", "beta_deg", "offset_mm"})
-      if (group != std::string("hinges") || has_hinges(base)) add(fmt::format("design.{}[*].{}", group, key));
+      names.insert(fmt::format("design.{}[*].{}", group, key));
   return names;
 }
 

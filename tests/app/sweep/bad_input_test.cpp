@@ -119,6 +119,18 @@ TEST(SweepBadInput, AThetaThatADriveDecidesCannotBeAFactor) {
   EXPECT_THAT(run.err, HasSubstr("`drive` decides theta"));
 }
 
+TEST(SweepBadInput, ColumnsAreOfSquaresAlone) {
+  const Scratch scratch;
+  const Outcome run = run_sweep_in(
+      scratch,
+      sweep_of("{kind: factorial}", "  - {path: \"design.columns[0].t\", range: [0.4, 0.6]}\n", "end_mm"), "",
+      "kinetix: 1\nstructure: {lattice: honeycomb, cells: [3, 2], cell_mm: 10}\ndesign: {theta_deg: 20}\n");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(
+      run.err,
+      HasSubstr("the base has no number at `design.columns[0].t`; the nearest is `design.walls[*].t`"));
+}
+
 TEST(SweepBadInput, WhatMeasuresDesignsIsRefusedWhereTheBaseIsATarget) {
   const Scratch scratch;
   const std::string flat = "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [40, 8], [80, 0]]}\n";
