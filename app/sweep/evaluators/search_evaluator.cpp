@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/pipeline/pipeline.hpp"
+#include "app/print/hinge_fit.hpp"
 #include "app/result/equilibrium_summary.hpp"
 #include "app/result/result_json.hpp"
 
@@ -29,8 +30,9 @@ std::string why_missed(const Run& run) {
 void SearchEvaluator::evaluate(SampleRow& row) {
   maker_.make(row.factors);
   const bool physics = plan_.doe.model == Model::bullet;
-  const Run run =
-      run_scene(*maker_.target().goal, {.threads = 1, .seed = plan_.seed, .verify = physics, .progress = {}});
+  const Run run = run_scene(
+      *maker_.target().goal,
+      {.threads = 1, .seed = plan_.seed, .verify = physics, .progress = {}, .misfit = why_hinges_do_not_fit});
   const auto metrics = metrics_json(run);
   Observation seen{.structure = &run.structure, .theta = run.theta, .metrics = &metrics};
   const NamedState* state = shown_state(run, physics);

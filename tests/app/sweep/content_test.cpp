@@ -406,6 +406,25 @@ TEST(SweepContent, ATargetIsSearchedInEverySample) {
   EXPECT_GT(csv.number(1, "fold_deg"), 10) << "likewise: folds alone write a list of this name";
 }
 
+// Its blocks would overlap junctions in the designs whose prints come nearest.
+TEST(SweepContent, ARobustSearchTakesWhatASingleOneTakes) {
+  const Scratch scratch;
+  const std::string bend =
+      "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [25, 0], [45, 15], [50, 40], [40, 60]]}\n"
+      "structure: {wall_mm: {thickness: 1.6, height: 6}, cell_mm: 7}\n"
+      "hinge: {kind: block, material: tango, gap_mm: 2.2}\ndrive: {kind: shape_memory, k_turn: 20}\n"
+      "robust: true\nsolver: {starts: 2}\n";
+  const std::string factors = "  - {path: structure.wall_mm.height, values: [6]}\n";
+  const Outcome run =
+      run_sweep_in(scratch, sweep_of("{kind: factorial}", factors, "theta_rad, met"), "", bend);
+  ASSERT_EQ(run.code, 0) << run.err;
+  kinetix_opt(scratch.write("bend.yaml", bend) + " --no-verify -o " + (scratch / "single").string());
+  const Json single = Json::parse(text_of(scratch / "single/result.json"));
+  const Csv csv = read_csv(scratch / "out");
+  EXPECT_NEAR(csv.number(0, "theta_rad"), single["metrics"]["theta_rad"].get<double>(), 1e-12);
+  EXPECT_EQ(csv.number(0, "met") == 1, single["metrics"]["met"].get<bool>());
+}
+
 TEST(SweepContent, AGoalWhoseWallsOverlapAsBuiltIsMissed) {
   const Scratch scratch;
   const std::string arch =
