@@ -68,10 +68,11 @@ std::string robust_text(const RobustCurve& robust) {
   const std::string gaps = best.gap_mm ? fmt::format(", gaps of {:.2g} mm", *best.gap_mm) : "";
   return fmt::format(
       "{} columns at theta {:.1f} deg{}, of {} strips tried: prints{} are expected {:.3g} mm off; of the "
-      "design with the least error of its own, {} columns at {:.1f} deg, {:.3g} mm",
+      "design with the least error of its own, {} columns at {:.1f} deg, {}",
       best.columns, best.theta / radians_per_degree, gaps, robust.tried.size(),
       best.in_matter ? "" : " of its closed form", best.as_made_mm, plain.columns,
-      plain.theta / radians_per_degree, plain.as_made_mm);
+      plain.theta / radians_per_degree,
+      std::isfinite(plain.as_made_mm) ? fmt::format("{:.3g} mm", plain.as_made_mm) : "that is not known");
 }
 
 std::string verdict_of(const CurveOutcome& curve) {

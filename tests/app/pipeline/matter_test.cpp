@@ -384,6 +384,20 @@ TEST(Matter, ARobustCurveCanBePrintedWhereThePlainOneCan) {
             1.001 * plain.result["metrics"]["as_made_rms_mm"].get<double>());
 }
 
+TEST(Matter, WhatPrintsOfThePlainStripComeToMayBeUnknown) {
+  const Scratch scratch;
+  const Finished run =
+      finished(scratch,
+               "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [20, 0], [36, 12], [40, 32]]}\n"
+               "structure: {wall_mm: {thickness: 1.6, height: 6}, cell_mm: 7}\n"
+               "hinge: {kind: block, material: tango, gap_mm: 2.2}\ndrive: {kind: shape_memory, k_turn: 20}\n"
+               "robust: true\nsolver: {starts: 2}\n",
+               " --no-verify");
+  ASSERT_TRUE(run.result["curve"]["robust"][0]["as_made_rms_mm"].is_null()) << run.out;
+  EXPECT_THAT(run.out, HasSubstr("deg, that is not known"));
+  EXPECT_THAT(run.out, Not(HasSubstr("nan mm")));
+}
+
 TEST(Matter, AWeightTradesTheDesignAgainstItsPrints) {
   const Scratch scratch;
   const std::string curve =
