@@ -72,7 +72,8 @@ const targets::KeyTable& factor_keys() {
            value::either({value::text("path"), value::map(path_keys()),
                           value::list(path, "a list of these, which vary together")}),
            needed, "the numbers of the base that vary ([paths](#paths-of-factors))"},
-          {"name", value::text("heading"), otherwise("the first path"), "heading of the factor's column"},
+          {"name", value::text("heading"), otherwise("the first path"),
+           "heading of the factor's column; not with `each`"},
           {"range", value::range({}), {}, "evenly spread values between two ends"},
           {"levels", value::integer(2, most_levels), otherwise("`method.levels`"),
            "levels of a grid; not with `values`"},
@@ -190,6 +191,8 @@ DoeFactor read_factor(const targets::Node& node) {
   section.read("scale", factor.scale);
   if (factor.add && factor.scale)
     throw node.error("has `add: true` and `scale: true`; only one of them can be");
+  if (factor.each && section.optional("name"))
+    throw section.optional("name")->error("goes with one column; with `each: true` each has its own path");
   if (factor.each && factor.paths.size() > 1)
     throw node.error("`each: true` goes with one path, not with several that vary together");
   return factor;
