@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <charconv>
 
 #include "app/files/design_file.hpp"
 #include "app/files/wall_node.hpp"
@@ -104,6 +105,14 @@ bool is_optional_key(const SweepBase& base, const targets::DocumentPath& path) {
   return false;
 }
 
+/// As a file has it: 30, where the angle in radians gives 30.000000000000004.
+double degrees_of(double radians) {
+  const std::string text = targets::degrees_text(radians);
+  double degrees = to_degrees(radians);
+  std::from_chars(text.data(), text.data() + text.size(), degrees);
+  return degrees;
+}
+
 const targets::Bounds& bounds_of(Kind kind) {
   static const targets::Bounds fraction = targets::between(0, 1),
                                in_plane = targets::between(0, 180, "degrees"),
@@ -130,7 +139,7 @@ std::optional<double> base_value(const SweepBase& base, const targets::DocumentE
                                  const Edit& edit) {
   if (edit.kind == Kind::document) return editor.number(edit.index);
   const DesignFile& design = *base.design;
-  if (edit.kind == Kind::theta_deg) return to_degrees(design.theta);
+  if (edit.kind == Kind::theta_deg) return degrees_of(design.theta);
   const model::HingeParameters& p = design.structure.hinge(edit.index);
   switch (edit.kind) {
     case Kind::t:
@@ -138,11 +147,11 @@ std::optional<double> base_value(const SweepBase& base, const targets::DocumentE
     case Kind::t_mm:
       return (edit.flipped ? 1 - p.t : p.t) * design.structure.size().edge_mm;
     case Kind::alpha_deg:
-      return to_degrees(edit.flipped ? pi - p.alpha : p.alpha);
+      return degrees_of(edit.flipped ? pi - p.alpha : p.alpha);
     case Kind::offset_mm:
       return (edit.flipped ? -p.offset : p.offset) * design.structure.size().edge_mm;
     default:
-      return to_degrees(edit.flipped ? -p.beta : p.beta);
+      return degrees_of(edit.flipped ? -p.beta : p.beta);
   }
 }
 

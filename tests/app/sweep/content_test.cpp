@@ -379,6 +379,18 @@ TEST(SweepContent, TheFirstSampleOfOneAtATimeIsTheBase) {
   EXPECT_NEAR(csv.number(1, "theta_deg"), 25, 1e-12);
 }
 
+TEST(SweepContent, AnAngleOfTheBaseIsAsItsFileHasIt) {
+  const Scratch scratch;
+  ASSERT_EQ(run_sweep_in(scratch,
+                         sweep_of("{kind: one_at_a_time}",
+                                  "  - {path: \"design.columns[0].beta_deg\", values: [10, 30]}\n", "end_mm"))
+                .code,
+            0);
+  EXPECT_EQ(read_csv(scratch / "out").rows[0].at("design.columns[0].beta_deg"), "30");
+  const Json levels = analysis_of(scratch)["responses"][0]["main_effects"][0]["levels"];
+  EXPECT_EQ(levels.size(), 2u) << "30 and 30.000000000000004 were two";
+}
+
 TEST(SweepContent, ATargetIsSearchedInEverySample) {
   const Scratch scratch;
   const std::string bow =
