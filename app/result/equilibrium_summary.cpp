@@ -20,6 +20,12 @@ std::string load_text(const Equilibrium& equilibrium, const model::EquilibriumSt
   return fmt::format("{:.4g} {}", step.load, equilibrium.drive.load_unit());
 }
 
+/// Of a cord and of springs the drive's own, which tells neither how far nor to which side the sheet is folded.
+std::string theta_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
+  const bool is_own = equilibrium.drive.pulls_cord() || equilibrium.drive.heats_springs();
+  return fmt::format("theta {:.2f} deg{}", to_degrees(step.theta), is_own ? " of the drive" : "");
+}
+
 std::string effort_text(const Equilibrium& equilibrium) {
   const char* gripped = equilibrium.path.let_go > 0 ? " (by plates that grip until the end)" : "";
   return fmt::format("{:.4g} {}{}: a matter for {}", largest_load(equilibrium.path),
@@ -126,9 +132,10 @@ std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
   lines.push_back({"stretch", stretch_text(run)});
   for (std::size_t k = 0; k < std::min(most_events, path.events.size()); ++k) {
     const model::PathEvent& event = path.events[k];
-    lines.push_back({"event", fmt::format("{} at {}, theta {:.2f} deg, load {}: {}", to_string(event.kind),
-                                          drive_text(equilibrium, event.at), to_degrees(event.at.theta),
-                                          load_text(equilibrium, event.at), event.what)});
+    lines.push_back(
+        {"event",
+         fmt::format("{} at {}, {}, load {}: {}", to_string(event.kind), drive_text(equilibrium, event.at),
+                     theta_text(equilibrium, event.at), load_text(equilibrium, event.at), event.what)});
   }
   if (path.events.size() > most_events)
     lines.push_back({"", fmt::format("and {} more events in result.json", path.events.size() - most_events)});

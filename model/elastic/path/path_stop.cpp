@@ -12,9 +12,10 @@ using Stop = EquilibriumPath::Stop;
 
 std::string degrees(double theta) { return number_text(to_degrees(theta)) + " deg"; }
 
-std::string place(const EquilibriumStep& last, const std::string& load_unit, const OffClosedForm& off) {
-  const std::string at =
-      " at theta " + degrees(last.theta) + ", load " + number_text(last.load) + " " + load_unit;
+std::string place(const EquilibriumStep& last, const LinkageDrive& drive, const OffClosedForm& off) {
+  const bool is_own = drive.pulls_cord() || drive.heats_springs();
+  const std::string at = " at theta " + degrees(last.theta) + (is_own ? " of the drive" : "") + ", load " +
+                         number_text(last.load) + " " + drive.load_unit();
   if (!std::isfinite(off.since)) return at;
   return at + "; off the closed form since theta " + degrees(off.since) +
          (off.unstable ? ", where that is unstable" : "");
@@ -45,7 +46,7 @@ EquilibriumPath::Stop Refusal::stop(const EquilibriumStep& last) const {
 
 std::string stop_reason(const EquilibriumPath& path, const MeasuredSystem& system, double gap_limit,
                         const Refusal& refusal, const OffClosedForm& off) {
-  const std::string at = place(path.steps.back(), system.elastic.drive().load_unit(), off);
+  const std::string at = place(path.steps.back(), system.elastic.drive(), off);
   switch (path.stop) {
     case Stop::reached:
       return "the drive reached its goal" + at;

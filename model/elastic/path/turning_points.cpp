@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "model/closure/drive_theta.hpp"
 #include "model/elastic/path/measured_system.hpp"
 
 namespace kinetix::model {
@@ -25,15 +26,14 @@ class Summit {
   EnergyBarrier of(const EnergyTurn& turn) {
     Side low{turn.before, turn.before.step.load}, high{turn.after, turn.after.step.load};
     const double scale = std::max(std::abs(low.load), std::abs(high.load));
-    EnergyBarrier best =
-        barrier(low.at.step.kept_energy() > high.at.step.kept_energy() ? low.at.step : high.at.step);
+    EnergyBarrier best = barrier(low.at.step.kept_energy() > high.at.step.kept_energy() ? low.at : high.at);
     if (system_.elastic.drive().heats_springs() || (low.load > 0) == (high.load > 0)) return best;
     for (int k = 0; k < most_equilibria; ++k) {
       const double theta = (low.theta() * high.load - high.theta() * low.load) / (high.load - low.load);
       const double from_low = std::abs(theta - low.theta()), from_high = std::abs(theta - high.theta());
       const auto next = equilibrium(theta, from_low < from_high ? low.at.state : high.at.state);
       if (!next) return best;
-      if (next->step.energy > best.energy) best = barrier(next->step);
+      if (next->step.energy > best.energy) best = barrier(*next);
       if (std::min(from_low, from_high) <= theta_accuracy) {
         best.load_vanishes = std::abs(next->step.load) <= vanishing * scale;
         return best;
@@ -59,8 +59,9 @@ class Summit {
     side = {std::move(next), load, false};
   }
 
-  static EnergyBarrier barrier(const EquilibriumStep& step) {
-    return {0, 0, step.kept_energy(), step.theta, step.drive, false};
+  EnergyBarrier barrier(const DrivenState& at) const {
+    const double theta = mean_theta(system_.elastic.structure(), at.state);
+    return {0, 0, at.step.kept_energy(), theta, at.step.drive, false};
   }
 
   std::optional<DrivenState> equilibrium(double theta, State state) {

@@ -50,8 +50,8 @@ class EnergyTurns {
 struct EnergyBarrier {
   int from = 0, to = 0;  ///< in StableStates::states, from < to
   double energy = 0;     ///< N mm
-  double theta = 0;      ///< fold parameter of the drive there, rad
-  double drive = 0;      ///< its coordinate there, as in EquilibriumStep: fraction or rad
+  double theta = 0;      ///< of the sheet there, as of a StableState, rad
+  double drive = 0;      ///< the drive's coordinate there, as in EquilibriumStep
   /// Whether the drive's load vanishes there (with a driven hinge, a saddle of the energy); otherwise the
   /// path jumped down from there.
   bool load_vanishes = false;

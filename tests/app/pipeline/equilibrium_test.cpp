@@ -256,6 +256,27 @@ TEST(Equilibrium, OfACordHasTheTensionThatDoesTheWork) {
   EXPECT_FALSE(fs::exists(scratch / "p"));
 }
 
+// Its theta goes by the cord's length, to the side asked; the sheet twists to its own side.
+TEST(Equilibrium, OfACordThatTwistsACellTellsItsBarrierAtTheThetaOfTheSheet) {
+  const Scratch scratch;
+  const Outcome run = equilibrium(
+      scratch,
+      "kinetix: 1\nstructure: {cells: [1, 1], cell_mm: 20, wall_mm: {thickness: 0.4, height: 8}}\n"
+      "design: {pattern: {even: {A_in_deg: [90, 80, 90, 80]}}}\n"
+      "drive: {kind: cord, through: [[[0, 0], [0, 1]], [[1, 0], [1, 1]]], shorten_mm: 14}\n"
+      "hinge: {model: elastic, k_turn: 0.001}\n");
+  EXPECT_THAT(run.out, HasSubstr("event      slack at cord shortened by"));
+  EXPECT_THAT(run.out, HasSubstr("deg of the drive, load"));
+  const Json found = Json::parse(text_of(scratch / "result.json"))["equilibrium"];
+  ASSERT_EQ(found["stable_states"].size(), 2u);
+  ASSERT_EQ(found["energy_barriers"].size(), 1u);
+  const double barrier = found["energy_barriers"][0]["theta_rad"],
+               twisted = found["stable_states"][1]["theta_rad"];
+  EXPECT_LT(twisted, 0);
+  EXPECT_GT(barrier, twisted) << "between flat and twisted";
+  EXPECT_LT(barrier, 0.4 * twisted);
+}
+
 TEST(Equilibrium, OfShapeMemoryStopsWhereMomentsAreEqualAndAgreesWithThePhysicsRun) {
   const Scratch scratch;
   const std::string design =

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
 #include "model/base/invalid_input.hpp"
@@ -276,6 +277,9 @@ TEST(Drives, OfAllKindsFindTheSameStableStatesAndBarrier) {
     const double exactness = drive.heats_springs() ? 0.01 : 1e-6;
     EXPECT_NEAR(found.barriers[0].energy, by_hinge.barriers[0].energy,
                 exactness * by_hinge.barriers[0].energy);
+    // A summit is flat: its theta is known to the root of what its energy is known to.
+    EXPECT_NEAR(found.barriers[0].theta, by_hinge.barriers[0].theta, std::sqrt(exactness))
+        << "of the sheet, whoever drives it";
     EXPECT_NEAR(found.states[1].energy, by_hinge.states[1].energy, 1e-6 * by_hinge.states[1].energy);
     EXPECT_LE(aligned_distance(s, found.states[1].state, by_hinge.states[1].state).rms, 1e-6);
   }
