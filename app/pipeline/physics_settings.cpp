@@ -71,6 +71,7 @@ model::Elasticity elasticity_of_all(const Hinged& of) {
   if (of.own_hinges.empty()) return whole;
   whole.each.assign(static_cast<std::size_t>(of.structure.hinges()), model::Elasticity(whole));
   for (const auto& [h, own] : of.own_hinges) whole.each[h] = elasticity_of(own, of.physics, edge_mm);
+  whole.k_point = whole.each.front().k_point;  // no hinge may be as `hinge` says
   for (const model::Elasticity& hinge : whole.each) whole.k_point = std::max(whole.k_point, hinge.k_point);
   whole.k_contact = of.hinge.k_contact.value_or(10 * whole.k_point);
   return whole;

@@ -90,6 +90,32 @@ TEST(MadeHinges, OfSingleWallsAreWrittenBesideTheOthers) {
   EXPECT_NEAR(turns[0], 16.05, 0.01);
 }
 
+/// Walls that touch are pressed together by the stiffness of the hinges that there are.
+TEST(MadeHinges, OfAllWallsLeaveNothingOfWhatOthersWouldBe) {
+  const std::string block = "kind: block, material: tango, gap_mm: 2, thickness_mm: 1.5",
+                    film = "kind: film, material: pp, gap_mm: 3, thickness_mm: 0.4";
+  std::string walls;
+  for (const char* wall : {"[[0, 0], [1, 0]]", "[[0, 1], [1, 1]]", "[[0, 0], [0, 1]]", "[[1, 0], [1, 1]]"})
+    walls += "    - {wall: " + std::string(wall) + ", hinge: {" + block + "}}\n";
+  const auto closed = [&](const std::string& others) {
+    const Scratch scratch;
+    const std::string file = scratch.write(
+        "cell.yaml",
+        "kinetix: 1\nstructure: {cells: [1, 1], cell_mm: 20, wall_mm: {thickness: 2.2, height: 12}}\n"
+        "drive: {kind: plates, axis: y, compression: 0.45}\ndesign:\n  hinges:\n" +
+            walls + "hinge: {" + others + "}\n");
+    const Outcome run = kinetix_opt("simulate " + file + " --model equilibrium --json --quiet -o " +
+                                    (scratch / "out").string());
+    EXPECT_EQ(run.code, 0) << run.err;
+    return Json::parse(run.out);
+  };
+  const Json by_block = closed(block), by_film = closed(film);
+  for (const char* key : {"k_point", "k_contact"})
+    EXPECT_EQ(by_film["equilibrium"]["stiffness"][key], by_block["equilibrium"]["stiffness"][key]) << key;
+  const double energy = by_block["metrics"]["energy_Nmm"];
+  EXPECT_NEAR(by_film["metrics"]["energy_Nmm"], energy, 1e-6 * energy) << "their walls touch";
+}
+
 TEST(MadeHinges, SayWhatTheyCannotBear) {
   const Simulated s =
       verified(design_with("kind: film, material: pa12, gap_mm: 1, thickness_mm: 0.4", "[]", 30));
