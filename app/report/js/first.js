@@ -21,28 +21,18 @@ function squarePlace({states: {model, flat}}) {
   return ([x, y, z]) => [...move([x, y]), z];
 }
 
-/** Numbers of the bodies at the corners of a net's first face, the bottom of a box: the first, along x and along y; null for other things. */
-function bottomCorners({kind, goal, structure}) {
-  const face = kind === foldGoal ? goal?.faces?.[0] : null;
-  if (!face?.size[0]) return null;
-  const at = (i, j) => structure.bodies.findIndex((body) => body.i === face.at[0] + i * face.size[0] && body.j === face.at[1] + j * face.size[1]);
-  const corners = [at(0, 0), at(1, 0), at(0, 1)];
-  return corners.includes(-1) ? null : corners;
-}
-
-/** A fold on its first face, which lies along x and y with the others above it. */
-function bottomPlace({states: {model}}, corners) {
-  const [origin, along, across] = corners.map((k) => model.poses[k].p), x = unit(subtract(along, origin));
-  const normal = unit(cross(x, subtract(across, origin)));
-  const above = dot(subtract(mean(model.poses.map(({p}) => p)), origin), normal) >= 0 ? 1 : -1, up = normal.map((v) => above * v);
-  const y = cross(up, x);
+/** A fold with its bottom along x and y and the rest above it. @param corners bodies of the bottom: one, and others along x and along y */
+function bottomPlace({states: {model: {poses}}}, corners) {
+  const [origin, along, across] = corners.map((k) => poses[k].p), x = unit(subtract(along, origin));
+  const normal = unit(cross(x, subtract(across, origin))), rest = subtract(mean(poses.map(({p}) => p)), origin);
+  const up = scale(normal, dot(rest, normal) < 0 ? -1 : 1), y = cross(up, x);
   return (p) => [x, y, up].map((axis) => dot(p, axis));
 }
 
 /** Into the frame that the goal was drawn in, where a strip stands as its curve does and a box on its bottom. */
 function standingPlace(data) {
   if (liesAslant(data)) return squarePlace(data);
-  const corners = data.states.model ? bottomCorners(data) : null;
+  const corners = data.states.model && data.kind?.bottom?.(data);
   if (corners) return bottomPlace(data, corners);
   if (!seenFromSide(data)) return (p) => p;
   const {place} = sideView(data);

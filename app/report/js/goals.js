@@ -4,6 +4,7 @@
 //                 `goal`, `drawn`: lines seen from the side; `backdrop`: lines in space; `turn`: by column
 //   place         moves states into the frame of the pictures (optional)
 //   view          how the folded shape is best seen: side, top or slant
+//   bottom        three bodies of the part that the folded thing stands on (optional)
 //   backdropKey   [class, words] of the backdrop in a legend (optional)
 //   verdict       {mark, tone, title, text}
 //   numbers       key numbers for the top of the page

@@ -51,7 +51,7 @@ struct EnergyBarrier {
   int from = 0, to = 0;  ///< in StableStates::states, from < to
   double energy = 0;     ///< N mm
   double theta = 0;      ///< of the sheet there, as of a StableState, rad
-  double drive = 0;      ///< the drive's coordinate there, as in EquilibriumStep
+  double drive = 0;      ///< the drive's coordinate there, as in EquilibriumStep: fraction, mm or rad
   /// Whether the drive's load vanishes there (with a driven hinge, a saddle of the energy); otherwise the
   /// path jumped down from there.
   bool load_vanishes = false;

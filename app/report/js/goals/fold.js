@@ -137,8 +137,18 @@ function foldSection({goal: fold, structure}) {
       html("div", {class: "scroll"}, creaseTable(fold)), foldLimits(fold), attemptTable(fold));
 }
 
+/** Bodies at corners of the first face, the bottom of a box: one, and others along x and along y; null where faces are no cells. */
+function bottomCorners({goal, structure: {bodies}}) {
+  const face = goal?.faces[0];
+  if (!face?.size[0]) return null;
+  const at = (i, j) => bodies.findIndex((body) => body.i === face.at[0] + i * face.size[0] && body.j === face.at[1] + j * face.size[1]);
+  const corners = [at(0, 0), at(1, 0), at(0, 1)];
+  return corners.includes(-1) ? null : corners;
+}
+
 const foldGoal = {
   name: "fold",
+  bottom: bottomCorners,
   read: (raw) => readFold(raw.fold),
   view: "slant",
   verdict: foldVerdict,
