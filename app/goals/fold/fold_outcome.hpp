@@ -26,7 +26,7 @@ class FoldOutcome final : public GoalOutcome {
   std::optional<targets::FoldError> physics;  ///< of the settled physics run
 
   std::vector<FoldedCrease> creases(const targets::FoldError& error) const;
-  /// Edges of the ideal box, mm: faces, and what the creases add at both ends. @pre goal.box
+  /// Edges of the ideal box, mm: faces, and what the creases add at their ends, to the rim of an open one. @pre goal.box
   std::array<double, 3> edges_mm() const;
 
   /// A box of a given size is another one than its cells fold to: tolerance.size is for that.

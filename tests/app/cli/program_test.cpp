@@ -88,7 +88,6 @@ TEST(Program, NeverReplacesItsOwnInput) {
   EXPECT_EQ(text_of(found + "/result.json"), result);
 }
 
-/// A design that lies where its results would go by default: they go beside it.
 TEST(Program, KeepsADesignThatWasChangedByHand) {
   const Scratch scratch;
   const std::string goal = scratch.write("bow.yaml", bow), found = scratch / "found",
@@ -108,6 +107,7 @@ TEST(Program, KeepsADesignThatWasChangedByHand) {
   EXPECT_TRUE(fs::exists(found + "/design_changed_2.yaml"));
 }
 
+/// A design that lies where its results would go by default: they go beside it.
 TEST(Program, WritesBesideItsInputWhereThatIsTheUsualFolder) {
   const Scratch scratch;
   const std::string goal = scratch.write("bow.yaml", bow), there = "cd " + scratch.path() + " && ";
