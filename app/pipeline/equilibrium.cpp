@@ -153,7 +153,7 @@ double reached_theta(const model::Sheet& sheet, const model::ExactMotion& exact,
                      const model::LinkageDrive& drive, const model::EquilibriumPath& path,
                      const model::Elasticity& elasticity) {
   const double turned = model::mean_theta(sheet, path.state);
-  if (!exact || path.off_closed_form || drive.pulls_cord() || drive.heats_springs()) return turned;
+  if (!exact || path.off_closed_form || drive.has_own_theta()) return turned;
   try {
     return exact_theta({sheet, reached_drive(drive, path), exact}, elasticity);
   } catch (const InvalidInput&) {

@@ -20,10 +20,9 @@ std::string load_text(const Equilibrium& equilibrium, const model::EquilibriumSt
   return fmt::format("{:.4g} {}", step.load, equilibrium.drive.load_unit());
 }
 
-/// Of a cord and of springs the drive's own, which tells neither how far nor to which side the sheet is folded.
 std::string theta_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
-  const bool is_own = equilibrium.drive.pulls_cord() || equilibrium.drive.heats_springs();
-  return fmt::format("theta {:.2f} deg{}", to_degrees(step.theta), is_own ? " of the drive" : "");
+  return fmt::format("theta {:.2f} deg{}", to_degrees(step.theta),
+                     equilibrium.drive.has_own_theta() ? " of the drive" : "");
 }
 
 std::string effort_text(const Equilibrium& equilibrium) {

@@ -56,6 +56,8 @@ struct LinkageDrive {
   LinkageDrive to(double theta) const;
   bool pulls_cord() const { return kind == Kind::cord; }
   bool heats_springs() const { return kind == Kind::shape_memory; }
+  /// Whether theta() tells of the drive alone, neither how far nor to which side the sheet is folded.
+  bool has_own_theta() const { return pulls_cord() || heats_springs(); }
   /// Whether its load is a force, N, or a moment, N mm.
   bool has_force() const { return kind == Kind::plates || kind == Kind::cord; }
   /// "N" or "N mm".
