@@ -82,4 +82,17 @@ std::vector<std::string> material_warnings(const PrintSheet& sheet) {
   return out;
 }
 
+std::optional<std::string> thin_film_warning(const PrintSheet& sheet) {
+  const auto& filament = sheet.process.filament;
+  if (!filament || !sheet.is_one_material()) return std::nullopt;
+  double thinnest = filament->line_mm;
+  for (const model::HingePrint& hinge : sheet.hinges)
+    if (hinge.made.kind == model::HingeKind::film) thinnest = std::min(thinnest, hinge.made.thickness_mm);
+  if (!(thinnest < filament->line_mm)) return std::nullopt;
+  return fmt::format(
+      "films of {:.3g} mm are thinner than the line of {:g} mm that {} lays: slicers leave them out or "
+      "print them thicker, and stiffer than the design says",
+      thinnest, filament->line_mm, sheet.process.name);
+}
+
 }  // namespace kinetix::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,5 +24,9 @@ std::string hinge_words(const HingeSort& sort, const PrintSheet& sheet);
 /// Where files do not tell soft parts of several materials apart, or the process makes hinges of another material than
 /// their design counts with; nothing of soft parts that are a print of their own, whose material is free.
 std::vector<std::string> material_warnings(const PrintSheet& sheet);
+
+/// What says that films printed in one with their walls are thinner than the line that the nozzle lays; nothing of strips, which
+/// are rolled or laid flat.
+std::optional<std::string> thin_film_warning(const PrintSheet& sheet);
 
 }  // namespace kinetix::app

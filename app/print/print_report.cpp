@@ -205,6 +205,7 @@ std::vector<std::string> print_warnings(const PrintJob& job) {
                   " prints one material: soft parts are a print of their own, to be glued to the walls");
   for (const auto& notes : {material_warnings(job.sheet), room_warnings(job)})
     out.insert(out.end(), notes.begin(), notes.end());
+  if (const auto film = thin_film_warning(job.sheet)) out.push_back(*film);
   if (const auto rods = rods_warning(job.sheet)) out.push_back(*rods);
   const double steep = steepest_deg(job.sheet);
   if (steep > steep_deg)

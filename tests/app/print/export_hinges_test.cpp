@@ -338,6 +338,21 @@ TEST(Export, SaysThatSlsPrintsFilmsOfItsOwnMaterial) {
   EXPECT_THAT(said_of(scratch)["warnings"].dump(), HasSubstr("sls prints walls and films in one, of pa12"));
 }
 
+TEST(Export, SaysThatANozzleLaysNoFilmsThinnerThanItsLine) {
+  for (const auto& [process, mm, told] :
+       {std::tuple{"fdm", "0.3", true}, {"fdm", "0.4", false}, {"sla", "0.3", false}}) {
+    const Scratch scratch;
+    const std::string hinge =
+        "hinge: {kind: film, material: pp, gap_mm: 3, thickness_mm: " + std::string(mm) + "}\n";
+    ASSERT_EQ(
+        exported(scratch, std::string(panel) + hinge, std::string("--format stl --process ") + process).code,
+        0);
+    const std::string warnings = said_of(scratch)["warnings"].dump(),
+                      words = "films of 0.3 mm are thinner than the line of 0.4 mm";
+    EXPECT_EQ(warnings.find(words) != std::string::npos, told) << process << mm << warnings;
+  }
+}
+
 /// A block so long that it crosses the wall of another body, once its own two have turned away from it.
 TEST(PathClearance, CountsBlocks) {
   const Scratch scratch;
