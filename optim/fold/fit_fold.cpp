@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/crease_law.hpp"
@@ -157,14 +158,26 @@ class NetSearch {
 
   /// What stops the one that is free for the largest share of its way.
   Obstacle farthest(int index, const std::vector<int>& columns, std::vector<Blocked> blocked) const {
-    std::stable_sort(blocked.begin(), blocked.end(),
-                     [](const Blocked& a, const Blocked& b) { return a.share > b.share; });
+    // Of those alike the least theta first: what stops all of them at one theta is the largest share of its way.
+    std::sort(blocked.begin(), blocked.end(), [](const Blocked& a, const Blocked& b) {
+      return std::pair(-a.share, a.theta) < std::pair(-b.share, b.theta);
+    });
     Obstacle out = first_obstacle(folded(index, columns, blocked.front().theta));
     for (std::size_t k = 1; k < blocked.size() && blocked[k].share > out.share; ++k) {
-      Obstacle other = first_obstacle(folded(index, columns, blocked[k].theta));
-      if (other.share > out.share) out = std::move(other);
+      const FoldedNet net = folded(index, columns, blocked[k].theta);
+      if (is_free_to(net, out.share)) out = first_obstacle(net);
     }
     return out;
+  }
+
+  /// Whether nothing is in the way up to that share of it. Looked at from there back: what stops a fold mostly stays in its way.
+  bool is_free_to(const FoldedNet& net, double share) const {
+    LooksOnTheWay looks = looks_at(net);
+    if (!looks.touching_at_rest().empty()) return false;
+    std::vector<double> thetas = looks_up_to(net.theta);
+    std::erase_if(thetas, [&](double theta) { return theta / net.theta > share; });
+    std::reverse(thetas.begin(), thetas.end());
+    return !looks.first_overlap(thetas);
   }
 
   /// A little more theta, as far as it is free.

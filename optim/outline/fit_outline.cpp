@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "model/base/invalid_input.hpp"
+#include "model/base/parallel_runs.hpp"
 #include "model/base/polygon.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "model/lattice/planar/exact_designs.hpp"
@@ -233,8 +234,9 @@ OutlineDesign fit_outline(const model::PlanarStructure& panel, const targets::Ou
   OutlineDesign best;
   std::set<double> tried;
   int rounds = 0;
-  const auto try_theta = [&](double theta) {
-    OutlineDesign found = RimSearch(panel, folded, flat, options, theta).run();
+  const auto found_at = [&](double theta) { return RimSearch(panel, folded, flat, options, theta).run(); };
+  const auto take = [&](OutlineDesign found) {
+    const double theta = found.theta;
     rounds += found.rounds;
     if (tried.empty() || is_better(found, best)) best = std::move(found);
     tried.insert(theta);
@@ -243,15 +245,24 @@ OutlineDesign fit_outline(const model::PlanarStructure& panel, const targets::Ou
                          options.thetas + halvings, best.error.rms));
   };
   // From the largest down: the further a panel is pressed the more a rim can change, until walls meet.
-  for (int k = 0; k < options.thetas; ++k) {
+  const auto theta_of = [&](int k) {
     const double part = options.thetas == 1 ? 0 : static_cast<double>(k) / (options.thetas - 1);
-    const double theta = options.theta[1] + part * (options.theta[0] - options.theta[1]);
-    try_theta(theta);
-    if (options.stop.stop_requested() || (best.clear && best.theta > theta)) break;
+    return options.theta[1] + part * (options.theta[0] - options.theta[1]);
+  };
+  // On several threads some are tried ahead, and left out of what is told where the search ends before them.
+  bool ends = false;
+  for (int first = 0, now; first < options.thetas && !ends; first += now) {
+    now = std::min(model::threads_of(options.threads), options.thetas - first);
+    std::vector<OutlineDesign> found(now);
+    model::run_in_parallel(now, now, [&](int k) { found[k] = found_at(theta_of(first + k)); });
+    for (int k = 0; k < now && !ends; ++k) {
+      take(std::move(found[k]));
+      ends = options.stop.stop_requested() || (best.clear && best.theta > theta_of(first + k));
+    }
   }
   for (int k = 0; k < halvings && best.clear && best.theta < *tried.rbegin(); ++k) {
     if (options.stop.stop_requested()) break;
-    try_theta((best.theta + *tried.upper_bound(best.theta)) / 2);
+    take(found_at((best.theta + *tried.upper_bound(best.theta)) / 2));
   }
   best.rounds = rounds;
   best.stopped = options.stop.stop_requested();

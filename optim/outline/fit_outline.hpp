@@ -13,7 +13,8 @@ struct OutlineOptions {
   double offset = 0.08;                        ///< largest |offset| of a hinge, cell edges, [0, 0.5); 0: none
   std::array<double, 2> t = {0.12, 0.88};      ///< range; the side that is nearer to 0.5 counts for both
   int thetas = 4;                              ///< tried between the ends of its range, >= 1
-  std::stop_token stop = {};                   ///< where it asks to, the best so far is the answer
+  int threads = 1;            ///< on which they are tried, 0: all cores; the answer does not depend on it
+  std::stop_token stop = {};  ///< where it asks to, the best so far is the answer
 };
 
 /// A panel that came out.

@@ -82,6 +82,7 @@ class OutlineSearch {
     options.theta = file_.theta;
     options.offset = file_.offset(edge_mm);
     options.t = file_.t;
+    options.threads = run_.threads;
     options.stop = run_.stop;
     return options;
   }

@@ -60,6 +60,20 @@ TEST(FitOutline, MakesTheRimOfASquarePanelRound) {
   EXPECT_NEAR(told.iou, design.error.iou, 1e-9);
 }
 
+TEST(FitOutline, FindsTheSameOnAnyNumberOfThreads) {
+  const targets::Outline goal = ellipse(30, 24);
+  OutlineOptions options;
+  const OutlineDesign alone = kinetix::fit_outline(panel(), goal, nullptr, options);
+  for (const int threads : {2, 3, 8}) {
+    options.threads = threads;
+    const OutlineDesign design = kinetix::fit_outline(panel(), goal, nullptr, options);
+    EXPECT_EQ(design.theta, alone.theta);
+    EXPECT_EQ(design.error.rms, alone.error.rms);
+    EXPECT_EQ(design.rounds, alone.rounds);
+    EXPECT_EQ(design.y, alone.y);
+  }
+}
+
 /// 60 mm x 40 mm.
 const targets::Outline& wide() {
   static const targets::Outline made({{0, 0}, {60, 0}, {60, 40}, {0, 40}});
