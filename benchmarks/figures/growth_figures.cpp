@@ -19,8 +19,9 @@ namespace {
 constexpr double closed = 1e-11;           // cell edges: that of small scenes is rounding, and less
 constexpr double closed_a_column = 1e-15;  // cell edges: places far from the first body round by so much
 constexpr double gib = 1 << 30;            // bytes, as memory is counted in
-constexpr int most_seconds = 60;           // of a run: eight scenes of it stay within a quarter of an hour
-constexpr double short_way = 0.02;         // rad of theta, in few steps: large sheets take a minute for each
+constexpr double telling = 32 << 20;  // bytes: of less, most is no scene, and says nothing of what GiB hold
+constexpr int most_seconds = 60;      // of a run: eight scenes of it stay within a quarter of an hour
+constexpr double short_way = 0.02;    // rad of theta, in few steps: large sheets take a minute for each
 
 /// A scene of growing size and what one run of it took, each in a process of its own.
 struct Growth {
@@ -54,11 +55,11 @@ Figure grown(const std::string& what, const Growth& growth) {
   if (growth.cells.size() < 3) return {what, "-", "fewer than three sizes ended", false};
   std::string measured = fmt::format(
       "time to the {:.2f}, memory to the {:.2f} of the cells; {:.3g} cells: {:.3g} ms; {:.3g} cells: {:.3g} "
-      "s, {:.3g} GiB; "
-      "24 GiB hold {:.1g} cells",
+      "s, {:.3g} GiB",
       slope(growth, growth.seconds), slope(growth, growth.bytes), growth.cells.front(),
-      1e3 * growth.seconds.front(), growth.cells.back(), growth.seconds.back(), growth.bytes.back() / gib,
-      most_cells(growth, 24 * gib));
+      1e3 * growth.seconds.front(), growth.cells.back(), growth.seconds.back(), growth.bytes.back() / gib);
+  if (growth.bytes.back() >= telling)
+    measured += fmt::format("; 24 GiB hold {:.1g} cells", most_cells(growth, 24 * gib));
   if (growth.given_up > 0)
     measured += fmt::format("; {:.1g} cells given up after {} s", growth.given_up, most_seconds);
   return {what, "-", measured, growth.right};
