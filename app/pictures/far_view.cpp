@@ -76,7 +76,7 @@ Grey blurred(const Grey& picture, double deviation) {
   return blurred_down(blurred_down(picture, weights).transpose(), weights).transpose();
 }
 
-/// From 0 at the darkest to 1 at the brightest of where the outline hardly blurs; 0 outside.
+/// From 0 at the darkest to 1 at the brightest of where the outline hardly blurs.
 Grey stretched(const Grey& light, const Grey& outline) {
   std::vector<double> values;
   for (Eigen::Index k = 0; k < light.size(); ++k)
@@ -87,7 +87,13 @@ Grey stretched(const Grey& light, const Grey& outline) {
     return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
   };
   const double low = at(darkest), range = std::max(at(brightest) - low, least_range);
-  return (outline >= inside).select(((light - low) / range).max(0).min(1), 0);
+  return ((light - low) / range).max(0).min(1);
+}
+
+/// Values of pixels for a luminance from 0 to 1 (IEC 61966-2-1).
+Grey in_srgb(const Grey& luminance) {
+  const Grey within = luminance.max(0).min(1);
+  return (within <= 0.0031308).select(12.92 * within, 1.055 * within.pow(1 / 2.4) - 0.055);
 }
 
 /// Less the mean of what surrounds each pixel inside the panel.
@@ -105,10 +111,15 @@ std::string far_view(const model::Linkage& panel, const model::State& state, con
   const Grey light = blurred(drawn(panel, state, frame, scale, true), deviation),
              whole = blurred(drawn(panel, state, frame, scale, false), deviation);
   Grey seen = light / whole.max(1e-6);
-  if (options.surroundings_in_cells > 0)
-    seen = against_surroundings(seen, whole, options.surroundings_in_cells * options.pixels_per_cell);
-  const Grey shown = stretched(seen, whole);
-  return grey_png(options.bright_is_ink ? Grey(1 - shown) : (whole >= inside).select(shown, 1));
+  if (options.enhanced) {
+    if (options.surroundings_in_cells > 0)
+      seen = against_surroundings(seen, whole, options.surroundings_in_cells * options.pixels_per_cell);
+    seen = stretched(seen, whole);
+  } else {
+    seen = in_srgb(seen);
+  }
+  if (options.negative) seen = 1 - seen;
+  return grey_png((whole >= inside).select(seen, options.on_white ? 1 : 0));
 }
 
 }  // namespace kinetix::app

@@ -14,12 +14,16 @@ struct FarViewOptions {
   /// Cell edges, standard deviation of the neighbourhood that the light of each place is held against, as an eye
   /// adapts; 0: against none.
   double surroundings_in_cells = 0;
-  bool bright_is_ink = true;  ///< whether bright is drawn dark, as ink on white paper
+  /// Whether the light is stretched from its second to its ninety-eighth percentile, as an eye adapts, instead of drawn in true
+  /// luminance: then the picture must say that it is enhanced.
+  bool enhanced = false;
+  /// For programs that read dark ink on white paper: the negative, and white all round.
+  bool negative = false, on_white = false;
 };
 
-/// A planar panel before a lamp as seen from a distance: the light through its openings, blurred to about a
-/// cell, relative to the panel's own blurred outline, contrast stretched from the second to the
-/// ninety-eighth percentile of what is not near the rim, on white, with a margin of two cells. @return a PNG @throws std::runtime_error for a state that is not finite
+/// A planar panel before a lamp as seen from a distance: the light through its openings, blurred to about a cell, relative to
+/// the panel's own blurred outline. The lamp's full light is white, none is black (luminance, encoded as sRGB has it), black
+/// all round, with a margin of two cells. @return a PNG @throws std::runtime_error for a state that is not finite
 std::string far_view(const model::Linkage& panel, const model::State& state,
                      const FarViewOptions& options = {});
 

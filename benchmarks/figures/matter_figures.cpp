@@ -80,10 +80,10 @@ std::vector<Figure> first_order() {
            "{:.2f} to first order, {:.2f} in {} prints; above {:.2f} and {:.2f} in 95 of 100; auc {:.3f} "
            "and {:.3f}",
            printed->expected.contrast, printed->seen.contrast, printed->prints,
-           printed->expected.contrast_p95, printed->seen.contrast_p95, printed->expected.auc,
+           printed->expected.contrast_p05, printed->seen.contrast_p05, printed->expected.auc,
            printed->seen.auc),
        printed->failed == 0 && off_by(printed->expected.contrast, printed->seen.contrast) <= 0.1 &&
-           off_by(printed->expected.contrast_p95, printed->seen.contrast_p95) <= 0.1});
+           off_by(printed->expected.contrast_p05, printed->seen.contrast_p05) <= 0.1});
   return figures;
 }
 

@@ -42,7 +42,8 @@ Reading read(const std::string& text, int cells_a_module, bool in_equilibrium) {
     run = run_scene(*scene, options);
   else
     scene->solve(run, options);
-  const app::FarViewOptions view = app::far_view_options(file.goal);
+  const app::FarViewOptions view =
+      testing::as_ink_on_paper(app::far_view_options(file.goal), !file.goal.inverted);
   const auto seen = [&](const model::State& state) {
     return testing::read_qr_code(far_view(run.structure, state, view)) == text;
   };

@@ -67,7 +67,7 @@ AsMadeDisplay as_made_display(const std::vector<double>& readings, const std::ve
   AsMadeDisplay out;
   out.contrast = apart / std::sqrt(variance);
   const double sd = std::hypot(apart_sd / std::sqrt(variance), out.contrast * variance_sd / (2 * variance));
-  out.contrast_p95 = out.contrast - model::quantile_95 * sd;
+  out.contrast_p05 = out.contrast - model::quantile_95 * sd;
   out.auc = expected_auc(readings, letter, rest, derivatives);
   return out;
 }

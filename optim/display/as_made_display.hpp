@@ -8,7 +8,7 @@ namespace kinetix::optim {
 /// What prints with errors show of a picture of two levels.
 struct AsMadeDisplay {
   double contrast = 0;      ///< d' of the mean square scatter of cells over prints, dimensionless
-  double contrast_p95 = 0;  ///< what 95 of 100 prints exceed, dimensionless
+  double contrast_p05 = 0;  ///< 5th percentile: what 95 of 100 prints exceed, dimensionless
   double auc = 0;           ///< over prints, [0, 1]
 };
 

@@ -33,6 +33,7 @@ struct DisplayGoal {
   std::vector<double> levels;
   /// Whether light parts of the picture are the letter: then what is bright is to be seen bright, not as ink.
   bool inverted = false;
+  bool is_text = false;  ///< letters of a font, whose parts a reader has to tell apart
   /// Whether the cells keep parts, holes and strokes of the picture they are taken from (whole_picture.hpp);
   /// true for goals of grey levels, and for rows, which are the picture.
   bool whole = true;

@@ -24,6 +24,7 @@ DisplayGoal shown(const std::shared_ptr<const Picture>& letter, PanelSize size, 
   check_panel(size);
   const auto window = [&](PanelSize panel) { return panel_over(*letter, panel, cell_shape); };
   DisplayGoal goal = sampled(*letter, window, size);
+  goal.is_text = true;
   compare_with(*letter, window, goal);
   check_contrast(goal);
   goal.redrawn = [=](PanelSize other) { return shown(letter, other, cell_shape); };
@@ -32,7 +33,7 @@ DisplayGoal shown(const std::shared_ptr<const Picture>& letter, PanelSize size, 
 
 void check_length(const std::string& text) {
   if (text.empty()) throw InvalidInput("is empty; give a letter or a short word");
-  const int count = characters(text, 0, text.size());
+  const int count = count_letters(text);
   if (count > max_glyph_characters)
     throw InvalidInput("has " + std::to_string(count) + " characters; at most " +
                        std::to_string(max_glyph_characters) + " are allowed");

@@ -4,6 +4,8 @@
 #include <freetype/freetype.h>
 #include <freetype/ftbbox.h>
 #include <freetype/ftoutln.h>
+#include <raqm.h>
+#include <unigbrk.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,32 +23,43 @@ namespace {
 struct Done {
   void operator()(FT_Library library) const { FT_Done_FreeType(library); }
   void operator()(FT_Face face) const { FT_Done_Face(face); }
+  void operator()(raqm_t* layout) const { raqm_destroy(layout); }
 };
 template <class Handle>
 using Owner = std::unique_ptr<std::remove_pointer_t<Handle>, Done>;
 
-struct Character {
-  std::string text;
-  FT_ULong code;
-};
+// Of FreeType's and HarfBuzz's lengths at a size of one pixel for each font unit.
+constexpr int parts_of_unit = 64;
 
-std::vector<Character> characters_of(const std::string& text) {
-  std::vector<Character> characters;
+std::u32string decoded(const std::string& text) {
+  std::u32string codes;
   for (std::size_t k = 0; k < text.size();) {
     FcChar32 code = 0;
     const auto* start = reinterpret_cast<const FcChar8*>(text.data() + k);
     const int length = FcUtf8ToUcs4(start, &code, static_cast<int>(text.size() - k));
     if (length <= 0) throw InvalidInput("is not UTF-8 text");
-    characters.push_back({text.substr(k, length), code});
+    codes += static_cast<char32_t>(code);
     k += length;
   }
-  return characters;
+  return codes;
 }
 
-/// The glyphs of a text as outlines in font units, y upwards, on one line that starts at 0.
+std::string encoded(char32_t code) {
+  FcChar8 bytes[FC_UTF8_MAX_LEN];
+  return {reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(FcUcs4ToUtf8(code, bytes))};
+}
+
+/// A glyph of a text that was shaped, in font units.
+struct PlacedGlyph {
+  FT_UInt index = 0;
+  FT_Vector offset = {}, advance = {};
+};
+
+/// The glyphs of a text as outlines in font units, y upwards, on one line that starts at 0: shaped by HarfBuzz, in the order in
+/// which they stand.
 class Line {
  public:
-  Line(const std::string& text, const FontFile& font) : text_(characters_of(text)), font_(font) {
+  Line(const std::string& text, const FontFile& font) : text_(decoded(text)), font_(font) {
     FT_Library library = nullptr;
     if (FT_Init_FreeType(&library) != 0) throw std::bad_alloc();
     library_.reset(library);
@@ -54,41 +67,72 @@ class Line {
     if (FT_New_Face(library, font.path.c_str(), font.face, &face) != 0)
       throw InvalidInput("the font file " + font.path + " cannot be read");
     face_.reset(face);
+    const FT_F26Dot6 size = static_cast<FT_F26Dot6>(face->units_per_EM) * parts_of_unit;
+    if (!FT_IS_SCALABLE(face) || FT_Set_Char_Size(face, size, size, 0, 0) != 0)
+      throw InvalidInput("the font " + in_ticks(font_.name) + " has no outlines; choose another font");
+    shape();
   }
 
   FT_Library library() const { return library_.get(); }
 
   void for_each_outline(const auto& f) const {
-    FT_Pos pen = 0;
-    for (const Character& character : text_) {
-      FT_Outline& outline = load(character);
-      FT_Outline_Translate(&outline, pen, 0);
+    FT_Vector pen = {};
+    for (const PlacedGlyph& glyph : glyphs_) {
+      FT_Outline& outline = load(glyph.index);
+      FT_Outline_Translate(&outline, pen.x + glyph.offset.x, pen.y + glyph.offset.y);
       if (outline.n_points > 0) f(outline);
-      pen += face_->glyph->advance.x;
+      pen.x += glyph.advance.x;
+      pen.y += glyph.advance.y;
     }
   }
 
  private:
-  FT_Outline& load(const Character& character) const {
-    const FT_UInt glyph = FT_Get_Char_Index(face_.get(), character.code);
-    if (glyph == 0) {
-      char number[16];
-      std::snprintf(number, sizeof number, "U+%04lX", character.code);
-      throw InvalidInput("the font " + in_ticks(font_.name) + " has no character " +
-                         in_ticks(character.text) + " (" + number +
-                         "); choose another font or other letters");
+  void shape() {
+    const Owner<raqm_t*> layout(raqm_create());
+    static_assert(sizeof(char32_t) == sizeof(std::uint32_t));
+    const auto* codes = reinterpret_cast<const std::uint32_t*>(text_.data());
+    bool is_done = layout && raqm_set_text(layout.get(), codes, text_.size()) &&
+                   raqm_set_freetype_face(layout.get(), face_.get()) &&
+                   raqm_set_freetype_load_flags(layout.get(), FT_LOAD_NO_HINTING) &&
+                   raqm_set_par_direction(layout.get(), RAQM_DIRECTION_DEFAULT);
+    for (const char* off : {"-kern", "-liga", "-clig"})
+      is_done = is_done && raqm_add_font_feature(layout.get(), off, -1);
+    if (!is_done || !raqm_layout(layout.get()))
+      throw InvalidInput("cannot be set in the font " + in_ticks(font_.name) + "; choose another font");
+    std::size_t count = 0;
+    const raqm_glyph_t* glyphs = raqm_get_glyphs(layout.get(), &count);
+    for (std::size_t k = 0; k < count; ++k) {
+      if (glyphs[k].index == 0) refuse(glyphs[k].cluster);
+      glyphs_.push_back({glyphs[k].index,
+                         {glyphs[k].x_offset / parts_of_unit, glyphs[k].y_offset / parts_of_unit},
+                         {glyphs[k].x_advance / parts_of_unit, glyphs[k].y_advance / parts_of_unit}});
     }
+  }
+
+  /// @param first index of the first character of a cluster that has no glyph
+  [[noreturn]] void refuse(std::size_t first) const {
+    std::size_t missing = first;
+    while (missing + 1 < text_.size() && FT_Get_Char_Index(face_.get(), text_[missing]) != 0) ++missing;
+    char number[16];
+    std::snprintf(number, sizeof number, "U+%04lX", static_cast<unsigned long>(text_[missing]));
+    throw InvalidInput("the font " + in_ticks(font_.name) + " has no character " +
+                       in_ticks(encoded(text_[missing])) + " (" + number +
+                       "); choose another font or other letters");
+  }
+
+  FT_Outline& load(FT_UInt glyph) const {
     if (FT_Load_Glyph(face_.get(), glyph, FT_LOAD_NO_SCALE) != 0 ||
         face_->glyph->format != FT_GLYPH_FORMAT_OUTLINE)
-      throw InvalidInput("the font " + in_ticks(font_.name) + " has no outline of " +
-                         in_ticks(character.text) + "; choose another font");
+      throw InvalidInput("the font " + in_ticks(font_.name) +
+                         " has a character without an outline; choose another font");
     return face_->glyph->outline;
   }
 
-  std::vector<Character> text_;
+  std::u32string text_;
   const FontFile& font_;
   Owner<FT_Library> library_;
   Owner<FT_Face> face_;
+  std::vector<PlacedGlyph> glyphs_;
 };
 
 FT_BBox ink_box(const Line& line) {
@@ -139,6 +183,12 @@ std::vector<std::uint8_t> rasterised(FT_Library library, FT_Outline& outline, co
 }
 
 }  // namespace
+
+int count_letters(const std::string& text) {
+  std::string ends(text.size(), 0);
+  u8_grapheme_breaks(reinterpret_cast<const std::uint8_t*>(text.data()), text.size(), ends.data());
+  return static_cast<int>(std::count(ends.begin(), ends.end(), 1));
+}
 
 Picture glyph_picture(const std::string& text, const FontFile& font) {
   const Line line(text, font);

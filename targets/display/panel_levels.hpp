@@ -12,4 +12,9 @@ namespace kinetix::targets {
 /// @pre the panel has the goal's columns and rows
 std::vector<double> levels_of(const DisplayGoal& goal, const model::Sheet& panel);
 
+/// The other way: one value per cell of the picture, in the order of DisplayGoal::levels.
+/// @param values of the panel's cells, as many as levels_of() gives
+std::vector<double> in_order_of_goal(const DisplayGoal& goal, const model::Sheet& panel,
+                                     const std::vector<double>& values);
+
 }  // namespace kinetix::targets

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "targets/display/glyph_goal.hpp"
+#include "targets/display/glyph_picture.hpp"
 #include "targets/display/image_goal.hpp"
 #include "targets/document/text_file.hpp"
 
@@ -30,7 +31,7 @@ DisplayGoal read_glyph(const Section& target, const Node& glyph, const std::opti
   target.node().reject_unknown_keys(display_target_keys().only("glyph").names());
   const std::string text = glyph.text("a letter or a short word");
   const auto font_key = target.optional("font");
-  const int columns = default_cells_a_character * characters(text, 0, text.size());
+  const int columns = default_cells_a_character * count_letters(text);
   const PanelSize cells = size.value_or(PanelSize{columns, default_cells_a_character});
   if (!font_key) return glyph.located([&] { return glyph_goal(text, cells[0], cells[1], cell_shape); });
   const std::string name = font_key->text("the name of an installed font");

@@ -5,10 +5,13 @@
 #include <cstddef>
 #include <new>
 
+#include "targets/display/display_score.hpp"
 #include "targets/display/pix.hpp"
 
 namespace kinetix::targets {
 namespace {
+
+constexpr int tried_levels = 16;  // steps between the means of rest and letter: an eye sets its own level
 
 l_uint32* line_of(const PixPointer& pix, int y) {
   return pixGetData(pix.get()) + static_cast<std::size_t>(y) * pixGetWpl(pix.get());
@@ -64,6 +67,19 @@ Picture without_specks(const Picture& picture, double area) {
       out.ink[static_cast<std::size_t>(y) * out.width + x] = GET_DATA_BIT(line, x + 1) ? 255 : 0;
   }
   return out;
+}
+
+Topology seen_topology(const DisplayGoal& goal, const std::vector<double>& values) {
+  const DisplayScore means = display_score(values, goal.levels);
+  const auto above = [&](double level) {
+    return topology(binary(goal.columns, goal.rows, [&](int i, int j) {
+      return values[static_cast<std::size_t>(j) * goal.columns + i] > level;
+    }));
+  };
+  const Topology drawn = topology(goal);
+  for (int k = 1; k < tried_levels; ++k)
+    if (above(means.rest + (means.letter - means.rest) * k / tried_levels) == drawn) return drawn;
+  return above((means.letter + means.rest) / 2);
 }
 
 Topology topology(const DisplayGoal& goal) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "targets/display/picture.hpp"
 
 namespace kinetix::targets {
@@ -20,5 +22,11 @@ Picture without_specks(const Picture& picture, double area);
 
 /// Of the cells that are letter.
 Topology topology(const DisplayGoal& goal);
+
+/// What can be told apart of a picture by one value per cell: the topology of the cells above a level between the means of
+/// letter and rest, that of the picture itself if any level gives it, else that of the middle level. Fewer parts or holes than
+/// drawn: some melt into each other.
+/// @param values in the order of DisplayGoal::levels, larger for the letter
+Topology seen_topology(const DisplayGoal& goal, const std::vector<double>& values);
 
 }  // namespace kinetix::targets

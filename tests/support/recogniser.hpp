@@ -6,9 +6,18 @@
 #include <stdexcept>
 #include <string>
 
+#include "app/pictures/far_view.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace kinetix::testing {
+
+/// A far view as programs read it: contrast stretched, dark ink on white paper.
+inline app::FarViewOptions as_ink_on_paper(app::FarViewOptions options, bool negative = true) {
+  options.enhanced = options.on_white = true;
+  options.negative = negative;
+  return options;
+}
+inline const app::FarViewOptions as_ink = as_ink_on_paper({});
 
 /// The capitals that tesseract-ocr reads in a picture, as one raw line of text; empty where it reads nothing.
 /// @param png a file's content   @throws std::runtime_error where the program does not run

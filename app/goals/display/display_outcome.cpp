@@ -16,16 +16,26 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json score_json(const DisplayReading& reading) {
-  return {{"auc", reading.score.auc},       {"contrast", reading.score.contrast},
-          {"letter", reading.score.letter}, {"rest", reading.score.rest},
-          {"rank", reading.rank},           {"cells", reading.channel}};
+  Json out = {{"auc", reading.score.auc},       {"contrast", reading.score.contrast},
+              {"letter", reading.score.letter}, {"rest", reading.score.rest},
+              {"rank", reading.rank},           {"cells", reading.channel}};
+  if (reading.light) out["light"] = {{"letter", (*reading.light)[0]}, {"rest", (*reading.light)[1]}};
+  if (reading.seen) out["seen"] = {{"parts", reading.seen->components}, {"holes", reading.seen->holes}};
+  return out;
 }
+
+double light_ratio(const DisplayReading& reading) { return (*reading.light)[0] / (*reading.light)[1]; }
 
 std::string in_words(const DisplayOutcome& display, const DisplayReading& r) {
   if (!display.goal.is_binary())
     return fmt::format("rank correlation {:.3f} with the picture's levels", r.rank);
-  return fmt::format("auc {:.3f}, contrast {:.1f}, {} of letter and rest {:.3f} and {:.3f}", r.score.auc,
-                     r.score.contrast, to_string(display.channel), r.score.letter, r.score.rest);
+  std::string text = fmt::format("auc {:.3f}, contrast {:.1f}, ", r.score.auc, r.score.contrast);
+  if (display.channel != optim::Channel::light)
+    text += fmt::format("{} of letter and rest {:.3f} and {:.3f}, ", to_string(display.channel),
+                        r.score.letter, r.score.rest);
+  if (!r.light) return text;
+  return text + fmt::format("light of letter and rest {:.3f} and {:.3f}, ratio {:.2f}", (*r.light)[0],
+                            (*r.light)[1], light_ratio(r));
 }
 
 Json starts_json(const optim::DisplayDesign& design) {
@@ -78,7 +88,10 @@ Json loads_json(const PanelLoads& loads) {
 
 Json printed_json(const PrintedDisplay& printed) {
   const auto numbers = [](const optim::AsMadeDisplay& made) {
-    return Json{{"contrast", made.contrast}, {"contrast_p95", made.contrast_p95}, {"auc", made.auc}};
+    return Json{{"contrast", made.contrast},
+                {"contrast_p05", made.contrast_p05},
+                {"contrast_p95", made.contrast_p05},
+                {"auc", made.auc}};
   };
   return {{"holds", printed.holds()},
           {"why", printed.why},
@@ -95,8 +108,8 @@ std::string printed_text(const DisplayOutcome& display, const Run& run) {
       "printed by {}: contrast {:.1f}, above {:.1f} in 95 of 100 prints, auc {:.3f}; {} prints in the model: "
       "{:.1f}, "
       "{:.1f}, {:.3f}",
-      run.process.name, printed.expected.contrast, printed.expected.contrast_p95, printed.expected.auc,
-      printed.prints, printed.seen.contrast, printed.seen.contrast_p95, printed.seen.auc);
+      run.process.name, printed.expected.contrast, printed.expected.contrast_p05, printed.expected.auc,
+      printed.prints, printed.seen.contrast, printed.seen.contrast_p05, printed.seen.auc);
   if (printed.failed > 0)
     text += fmt::format("; {} more found no equilibrium near the design", printed.failed);
   if (!printed.is_confirmed()) text += "; FIRST ORDER IS FAR FROM THEM";
@@ -191,6 +204,11 @@ void DisplayOutcome::add_metrics(Json& metrics) const {
   metrics["auc_rest"] = before.score.auc;
   metrics["contrast_rest"] = before.score.contrast;
   metrics["stretch_max"] = design.view.stretch;
+  if (after.light) {
+    metrics["light_letter"] = (*after.light)[0];
+    metrics["light_rest"] = (*after.light)[1];
+    metrics["light_ratio"] = light_ratio(after);
+  }
   metrics["met"] = met();
   if (!physics) return;
   metrics["auc_physics"] = physics->score.auc;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "optim/display/as_made_display.hpp"
 #include "optim/display/fit_display.hpp"
 #include "targets/display/display_goal.hpp"
+#include "targets/display/topology.hpp"
 
 namespace kinetix::app {
 
@@ -17,6 +19,9 @@ struct DisplayReading {
   std::vector<double> channel;  ///< of each cell, in its unit (optim::Channel)
   targets::DisplayScore score;
   double rank = 0;  ///< rank correlation of channel and levels, [-1, 1]
+  /// Mean transmittance of letter and rest, blurred as from a distance, fractions of the lamp's light; of binary pictures.
+  std::optional<std::array<double, 2>> light = {};
+  std::optional<targets::Topology> seen = {};  ///< parts and holes of letters that can be told apart
 };
 
 /// What the panel would show, under the same drive, with another bound on the offsets.

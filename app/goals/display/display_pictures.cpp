@@ -54,7 +54,6 @@ std::vector<NamedContent> display_pictures(const Run& run) {
 FarViewOptions far_view_options(const targets::DisplayGoal& goal) {
   const int side = std::min(goal.columns, goal.rows);
   FarViewOptions options;
-  options.bright_is_ink = !goal.inverted;
   if (side < large_panel) return options;
   options.pixels_per_cell = pixels_of_large;
   options.blur_in_cells = std::max(options.blur_in_cells, side / cells_a_blur);
@@ -63,9 +62,16 @@ FarViewOptions far_view_options(const targets::DisplayGoal& goal) {
 }
 
 std::vector<NamedContent> far_pictures(const Run& run) {
-  const FarViewOptions options = far_view_options(outcome_of<DisplayOutcome>(run).goal);
-  return {{"afar_before.png", far_view(run.structure, rest_state(run.structure), options)},
-          {"afar_after.png", far_view(run.structure, run.states.front().poses, options)}};
+  FarViewOptions options = far_view_options(outcome_of<DisplayOutcome>(run).goal);
+  std::vector<NamedContent> files;
+  for (const char* name : {"", "_enhanced"}) {
+    options.enhanced = *name != 0;
+    files.push_back({fmt::format("afar_before{}.png", name),
+                     far_view(run.structure, rest_state(run.structure), options)});
+    files.push_back(
+        {fmt::format("afar_after{}.png", name), far_view(run.structure, run.states.front().poses, options)});
+  }
+  return files;
 }
 
 }  // namespace kinetix::app

@@ -67,7 +67,7 @@ void add_prints(const DisplayFile& file, const Run& run, const model::HingeScatt
   if (contrasts.empty()) return;
   std::sort(contrasts.begin(), contrasts.end());
   for (const double contrast : contrasts) out.seen.contrast += contrast / out.prints;
-  out.seen.contrast_p95 = contrasts[static_cast<std::size_t>(0.05 * (out.prints - 1))];
+  out.seen.contrast_p05 = contrasts[static_cast<std::size_t>(0.05 * (out.prints - 1))];
   out.seen.auc = auc / out.prints;
 }
 
@@ -88,9 +88,9 @@ void add_missing(const DisplayFile& file, const optim::AsMadeDisplay& made, cons
   if (made.auc < file.auc)
     why.push_back(
         fmt::format("{} show it with auc {:.3f}, and at least {:g} is required", who, made.auc, file.auc));
-  if (made.contrast_p95 < file.contrast)
+  if (made.contrast_p05 < file.contrast)
     why.push_back(fmt::format("95 of 100 of {} have a contrast above {:.2f}, and at least {:g} is required",
-                              who, made.contrast_p95, file.contrast));
+                              who, made.contrast_p05, file.contrast));
 }
 
 std::vector<std::string> reasons(const DisplayFile& file, const Run& run, const PrintedDisplay& printed) {

@@ -36,6 +36,16 @@ std::string lost_strokes(const targets::DisplayGoal& goal) {
                             (*goal.needed)[1]);
 }
 
+/// Empty where all parts of letters can be told apart, and where the picture is no text.
+std::string describe_melting(const targets::DisplayGoal& goal, const DisplayReading& reading) {
+  const targets::Topology drawn = topology(goal);
+  if (!reading.seen || *reading.seen == drawn) return "";
+  return fmt::format(
+      "letters melt or break on the panel: drawn are {} parts with {} holes, {} and {} can be told apart; "
+      "use more cells",
+      drawn.components, drawn.holes, reading.seen->components, reading.seen->holes);
+}
+
 std::string about_larger(const LargerPanels& larger) {
   const auto named = [](targets::PanelSize size) { return fmt::format("[{}, {}]", size[0], size[1]); };
   if (larger.enough)
@@ -118,6 +128,8 @@ std::vector<std::string> all_violations(const DisplayFile& file, const DisplayOu
   if (display.faint)
     why.push_back("pressed less still it keeps its limits, but then letter and rest differ by less than 1 %");
   if (!display.goal.whole) why.push_back(lost_strokes(display.goal));
+  if (const std::string melted = describe_melting(display.goal, display.after); !melted.empty())
+    why.push_back(melted);
   if (!display.larger.tried.empty()) why.push_back(about_larger(display.larger));
   return why;
 }
@@ -221,6 +233,8 @@ class DisplayScene final : public Scene {
     display.physics = read_panel(file_, run.structure, run.verification->physics.state);
     display.physics_violations =
         violations(file_, display.physics->score, display.physics->rank, "physics run");
+    if (const std::string melted = describe_melting(display.goal, *display.physics); !melted.empty())
+      display.physics_violations.push_back("in the physics run " + melted);
   }
 
  private:
@@ -285,6 +299,10 @@ const GoalKind display_kind = {
                  "[part of pairs](#contrast-and-auc) in which the cell of the letter has the higher value"},
                 {"separation", "", "difference of the two means of the channel, in the channel's unit"},
                 {"rank", "", "rank correlation of channel and levels"},
+                {"light_letter", "",
+                 "mean transmittance of the letter's cells, a fraction of the lamp's light"},
+                {"light_rest", "", "mean transmittance of the other cells"},
+                {"light_ratio", "", "luminance ratio: `light_letter` over `light_rest`"},
                 {"contrast_rest", "", "contrast before compression"},
                 {"auc_rest", "", "auc before compression"},
                 {"stretch_max", "cell edges", "largest gap of a hinge"},

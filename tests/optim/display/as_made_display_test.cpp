@@ -53,7 +53,7 @@ TEST(AsMadeDisplay, IsWhatManyPrintsShow) {
     }
     std::sort(contrasts.begin(), contrasts.end());
     EXPECT_NEAR(made.contrast, mean, 0.03 * mean);
-    EXPECT_NEAR(made.contrast_p95, contrasts[prints / 20], 0.05 * mean);
+    EXPECT_NEAR(made.contrast_p05, contrasts[prints / 20], 0.05 * mean);
     EXPECT_NEAR(made.auc, auc, 0.005);
   }
 }
@@ -63,7 +63,7 @@ TEST(AsMadeDisplay, OfExactPrintsIsTheDesign) {
   const AsMadeDisplay made = as_made_display(p.readings, p.levels, p.derivatives);
   const targets::DisplayScore score = targets::display_score(p.readings, p.levels);
   EXPECT_NEAR(made.contrast, score.contrast, 1e-9);
-  EXPECT_NEAR(made.contrast_p95, score.contrast, 1e-9);
+  EXPECT_NEAR(made.contrast_p05, score.contrast, 1e-9);
   EXPECT_NEAR(made.auc, score.auc, 1e-12);
 }
 

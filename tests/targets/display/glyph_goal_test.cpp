@@ -129,6 +129,97 @@ TEST(GlyphGoal, SetsAWordLetterByLetter) {
   EXPECT_EQ(topology(bold("\xC3\x96l", 24, 16)), (Topology{4, 1}));  // O with its two dots, and l
 }
 
+/// Columns of ink from the left, as shares of the picture's height.
+std::vector<double> profile(const Picture& picture) {
+  std::vector<double> out;
+  for (int x = 0; x < picture.width; ++x) {
+    double sum = 0;
+    for (int y = 0; y < picture.height; ++y)
+      sum += picture.ink[static_cast<std::size_t>(y) * picture.width + x] / 255.0;
+    out.push_back(sum / picture.height);
+  }
+  return out;
+}
+
+double middle_of_ink(const Picture& picture) {
+  double sum = 0, weight = 0;
+  const auto columns = profile(picture);
+  for (std::size_t x = 0; x < columns.size(); ++x) {
+    sum += (static_cast<double>(x) + 0.5) * columns[x];
+    weight += columns[x];
+  }
+  return sum / weight / picture.width;
+}
+
+Picture in_sans(const std::string& text) { return glyph_picture(text, find_font("DejaVu Sans")); }
+
+TEST(GlyphPicture, SetsHebrewAndArabicFromTheRight) {
+  // A narrow letter and a wide one: which of them stands on the right shows in where the ink is.
+  const std::string vav = "\xD7\x95", shin = "\xD7\xA9", digits = "12";
+  EXPECT_EQ(in_sans(vav + shin).ink, in_sans("\xE2\x80\xAD" + shin + vav).ink)
+      << "shin is drawn first, at the left";
+  EXPECT_NE(in_sans(vav + shin).ink, in_sans(shin + vav).ink);
+  EXPECT_LT(middle_of_ink(in_sans("i"
+                                  "W")),
+            1)
+      << "Latin runs to the right";
+  EXPECT_EQ(in_sans("iW").ink, in_sans("\xE2\x80\xAD"
+                                       "iW")
+                                   .ink);
+  EXPECT_EQ(in_sans(digits).ink, in_sans("\xE2\x80\xAD" + digits).ink)
+      << "numbers run to the right everywhere";
+}
+
+TEST(GlyphPicture, JoinsArabicLetters) {
+  const std::string seen = "\xD8\xB3", lam = "\xD9\x84", alef = "\xD8\xA7", meem = "\xD9\x85",
+                    apart = "\xE2\x80\x8C";
+  EXPECT_EQ(topology(in_sans(seen + lam + meem)).components, 1) << "three letters in one stroke";
+  EXPECT_EQ(topology(in_sans(seen + apart + lam + apart + meem)).components, 3)
+      << "a non-joiner between them";
+  EXPECT_EQ(topology(in_sans(lam + alef)).components, 1) << "the ligature that Arabic requires";
+  EXPECT_EQ(topology(in_sans(seen + lam + alef + meem)).components, 2) << "alef does not join to the left";
+}
+
+TEST(GlyphPicture, PutsAccentsOverTheirLetters) {
+  EXPECT_EQ(in_sans("u\xCC\x88").ink, in_sans("\xC3\xBC").ink) << "u and a diaeresis are one letter";
+  const std::string heart = "\xE2\x99\xA5", selector = "\xEF\xB8\x8F";
+  EXPECT_EQ(in_sans(heart + selector).ink, in_sans(heart).ink);
+}
+
+TEST(GlyphPicture, CountsLettersAsAReader) {
+  EXPECT_EQ(count_letters("HELLO"), 5);
+  EXPECT_EQ(count_letters("u\xCC\x88"), 1) << "u and a diaeresis";
+  EXPECT_EQ(count_letters("\xE2\x99\xA5\xEF\xB8\x8F"), 1) << "a heart and a variation selector";
+  EXPECT_EQ(count_letters("\xF0\x9F\x91\x8D\xF0\x9F\x8F\xBD"), 1) << "a thumb and its skin tone";
+  EXPECT_EQ(count_letters("\xF0\x9F\x87\xA9\xF0\x9F\x87\xAA"), 1) << "a flag of two indicators";
+  EXPECT_EQ(count_letters("\xD8\xB3\xD9\x84\xD8\xA7\xD9\x85"), 4);
+}
+
+TEST(SeenTopology, TellsDotsThatMeltFromDotsThatStandApart) {
+  const DisplayGoal dots =
+      rows_goal({"0000000", "0110110", "0000000", "0110110", "0110110", "0011100", "0000000"});
+  ASSERT_EQ(topology(dots), (Topology{3, 0}));
+  std::vector<double> light(dots.levels.size());
+  for (std::size_t k = 0; k < light.size(); ++k) light[k] = 0.66 + 0.09 * dots.levels[k];
+  EXPECT_EQ(seen_topology(dots, light), topology(dots));
+  const auto at = [&](int i, int j) -> double& {
+    return light[static_cast<std::size_t>(j) * dots.columns + i];
+  };
+  auto dim = light;
+  std::swap(dim, light);
+  at(3, 5) = at(1, 5);  // the gap of the two dots is as bright as they are
+  EXPECT_EQ(seen_topology(dots, light), (Topology{2, 0}));
+  light = dim;
+  at(1, 4) = at(1, 5);  // a dot runs into the letter
+  EXPECT_EQ(seen_topology(dots, light), (Topology{2, 0}));
+  light = dim;
+  at(2, 5) = at(1, 5) = 0.67;  // a dot is not seen
+  EXPECT_EQ(seen_topology(dots, light), (Topology{2, 0}));
+  light = dim;
+  at(3, 5) = 0.70;  // brighter than the rest, and yet darker than the dots
+  EXPECT_EQ(seen_topology(dots, light), topology(dots));
+}
+
 TEST(GlyphGoal, RefusesWhatItCannotShow) {
   EXPECT_THAT(refusal([] { bold("", 10, 10); }), HasSubstr("is empty; give a letter"));
   EXPECT_THAT(refusal([] { bold("  ", 10, 10); }), HasSubstr("shows no ink, as spaces do"));

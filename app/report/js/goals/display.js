@@ -74,26 +74,24 @@ function areaOf(points) {
   }, 0));
 }
 
-/** Each cell as a lamp behind the panel shows it: [outline, brightness from 0 to 1]. */
+/** Each cell as a lamp behind the panel shows it: [outline, luminance from 0 to 1, its open area over that of the flat cell]. */
 function litCells(data, state) {
   const cells = list(data.raw.structure?.cells), outlines = cells.map((cell) => cellOutline(data, cell, state));
-  const open = outlines.map((points, k) => areaOf(points) / (areaOf(cellOutline(data, cells[k], data.states.flat)) || 1));
-  const sorted = [...open].sort((a, b) => a - b), low = sorted[Math.floor(0.02 * sorted.length)] ?? 0;
-  const high = Math.max(sorted[Math.floor(0.98 * sorted.length)] ?? 1, low + 1e-3);
-  return outlines.map((points, k) => [points, Math.max(0, Math.min(1, (open[k] - low) / (high - low)))]);
+  return outlines.map((points, k) => [points, Math.min(1, areaOf(points) / (areaOf(cellOutline(data, cells[k], data.states.flat)) || 1))]);
 }
 
-const DARK_CELL = [41, 38, 33], LIT_CELL = [255, 222, 115];  // sRGB of cells before a lamp
+const LIT_CELL = [255, 222, 115];  // sRGB of the lamp
+const SRGB_GAMMA = 2.2;            // about: values of pixels over luminance
 
 function cellColour(bright) {
-  return `rgb(${DARK_CELL.map((dark, k) => Math.round(dark + bright * (LIT_CELL[k] - dark))).join(",")})`;
+  return `rgb(${LIT_CELL.map((full) => Math.round(full * bright ** (1 / SRGB_GAMMA))).join(",")})`;
 }
 
 /** The panel before a lamp, seen from near. */
 function litShot(data) {
   const cells = litCells(data, data.states.model), walls = plates(data.structure).map((plate) => carriedPlate(data.structure, data.states.model, plate));
   return {
-    label: "The pressed panel before a lamp", points: cells.flatMap(([points]) => points),
+    label: "The pressed panel before a lamp, in true luminance", points: cells.flatMap(([points]) => points),
     marks: (to) => [
       svg("g", {}, cells.map(([points, bright]) => svg("path", {d: path(points.map(to), true), style: `fill:${cellColour(bright)}`}))),
       svg("g", {class: "lit-walls"}, walls.map((plate) => svg("path", {d: path(topRim(plate).map(to), true)})))
@@ -104,7 +102,7 @@ function litShot(data) {
 const ARC_MINUTE = 2.9e-4;                 // rad, what an eye tells apart
 const FARTHEST_M = 60, USUAL_CELLS = 0.5;  // of the slider; of a cell that its first place blurs: walls are gone, strokes are not
 
-/** The panel as it looks from a distance that a slider sets: blurred by an arc minute, and lit up to what the eye takes. */
+/** The panel as it looks from a distance that a slider sets: blurred by an arc minute, in true luminance unless enhanced. */
 function distanceView(data) {
   const {goal: display, structure, states} = data, shown = [states.flat, states.model].filter(Boolean);
   const near = Math.min(FARTHEST_M, Math.round((USUAL_CELLS * structure.cell) / (1000 * ARC_MINUTE)));
@@ -117,17 +115,20 @@ function distanceView(data) {
   });
   box.classList.add("far");
   const words = html("output", {}), slider = html("input", {type: "range", min: 0, max: FARTHEST_M, step: 1, value: near, "aria-label": "Distance in metres"});
+  const enhance = html("input", {type: "checkbox"}), blurs = svg("feGaussianBlur", {stdDeviation: 0});  // SVG blurs luminance, CSS values of pixels
   const look = () => {
-    const metres = Number(slider.value), blur = 1000 * metres * ARC_MINUTE * (view?.scale ?? 1), far = metres * 1000 * ARC_MINUTE > 0.4 * structure.cell;
-    box.style.filter = `blur(${blur.toFixed(2)}px)` + (far && spread > 0 ? ` brightness(${(0.5 / middle).toFixed(3)}) contrast(${Math.min(12, 0.5 / spread).toFixed(2)})` : "");
+    const metres = Number(slider.value), blur = 1000 * metres * ARC_MINUTE * (view?.scale ?? 1);
+    blurs.setAttribute("stdDeviation", blur.toFixed(2));
+    box.style.filter = "url(#far-blur)" + (enhance.checked && spread > 0 ? ` brightness(${(0.5 / middle).toFixed(3)}) contrast(${Math.min(12, 0.5 / spread).toFixed(2)})` : "");
     words.textContent = `${metres} m`;
   };
-  slider.addEventListener("input", look);
+  for (const control of [slider, enhance]) control.addEventListener("input", look);
   requestAnimationFrame(() => requestAnimationFrame(look));
   return html(
       "figure", {class: "shot", id: "distance"}, html("div", {class: "far-frame"}, box),
-      html("div", {class: "controls"}, html("label", {class: "slider"}, "from", slider, words)),
-      html("figcaption", {}, html("strong", {}, "From a distance:"), " walls blur by an arc minute; where cells blur, contrast is drawn as the eye adapts to it"));
+      svg("svg", {width: 0, height: 0}, svg("filter", {id: "far-blur", x: "-20%", y: "-20%", width: "140%", height: "140%"}, blurs)),
+      html("div", {class: "controls"}, html("label", {class: "slider"}, "from", slider, words), html("label", {}, enhance, " enhance contrast")),
+      html("figcaption", {}, html("strong", {}, "From a distance:"), " walls blur by an arc minute, in true luminance unless enhanced"));
 }
 
 /** A panel from above, to the scale of `view`. */
@@ -172,8 +173,10 @@ function farViews(data) {
       "figure", {class: "shot"}, html("img", {src: pictures[name], alt: label}),
       html("figcaption", {}, html("strong", {}, `${label}:`), " ", note));
   return [
-    view("afar_before.png", "Before, from a distance", "the light through the flat panel, where cells blur into one; more light is darker, as ink on paper"),
-    view("afar_after.png", "After, from a distance", "the light through the compressed panel, likewise"),
+    view("afar_before.png", "Before, from a distance", "the light of a lamp through the flat panel, in true luminance: the lamp itself would be white"),
+    view("afar_after.png", "After, from a distance", "the light through the compressed panel, in true luminance"),
+    view("afar_before_enhanced.png", "Before, enhanced", "the same with its contrast stretched"),
+    view("afar_after_enhanced.png", "After, enhanced", "the same with its contrast stretched, as an eye that has adapted may see it"),
   ].filter(Boolean);
 }
 
@@ -222,7 +225,7 @@ function limitsTable(display) {
 function printsTable(display) {
   if (!display.printed) return null;
   const {expected, prints} = display.printed;
-  const row = (name, made) => ({cells: [name, figures(made?.contrast, 2), figures(made?.contrast_p95, 2), figures(made?.auc, 3)]});
+  const row = (name, made) => ({cells: [name, figures(made?.contrast, 2), figures(made?.contrast_p05 ?? made?.contrast_p95, 2), figures(made?.auc, 3)]});
   return html("div", {class: "scroll"},
               table(["prints", "contrast, mean", "contrast that 95 of 100 keep", "AUC"],
                     [row("expected, to first order", expected), row(`${display.printed.count} looked at in the elastic model`, prints)],

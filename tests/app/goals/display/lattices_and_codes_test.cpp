@@ -33,7 +33,7 @@ TEST(QrCode, IsReadFromTheExactStateOfAPlainGridAndNotBefore) {
   ASSERT_TRUE(found.scaled && found.scaled->clear);
   EXPECT_LE(found.scaled->offset, 0.06 + 1e-12);
   EXPECT_LE(found.view.stretch, 1e-12);
-  const FarViewOptions options = far_view_options(file.goal);
+  const FarViewOptions options = testing::as_ink_on_paper(far_view_options(file.goal), !file.goal.inverted);
   EXPECT_EQ(testing::read_qr_code(far_view(panel, found.view.state, options)), "KINETIX");
   EXPECT_EQ(testing::read_qr_code(far_view(panel, rest_state(panel), options)), "");
 }
