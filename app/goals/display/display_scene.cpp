@@ -19,6 +19,7 @@
 #include "app/pipeline/physics_settings.hpp"
 #include "app/run/stopwatch.hpp"
 #include "model/base/angle.hpp"
+#include "model/closure/drive_theta.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "targets/display/panel_levels.hpp"
 
@@ -143,6 +144,17 @@ constexpr double seconds_a_cell = 2e-4, seconds_a_cell_stretched = 0.07;
 // s, of the path from flat: 0.92 s for 32 x 32 cells, 51 s for 100 x 100.
 constexpr double path_seconds_of_1024 = 0.92, path_exponent = 1.76;
 
+/// Where the path was stopped before its end, the state that the search knows of its design takes the place of the path's.
+void take_state_of_search(const optim::DisplayDesign& design, Run& run) {
+  if (!design.view.at_equilibrium || design.view.state.empty()) return;
+  NamedState& shown = run.states.front();
+  shown.poses = design.view.state;
+  shown.model = to_string(design.scaled ? Model::exact : Model::equilibrium);
+  shown.gaps = hinge_gaps(run.structure, shown.poses);
+  run.theta = shown.theta = model::mean_theta(run.structure, shown.poses);
+  run.plan.why.push_back("the path of the equilibrium was stopped: the state shown is that of the search");
+}
+
 /// Whether a physics run is not worth its time: a step costs seconds, and there are thousands.
 bool is_too_large(const Run& run) { return run.structure.bodies() > most_bodies_of_physics; }
 
@@ -196,6 +208,8 @@ class DisplayScene final : public Scene {
   void add_state(Run& run, const RunOptions& options) const override {
     auto& display = outcome_of<DisplayOutcome>(run);
     add_equilibrium(run, drive_on(run.structure, display.design.view), elasticity(), motion_states, options);
+    if (options.stop.stop_requested() && !run.equilibrium->reached())
+      take_state_of_search(display.design, run);
     if (is_too_large(run))
       run.plan.why.push_back(fmt::format(
           "no physics run: {} bodies would take hours; `verify` makes one of design.yaml all the same",

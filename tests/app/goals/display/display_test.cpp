@@ -16,12 +16,14 @@
 #include "app/pictures/panel_picture.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "targets/display/glyph_goal.hpp"
+#include "targets/display/image_file.hpp"
 #include "targets/document/document.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/paper_scenes.hpp"
 #include "tests/support/recogniser.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/targets/images.hpp"
 
 namespace kinetix::testing {
@@ -327,6 +329,33 @@ tolerance: {force_N: 0.01}
   EXPECT_TRUE(display.limits_stopped);
 }
 
+// A run that was stopped on the way to its equilibrium showed the flat panel, though its search had found a design.
+TEST(DisplayScene, ShowsTheStateOfItsSearchWhereThePathIsStopped) {
+  const auto of = [](const std::string& extra, const char* stage) {
+    std::stop_source stop;
+    app::RunOptions options;
+    options.verify = false;
+    options.stop = stop.get_token();
+    options.progress = [&](const std::string& name, double, const std::string&) {
+      if (name == stage) stop.request_stop();
+    };
+    const std::string text =
+        "kinetix: 1\ntarget: {kind: display, glyph: L, font: DejaVu Sans Bold}\nstructure: {cells: [10, "
+        "10]}\n" +
+        extra;
+    return run_scene(*make_scene(app::read_display_file(targets::parse_document(text, "l.yaml"))), options);
+  };
+  for (const char* extra : {"", "drive: {kind: hinge}\n", "drive: {press: true}\n"}) {
+    const app::Run run = of(extra, "equilibrium path"), whole = of(extra, "never");
+    const auto& display = outcome_of<app::DisplayOutcome>(run);
+    EXPECT_TRUE(run.stopped);
+    EXPECT_NEAR(run.theta, whole.theta, 0.05) << extra;
+    EXPECT_GT(std::abs(run.theta), 0.2) << extra;
+    EXPECT_EQ(run.theta, run.states.front().theta);
+    EXPECT_GT(display.after.score.auc, 0.95) << extra;
+  }
+}
+
 TEST(PrintedDisplay, IsConfirmedByPrintsThatAreNear) {
   app::PrintedDisplay printed;
   EXPECT_TRUE(printed.is_confirmed());
@@ -465,6 +494,37 @@ TEST(FarView, ARecogniserReadsTheLetterAfterCompressionAndNothingBefore) {
     EXPECT_EQ(read_capitals(app::far_view(run.structure, run.states.front().poses, as_ink)), text);
     EXPECT_EQ(read_capitals(app::far_view(run.structure, rest_state(run.structure), as_ink)), "");
   }
+}
+
+/// Luminance of the middle pixel, from sRGB.
+double middle_luminance(const std::string& png) {
+  const TemporaryFolder folder;
+  const targets::Picture light =
+      targets::read_image(folder.write("light.png", png), targets::ImageLevels::grey, true);
+  const double value =
+      light.ink[static_cast<std::size_t>(light.height / 2) * light.width + light.width / 2] / 255.0;
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+// Light of 0.755 beside light of 0.666 was drawn as white beside black, and inverted.
+TEST(FarView, ShowsTrueLuminanceUnlessItIsEnhanced) {
+  for (const double thickness : {0.5, 1.0, 2.0}) {
+    const model::Structure panel = make_structure(model::rectangle(11, 11), {10, thickness, 6});
+    const double open = std::pow(1 - thickness / 10, 2);  // of a cell, between its walls
+    EXPECT_NEAR(middle_luminance(app::far_view(panel, rest_state(panel), {.blur_in_cells = 1.5})), open, 0.02)
+        << thickness;
+  }
+}
+
+TEST(FarView, IsStretchedAndNegativeWhereThatIsAskedFor) {
+  const model::Structure panel = letter_panel(0.1);
+  const model::State state = rest_state(panel);
+  const std::string usual = app::far_view(panel, state),
+                    enhanced = app::far_view(panel, state, {.enhanced = true}),
+                    ink = app::far_view(panel, state, as_ink);
+  EXPECT_NE(usual, enhanced);
+  EXPECT_NE(enhanced, ink);
+  EXPECT_GT(middle_luminance(usual), 0.6) << "a flat panel lets most of the light through";
 }
 
 TEST(FarView, RefusesBrokenStates) {

@@ -79,6 +79,7 @@ TEST(FarViewInReports, IsPartOfThePage) {
   write_results(run, folder.path("."));
   const std::string page = testing::read_file(folder.path("report.html"));
   EXPECT_THAT(page, ::testing::HasSubstr("\"afar_after.png\":\"data:image/png;base64,iVBORw0KGgo"));
+  EXPECT_THAT(page, ::testing::HasSubstr("\"afar_after_enhanced.png\":\"data:image/png;base64,iVBORw0KGgo"));
   EXPECT_THAT(page, ::testing::HasSubstr("img-src data:"));
 }
 
