@@ -11,10 +11,10 @@
 namespace kinetix::app {
 namespace {
 
-/// The result with the pictures that belong into the page itself. How long it takes to write_report the page is not known while it is written.
+/// The result with the pictures that belong into the page itself, without the time of writing: it is not known yet.
 std::vector<NamedContent> write_report(const Run& run) {
   nlohmann::ordered_json shown = result_json(run);
-  shown["timing_s"].erase("write_report");
+  shown["timing_s"].erase("write");
   if (run.goal)
     for (const auto& [name, png] : run.goal->shown_pictures(run)) shown["pictures"][name] = data_uri(png);
   return {{"report.html", report_html(light_result(std::move(shown), !scene_script().empty()).dump())}};

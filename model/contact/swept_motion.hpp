@@ -30,7 +30,6 @@ class SweptMotion {
   /// Of a point of the body at r in the middle of the interval, mm per rad.
   Eigen::Vector3d speed(const Eigen::Vector3d& r) const { return v_ + omega_.cross(r); }
   /// Bound of the second derivative of that point, and of all within `reach` of it, mm per rad^2.
-
   double change(const Eigen::Vector3d& r, double reach) const;
   /// How far these get from where they are in the middle, mm.
   double way(const Eigen::Vector3d& r, double reach) const;

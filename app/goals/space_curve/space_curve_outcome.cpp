@@ -52,7 +52,7 @@ Json SpaceCurveOutcome::target_json() const {
   return {{"kind", "space_curve"}, {"points_mm", space_points_json(file.wanted.points())}};
 }
 
-void SpaceCurveOutcome::add_sections(const Run& run, Json& result) const {
+void SpaceCurveOutcome::add_sections(const Run&, Json& result) const {
   Json section = {
       {"goal_mm", space_points_json(error().goal_mm)},
       {"error", distances_json(error())},
@@ -65,7 +65,7 @@ void SpaceCurveOutcome::add_sections(const Run& run, Json& result) const {
       {"reasons_physics", physics_violations}};
   if (physics) section["physics"] = {{"rms", physics->rms}, {"max", physics->max}};
   result["space_curve"] = section;
-  result["optimiser"] = {{"solver", run.goal ? "ceres" : ""},
+  result["optimiser"] = {{"solver", "ceres"},
                          {"starts", std::max(1, found.tried)},
                          {"evaluations", found.search.evaluations},
                          {"status", to_string(found.search.status)},

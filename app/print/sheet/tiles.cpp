@@ -20,7 +20,7 @@ bool is_held(const Eigen::Vector2d& size_mm, const Eigen::Vector2d& bed_mm) {
 
 Eigen::Vector2d turned_by_a_quarter(const Eigen::Vector2d& bed_mm) { return bed_mm.reverse(); }
 
-/// PrintBoxes along one axis, one part after the other. Filled from the lower end they are as few as can be.
+/// Boxes along one axis, one part after the other. Filling from the lower end gives the fewest parts.
 class BoxesInARow {
  public:
   BoxesInARow(const PrintBoxes& boxes, int axis) : boxes_(boxes), axis_(axis) {
