@@ -57,6 +57,9 @@ function(kinetix_room name)
   add_library(kinetix::${name} ALIAS kinetix_${name})
   set_target_properties(kinetix_${name} PROPERTIES EXPORT_NAME ${name})
   target_compile_features(kinetix_${name} PUBLIC cxx_std_20)
+  # Eigen aligns memory by the widest vectors that it sees, so that memory of a program with wider ones cannot be given to the
+  # library, nor to Debian's libceres. Eigen sees those of SSE; the compiler may still use all.
+  target_compile_options(kinetix_${name} INTERFACE $<INSTALL_INTERFACE:-U__AVX__;-U__AVX2__;-U__AVX512F__;-U__FMA__>)
   target_include_directories(kinetix_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/kinetix>)

@@ -42,6 +42,13 @@
 #include "targets/space_curve/space_goal.hpp"
 #include "targets/surface/surface_patch.hpp"
 
+// Memory passes between a program and the library, so both must align it alike. Eigen aligns it by the widest vectors
+// that it sees; the library and Debian's libceres are built for those of SSE.
+static_assert(EIGEN_DEFAULT_ALIGN_BYTES == 16 && EIGEN_MAX_STATIC_ALIGN_BYTES == 16,
+              "kinetix needs Eigen to align memory to 16 bytes. Link the CMake target kinetix::kinetix, or "
+              "compile with "
+              "-U__AVX__ -U__AVX2__ -U__AVX512F__ -U__FMA__ beside -mavx2 or -march=native.");
+
 namespace kinetix {
 
 /// @name Structures: cells, walls, hinges, and the poses of their bodies

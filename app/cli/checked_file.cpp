@@ -21,6 +21,9 @@ namespace {
 // Of a fold whose file has no goal; the report of a search turns it as its goal lies.
 constexpr const char* of_motion = " along x, y and z of the design's motion";
 
+// Bodies, of which the collision-free range is computed within a second.
+constexpr int most_bodies_for_contact = 4000;
+
 std::string size_text(const Eigen::Vector3d& mm) {
   return fmt::format("{:.1f} x {:.1f} x {:.1f} mm", mm.x(), mm.y(), mm.z());
 }
@@ -67,6 +70,7 @@ nlohmann::ordered_json json_of(const Forecast& f) {
 }
 
 std::optional<CheckedContact> contact_of(const DesignFile& design, const Scene& scene) {
+  if (design.structure.bodies() > most_bodies_for_contact) return std::nullopt;
   const model::ExactMotion exact = exact_motion(design.structure);
   if (!exact || scene.model() == Model::equilibrium) return std::nullopt;
   Run sheet;
@@ -116,11 +120,16 @@ CheckedFile check_file(const std::string& file) {
   if (is_assembly(root)) return {file, "design", read_assembly(root).name};
   const DesignFile design = read_design(root);
   const auto scene = make_scene(design, Model::bullet);
-  return {.file = file,
-          .kind = "design",
-          .name = scene->name(),
-          .forecast = scene->forecast(),
-          .contact = contact_of(design, *scene)};
+  CheckedFile out{.file = file,
+                  .kind = "design",
+                  .name = scene->name(),
+                  .forecast = scene->forecast(),
+                  .contact = contact_of(design, *scene)};
+  if (design.structure.bodies() > most_bodies_for_contact)
+    out.forecast->notes.push_back(fmt::format(
+        "the collision-free range is computed here for up to {} bodies; `simulate` needs {} for it",
+        most_bodies_for_contact, about(contact_seconds(design.structure))));
+  return out;
 }
 
 }  // namespace kinetix::app

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stop_token>
+
 #include "app/run/certified.hpp"
 #include "app/run/plan.hpp"
 #include "model/matter/process.hpp"
@@ -13,7 +15,9 @@ double print_growth_mm(const model::Linkage& sheet, const model::PrintError& sd)
 
 /// Along the plan's closed form; where there is none, why nothing is certified. Equilibria of elastic hinges come near the
 /// closed form and are not on it: what is proven of it is not proven of them. @param threads 0 = all cores
-Certified certify(const model::Sheet& sheet, const Plan& plan, const model::PrintError& sd, int threads);
+/// @param stop when requested, nothing is certified
+Certified certify(const model::Sheet& sheet, const Plan& plan, const model::PrintError& sd, int threads,
+                  const std::stop_token& stop);
 /// Of a sheet alone, as files are checked: of its closed form, on all cores.
 Certified certify(const model::Sheet& sheet, const model::PrintError& sd);
 

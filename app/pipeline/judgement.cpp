@@ -95,7 +95,7 @@ void Judging::judge_prints() {
 void Judging::prove_range() {
   if (!options_.certify) return;
   Stopwatch watch;
-  found_.certified = certify(run_.structure, run_.plan, wall_error(run_), options_.threads);
+  found_.certified = certify(run_.structure, run_.plan, wall_error(run_), options_.threads, options_.stop);
   found_.certify_s = watch.lap();
 }
 

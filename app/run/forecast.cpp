@@ -15,6 +15,7 @@ constexpr double seconds_a_loop = 0.0012;
 constexpr double seconds_of_block = 2.4;  // of 1000 bodies that fill space; 0.7 s for 384 and 27 s for 4952
 // Of elastic hinges: the path to the goal, and what makes up for them. 0.5 to 2.6 s for 34 to 173 bodies.
 constexpr double elastic_seconds_of_175 = 2.5;
+constexpr double contact_seconds_of_10000 = 2.4;
 constexpr double bytes_of_program = 55e6, bytes_a_body = 65e3;
 
 /// 20 of 23.4.
@@ -57,6 +58,10 @@ double physics_seconds(const model::Sheet& sheet) {
   const double loops =
       static_cast<double>(linkage.hinges.size()) - static_cast<double>(linkage.bodies.size()) + 1;
   return seconds_a_loop * std::max(loops, 1.0);
+}
+
+double contact_seconds(const model::Sheet& sheet) {
+  return contact_seconds_of_10000 * std::pow(sheet.bodies() / 1e4, 1.33);
 }
 
 double memory_needed(const model::Linkage& linkage) {

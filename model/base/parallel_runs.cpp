@@ -7,8 +7,12 @@
 #include <exception>
 #include <mutex>
 
+#include "model/base/invalid_input.hpp"
+
 namespace kinetix::model {
 namespace {
+
+constexpr int most_threads = 1024;  // more exhaust the memory for stacks, and OpenMP then ends the program
 
 // OpenMP orders what comes before, in and after a parallel region, but the thread sanitizer cannot see that:
 // the runtime is not instrumented. These say the same in the language's own terms, so that what it reports is
@@ -56,7 +60,10 @@ class Thrown {
 
 }  // namespace
 
-int threads_of(int asked) { return asked > 0 ? asked : omp_get_max_threads(); }
+int threads_of(int requested) {
+  require("threads", requested, requested >= 0 && requested <= most_threads, "0 (all cores) to 1024");
+  return requested > 0 ? requested : omp_get_max_threads();
+}
 
 void run_in_parallel(int count, int threads, const std::function<void(int)>& run) {
   if (count < 1) return;

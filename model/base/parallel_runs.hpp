@@ -4,8 +4,9 @@
 
 namespace kinetix::model {
 
-/// How many threads that is. @param asked 0 = all cores
-int threads_of(int asked);
+/// The number of threads to use: all cores for 0, otherwise as requested.
+/// @throws InvalidInput unless requested is 0 to 1024
+int threads_of(int requested);
 
 /// Calls run(k) for every k from 0 to count - 1, on several threads and in any order. For the same answer
 /// whatever their number, each run writes a slot of its own.

@@ -35,6 +35,7 @@ class CertifiedSide {
       const ThetaInterval interval = at(free, next);
       if (!is_finite(interval.state()) || !is_finite(exact_.at(sign_ * next)) || !is_lawful(interval)) break;
       const auto suspects = near_pairs(interval);
+      if (is_stopped()) break;
       if (!suspects) {
         width /= 2;
         continue;
@@ -46,6 +47,11 @@ class CertifiedSide {
   }
 
  private:
+  bool is_stopped() {
+    if (options_.stop.stop_requested()) out_.why_not = "the run was stopped before it was computed";
+    return !out_;
+  }
+
   ThetaInterval at(double low, double high) {
     ++states_;
     ++out_.states;
@@ -93,7 +99,8 @@ class CertifiedSide {
       if ((places.col(a) - places.col(b)).norm() <= plates_.reach[a] + plates_.reach[b] + way[a] + way[b])
         partners[a].push_back(b);
     std::vector<PlatesOfPair> all;
-    for (int a = 0; a < static_cast<int>(partners.size()); ++a) add_suspects(interval, a, partners[a], all);
+    for (int a = 0; a < static_cast<int>(partners.size()) && !is_stopped(); ++a)
+      add_suspects(interval, a, partners[a], all);
     return all;
   }
 
@@ -130,6 +137,7 @@ class CertifiedSide {
 
   std::optional<CertifiedLimit> look(double low, double high, const std::vector<PlatesOfPair>& suspects) {
     const ThetaInterval interval = at(low, high);
+    if (is_stopped()) return end_at(low, suspects);
     std::vector<PlatesOfPair> left;
     for (PlatesOfPair pair : suspects) {
       keep_unproven(interval, pair);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,10 @@
 namespace kinetix::model {
 
 struct CertifiedOptions {
-  double limit = pi / 2;     ///< rad, (0, pi/2]; where to stop
-  double precision = 1e-7;   ///< rad, >= 1e-12: intervals that are not proven are halved down to it
-  double growth_mm = 0;      ///< by which every plate is larger on all its sides than designed, >= 0
+  double limit = pi / 2;      ///< rad, (0, pi/2]; where to stop
+  double precision = 1e-7;    ///< rad, >= 1e-12: intervals that are not proven are halved down to it
+  double growth_mm = 0;       ///< by which every plate is larger on all its sides than designed, >= 0
+  std::stop_token stop = {};  ///< where it asks to, nothing is certified
   int most_states = 200000;  ///< on a side, > 0: plates that slide along each other within rounding end there
 
   /// @throws InvalidInput

@@ -56,7 +56,7 @@ Eigen::VectorXd CurveFit::pack(const std::vector<double>& bends, double theta) c
   x = x.cwiseMax(lower_).cwiseMin(upper_);
 
   model::State lattice;
-  fold(design(x, 0), cell_mm_, lattice);
+  fold_unchecked(design(x, 0), cell_mm_, lattice);
   const auto points = midline(lattice, 0);
   const Vector2d goal_chord = goal_.points().back() - goal_.points().front();
   const Vector2d chord = points.back() - points.front();
@@ -75,7 +75,7 @@ class CurveFit::Frame {
     if (with_jacobian)
       fold_with_jacobian(design, fit.cell_mm_, lattice_, jacobian_);
     else
-      fold(design, fit.cell_mm_, lattice_);
+      fold_unchecked(design, fit.cell_mm_, lattice_);
     turn_ = Eigen::Rotation2Dd(x[x.size() - 3]).toRotationMatrix();
     origin_ = fit.goal_.diagonal() * x.tail<2>();
     for (const model::Pose& pose : lattice_) {

@@ -188,7 +188,7 @@ CurveDesign fit_curve(const targets::Curve& goal, const CurveVariables& v, const
   if (run.x.size() == 0) throw std::runtime_error("every start of the search failed: " + run.why);
   result.design = fit.design(run.x, v.rows);
   model::State lattice;
-  fold(result.design, v.cell_mm, lattice);
+  fold_unchecked(result.design, v.cell_mm, lattice);
   result.midline_mm = midline(lattice, v.rows);
   result.error = curve_error(result.midline_mm, goal);
   return result;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cassert>
 #include <limits>
 #include <set>
 
@@ -58,7 +57,10 @@ SamplePlan::SamplePlan(std::vector<Factor> factors, SamplingOptions options) : o
 std::uint64_t SamplePlan::size() const { return sampler_->size(); }
 
 void SamplePlan::sample(std::uint64_t i, std::span<double> values) const {
-  assert(i < size() && values.size() == factors().size());
+  if (i >= size()) throw InvalidInput(fmt::format("row {} is past the end, must be below {}", i, size()));
+  if (values.size() != factors().size())
+    throw InvalidInput(
+        fmt::format("{} values for {} factors, must be as many", values.size(), factors().size()));
   sampler_->sample(i, values);
 }
 

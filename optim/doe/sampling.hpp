@@ -63,7 +63,7 @@ class SamplePlan {
   std::uint64_t size() const;
 
   /// Row i, in the factors' units; time in proportion to the factors. @param i below size()
-  /// @param values as many as factors; filled
+  /// @param values as many as factors; filled   @throws InvalidInput for other sizes, and for rows past the end
   void sample(std::uint64_t i, std::span<double> values) const;
   std::vector<double> sample(std::uint64_t i) const;
 

@@ -36,4 +36,11 @@ inline pybind11::array taken(std::vector<double>&& numbers, std::vector<pybind11
   return pybind11::array_t<double>(std::move(shape), kept->data(), owner);
 }
 
+/// The same, as an array that refuses writes: numbers of a thing that does not change.
+inline pybind11::array read_only(std::vector<double>&& numbers, std::vector<pybind11::ssize_t> shape) {
+  pybind11::array out = taken(std::move(numbers), std::move(shape));
+  out.attr("setflags")(pybind11::arg("write") = false);
+  return out;
+}
+
 }  // namespace kinetix::python

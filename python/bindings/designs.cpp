@@ -33,7 +33,7 @@ void check_theta(const std::string& field, double theta) {
 py::array hinge_numbers(const Design& design, HingeField field, double scale = 1) {
   std::vector<double> out;
   for (int h = 0; h < design.sheet().hinges(); ++h) out.push_back(design.sheet().hinge(h).*field * scale);
-  return taken(std::move(out), {design.sheet().hinges()});
+  return read_only(std::move(out), {design.sheet().hinges()});
 }
 
 void set_hinges(model::Sheet& sheet, HingeField field, const std::string& name,
@@ -81,7 +81,7 @@ py::array rows_of_three(int count, Row row) {
     const Eigen::Vector3d v = row(k);
     out.insert(out.end(), v.data(), v.data() + 3);
   }
-  return taken(std::move(out), {count, 3});
+  return read_only(std::move(out), {count, 3});
 }
 
 py::array rest_positions(const Design& design) {

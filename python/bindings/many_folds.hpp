@@ -2,6 +2,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <exception>
 #include <limits>
@@ -15,12 +16,13 @@ namespace kinetix::python {
 
 /// Calls fold(k, state) for every k below count, on as many threads; each hands its own state on from call to call, so that
 /// memory is taken once. Which thread makes which fold changes no result. The exception of the least k is thrown again.
-/// @param threads 0: all cores   @param stop where it asks to, the rest is left out   @tparam State of a fold
+/// @param threads at least 1   @param stop where it asks to, the rest is left out   @tparam State of a fold
 template <class State, class Fold>
 void many_folds(std::int64_t count, int threads, const std::stop_token& stop, Fold fold) {
   std::exception_ptr thrown;
   std::int64_t first = std::numeric_limits<std::int64_t>::max();
-#pragma omp parallel num_threads(model::threads_of(threads))
+#pragma omp parallel num_threads( \
+    static_cast <int>(std::min <std::int64_t>(threads, std::max <std::int64_t>(count, 1))))
   {
     State state;
 #pragma omp for schedule(static)
@@ -44,12 +46,13 @@ inline constexpr std::int64_t worth_threads = 100'000;
 
 /// The same without the interpreter's lock; where there is much to do, Ctrl-C raises KeyboardInterrupt. Other threads are
 /// never those of the caller's own thread: a process that it forks later could not use them.
-/// @param bodies of a fold. @pre the lock is held
+/// @param bodies of a fold   @param threads 0 = all cores   @throws InvalidInput unless threads is 0 to 1024. @pre the lock is held
 template <class State = model::State, class Fold>
 void many_folds_in_python(std::int64_t count, std::int64_t bodies, int threads, Fold fold) {
+  const int used = model::threads_of(threads);
   if (count * bodies >= worth_threads)
     return run_interruptibly(
-        [&](const std::stop_source& stop) { many_folds<State>(count, threads, stop.get_token(), fold); }, {},
+        [&](const std::stop_source& stop) { many_folds<State>(count, used, stop.get_token(), fold); }, {},
         false);
   const pybind11::gil_scoped_release others_may_run;
   many_folds<State>(count, 1, {}, fold);

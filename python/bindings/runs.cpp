@@ -7,6 +7,7 @@
 #include "app/pipeline/pipeline.hpp"
 #include "app/print/hinge_fit.hpp"
 #include "model/base/invalid_input.hpp"
+#include "model/base/parallel_runs.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/designs.hpp"
 #include "python/bindings/documents.hpp"
@@ -62,8 +63,7 @@ app::Run located_run(const app::Scene& scene, const std::string& file, const app
 
 void check_options(const RunChoice& choice) {
   const auto& [options, limit, progress, keeps] = choice;
-  require("threads", options.threads, options.threads >= 0 && options.threads <= 1024,
-          "0 (all cores) to 1024");
+  model::threads_of(options.threads);
   require("prints", options.prints, options.prints >= 0 && options.prints <= 1000000, "0 to 1000000");
   if (limit) require("time_limit_s", *limit, *limit > 0 && *limit <= 1e9, "above 0 and at most 1e9 s");
 }

@@ -111,7 +111,7 @@ py::array fold_strips(Numbers beta, Numbers theta, std::optional<Numbers> t, dou
       design = ExactDesign<double>::basic(strips.columns(), strips.rows);
     if (!strips.t) std::fill(design.t.begin(), design.t.end(), 0.5);
     load(strips, k, design);
-    fold(design, strips.cell_mm, state);
+    fold_unchecked(design, strips.cell_mm, state);
     write_poses(state, rows_of_poses + k * numbers);
   });
   return poses;
@@ -201,7 +201,7 @@ py::array strip_gradients(Numbers beta, Numbers theta, Numbers by_poses, double 
       pair.load(lane, strips, strip(lane));
       pair.load_pulls(lane, by_poses.data() + strip(lane) * numbers);
     }
-    fold(pair.design, strips.cell_mm, poses);
+    fold_unchecked(pair.design, strips.cell_mm, poses);
     fold_gradient(pair.design, strips.cell_mm, poses, pair.by_state, pair.gradient);
     for (int lane = 0; lane < Lanes::count; ++lane) pair.write(lane, out + strip(lane) * parameters);
   };

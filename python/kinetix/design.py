@@ -13,7 +13,7 @@ from .documents import Source, yaml_text
 
 
 class Design:
-    """A flat sheet with the parameters of every hinge; what a design.yaml holds. It does not change.
+    """A flat sheet with the parameters of every hinge; what a design.yaml holds. It does not change: its arrays refuse writes.
 
     Lengths in mm, angles in rad; files and dicts have degrees, in keys that end in ``_deg``.
 
@@ -27,6 +27,8 @@ class Design:
     >>> strip.bodies, strip.hinges, strip.family
     (14, 19, 'F1')
     """
+
+    __slots__ = ("_core", "_file", "__weakref__")
 
     def __init__(self, source: Source, folder: "str | os.PathLike[str]" = "") -> None:
         if isinstance(source, Mapping):
@@ -130,7 +132,9 @@ class Design:
     @property
     def hinge_bodies(self) -> NDArray[np.int64]:
         """(H, 2): the bodies that each hinge joins."""
-        return np.asarray(self._core.hinge_bodies, dtype=np.int64).reshape(-1, 2)
+        bodies = np.asarray(self._core.hinge_bodies, dtype=np.int64).reshape(-1, 2)
+        bodies.setflags(write=False)
+        return bodies
 
     @property
     def walls(self) -> List[str]:

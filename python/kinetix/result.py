@@ -18,6 +18,8 @@ from .state import State
 class Result:
     """Everything that a run knows at its end: what result.json and the report hold."""
 
+    __slots__ = ("_core", "_json", "__weakref__")
+
     def __init__(self, core: _core.Run) -> None:
         self._core = core
         self._json: Optional[str] = None

@@ -14,6 +14,8 @@ class State:
     The arrays are views of what the run holds: nothing is copied, and nothing can be written. They keep it alive.
     """
 
+    __slots__ = ("_core", "__weakref__")
+
     def __init__(self, core: _core.State) -> None:
         self._core = core
 

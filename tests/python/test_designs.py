@@ -59,6 +59,15 @@ class Designs(Scratch):
         with self.assertRaisesRegex(kinetix.InvalidInput, "beta"):
             flat.with_hinges(beta=np.full(flat.hinges, 2.0))
 
+    def test_writes_into_a_design_are_errors(self):
+        design = kinetix.Design(strip(4, [5, 6, 7, 8]))
+        for name in ("t", "alpha", "beta", "offset_mm", "rest_positions", "hinge_points", "hinge_axes", "hinge_bodies"):
+            with self.subTest(name), self.assertRaises(ValueError):
+                getattr(design, name)[0] = 0.5
+        for name in ("tetha", "theta", "beta"):
+            with self.subTest(name), self.assertRaises(AttributeError):
+                setattr(design, name, 1)
+
     def test_offsets_are_refused_as_of_files(self):
         made = kinetix.Design({**strip(4), "hinge": {"kind": "pin", "diameter_mm": 1.5, "clearance_mm": 0.2}})
         with self.assertRaisesRegex(kinetix.InvalidInput, r"offset_mm of wall \[\[0, 0\], \[1, 0\]\]: a hinge made so"):

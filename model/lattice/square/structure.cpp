@@ -106,7 +106,14 @@ std::vector<int> label(const Cell& c) { return {c.i, c.j}; }
 
 Eigen::Vector3d rest_place(Vertex v) { return {static_cast<double>(v.i), static_cast<double>(v.j), 0.0}; }
 
+void check_extent(int columns, int rows) {
+  require("columns", columns, columns >= 1, "at least 1");
+  require("rows", rows, rows >= 1, "at least 1");
+  if (static_cast<std::size_t>(columns) * rows > max_cells) throw InvalidInput("more than a million cells");
+}
+
 std::vector<Cell> rectangle(int columns, int rows) {
+  check_extent(columns, rows);
   std::vector<Cell> cells;
   cells.reserve(static_cast<std::size_t>(columns) * rows);
   for (int i = 0; i < columns; ++i)

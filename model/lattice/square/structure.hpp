@@ -95,7 +95,9 @@ RestHinge rest_hinge(const Hinge& hinge);
 /// exact families are computed on all of it).
 Structure make_structure(std::vector<Cell> cells, const CellSize& size);
 
-/// columns x rows cells from (0, 0), sorted. @pre both are at least 1
+/// @throws InvalidInput unless columns and rows are at least 1 and their product is at most a million
+void check_extent(int columns, int rows);
+/// columns x rows cells from (0, 0), sorted. @throws InvalidInput as check_extent()
 std::vector<Cell> rectangle(int columns, int rows);
 /// The structure of these cells. @throws InvalidInput as make_structure
 Structure make_sheet(int columns, int rows, const CellSize& size);

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "model/base/invalid_input.hpp"
+
 namespace kinetix::model {
 namespace {
 
@@ -40,6 +42,14 @@ TEST(ParallelRuns, ThrowWhatTheFirstOfThemThrewOnceAllHaveEnded) {
 TEST(ParallelRuns, TakeAllCoresUnlessAskedOtherwise) {
   EXPECT_GE(threads_of(0), 1);
   EXPECT_EQ(threads_of(5), 5);
+}
+
+TEST(ParallelRuns, RefuseNumbersOfThreadsThatNoMachineHas) {
+  const auto nothing = [](int) {};
+  for (const int odd : {-1, -3, 1025, 100'000}) {
+    EXPECT_THROW(threads_of(odd), InvalidInput) << odd;
+    EXPECT_THROW(run_in_parallel(2, odd, nothing), InvalidInput) << odd;
+  }
 }
 
 }  // namespace

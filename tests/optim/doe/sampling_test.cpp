@@ -274,5 +274,18 @@ TEST(SamplePlan, RefusesWhatCannotBeSampled) {
   EXPECT_THAT(refused(unit_cube(2), off), because("base holds nan"));
 }
 
+TEST(SamplePlan, RefusesRowsPastTheEnd) {
+  for (const SamplingMethod method : all_methods) {
+    const SamplePlan plan(several_factors(), options(method, 4));
+    std::vector<double> few(3);
+    EXPECT_NO_THROW(plan.sample(plan.size() - 1));
+    for (const std::uint64_t past : {plan.size(), plan.size() + 95, ~std::uint64_t{0}})
+      EXPECT_THAT([&] { plan.sample(past); },
+                  ThrowsMessage<InvalidInput>(HasSubstr("is past the end, must be below")));
+    EXPECT_THAT([&] { plan.sample(0, few); },
+                ThrowsMessage<InvalidInput>(HasSubstr("3 values for 4 factors")));
+  }
+}
+
 }  // namespace
 }  // namespace kinetix::optim

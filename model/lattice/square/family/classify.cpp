@@ -215,9 +215,9 @@ State fold(const Classification& classification, const Structure& structure, dou
   if (classification.family == Family::planar) return fold(classification.redrawing, structure, theta);
   auto design = classification.design;
   design.theta = classification.transposed ? -theta : theta;
-  if (!classification.transposed) return fold(design, structure);
+  if (!classification.transposed) return fold_unchecked(design, structure);
   State lattice;
-  fold(design, structure.size.edge_mm, lattice);
+  fold_unchecked(design, structure.size.edge_mm, lattice);
   State state;
   for (const Vertex& v : structure.bodies) state.push_back(swapped(lattice[v.j * (design.rows() + 1) + v.i]));
   return state;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 #include "model/lattice/square/structure.hpp"
@@ -26,8 +27,9 @@ struct ExactDesign {
   int columns() const { return static_cast<int>(beta.size()); }
   int rows() const { return static_cast<int>(s.size()); }
 
-  /// All basic hinges, flat.
+  /// All basic hinges, flat. @throws InvalidInput unless both are at least 1
   static ExactDesign basic(int columns, int rows) {
+    check_extent(columns, rows);
     return {std::vector<T>(columns, T(0)), std::vector<T>(columns, T(0.5)), std::vector<T>(rows, T(0.5)),
             T(0), T(0)};
   }
@@ -103,11 +105,9 @@ PoseOf<T> neighbour_y(const PoseOf<T>& pose, const T& s, double L) {
   return next;
 }
 
-/// Poses of all lattice vertices (i, j) of columns x rows cells, at index i * (rows + 1) + j, by reflection
-/// from body to body: O(bodies), no solver. `poses` is resized, so that a caller's buffer is reused.
-/// @param L cell edge, mm; positions come out in mm
+/// fold() without its checks, for searches: NaN in, NaN out. @pre at least one column and one row
 template <class T>
-void fold(const ExactDesign<T>& design, double L, std::vector<PoseOf<T>>& poses) {
+void fold_unchecked(const ExactDesign<T>& design, double L, std::vector<PoseOf<T>>& poses) {
   using std::cos;
   using std::sin;
   const int columns = design.columns(), rows = design.rows();
@@ -123,6 +123,19 @@ void fold(const ExactDesign<T>& design, double L, std::vector<PoseOf<T>>& poses)
   }
 }
 
+/// @throws InvalidInput unless the cell edge is positive, theta is within (-pi/2, pi/2), every number is finite and there is
+/// a t for each column
+void check_fold(const ExactDesign<double>& design, double L);
+
+/// Poses of all lattice vertices (i, j) of columns x rows cells, at index i * (rows + 1) + j, by reflection
+/// from body to body: O(bodies), no solver. `poses` is resized, so that a caller's buffer is reused.
+/// @param L cell edge, mm; positions are in mm   @throws InvalidInput as check_fold(), for numbers of type double
+template <class T>
+void fold(const ExactDesign<T>& design, double L, std::vector<PoseOf<T>>& poses) {
+  if constexpr (std::is_same_v<T, double>) check_fold(design, L);
+  fold_unchecked(design, L, poses);
+}
+
 /// Writes the design's hinges into a structure whose cells lie within columns x rows from (0, 0).
 /// @pre the structure's lattice fits the design
 void apply(const ExactDesign<double>& design, Structure& structure);
@@ -135,6 +148,9 @@ Structure sheet_of(const ExactDesign<double>& design, const CellSize& size);
 bool is_whole_sheet(const ExactDesign<double>& design, const Structure& structure);
 
 /// State (mm) of the bodies of a structure (any subset of the lattice of the design). @pre as for apply
+/// @throws InvalidInput as check_fold()
 State fold(const ExactDesign<double>& design, const Structure& structure);
+/// The same without checks.
+State fold_unchecked(const ExactDesign<double>& design, const Structure& structure);
 
 }  // namespace kinetix::model

@@ -67,7 +67,7 @@ void ExactJacobian::resize(int columns, int rows) {
 
 void fold_with_jacobian(const ExactDesign<double>& design, double L, State& poses, ExactJacobian& jacobian) {
   const int columns = design.columns(), rows = design.rows(), stride = rows + 1;
-  fold(design, L, poses);
+  fold_unchecked(design, L, poses);
   jacobian.resize(columns, rows);
   const int bodies = jacobian.bodies();
 

@@ -3,7 +3,10 @@
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
+#include <limits>
+#include <string>
 
+#include "model/base/invalid_input.hpp"
 #include "model/lattice/square/family/exact_gradient.hpp"
 #include "model/lattice/square/family/exact_jacobian.hpp"
 #include "tests/support/derivatives.hpp"
@@ -26,6 +29,44 @@ TEST(ReflectionChain, ClosesEveryLoopOfARandomSheet) {
       EXPECT_LE(gaps.max, 1e-12) << to_string(family) << " " << columns << "x" << rows;
       EXPECT_LE(gaps.axis_max, 1e-12) << to_string(family) << " " << columns << "x" << rows;
     }
+}
+
+TEST(ReflectionChain, RefusesNumbersThatNoSheetHas) {
+  State poses;
+  const auto refuses = [&](ExactDesign<double> design, double edge, const char* words) {
+    try {
+      fold(design, edge, poses);
+      ADD_FAILURE() << words;
+    } catch (const InvalidInput& e) {
+      EXPECT_NE(std::string(e.what()).find(words), std::string::npos) << e.what();
+    }
+  };
+  const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
+  const auto design = ExactDesign<double>::basic(3, 2);
+  EXPECT_NO_THROW(fold(design, 10, poses));
+  for (const double edge : {-10.0, 0.0, nan, infinity}) refuses(design, edge, "the cell edge is");
+  for (const double theta : {99.0, -1.6, nan, infinity}) {
+    auto turned = design;
+    turned.theta = theta;
+    refuses(turned, 10, "theta is");
+  }
+  for (const auto member : {&ExactDesign<double>::beta, &ExactDesign<double>::t, &ExactDesign<double>::s})
+    for (const double odd : {nan, -infinity}) {
+      auto changed = design;
+      (changed.*member)[1] = odd;
+      refuses(changed, 10, "not finite");
+    }
+  auto leaning = design;
+  leaning.gamma = nan;
+  refuses(leaning, 10, "gamma is");
+  auto short_of = design;
+  short_of.t.pop_back();
+  refuses(short_of, 10, "must have one for each");
+  for (const auto& [columns, rows] : {std::pair{-3, 1}, {1, 0}, {0, 0}, {-1, -1}}) {
+    EXPECT_THROW(ExactDesign<double>::basic(columns, rows), InvalidInput);
+    EXPECT_THROW(rectangle(columns, rows), InvalidInput);
+  }
+  EXPECT_THROW(rectangle(100'000, 100'000), InvalidInput);
 }
 
 TEST(ReflectionChain, StartsFlat) {
