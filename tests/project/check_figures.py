@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""check_figures.py ROOT: figures in the documentation are those of the table in benchmarks/README.md, as far as they are written out."""
+import pathlib
+import re
+import sys
+
+NUMBER = r"(-?[0-9][0-9 ]*(?:\.[0-9]+)?(?:e[-+]?[0-9]+)?)"
+
+# Page, a passage with # for each figure; row of the table by its beginning, its measured text with # for the same figures; unit of the
+# row over that of the page.
+FIGURES = [
+    ("README.md", "Folding it takes # millionths of a second", "one state of a 40-column strip", "# us", 1),
+    ("README.md", "A letter T on 10 × 10 cells takes # seconds in all", "letter_t.yaml, whole run", "# s", 1),
+    ("README.md", "designed in # s, 2 s with all checks", "headform, 8 ribs, 6 mm cells: design time", "# s", 1),
+    ("README.md", "s, # s with all checks", "headform.yaml, whole run", "# s", 1),
+    ("README.md", "to a headform to # mm", "headform, 8 ribs, 6 mm cells: distance from head", "max # mm", 1),
+    ("README.md", "vary: # designs of a 40-cell strip", "sweep of the exact model, 40-column strip", "# a second", 1),
+    ("README.md", "cells are then # times as large as the others", "T, B, E, S, R, Q, 12 x 12 cells, rows free", "ratio #", 1),
+    ("README.md", "misses this head by # mm", "headform, 8 ribs, 6 mm cells: one tilt for all walls", "max 9.971 mm; rms # mm", 1),
+    ("README.md", "shape memory, would be # mm off", "helmet rib of rubber hinges and springs", "# mm,", 1),
+    ("README.md", "Compensated, it is # mm off", "helmet rib of rubber hinges and springs", "mm, # mm", 1),
+    ("README.md", "prints instead: # mm off", "the same, robust: as made", "design # mm off", 1),
+    ("README.md", "off, and its prints # mm", "the same, robust: as made", "# mm,", 1),
+    ("docs/hinges.md", "| largest difference | # %", "block hinges, L/t 1 to 4, h/t 5 to 10, nu 0.3 and 0.48, against CalculiX: axial", "# % at most", 1),
+    ("docs/hinges.md", "| largest difference | 1.0 % | # %", "block hinges, L/t 1 to 4, h/t 5 to 10, nu 0.3 and 0.48, against CalculiX: turn", "# % at most", 1),
+    ("docs/hinges.md", "| 1.2 % | # %", "block hinges, L/t 1 to 4, h/t 5 to 10, nu 0.3 and 0.48, against CalculiX: along", "# % at most", 1),
+    ("docs/hinges.md", "| 3.3 % | # %", "block hinges, L/t 1 to 4, h/t 5 to 10, nu 0.3 and 0.48, against CalculiX: shear", "# % at most", 1),
+    ("docs/hinges.md", "| 7.3 % | # %", "block hinges, L/t 1 to 4, h/t 5 to 10, nu 0.3 and 0.48, against CalculiX: rocking", "# % at most", 1),
+    ("docs/hinges.md", "| 3.1 % | # %", "block hinges, L/t 1 to 4, h/t 5 to 10, nu 0.3 and 0.48, against CalculiX: twist", "# % at most", 1),
+    ("docs/hinges.md", "| helmet rib, 40 columns | # mm | # mm | # mm", "helmet rib of rubber hinges and springs", "# mm, # mm (52 times), # mm", 1),
+    ("docs/hinges.md", "rubber hinges, rms, 95 % | #, # mm | #, # mm", "as made, helmet rib of 40 columns, rubber hinges",
+     "rms # mm to first order, # mm in 1000 prints (0.6 %); 95 of 100 within # and # mm", 1, (0, 2, 1, 3)),
+    ("docs/hinges.md", "letter T, rubber hinges, contrast, 95 %, auc | #, #, 1.000 | #, #, 1.000", "the same of a letter T, 10 x 10 cells: contrast",
+     "# to first order, # in 1000 prints; above # and #", 1, (0, 2, 1, 3)),
+    ("docs/kinematics.md", "12 × 12 facets to # %", "vase, 12 x 12 facets", "#,", 100),
+    ("docs/kinematics.md", "grow to about # times the others' area", "T, B, E, S, R, Q, 12 x 12 cells, rows free", "ratio #", 1),
+    ("docs/scaling.md", "a strip | # us | 10^6: # ms, # GiB | # | #", "exact model, strips: growth",
+     "time to the #, memory to the # of the cells; 100 cells: # ms; 1e+06 cells: # s, # GiB", (1000, 1000, 1, 1, 1), (2, 3, 4, 0, 1)),
+    ("docs/scaling.md", "a sheet | # us | 10^6: # ms, # GiB | # | #", "exact model, sheets: growth",
+     "time to the #, memory to the # of the cells; 100 cells: # ms; 1e+06 cells: # s, # GiB", (1000, 1000, 1, 1, 1), (2, 3, 4, 0, 1)),
+    ("docs/scaling.md", "hexagons | # ms | 10^5: # s, # GiB | # | #", "planar, null space of hexagons",
+     "time to the #, memory to the # of the cells; 100 cells: # ms; 1e+05 cells: # s, # GiB", 1, (2, 3, 4, 0, 1)),
+    ("docs/scaling.md", "8 starts | - | 400: # s, # MB | # | #", "search for a half circle, 8 starts",
+     "time to the #, memory to the # of the cells; 10 cells: 4.59 ms; 400 cells: # s, # GiB", (1, 1000, 1, 1), (2, 3, 0, 1)),
+    ("docs/scaling.md", "a strip, flat to theta 0.5 | - | 320: # s | # | #", "equilibrium, strips that bend",
+     "time to the #, memory to the # of the cells; 20 cells: 7.96 ms; 320 cells: # s", 1, (2, 0, 1)),
+    ("docs/scaling.md", "a sheet, flat to theta 0.5 | # ms | 10^4: # s, # GiB | # | #", "equilibrium, sheets that bend",
+     "time to the #, memory to the # of the cells; 100 cells: # ms; 1e+04 cells: # s, # GiB", 1, (2, 3, 4, 0, 1)),
+    ("docs/scaling.md", "physics run, a strip, one step | # ms | 10^4: # s, # GiB | # | #", "physics run, strips, a step",
+     "time to the #, memory to the # of the cells; 100 cells: # ms; 1e+04 cells: # s, # GiB", 1, (2, 3, 4, 0, 1)),
+    ("docs/scaling.md", "physics run, a sheet, one step | # ms | 10^4: # s, # GiB | # | #", "physics run, sheets, a step",
+     "time to the #, memory to the # of the cells; 100 cells: # ms; 1e+04 cells: # s, # GiB", 1, (2, 3, 4, 0, 1)),
+]
+
+
+def found(passage, text):
+    match = re.search(re.escape(passage).replace(r"\#", "#").replace("#", NUMBER).replace(r"\ ", r"\s+"), text)
+    return match and [number.replace(" ", "") for number in match.groups()]
+
+
+def same(written, measured):
+    """Whether the measured number, rounded as the written one is, is that one."""
+    digits = re.sub(r"e.*", "", written)
+    if "." in digits:
+        return abs(float(written) - measured) <= 0.5000001 * 10 ** -len(digits.split(".")[1])
+    zeros = len(digits) - len(digits.rstrip("0"))
+    return abs(float(written) - measured) <= 0.5000001 * 10 ** zeros
+
+
+root = pathlib.Path(sys.argv[1])
+rows = [line.split(" | ") for line in (root / "benchmarks/README.md").read_text().splitlines() if line.startswith("| ")]
+wrong = []
+for page, passage, row, measured_text, unit, *order in FIGURES:
+    written = found(passage, (root / page).read_text())
+    measured = [r for r in rows if r[0][2:].startswith(row)]
+    numbers = measured and found(measured_text, measured[0][2])
+    if not written or not numbers:
+        wrong.append(f"{page}: {'no passage' if not written else 'no row'} for: {passage!r}, row {row!r}")
+        continue
+    if order:
+        numbers = [numbers[k] for k in order[0]]
+    units = unit if isinstance(unit, tuple) else (unit,) * len(numbers)
+    for said, number, factor in zip(written, numbers, units):
+        if not same(said, float(number) * factor):
+            wrong.append(f"{page}: says {said} in {passage!r}; benchmarks/README.md has {number} (row {row!r})")
+met = sum(1 for r in rows if r[-1].strip() in ("yes |", "**no** |"))
+yes = sum(1 for r in rows if r[-1].strip() == "yes |")
+said = found("# of # targets are met", (root / "README.md").read_text())
+if not said or [int(n) for n in said] != [yes, met]:
+    wrong.append(f"README.md: says {said} targets are met, the table has {yes} of {met}")
+print("\n".join(wrong) or f"{len(FIGURES)} passages have the figures of the benchmarks")
+sys.exit(1 if wrong else 0)
