@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -100,6 +101,8 @@ std::string process_text(const model::Process& process) {
 }
 
 std::string problem_text(const model::PrintProblem& problem) {
+  if (!std::isfinite(problem.cell_mm))
+    return problem.what + ". Give at least that much; larger cells do not help";
   return fmt::format(
       "{}; it could be with a cell_mm of {:.3g}, as a larger sheet or one of fewer cells, if walls "
       "and hinges become as much larger: those that the file gives in mm stay as they are",

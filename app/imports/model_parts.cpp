@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -191,6 +192,41 @@ void add_parts(const FoundMesh& mesh, bool soft, Names& names, ModelParts& out) 
     out.parts.push_back({names.next(plain(mesh.name), soft, many), soft, std::move(shell)});
 }
 
+/// The extent and volume of a part, in which two parts of one place and shape agree.
+struct PartExtent {
+  const model::ModelPart* part;
+  Eigen::AlignedBox3d box;
+  double volume_mm3 = 0;
+
+  explicit PartExtent(const model::ModelPart& of) : part(&of), volume_mm3(model::volume_mm3(of.solid)) {
+    for (const Eigen::Vector3d& p : of.solid.points) box.extend(p);
+  }
+
+  bool is_as(const PartExtent& other) const {
+    const double near = weld_share * box.diagonal().norm();
+    return (box.min() - other.box.min()).norm() <= near && (box.max() - other.box.max()).norm() <= near &&
+           std::abs(volume_mm3 - other.volume_mm3) <= near * box.diagonal().squaredNorm();
+  }
+};
+
+/// Refuses a part that is there twice: a soft one would count twice as a hinge.
+void refuse_repeated_parts(const std::vector<model::ModelPart>& parts, const std::string& file) {
+  std::vector<PartExtent> extents(parts.begin(), parts.end());
+  std::stable_sort(extents.begin(), extents.end(), [](const PartExtent& a, const PartExtent& b) {
+    return a.box.min().x() < b.box.min().x();
+  });
+  for (std::size_t k = 0; k < extents.size(); ++k)
+    for (std::size_t other = k + 1; other < extents.size(); ++other) {
+      const double apart = extents[other].box.min().x() - extents[k].box.min().x();
+      if (apart > weld_share * extents[k].box.diagonal().norm()) break;
+      if (extents[k].is_as(extents[other]))
+        throw InvalidInput("has the same part twice in one place, " +
+                               targets::in_ticks(extents[k].part->name) + " and " +
+                               targets::in_ticks(extents[other].part->name) + ". Remove one of them",
+                           {file});
+    }
+}
+
 }  // namespace
 
 ModelParts read_model_parts(const ImportRequest& request) {
@@ -219,6 +255,7 @@ ModelParts read_model_parts(const ImportRequest& request) {
     out.softness = softness.words();
     for (const FoundMesh& mesh : files[k].meshes) add_parts(mesh, softness.is_soft(mesh), names, out);
   }
+  refuse_repeated_parts(out.parts, files.back().file);
   return out;
 }
 

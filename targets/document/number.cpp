@@ -78,6 +78,13 @@ std::string limit_text(double x) {
   return text;
 }
 
+/// 1e+05 as 1.0e+05: YAML 1.1 takes a number with an exponent and without a point for text.
+std::string with_point(std::string text) {
+  const std::size_t exponent = text.find('e');
+  if (exponent != std::string::npos && text.find('.') == std::string::npos) text.insert(exponent, ".0");
+  return text;
+}
+
 }  // namespace
 
 bool Bounds::contains(double x) const {
@@ -139,7 +146,7 @@ int parse_integer(std::string_view text, int lower, int upper) {
 
 std::string shortest_text(double x) {
   char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, x).ptr};
+  return with_point({buffer, std::to_chars(buffer, buffer + sizeof buffer, x).ptr});
 }
 
 double parse_degrees(std::string_view text, const Bounds& degrees) {
@@ -158,7 +165,7 @@ std::string degrees_text(double radians) {
   for (int digits = 15; digits <= 21; ++digits) {
     const auto end = std::to_chars(buffer, buffer + sizeof buffer, radians / extended_radians_per_degree,
                                    std::chars_format::general, digits);
-    text.assign(buffer, end.ptr);
+    text = with_point({buffer, end.ptr});
     if (parse_degrees(text, {}) == radians) break;
   }
   return text;

@@ -562,6 +562,30 @@ TEST(Import, SaysHowToReadASheetWithFilmsOfTheWallsMaterial) {
   EXPECT_EQ(Json::parse(read.out)["hinges"].size(), 7u);
 }
 
+// Its hinge was twice as stiff, without a word.
+TEST(Import, RefusesTheSamePartTwice) {
+  const std::string twice = "has the same part twice in one place";
+  const auto walls = [] { return Obj().add("left wall", "PLA", left()).add("right wall", "PLA", right()); };
+  expect_refused("soft.obj", walls().add("joint", "TPU", block()).add("copy", "TPU", block()).text(), twice);
+  expect_refused("hard.obj", walls().add("joint", "TPU", block()).add("copy", "PLA", left()).text(), twice);
+  Polyhedron nearly = block();
+  for (Eigen::Vector3d& p : nearly.points) p *= 1 + 1e-8;
+  expect_refused("nearly.obj", walls().add("joint", "TPU", block()).add("copy", "TPU", nearly).text(), twice);
+  const Scratch scratch;
+  Polyhedron both = block();
+  append(block(), both);
+  expect_refused(scratch,
+                 "--hard " +
+                     scratch.write("a.stl", app::stl_text("a",
+                                                          [] {
+                                                            Polyhedron hard = left();
+                                                            append(right(), hard);
+                                                            return hard;
+                                                          }())) +
+                     " --soft " + scratch.write("b.stl", app::stl_text("b", both)),
+                 twice);
+}
+
 TEST(Import, OfTwoFilesTakesTheSoftPartsFromTheSecond) {
   const Scratch scratch;
   Polyhedron hard = left();

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <random>
+#include <regex>
 
 #include "model/lattice/square/structure.hpp"
 #include "targets/document/wording.hpp"
@@ -258,6 +259,19 @@ TEST(Node, SuggestsTheNearestKeyAndListsAllowedOnes) {
   EXPECT_THAT(says("x: 1\n"), HasSubstr("unknown key; allowed"));
   EXPECT_THAT(says("colour: 1\n"), HasSubstr("unknown key; allowed"));
   EXPECT_THAT(says("- 1\n"), HasSubstr("is a list; give a map of keys (theta_deg, beta, cells)"));
+}
+
+// PyYAML and other readers of YAML 1.1 took 1e+05 for a text.
+TEST(ShortestText, IsANumberForReadersOfYaml11) {
+  const std::regex yaml11(
+      "[-+]?([0-9][0-9_]*)?\\.[0-9_]*([eE][-+][0-9]+)?|[-+]?(0|[1-9][0-9_]*)");  // yaml.org/type/float.html, int.html
+  for (const double x : {1e5, -3e7, 1e-5, 2.5e-9, 1e300, 5e-324, 0.1, 0.0, 12.0, 123456.789, 1e22}) {
+    EXPECT_TRUE(std::regex_match(shortest_text(x), yaml11)) << shortest_text(x);
+    EXPECT_EQ(parse_number(shortest_text(x)), x);
+  }
+  for (const double degrees : {1e-5, 3e-17, 1e5, 360.0})
+    EXPECT_TRUE(std::regex_match(degrees_text(radians_of(degrees)), yaml11))
+        << degrees_text(radians_of(degrees));
 }
 
 TEST(Degrees, SurviveTextBitForBit) {
