@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
 #include "app/pictures/panel_picture.hpp"
@@ -41,8 +42,7 @@ std::string size_words(double size) {
 
 std::vector<Eigen::Vector2d> OutlineOutcome::placed(double edge_mm) const {
   std::vector<Eigen::Vector2d> out;
-  for (const Eigen::Vector2d& p : file.folded.points())
-    out.push_back(edge_mm * (p / design.scale + design.origin));
+  for (const Eigen::Vector2d& p : laid.points()) out.push_back(edge_mm * (p / design.scale + design.origin));
   return out;
 }
 
@@ -54,10 +54,12 @@ Json OutlineOutcome::target_json() const {
 
 void OutlineOutcome::add_sections(const Run& run, Json& result) const {
   const double edge = run.structure.size().edge_mm;
+  const Eigen::Vector2d shift = -design.scale * (Eigen::Rotation2Dd(-turn) * design.origin);
   Json section = {{"goal_mm", points_json(placed(edge))},
                   {"rim", rim},
                   {"size", size(edge)},
-                  {"diagonal_mm", size(edge) * file.folded.diagonal()},
+                  {"placement", {{"turn_deg", -to_degrees(turn)}, {"shift_mm", {shift.x(), shift.y()}}}},
+                  {"diagonal_mm", size(edge) * laid.diagonal()},
                   {"exact", error_json(design.error)},
                   {"offset_mm", design.offset * edge},
                   {"turn", design.shift},
@@ -104,7 +106,7 @@ std::vector<SummaryLine> OutlineOutcome::summary_lines(const Run& run) const {
       {"outline",
        fmt::format("rim {:.2f} % of the diagonal off the outline (rms, {:.3f} mm), area {:.1f} % "
                    "shared, {}: {}",
-                   100 * error().rms, error().rms * size(edge) * file.folded.diagonal(), 100 * error().iou,
+                   100 * error().rms, error().rms * size(edge) * laid.diagonal(), 100 * error().iou,
                    size_words(size(edge)), verdict(app::violations(file, error(), "").empty()))});
   if (file.flat)
     lines.push_back(

@@ -13,6 +13,8 @@ class OutlineOutcome final : public GoalOutcome {
   explicit OutlineOutcome(OutlineFile asked) : file(std::move(asked)) {}
 
   OutlineFile file;
+  targets::Outline laid = file.folded;  ///< the outline, turned as it lies on the panel
+  double turn = 0;                      ///< by which, rad
   optim::OutlineDesign design;
   int cuts = 0;                                  ///< of the lattice that were tried
   std::vector<int> rim;                          ///< bodies round the outside, counter-clockwise

@@ -3,6 +3,7 @@
 #include "app/pipeline/exact_state.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/sheet/sheet_motion.hpp"
+#include "targets/outline/orientation.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -65,6 +66,8 @@ class OutlineScene final : public Scene {
     FoundOutline found = search_outline(file_, options);
     outline->design = std::move(found.design);
     outline->cuts = found.cuts;
+    outline->turn = found.turn;
+    outline->laid = targets::turned(file_.folded, found.turn);
     outline->rim = outer_rim(outline->design.panel.graph).vertices;
     outline->violations = all_violations(file_, *outline, "model");
     run.structure = std::move(found.sheet);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "model/base/invalid_input.hpp"
@@ -11,6 +12,7 @@
 #include "model/lattice/planar/lattices/rhombus.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "optim/outline/trimmed_cells.hpp"
+#include "targets/outline/orientation.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -20,6 +22,10 @@ using Cells = std::vector<LatticeCell>;
 
 constexpr int most_tried_cells = 1500;  // above, one cut alone is tried: a search takes seconds
 constexpr double same_size = 1e-3;      // ratio: walls and offsets in mm are then those of the search
+constexpr std::size_t most_cuts = 12;   // that are fitted: as many as one way to lay the outline has
+constexpr double as_drawn = 1e-9;       // rad: an outline that lies so on the lattice is not turned at all
+constexpr double as_good = 0.01;        // ratio of misses: mirror images differ by less
+constexpr double same_miss = 1e-9;      // ratio: cuts that are turned into each other
 
 /// Of the panel that these cells make, mm, as long as nothing is known but areas.
 double edge_of(const OutlineFile& file, const Cells& cells) {
@@ -33,23 +39,67 @@ double edge_of(const OutlineFile& file, const Cells& cells) {
   return std::sqrt(file.folded.area() / area) / std::cos(file.theta[1]);
 }
 
-/// Ways to cut a lattice along the outline, not empty.
-std::vector<Cells> cuts_of(const OutlineFile& file) {
+/// Ways to cut a lattice along an outline, not empty.
+std::vector<Cells> cuts_of(const OutlineFile& file, const targets::Outline& folded) {
   const auto& [lattice, angle] = file.lattice.lattice ? std::pair(file.lattice.lattice, file.lattice.angle)
                                                       : std::pair(&model::rhombus_lattice, pi / 2);
-  std::vector<Cells> cuts = optim::trimmed_cells(*lattice, angle, file.columns, file.rows, file.folded);
+  std::vector<Cells> cuts = optim::trimmed_cells(*lattice, angle, file.columns, file.rows, folded);
   if (cuts.empty())
     throw InvalidInput("no cells of the lattice lie within the outline; give more `structure.cells`");
   return cuts;
 }
 
+/// Angles by which an outline is turned to lie on the lattice, rad: in steps of 45 deg from its own direction.
+/// @param steps 4 where a panel turned by half a turn is the same panel, else 8
+std::vector<double> turns_of(const targets::Outline& outline, int steps) {
+  const std::optional<double> direction = direction_of(outline);
+  if (!direction) return {0};
+  std::vector<double> out;
+  for (int k = 0; k < steps; ++k) {
+    const double turn = std::remainder(k * pi / 4 - *direction, 2 * pi);
+    out.push_back(std::abs(turn) < as_drawn ? 0 : turn);
+  }
+  return out;
+}
+
+/// The rim of a panel at rest, as large as an outline and in its middle.
+std::vector<Eigen::Vector2d> rim_over(const targets::Outline& outline, const model::PlanarStructure& panel) {
+  std::vector<Eigen::Vector2d> rim;
+  for (const int v : outer_rim(panel.graph).vertices) rim.push_back(panel.graph.vertices[v]);
+  const double area = signed_area(rim.size(), [&](std::size_t k) { return rim[k]; });
+  Eigen::AlignedBox2d box;
+  for (Eigen::Vector2d& p : rim) box.extend(p *= std::sqrt(outline.area() / area));
+  for (Eigen::Vector2d& p : rim) p += outline.middle() - box.center();
+  return rim;
+}
+
+/// A way to lay the outline on the lattice and to cut the panel there.
+struct Lay {
+  double turn = 0;  ///< of the outline, rad
+  Cells cells;
+  double miss = 0;  ///< of a rim from the outline: 2 is as much as tolerances allow
+};
+
+/// The first of those that are as good as the best, so that rounding does not choose between mirror images.
+const Lay& best_of(const std::vector<Lay>& lays) {
+  const Lay* best = &lays.front();
+  for (const Lay& lay : lays)
+    if (lay.miss < (1 - as_good) * best->miss) best = &lay;
+  return *best;
+}
+
 class OutlineSearch {
  public:
-  OutlineSearch(const OutlineFile& file, const RunOptions& run) : file_(file), run_(run) {}
+  OutlineSearch(const OutlineFile& file, const RunOptions& run)
+      : file_(file), run_(run), folded_(file.folded), flat_(file.flat) {}
 
   FoundOutline find() {
     FoundOutline found;
-    const Cells cells = file_.trims ? best_cut(found.cuts) : model::lattice_cells(file_.columns, file_.rows);
+    if (flat_) flat_ = targets::turned(*file_.flat, turn_of_flat());
+    const Lay lay = file_.trims ? best_cut(found.cuts) : best_turn();
+    const Cells& cells = lay.cells;
+    found.turn = lay.turn;
+    folded_ = targets::turned(file_.folded, lay.turn);
     double edge_mm = edge_of(file_, cells), came_out = edge_mm;
     bool is_same = false;
     for (int pass = 0; pass < 3 && !is_same && !found.design.stopped; ++pass) {
@@ -88,39 +138,95 @@ class OutlineSearch {
   }
 
   optim::OutlineDesign fit(const model::PlanarStructure& panel, const optim::OutlineOptions& options) const {
-    return fit_outline(panel, file_.folded, file_.flat ? &*file_.flat : nullptr, options, run_.progress);
+    return fit_outline(panel, folded_, flat_ ? &*flat_ : nullptr, options, run_.progress);
   }
 
-  /// Each is fitted at the largest theta alone.
-  Cells best_cut(int& count) const {
-    std::vector<Cells> cuts = cuts_of(file_);
-    if (file_.columns * file_.rows > most_tried_cells) cuts.resize(1);
-    count = static_cast<int>(cuts.size());
-    std::vector<double> misses(cuts.size());
-    model::run_in_parallel(count, run_.threads, [&](int k) { misses[k] = miss_or_none(cuts[k]); });
-    return cuts[std::min_element(misses.begin(), misses.end()) - misses.begin()];
+  /// Of the flat outline: as the rectangle comes nearest to it, before anything moves.
+  double turn_of_flat() const {
+    std::vector<Lay> lays;
+    for (const double turn : turns_of(*file_.flat, 4))
+      lays.push_back({turn, model::lattice_cells(file_.columns, file_.rows)});
+    measure_at_rest(*file_.flat, lays);
+    return best_of(lays).turn;
   }
 
-  /// Infinite for a cut that makes no panel.
-  double miss_or_none(const Cells& cells) const {
+  /// Of a whole rectangle: each way is fitted at the largest theta alone, very large panels not at all.
+  Lay best_turn() const {
+    std::vector<Lay> lays;
+    for (const double turn : turns_of(file_.folded, flat_ ? 8 : 4))
+      lays.push_back({turn, model::lattice_cells(file_.columns, file_.rows)});
+    if (lays.size() == 1) return lays.front();
+    if (file_.columns * file_.rows > most_tried_cells)
+      measure_at_rest(file_.folded, lays);
+    else
+      measure_folded(lays);
+    return best_of(lays);
+  }
+
+  /// Of the cuts that look most like the outline already at rest, each is fitted at the largest theta alone.
+  Lay best_cut(int& count) const {
+    std::vector<Lay> lays;
+    for (const double turn : turns_of(file_.folded, 4))
+      for (Cells& cells : cuts_of(file_, targets::turned(file_.folded, turn)))
+        lays.push_back({turn, std::move(cells)});
+    if (lays.size() > most_cuts || file_.columns * file_.rows > most_tried_cells) {
+      measure_at_rest(file_.folded, lays);
+      std::stable_sort(lays.begin(), lays.end(), [](const Lay& a, const Lay& b) { return a.miss < b.miss; });
+      const auto is_same = [](const Lay& a, const Lay& b) {
+        return a.cells.size() == b.cells.size() && std::abs(a.miss - b.miss) <= same_miss * b.miss;
+      };
+      lays.erase(std::unique(lays.begin(), lays.end(), is_same), lays.end());
+      lays.resize(
+          std::min<std::size_t>(lays.size(), file_.columns * file_.rows > most_tried_cells ? 1 : most_cuts));
+    }
+    count = static_cast<int>(lays.size());
+    if (count > 1) measure_folded(lays);
+    return best_of(lays);
+  }
+
+  double miss(const targets::OutlineError& error) const {
+    const double shared = std::isfinite(error.iou) ? error.iou : 0;
+    return error.rms / file_.shape_tolerance + (1 - shared) / (1 - std::min(0.99, file_.iou_tolerance));
+  }
+
+  void measure_at_rest(const targets::Outline& outline, std::vector<Lay>& lays) const {
+    model::run_in_parallel(static_cast<int>(lays.size()), run_.threads, [&](int k) {
+      lays[k].miss = miss_or_none([&] {
+        const targets::Outline laid = targets::turned(outline, lays[k].turn);
+        return miss(outline_error(laid, rim_over(laid, panel_of(lays[k].cells, 1))));
+      });
+    });
+  }
+
+  void measure_folded(std::vector<Lay>& lays) const {
+    model::run_in_parallel(static_cast<int>(lays.size()), run_.threads,
+                           [&](int k) { lays[k].miss = miss_or_none([&] { return miss_folded(lays[k]); }); });
+  }
+
+  /// Infinite for cells that make no panel.
+  template <class Measure>
+  static double miss_or_none(const Measure& measure) {
     try {
-      return miss_of(cells);
+      return measure();
     } catch (const InvalidInput&) {
       return std::numeric_limits<double>::infinity();
     }
   }
 
-  double miss_of(const Cells& cells) const {
-    const double edge_mm = edge_of(file_, cells);
+  model::PlanarStructure panel_of(const Cells& cells, double edge_mm) const {
+    return planar_structure(make_sheet(file_.lattice, cells, file_.size(edge_mm)));
+  }
+
+  double miss_folded(const Lay& lay) const {
+    const double edge_mm = edge_of(file_, lay.cells);
     optim::OutlineOptions options = options_of(edge_mm);
     options.theta[0] = options.theta[1];
     options.thetas = 1;
-    const model::PlanarStructure panel =
-        planar_structure(make_sheet(file_.lattice, cells, file_.size(edge_mm)));
-    const optim::OutlineDesign design = fit_outline(panel, file_.folded, nullptr, options);
-    const double shared = std::isfinite(design.error.iou) ? design.error.iou : 0;
-    return design.error.rms / file_.shape_tolerance +
-           (1 - shared) / (1 - std::min(0.99, file_.iou_tolerance)) + (design.clear ? 0 : 10);
+    options.threads = 1;
+    const optim::OutlineDesign design =
+        fit_outline(panel_of(lay.cells, edge_mm), targets::turned(file_.folded, lay.turn),
+                    flat_ ? &*flat_ : nullptr, options);
+    return miss(design.error) + (flat_ ? miss(design.flat) : 0) + (design.clear ? 0 : 10);
   }
 
   /// The hinges into the sheet, as they come back from a file, where offsets are in mm.
@@ -143,12 +249,15 @@ class OutlineSearch {
 
   const OutlineFile& file_;
   const RunOptions& run_;
+  targets::Outline folded_;               ///< as it lies on the panel
+  std::optional<targets::Outline> flat_;  ///< likewise
 };
 
 }  // namespace
 
 OutlineStart outline_start(const OutlineFile& file) {
-  OutlineStart start{file.trims ? cuts_of(file).front() : model::lattice_cells(file.columns, file.rows)};
+  OutlineStart start{file.trims ? cuts_of(file, file.folded).front()
+                                : model::lattice_cells(file.columns, file.rows)};
   start.edge_mm = edge_of(file, start.cells);
   return start;
 }

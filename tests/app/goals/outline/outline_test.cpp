@@ -1,6 +1,8 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <stop_token>
 
@@ -75,6 +77,84 @@ double rms_from_circle(const nlohmann::json& result) {
   double sum = 0;
   for (const Eigen::Vector2d& p : rim) sum += std::pow((p - fit.head<2>()).norm() - radius, 2);
   return std::sqrt(sum / static_cast<double>(rim.size())) / (2 * std::sqrt(2.0) * radius);
+}
+
+/// A polygon that is turned about the origin, as a list in YAML.
+std::string turned_points(const std::vector<Eigen::Vector2d>& points, double degrees) {
+  const Eigen::Rotation2Dd turn(degrees * pi / 180);
+  std::string text = "[";
+  for (const Eigen::Vector2d& p : points) {
+    const Eigen::Vector2d q = turn * p;
+    text += fmt::format("{}[{:.9f}, {:.9f}]", text.size() > 1 ? ", " : "", q.x(), q.y());
+  }
+  return text + "]";
+}
+
+/// r(angle) round the origin, mm.
+std::vector<Eigen::Vector2d> round_points(int count, const std::function<double(double)>& radius) {
+  std::vector<Eigen::Vector2d> out;
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2 * pi * k / count;
+    out.push_back(radius(angle) * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+  }
+  return out;
+}
+
+const std::vector<Eigen::Vector2d> ellipse =
+    round_points(80, [](double a) { return 1 / std::hypot(std::cos(a) / 60, std::sin(a) / 40); });
+const std::vector<Eigen::Vector2d> pear =
+    round_points(60, [](double a) { return 50 + 12 * std::cos(a) + 6 * std::cos(2 * a); });
+const std::vector<Eigen::Vector2d> clover =
+    round_points(64, [](double a) { return 50 + 8 * std::cos(4 * a); });
+const std::string gently_pressed =
+    "variables: {offset_mm: 0.3, t: {range: [0.25, 0.75]}, theta: {range_deg: [30, 40]}}\ntolerance: {shape: "
+    "0.05, iou: 0.8}\n";
+
+// The same ellipse had 79 or 90 % of its area in common with the panel, as it was drawn.
+TEST(Outline, DoesNotDependOnHowItWasTurnedWhenItWasDrawn) {
+  struct Case {
+    const char* name;
+    std::vector<Eigen::Vector2d> points;
+    const char* structure;
+  };
+  const Case cases[] = {
+      {"ellipse", ellipse, "structure: {cells: [6, 6], cell_mm: 12, wall_mm: {thickness: 1.5, height: 8}}\n"},
+      {"pear", pear, "structure: {cells: [6, 4], cell_mm: 12, wall_mm: {thickness: 1.5, height: 8}}\n"},
+      {"clover", clover, "structure: {cells: [5, 5], cell_mm: 12, wall_mm: {thickness: 1.5, height: 8}}\n"},
+      {"pear of a cut", pear,
+       "structure: {cells: [6, 6], trim: outline, cell_mm: 12, wall_mm: {thickness: 1.5, height: 8}}\n"}};
+  for (const Case& one : cases) {
+    double rms = 0, iou = 0;
+    for (const double degrees : {0.0, 45.0, 72.0, 199.0}) {
+      const app::Run run =
+          run_of(target(turned_points(one.points, degrees), one.structure + gently_pressed), false);
+      const auto& error = outcome_of<OutlineOutcome>(run).design.error;
+      if (degrees == 0) rms = error.rms, iou = error.iou;
+      EXPECT_NEAR(error.rms, rms, 0.01 * rms) << one.name << " turned by " << degrees;
+      EXPECT_NEAR(error.iou, iou, 0.01) << one.name << " turned by " << degrees;
+    }
+  }
+}
+
+TEST(Outline, LiesBesideItsDrawingByItsPlacement) {
+  app::Run run =
+      run_of(target(turned_points(pear, 130),
+                    "structure: {cells: [6, 6], cell_mm: 12, wall_mm: {thickness: 1.5, height: 8}}\n" +
+                        gently_pressed),
+             false);
+  const auto result = written(run);
+  const auto& outline = result["outline"];
+  const double size = outline["size"], turn = outline["placement"]["turn_deg"].get<double>() * pi / 180;
+  const auto& shift = outline["placement"]["shift_mm"];
+  for (std::size_t k = 0; k < pear.size(); ++k) {
+    const Eigen::Vector2d placed(outline["goal_mm"][k][0].get<double>(),
+                                 outline["goal_mm"][k][1].get<double>());
+    const Eigen::Vector2d back = Eigen::Rotation2Dd(turn) * (placed / size) +
+                                 Eigen::Vector2d(shift[0].get<double>(), shift[1].get<double>());
+    const auto& drawn = result["target"]["points_mm"][k];
+    EXPECT_NEAR((back - Eigen::Vector2d(drawn[0].get<double>(), drawn[1].get<double>())).norm(), 0, 1e-6)
+        << k;
+  }
 }
 
 TEST(Outline, OfASquarePanelIsADiscWhenItIsPressed) {
