@@ -13,7 +13,9 @@ count=$(wc -l <<<"$commands")
 [ "$count" -ge 6 ] || { echo "only $count commands found in the README"; exit 1; }
 while IFS= read -r command; do
   echo "$command"
-  $command --quiet >output.txt
+  expected=$(sed -n 's/.*# .*exit code \([0-9]*\).*/\1/p' <<<"$command") code=0
+  ${command%%#*} --quiet >output.txt || code=$?
+  [ "$code" -eq "${expected:-0}" ] || { cat output.txt; echo "exit code $code, not ${expected:-0}"; exit 1; }
 done <<<"$commands"
 
 # The first design: the block that writes wave.yaml, line by line as a reader would paste it.

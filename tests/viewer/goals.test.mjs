@@ -201,10 +201,10 @@ test("the ghost of a box is the ideal solid, within the walls' middles", () => f
 
 test("the ghost of a helmet is the head, where it is to the helmet in the result", () => found("headform", ({lines, points, poses}) => {
   assert.ok(lines > 5, `${lines} lines`);
-  const {helmet: {head_mm}, states} = JSON.parse(readFileSync(path.join(home, "headform", "result.json"))), head = head_mm.flat();
+  const {helmet: {head_mm, bare_mm}, states} = JSON.parse(readFileSync(path.join(home, "headform", "result.json"))), head = head_mm.flat();
   const bodies = states.find(({name}) => name === "target").poses.map(({position_mm}) => position_mm);
   const far = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-  assert.equal(points.length, head.length);
+  assert.equal(points.length, head.length + bare_mm.flat().length);
   for (let k = 0; k < head.length; k += 50)
     for (const body of [0, 100, 400, bodies.length - 1]) assert.ok(Math.abs(far(points[k], poses[body]) - far(head[k], bodies[body])) < 0.1, `point ${k}, body ${body}`);
 }));

@@ -56,6 +56,8 @@ targets::KeyTable tolerance_keys() {
            fmt::format("{:g}, or half a cell, or a thirtieth of `target.coverage_mm` where that is less",
                        HelmetFile::usual_max_mm)),
        "likewise, the largest"},
+      {"covered_share", value::number(targets::Bounds{0, 1, true, true}), targets::otherwise("any will do"),
+       "least of [covered_share](#covered_share)"},
       {"verify", value::number({0, 1, false, true}), targets::by_default(GoalSettings::usual_verify),
        "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
   });
@@ -99,6 +101,7 @@ void read_tolerance(const targets::Section& root, HelmetFile& file) {
   const targets::Section section = root.section("tolerance");
   section.read("rms_mm", file.rms_mm);
   section.read("max_mm", file.max_mm);
+  section.read("covered_share", file.covered_share);
   section.read("verify", file.verify_tolerance);
 }
 

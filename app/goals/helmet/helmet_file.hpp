@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "app/files/goal_settings.hpp"
@@ -27,7 +28,8 @@ struct HelmetFile : GoalSettings {
   optim::HelmetSpec spec = {};   ///< target.ribs, spacing_mm, clearance_mm; structure; variables
   double rms_mm = usual_rms_mm;  ///< tolerance.rms_mm: of the distance to head plus clearance, > 0
   double max_mm = usual_max_mm;  ///< tolerance.max_mm: likewise, the largest, > 0
-  SolverSection solver = {};     ///< ceres, no starts
+  std::optional<double> covered_share = {};  ///< tolerance.covered_share, [0, 1]; nothing: any will do
+  SolverSection solver = {};                 ///< ceres, no starts
 };
 
 /// Most evaluations of the one search there is: second-order steps need few.

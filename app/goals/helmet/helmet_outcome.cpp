@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
+#include <vector>
 
 #include "app/result/fishbone_json.hpp"
 #include "app/result/state_json.hpp"
@@ -19,21 +20,41 @@ using Json = nlohmann::ordered_json;
 constexpr int points_a_curve = 60;  // of a line to be drawn: one every 6 mm or so over a head
 constexpr int head_curves = 9;      // sections that show the head in the report: enough to see its shape
 
-Json polyline(const targets::Head& head, const targets::SpaceCurve& curve) {
+Json polyline(const targets::Head& head, const std::vector<Eigen::Vector3d>& points) {
   Json out = Json::array();
-  for (const auto& p : curve.evenly(points_a_curve)) {
+  for (const Eigen::Vector3d& p : points) {
     const Eigen::Vector3d q = head.to_mesh * p;
     out.push_back({q.x(), q.y(), q.z()});
   }
   return out;
 }
 
-/// The head itself, for pictures: its profile and sections across it.
-Json head_lines(const targets::Head& head) {
-  Json out = Json::array({polyline(head, head.profile)});
+Json polyline(const targets::Head& head, const targets::SpaceCurve& curve) {
+  return polyline(head, curve.evenly(points_a_curve));
+}
+
+/// The head itself, for pictures: its profile and sections across it, in its own frame.
+std::vector<std::vector<Eigen::Vector3d>> head_curves_of(const targets::Head& head) {
+  std::vector<std::vector<Eigen::Vector3d>> out = {head.profile.evenly(points_a_curve)};
   for (int k = 0; k < head_curves; ++k) {
     const double s = head.profile.first() + head.profile.length() * (k + 0.5) / head_curves;
-    out.push_back(polyline(head, cross_section(head, s, 10)));
+    out.push_back(cross_section(head, s, 10).evenly(points_a_curve));
+  }
+  return out;
+}
+
+Json head_lines(const targets::Head& head) {
+  Json out = Json::array();
+  for (const auto& curve : head_curves_of(head)) out.push_back(polyline(head, curve));
+  return out;
+}
+
+/// What of these lines, above the rim, no rib is near to.
+Json bare_lines(const HelmetOutcome& helmet) {
+  Json out = Json::array();
+  for (std::vector<Eigen::Vector3d>& curve : head_curves_of(helmet.head)) {
+    std::erase_if(curve, [&](const Eigen::Vector3d& p) { return p.z() < -helmet.spec.coverage_mm; });
+    for (const auto& part : bare_parts(helmet.reach, curve)) out.push_back(polyline(helmet.head, part));
   }
   return out;
 }
@@ -99,7 +120,9 @@ Json uniform_json(const optim::UniformHelmet& uniform) {
 /// Of distances; walls may lie in the head all the same.
 bool keeps_tolerances(const HelmetOutcome& helmet) {
   const std::map<std::string, double> most(helmet.tolerances.begin(), helmet.tolerances.end());
-  return helmet.design.error.rms <= most.at("rms_mm") && helmet.design.error.max <= most.at("max_mm");
+  const auto covered = most.find("covered_share");
+  return helmet.design.error.rms <= most.at("rms_mm") && helmet.design.error.max <= most.at("max_mm") &&
+         (covered == most.end() || helmet.cover.share >= covered->second);
 }
 
 Json helmet_json(const HelmetOutcome& helmet, const model::Structure& structure) {
@@ -113,7 +136,11 @@ Json helmet_json(const HelmetOutcome& helmet, const model::Structure& structure)
       {"body_mm", design.error.of_body},
       {"cell_mm", by_cell(structure, design.error)},
       {"cells_trimmed", design.trimmed},
+      {"covered_share", helmet.cover.share},
+      {"goal_rms_mm", helmet.cover.rms},
+      {"goal_max_mm", helmet.cover.max},
       {"head_mm", head_lines(helmet.head)},
+      {"bare_mm", bare_lines(helmet)},
       {"head_frame", poses_json({{helmet.head.to_mesh.linear(), helmet.head.to_mesh.translation()}})[0]},
       {"closed_part", helmet.head.closed_part},
       {"openings", openings_json(helmet.head.openings)},
@@ -137,7 +164,11 @@ Json optimiser_json(const optim::SolveResult& search) {
 }  // namespace
 
 HelmetOutcome::HelmetOutcome(targets::Head head_, optim::HelmetSpec spec_, optim::RibsDesign design_)
-    : head(std::move(head_)), spec(std::move(spec_)), design(std::move(design_)) {}
+    : head(std::move(head_)),
+      spec(std::move(spec_)),
+      design(std::move(design_)),
+      reach(design.fishbone.structure, design.state, head.dome, spec.clearance_mm),
+      cover(cover_by(reach, head.dome.mesh(), -spec.coverage_mm)) {}
 
 Json HelmetOutcome::target_json() const {
   Json sections = Json::array();
@@ -155,6 +186,9 @@ void HelmetOutcome::add_metrics(Json& metrics) const {
   metrics["distance_rms_mm"] = design.error.rms;
   metrics["distance_max_mm"] = design.error.max;
   metrics["rib_rms_mm"] = worst_rib(design.error);
+  metrics["covered_share"] = cover.share;
+  metrics["goal_rms_mm"] = cover.rms;
+  metrics["goal_max_mm"] = cover.max;
   metrics["walls_inside"] = inside.hinges.size();
   metrics["uniform_rms_mm"] = uniform.after.rms;
   metrics["met"] = met();
@@ -171,7 +205,10 @@ std::vector<SummaryLine> HelmetOutcome::summary_lines(const Run& run) const {
        fmt::format("{} ribs on a spine of {} cells, {:g} mm over the head, {:g} mm down from the crown",
                    design.layout.spine_and_ribs.ribs.size(), design.layout.spine_and_ribs.rows,
                    spec.clearance_mm, spec.coverage_mm)});
-  lines.push_back({"fit", in_words(design.error) + ": " + verdict(keeps_tolerances(*this))});
+  lines.push_back(
+      {"fit", in_words(design.error) +
+                  fmt::format(", {:.0f} % of the head within a cell edge of a rib: ", 100 * cover.share) +
+                  verdict(keeps_tolerances(*this))});
   for (const std::string& why : violations) lines.push_back({"why", why});
   if (!head.openings.empty()) lines.push_back({"INVENTED", invented(head.openings)});
   for (const std::string& note : design.layout.notes) lines.push_back({"note", note});

@@ -4,6 +4,7 @@
 
 #include "app/run/goal_outcome.hpp"
 #include "optim/helmet/fit_helmet.hpp"
+#include "optim/ribs/ribs_cover.hpp"
 #include "targets/helmet/head.hpp"
 #include "targets/helmet/walls_inside.hpp"
 
@@ -17,6 +18,8 @@ class HelmetOutcome final : public GoalOutcome {
   targets::Head head;
   optim::HelmetSpec spec;
   optim::RibsDesign design;                  ///< in the head's frame
+  optim::RibsReach reach;                    ///< of the design's cells
+  optim::RibsCover cover;                    ///< the dome above the rim against them
   targets::WallsInside inside = {};          ///< walls in the head that was given
   optim::UniformHelmet uniform = {};         ///< the paper's way, for comparison
   std::optional<optim::RibsError> physics;   ///< the settled physics run, laid on the model's state

@@ -52,6 +52,16 @@ std::vector<std::string> violations(const HelmetFile& file, const optim::RibsErr
   return why;
 }
 
+/// What is bare of the head, where the file has a least share.
+std::vector<std::string> bare(const HelmetFile& file, const optim::RibsCover& cover) {
+  if (!file.covered_share || cover.share >= *file.covered_share) return {};
+  return {
+      fmt::format("model: {:.0f} % of the head above the rim lies within a cell edge of a rib; at least "
+                  "{:.0f} % is required "
+                  "(`tolerance.covered_share`). Give more `target.ribs`",
+                  100 * cover.share, 100 * *file.covered_share)};
+}
+
 std::vector<std::string> collisions(const Run& run) {
   const auto& range = run.plan.free_range;
   if (!range || !range->positive.touches || run.theta <= range->positive.theta) return {};
@@ -97,6 +107,7 @@ class HelmetScene final : public Scene {
     auto helmet = std::make_unique<HelmetOutcome>(
         file_.head, file_.spec, fit_helmet(file_.head.dome, crown, file_.spec, followed(options)));
     helmet->tolerances = {{"rms_mm", file_.rms_mm}, {"max_mm", file_.max_mm}};
+    if (file_.covered_share) helmet->tolerances.emplace_back("covered_share", *file_.covered_share);
     run.structure = helmet->design.fishbone.structure;
     run.theta = helmet->design.shape.theta;
     run.goal = std::move(helmet);
@@ -113,6 +124,7 @@ class HelmetScene final : public Scene {
     auto& helmet = outcome_of<HelmetOutcome>(run);
     helmet.inside = walls_inside(run.structure, helmet.design.state, file_.head.scan);
     helmet.violations = violations(file_, helmet.design.error, helmet.inside, "model");
+    append(helmet.violations, bare(file_, helmet.cover));
     append(helmet.violations, helmet.design.collisions);
     append(helmet.violations, collisions(run));
     helmet.uniform = fit_uniform_helmet(helmet.design, file_.head.dome, crown, file_.spec, followed(options));
@@ -166,6 +178,7 @@ class HelmetScene final : public Scene {
         optim::ribs_error(helmet.design.fishbone, on_head, file_.head.dome, file_.spec.clearance_mm);
     helmet.inside = walls_inside(run.structure, on_head, file_.head.scan);
     helmet.violations = violations(file_, helmet.design.error, helmet.inside, "equilibrium");
+    append(helmet.violations, bare(file_, helmet.cover));
     append(helmet.violations, helmet.design.collisions);
     append(helmet.violations, collisions(run));
   }
@@ -201,14 +214,19 @@ const GoalKind helmet_kind = {
     .example = "target: {kind: helmet, mesh: head.obj}",
     .read = [](const targets::Node& root) { return make_scene(read_helmet_file(root)); },
     .table = helmet_keys,
-    .metrics = {{"distance_rms_mm", "mm",
-                 "[distance from head plus clearance](#distances-of-a-helmet), root mean square"},
-                {"distance_max_mm", "mm", "likewise, the largest"},
-                {"rib_rms_mm", "mm", "distance of the worst rib's midline from its section curve"},
-                {"walls_inside", "", "how many walls lie in the head"},
-                {"walls_inside_physics", "", "walls_inside in the physics run"},
-                {"uniform_rms_mm", "mm", "distance_rms_mm of the best helmet with one tilt for all walls"},
-                {"distance_rms_mm_physics", "mm", "distance_rms_mm in the physics run"},
-                {"distance_max_mm_physics", "mm", "distance_max_mm in the physics run"}}};
+    .metrics = {
+        {"distance_rms_mm", "mm",
+         "[distance from head plus clearance](#distances-of-a-helmet), root mean square"},
+        {"distance_max_mm", "mm", "likewise, the largest"},
+        {"rib_rms_mm", "mm", "distance of the worst rib's midline from its section curve"},
+        {"covered_share", "",
+         "[share of the head's area above the rim within a cell edge of a rib](#covered_share)"},
+        {"goal_rms_mm", "mm", "distance of the head, plus clearance, from the nearest rib, root mean square"},
+        {"goal_max_mm", "mm", "likewise, the largest"},
+        {"walls_inside", "", "how many walls lie in the head"},
+        {"walls_inside_physics", "", "walls_inside in the physics run"},
+        {"uniform_rms_mm", "mm", "distance_rms_mm of the best helmet with one tilt for all walls"},
+        {"distance_rms_mm_physics", "mm", "distance_rms_mm in the physics run"},
+        {"distance_max_mm_physics", "mm", "distance_max_mm in the physics run"}}};
 
 }  // namespace kinetix::app

@@ -61,7 +61,11 @@ RibsFile read_ribs_file(const targets::Node& node) {
   file.spec = read_spec(root, file.surface);
   const targets::Section tolerance = root.section("tolerance");
   tolerance.read("shape", file.shape_tolerance);
-  tolerance.read("cover", file.cover_tolerance);
+  if (const auto cover = tolerance.optional("cover"))
+    throw cover->key_error("belongs to a sheet of facets; of ribs give `tolerance.covered_share`");
+  if (const auto curvature = tolerance.optional("curvature_share"))
+    throw curvature->key_error("belongs to a sheet of facets, ribs follow any curvature; leave it out");
+  tolerance.read("covered_share", file.covered_tolerance);
   tolerance.read("verify", file.verify_tolerance);
   file.process = read_process(root, file.spec.size, {});
   file.physics = read_physics(root, file.spec.size.edge_mm);

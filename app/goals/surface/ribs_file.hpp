@@ -10,13 +10,14 @@ namespace kinetix::app {
 ///     target: {kind: surface, mesh: seat.obj, ribs: 8}
 ///     structure: {cell_mm: 7, wall_mm: {thickness: 0.6, height: 1}}
 ///     variables: {beta_deg: 75}
-///     tolerance: {shape: 0.015, cover: 0.2, verify: 0.02}
+///     tolerance: {shape: 0.015, covered_share: 0.5, verify: 0.02}
 struct RibsFile : GoalSettings {
   std::string name, surface_name;
   targets::RibbedSurface surface;
   optim::RibsSpec spec = {};       ///< target.ribs, structure, variables
   double shape_tolerance = 0.015;  ///< rms of the bodies from the surface, over the diagonal, (0, 1]
-  double cover_tolerance = 0;      ///< least share of the area that cells cover, [0, 1]
+  double covered_tolerance =
+      usual_covered_share;  ///< least share of the area within a cell edge of a rib, [0, 1]
 };
 
 /// So many ribs over a surface, with no clearance, on cells as large as leave room for a cell between two and follow

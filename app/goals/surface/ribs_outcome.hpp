@@ -5,6 +5,7 @@
 #include "app/goals/surface/beside.hpp"
 #include "app/goals/surface/ribs_file.hpp"
 #include "app/run/goal_outcome.hpp"
+#include "optim/ribs/ribs_cover.hpp"
 
 namespace kinetix::app {
 
@@ -16,6 +17,8 @@ class RibsOutcome final : public GoalOutcome {
   RibsFile file;
   optim::RibsDesign design;                ///< in the frame of the ribs
   std::vector<SurfaceWay> ways;            ///< the fishbone, and the same ribs loose
+  optim::RibsReach reach;                  ///< of the design's cells
+  optim::RibsCover cover;                  ///< the surface against them
   std::optional<SurfaceWay> settled = {};  ///< the physics run, laid on the model's state
 
   nlohmann::ordered_json target_json() const override;
@@ -25,7 +28,11 @@ class RibsOutcome final : public GoalOutcome {
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
 };
 
-/// What a fishbone lacks, in sentences. @param who of "model", "physics run", ...
+/// How far the bodies of a fishbone are from their surface, in sentences, empty within the tolerance.
+/// @param who of "model", "physics run", ...
 std::vector<std::string> violations(const RibsFile& file, const SurfaceWay& way, const std::string& who);
+
+/// What is bare of the surface, in a sentence, empty within the tolerance.
+std::vector<std::string> violations(const RibsFile& file, const optim::RibsCover& cover);
 
 }  // namespace kinetix::app

@@ -41,7 +41,7 @@ class RibsScene final : public Scene {
     optim::SolverOptions search;
     follow(options, optim::ribs_residual_in_cells * file_.spec.size.edge_mm, search);
     auto ribs = std::make_unique<RibsOutcome>(file_, fit_ribs(file_.surface, file_.spec, search));
-    ribs->tolerances = {{"shape", file_.shape_tolerance}, {"cover", file_.cover_tolerance}};
+    ribs->tolerances = {{"shape", file_.shape_tolerance}, {"covered_share", file_.covered_tolerance}};
     run.structure = ribs->design.fishbone.structure;
     run.theta = ribs->design.shape.theta;
     run.goal = std::move(ribs);
@@ -111,6 +111,7 @@ class RibsScene final : public Scene {
 
   void judge_model(const Run& run, RibsOutcome& ribs) const {
     ribs.violations = violations(file_, ribs.ways.front(), "model");
+    for (const std::string& why : violations(file_, ribs.cover)) ribs.violations.push_back(why);
     for (const std::string& pair : ribs.design.collisions) ribs.violations.push_back(pair);
     const auto& range = run.plan.free_range;
     if (range && range->positive.touches && run.theta > range->positive.theta)

@@ -67,9 +67,13 @@ targets::KeyTable tolerance_keys(const SurfaceFile& usual) {
   return targets::KeyTable({
       {"shape", value::number(targets::part_of_one), targets::by_default(usual.shape_tolerance),
        "most of [surface_rms](#surface_rms), over the diagonal of the surface's box"},
-      {"cover", value::number(share),
-       targets::otherwise(targets::shortest_text(usual.cover_tolerance) + "; of ribs 0"),
-       "least of [cover](#surface_rms)"},
+      {"cover", value::number(share), targets::by_default(usual.cover_tolerance),
+       "of a sheet: least of [cover](#surface_rms)"},
+      {"curvature_share", value::number(share), targets::by_default(usual.curvature_tolerance),
+       "of a sheet: least of [curvature_share](#curvature_share), where the surface curves both ways by more "
+       "than 0.1 sr"},
+      {"covered_share", value::number(share), targets::by_default(usual_covered_share),
+       "of ribs: least of [covered_share](#covered_share)"},
       {"verify", value::number(targets::part_of_one), targets::by_default(usual.verify_tolerance),
        "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
   });
@@ -105,7 +109,10 @@ void read_variables(const targets::Section& root, SurfaceFile& file) {
 void read_tolerance(const targets::Section& root, SurfaceFile& file) {
   const targets::Section tolerance = root.section("tolerance");
   tolerance.read("shape", file.shape_tolerance);
+  if (const auto covered = tolerance.optional("covered_share"))
+    throw covered->key_error("belongs to `target.ribs`; of a sheet give `tolerance.cover`");
   tolerance.read("cover", file.cover_tolerance);
+  tolerance.read("curvature_share", file.curvature_tolerance);
   tolerance.read("verify", file.verify_tolerance);
 }
 

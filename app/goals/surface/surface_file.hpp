@@ -35,10 +35,14 @@ struct SurfaceFile : GoalSettings {
   std::array<double, 2> edge = {0.75, 1.3};                   ///< variables.edge, of the mean edge
   double shape_tolerance = 0.015;                             ///< of the vertices, over the diagonal, (0, 1]
   double cover_tolerance = 0.75;                              ///< least share of the area, [0, 1]
+  double curvature_tolerance = 0.5;  ///< least share of the curvature that is wanted, [0, 1]
 
   /// Of a sheet whose mean wall has this length, mm.
   model::CellSize size(double edge_mm) const;
 };
+
+/// `tolerance.covered_share` of ribs over a surface where the file has none, ratio: less is not the surface any more.
+inline constexpr double usual_covered_share = 0.5;
 
 /// `target.ribs`: one every other millimetre of a hand's breadth, a limit on what is read.
 inline constexpr int most_ribs = 200;

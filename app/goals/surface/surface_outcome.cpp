@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/result/search_json.hpp"
@@ -31,6 +32,37 @@ Json grid(const targets::SurfacePatch& patch) {
       lines.push_back(line);
     }
   return lines;
+}
+
+/// What the folded sheet lacks of the surface.
+std::vector<std::string> why_off_surface(const SurfaceOutcome& o) {
+  std::vector<std::string> why;
+  const optim::SurfaceError& error = o.design.error;
+  if (!(error.rms <= o.file.shape_tolerance))
+    why.push_back(
+        fmt::format("model: the vertices are {:.2f} % of the diagonal off the surface; at most {:.2f} % is "
+                    "allowed{}",
+                    100 * error.rms, 100 * o.file.shape_tolerance,
+                    std::isfinite(o.curvature.share)
+                        ? fmt::format("; the sheet has {:.0f} % of its curvature", 100 * o.curvature.share)
+                        : ""));
+  if (!(error.cover >= o.file.cover_tolerance))
+    why.push_back(fmt::format("model: {:.0f} % of the area is shared; at least {:.0f} % is asked",
+                              100 * error.cover, 100 * o.file.cover_tolerance));
+  if (!o.needs_curvature()) return why;
+  if (!(o.curvature.share >= o.file.curvature_tolerance))
+    why.push_back(fmt::format(
+        "model: the sheet has {:.0f} % of the surface's Gauss curvature; at least {:.0f} % is required "
+        "(`tolerance.curvature_share`). Allow more in `variables.edge` and `variables.sector_deg`, or take "
+        "`target.ribs`",
+        100 * o.curvature.share, 100 * o.file.curvature_tolerance));
+  if (!(error.rms <= most_of_cone * o.cone_rms))
+    why.push_back(
+        fmt::format("model: the vertices are {:.2f} % of the diagonal off the surface, the best cylinder or "
+                    "cone {:.2f} %; "
+                    "at most half of that is allowed",
+                    100 * error.rms, 100 * o.cone_rms));
+  return why;
 }
 
 Json degrees(const std::array<double, 2>& range) { return {to_degrees(range[0]), to_degrees(range[1])}; }
@@ -63,7 +95,7 @@ void SurfaceOutcome::add_sections(const Run&, Json& result) const {
                        {"beta_deg", to_degrees(design.tilt)},
                        {"free_height", free_height},
                        {"walls_meet", !clear},
-                       {"curvature_missing", curvature_missing},
+                       {"curvature_missing", 1 - curvature.share},
                        {"ways", ways_json(ways)},
                        {"reasons", violations}};
   result["optimiser"] = {{"solver", "ceres"}, {"starts", design.starts}, {"evaluations", design.evaluations}};
@@ -76,6 +108,8 @@ void SurfaceOutcome::add_metrics(Json& metrics) const {
   metrics["surface_max"] = design.error.max;
   metrics["cover"] = design.error.cover;
   metrics["free_height"] = free_height;
+  metrics["curvature_share"] = curvature.share;
+  metrics["developable_rms"] = cone_rms;
   metrics["met"] = met();
 }
 
@@ -86,8 +120,14 @@ std::vector<SummaryLine> SurfaceOutcome::summary_lines(const Run& run) const {
        fmt::format(
            "vertices {:.2f} % of the diagonal off its two layers (rms, {:.3f} mm), area {:.0f} % shared: {}",
            100 * design.error.rms, design.error.rms * diagonal_mm, 100 * design.error.cover,
-           verdict(design.error.rms <= file.shape_tolerance && design.error.cover >= file.cover_tolerance))});
+           verdict(why_off_surface(*this).empty()))});
   for (const std::string& why : violations) lines.push_back({"why", why});
+  if (needs_curvature())
+    lines.push_back(
+        {"curvature",
+         fmt::format("{:.0f} % of the surface's Gauss curvature; the best cylinder or cone is {:.2f} % "
+                     "of the diagonal off the surface",
+                     100 * curvature.share, 100 * cone_rms)});
   lines.push_back({"mesh", fmt::format("{} x {} facets, edges {:.2f} to {:.2f} of their mean, sectors {:.0f} "
                                        "to {:.0f} deg, tilts up to {:.1f} deg",
                                        design.mesh.columns, design.mesh.rows, design.edge[0], design.edge[1],
@@ -106,17 +146,7 @@ std::vector<SummaryLine> SurfaceOutcome::summary_lines(const Run& run) const {
 }
 
 std::vector<std::string> violations(const SurfaceOutcome& o) {
-  std::vector<std::string> why;
-  const optim::SurfaceError& error = o.design.error;
-  if (!(error.rms <= o.file.shape_tolerance))
-    why.push_back(
-        fmt::format("model: the vertices are {:.2f} % of the diagonal off the surface; at most {:.2f} % is "
-                    "allowed; the sheet "
-                    "lacks {:.0f} % of its curvature",
-                    100 * error.rms, 100 * o.file.shape_tolerance, 100 * o.curvature_missing));
-  if (!(error.cover >= o.file.cover_tolerance))
-    why.push_back(fmt::format("model: {:.0f} % of the area is shared; at least {:.0f} % is asked",
-                              100 * error.cover, 100 * o.file.cover_tolerance));
+  std::vector<std::string> why = why_off_surface(o);
   if (!o.design.within)
     why.push_back("no flat-foldable mesh within the bounds of its sectors, edges and tilts was found");
   if (!o.clear)

@@ -5,8 +5,12 @@
 #include "app/run/goal_outcome.hpp"
 #include "model/lattice/origami/origami_sheet.hpp"
 #include "optim/surface/fit_surface.hpp"
+#include "targets/surface/gauss_curvature.hpp"
 
 namespace kinetix::app {
+
+/// Of the rms of the best cylinder or cone, at most of a sheet that curves both ways: another could be one of them.
+inline constexpr double most_of_cone = 0.5;
 
 /// What a search for a surface contributes to a result. Met: vertices on the surface's layers within tolerance, bounds
 /// kept, no walls in the way.
@@ -16,13 +20,16 @@ class SurfaceOutcome final : public GoalOutcome {
 
   SurfaceFile file;
   optim::SurfaceDesign design;
-  model::State exact;                 ///< on the surface
-  double free_height = 0;             ///< largest height of plates with which no walls meet, cell edges
-  bool clear = false;                 ///< none meet as they are
-  double diagonal_mm = 0;             ///< of the surface's box
-  std::vector<SurfaceWay> ways = {};  ///< the sheet, a fishbone with a rib a facet, and the same ribs loose
-  double curvature_missing =
-      0;  ///< share of the surface's Gauss curvature that the sheet does not have, about the middle
+  model::State exact;                  ///< on the surface
+  double free_height = 0;              ///< largest height of plates with which no walls meet, cell edges
+  bool clear = false;                  ///< none meet as they are
+  double diagonal_mm = 0;              ///< of the surface's box
+  std::vector<SurfaceWay> ways = {};   ///< the sheet, a fishbone with a rib a facet, and the same ribs loose
+  targets::GaussShare curvature = {};  ///< of the sheet's middle over the surface's
+  double cone_rms = 0;                 ///< of the surface from the best cylinder or cone, over the diagonal
+
+  /// Whether the surface curves both ways by so much that a sheet which bends one way alone is not it.
+  bool needs_curvature() const { return curvature.wanted > targets::curved_both_ways; }
 
   nlohmann::ordered_json target_json() const override;
   /// Adds `surface` (grid of the surface, vertices of the mesh, errors, what binds) and `optimiser`.

@@ -1,15 +1,17 @@
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "app/goals/surface/ribs_scene.hpp"
 #include "app/goals/surface/surface_kind.hpp"
 #include "app/goals/surface/surface_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/run/interrupted.hpp"
-#include "model/base/decompositions.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/base/rigid_fit.hpp"
 #include "model/lattice/origami/fold_mesh.hpp"
 #include "model/sheet/sheet_motion.hpp"
+#include "optim/surface/developable.hpp"
 #include "optim/surface/free_height.hpp"
 #include "optim/surface/surface_starts.hpp"
 
@@ -18,6 +20,18 @@ namespace {
 
 // Rounds of four searches each, about as long as the search before them: later ones gain a few percent.
 constexpr int shakes_where_it_misses = 4;
+
+/// What the vertices of a sheet that curves both ways are off the surface at most, over the diagonal; infinite for one
+/// that hardly does.
+double most_rms_to_curve(const targets::SurfacePatch& patch) {
+  if (!(curvature_of(patch).total > targets::curved_both_ways))
+    return std::numeric_limits<double>::infinity();
+  targets::PointGrid corners{1, 1, {}};
+  for (const double y : {-patch.half.y(), patch.half.y()})
+    for (const double x : {-patch.half.x(), patch.half.x()})
+      corners.points.emplace_back(x, y, patch.height({x, y}).z);
+  return most_of_cone * optim::rms_from_best_cone(optim::points_below(patch, corners)) / patch.diagonal();
+}
 
 optim::SurfaceOptions options_of(const SurfaceFile& file, const RunOptions& run) {
   optim::SurfaceOptions out;
@@ -28,7 +42,7 @@ optim::SurfaceOptions options_of(const SurfaceFile& file, const RunOptions& run)
   out.bounds.sector = file.sector;
   out.bounds.edge = file.edge;
   out.shakes = shakes_where_it_misses;
-  out.enough = file.shape_tolerance;
+  out.enough = std::min(file.shape_tolerance, most_rms_to_curve(file.patch));
   out.threads = run.threads;
   out.stop = run.stop;
   return out;
@@ -39,31 +53,6 @@ model::OrigamiSheet sheet_of(const model::QuadMesh& mesh, const SurfaceFile& fil
   const model::OrigamiSheet unit = origami_sheet(mesh, model::CellSize{});
   const double edge_mm = mean_edge(mesh) / mean_edge(unit.mesh);
   return origami_sheet(mesh, file.size(edge_mm));
-}
-
-/// Gauss's curvature of the paraboloid through points, over that of the same through the surface below them.
-double gauss_of(const std::vector<Eigen::Vector3d>& points) {
-  Eigen::MatrixXd A(points.size(), 6);
-  Eigen::VectorXd z(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const double x = points[k].x(), y = points[k].y();
-    A.row(static_cast<int>(k)) << 1, x, y, x * x, x * y, y * y;
-    z[static_cast<int>(k)] = points[k].z();
-  }
-  const Eigen::VectorXd c = least_squares(A, z);
-  return 4 * c[3] * c[5] - c[4] * c[4];
-}
-
-double curvature_missing(const targets::SurfacePatch& patch, const optim::SurfaceDesign& design) {
-  std::vector<Eigen::Vector3d> have, asked;
-  for (int j = 0; j <= design.mesh.rows; ++j)
-    for (int i = 0; i <= design.mesh.columns; ++i) {
-      const Eigen::Vector3d& p = design.vertices[design.mesh.vertex(i, j)];
-      const targets::ClosestSurfacePoint closest = closest_surface_point(patch, p);
-      have.push_back(p - optim::layer_of(i) * design.layer * closest.normal);
-      asked.emplace_back(closest.at.x(), closest.at.y(), patch.height(closest.at).z);
-    }
-  return 1 - gauss_of(have) / gauss_of(asked);
 }
 
 /// The rigid motion, mm, of the sheet's exact state to where its vertices lie on the surface.
@@ -123,7 +112,9 @@ class SurfaceScene final : public Scene {
   void solve(Run& run, const RunOptions& options) const override {
     take_settings(run, file_);
     auto surface = std::make_unique<SurfaceOutcome>(file_);
-    surface->tolerances = {{"shape", file_.shape_tolerance}, {"cover", file_.cover_tolerance}};
+    surface->tolerances = {{"shape", file_.shape_tolerance},
+                           {"cover", file_.cover_tolerance},
+                           {"curvature_share", file_.curvature_tolerance}};
     surface->design = fit_surface(file_.patch, options_of(file_, options), options.progress);
     if (!surface->design.valid && options.stop.stop_requested())
       throw Interrupted("no sheet that folds flat was found before the search was stopped");
@@ -132,7 +123,10 @@ class SurfaceScene final : public Scene {
           "no sheet that folds flat was found for this surface; give more `structure.facets`, or more room "
           "in `variables`");
     surface->diagonal_mm = file_.patch.diagonal();
-    surface->curvature_missing = curvature_missing(file_.patch, surface->design);
+    const targets::PointGrid vertices{file_.columns, file_.rows, surface->design.vertices};
+    surface->curvature = gauss_share(file_.patch, middle_of(surface->design));
+    surface->cone_rms =
+        optim::rms_from_best_cone(optim::points_below(file_.patch, vertices)) / surface->diagonal_mm;
     model::OrigamiSheet sheet = sheet_of(surface->design.mesh, file_);
     surface->free_height = optim::free_height(sheet, file_.theta);
     surface->clear = optim::is_free(sheet, file_.theta);
@@ -222,7 +216,19 @@ const GoalKind surface_kind = {
          "[vertices of the mesh from the surface's layers](#surface_rms), root mean square, over the "
          "diagonal"},
         {"surface_max", "", "likewise, the largest"},
-        {"cover", "", "[area that sheet and surface share](#surface_rms), over that of both"},
+        {"cover", "",
+         "[area that sheet and surface share](#surface_rms), over that of both; of ribs, area of their "
+         "cells"},
+        {"curvature_share", "",
+         "of a sheet: [Gauss curvature that it has](#curvature_share) over that of the surface"},
+        {"developable_rms", "",
+         "distance of the surface from the [best cylinder or cone](#curvature_share), root mean square, over "
+         "the diagonal"},
+        {"covered_share", "",
+         "of ribs: [share of the surface's area within a cell edge of a rib](#covered_share)"},
+        {"goal_rms", "",
+         "of ribs: distance of the surface from the nearest rib, root mean square, over the diagonal"},
+        {"goal_max", "", "likewise, the largest"},
         {"free_height", "", "largest height of plates, in mean walls, with which no walls meet on the way"}}};
 
 }  // namespace kinetix::app

@@ -80,11 +80,13 @@ function foldedShot(data) {
     polygon: outline(plate, project), depth: dot(mean(plate.corners), eye.away), corners: plate.corners
   })).sort((a, b) => b.depth - a.depth);
   const lines = firstGoal(data).map((line) => line.map(project));
+  const bare = (data.goal?.bare ?? []).map((line) => line.map(project));
   const fill = (corners) => litColour(corners, eye, colour("model-plate"), colour("model-shade"));
   return {
     label: "The thing, folded", points: [...shapes.flatMap(({polygon}) => polygon), ...lines.flat()],
     marks: (to) => [
       svg("g", {class: seenFromSide(data) ? "standing-goal" : "standing-head"}, lines.map((line) => svg("path", {d: path(line.map(to))}))),
+      svg("g", {class: "bare"}, bare.map((line) => svg("path", {d: path(line.map(to))}))),
       svg("g", {class: "standing"}, shapes.map(({polygon, corners}) => svg("path", {d: path(polygon.map(to), true), style: `fill:${fill(corners)}`})))
     ]
   };

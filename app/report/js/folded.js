@@ -112,8 +112,14 @@ function drawFolded(data, width) {
       seenFromSide(data) ? "The folded strip seen from the side, over the target curve" : "The folded sheet",
       seenFromSide(data) ? mmAxes(map, width, margin) : null,
       svg("g", {class: "head"}, (data.goal?.backdrop ?? []).map((points) => svg("path", {d: path(points.map(view.project).map(map.to))}))),
+      svg("g", {class: "bare"}, (data.goal?.bare ?? []).map((points) => svg("path", {d: path(points.map(view.project).map(map.to))}))),
       svg("g", {class: "walls"}, walls.map((wall) => svg("path", {d: path(wall.polygon.map(map.to), true)}))),
       line("goal", goalWidth), line("model"), line("physics"));
+}
+
+/** Of lines of a goal that no rib is near to. */
+function bareKey({goal}) {
+  return goal?.bare?.length > 0 && ["bare", `bare, more than a cell edge from a rib: ${percent(1 - goal.covered)} of its area`];
 }
 
 function foldedPicture(data) {
@@ -125,7 +131,7 @@ function foldedPicture(data) {
       html(
           "figcaption", {},
           legend(
-              hasGoal && ["goal", "target curve"], data.kind?.backdropKey, ["wall", "walls, folded (model)"],
+              hasGoal && ["goal", "target curve"], data.kind?.backdropKey, bareKey(data), ["wall", "walls, folded (model)"],
               seenFromSide(data) && ["model", "midline of the model"],
               seenFromSide(data) && data.states.physics && data.verdict.verified !== false && ["physics", "midline of the physics run"]),
           seenFromSide(data) ? "Seen from the side, true proportions. " +

@@ -256,11 +256,12 @@ export class Scene {
 
   // ---- what lies beside it
 
-  /** The goal as a ghost, in a frame of its own (see placeGoal): {lines: [[[x, y, z]]], points: [[x, y, z]], triangles: [[a, b, c]], picture: {source, corners}}. */
+  /** The goal as a ghost, in a frame of its own (see placeGoal): {lines: [[[x, y, z]]], bare: lines of it that nothing lies near to, points: [[x, y, z]], triangles: [[a, b, c]], picture: {source, corners}}. */
   setGoal(goal) {
     this.goal.clear();
     const colour = cssColour("goal"), at = (points) => new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute(points.flat(), 3));
     for (const line of goal?.lines ?? []) this.goal.add(new THREE.Line(at(line), new THREE.LineBasicMaterial({color: colour})));
+    for (const line of goal?.bare ?? []) this.goal.add(new THREE.Line(at(line), new THREE.LineBasicMaterial({color: cssColour("bad")})));
     if (goal?.points?.length) this.goal.add(new THREE.Points(at(goal.points), new THREE.PointsMaterial({color: colour, size: 3, sizeAttenuation: false})));
     if (goal?.triangles?.length) {
       const material = new THREE.MeshLambertMaterial({color: colour, transparent: true, opacity: 0.25, side: THREE.DoubleSide, depthWrite: false});

@@ -8,7 +8,7 @@ function readHelmet(raw) {
     clearance: finite(raw.clearance_mm), coverage: finite(raw.coverage_mm), trimmed: finite(raw.cells_trimmed) ?? 0,
     ribs: list(raw.ribs).map((rib) => ({row: finite(rib?.row), cells: numberRows([rib?.cells], 2)[0] ?? [0, 0], rms: finite(rib?.rms_mm)})),
     error: dictionary(raw.error), physics: raw.physics ? dictionary(raw.physics) : null, cells: numbers(raw.cell_mm),
-    backdrop: headLines(raw), uniform: dictionary(raw.uniform),
+    backdrop: headLines(raw, raw.head_mm), bare: headLines(raw, raw.bare_mm), covered: finite(raw.covered_share), uniform: dictionary(raw.uniform),
     invented: typeof raw.invented === "string" ? raw.invented : "", notes: words(raw.notes), reasons: words(raw.reasons), physicsReasons: words(raw.reasons_physics),
   };
 }
@@ -24,9 +24,9 @@ function inHeadFrame(raw, states) {
 }
 
 /** Lines on the head, in its own frame. */
-function headLines(raw) {
+function headLines(raw, lines) {
   const frame = readPose(dictionary(raw).head_frame) ?? {p: [0, 0, 0], q: [1, 0, 0, 0]}, [w, ...v] = frame.q;
-  return list(raw.head_mm).map((line) => numberRows(line, 3).map((p) => turned([w, ...scale(v, -1)], subtract(p, frame.p))));
+  return list(lines).map((line) => numberRows(line, 3).map((p) => turned([w, ...scale(v, -1)], subtract(p, frame.p))));
 }
 
 function fitWords({rms_mm: rms, max_mm: most}) {
@@ -35,14 +35,15 @@ function fitWords({rms_mm: rms, max_mm: most}) {
 
 function helmetVerdict({goal: helmet, verdict: {met, verified}, ...data}) {
   const model = `Off head plus clearance by ${fitWords(helmet.error)}.`;
+  const near = helmet.covered === null ? "" : `, ${percent(helmet.covered)} of the head within a cell edge of a rib`;
   const run = helmet.physics ? ` In the physics run: ${fitWords(helmet.physics)}.` : "";
   const invented = helmet.invented ? ` But ${helmet.invented}.` : "";
-  if (met === false) return {mark: "\u2715", tone: "bad", title: "It does not fit as required", text: model + run + invented};
+  if (met === false) return {mark: "\u2715", tone: "bad", title: `It does not fit as required${near}`, text: model + run + invented};
   if (verified === false)
-    return {mark: "!", tone: "bad", title: "It fits in the model, but the physics run " + failing(data), text: model + run + invented};
+    return {mark: "!", tone: "bad", title: `It fits in the model${near}, but the physics run ${failing(data)}`, text: model + run + invented};
   const text = model + (run || " It was not checked by a physics run.") + invented;
-  if (helmet.invented) return {mark: "!", tone: "unsure", title: "It fits, in part over an invented dome", text};
-  return {mark: "\u2713", tone: verified ? "good" : "unsure", title: verified ? "It fits, and the physics run agrees" : "It fits in the model", text};
+  if (helmet.invented) return {mark: "!", tone: "unsure", title: `It fits, in part over an invented dome${near}`, text};
+  return {mark: "\u2713", tone: verified ? "good" : "unsure", title: verified ? `It fits${near}, and the physics run agrees` : `It fits in the model${near}`, text};
 }
 
 /** Corners of each cell at rest, as rows of body indices. */

@@ -5,6 +5,8 @@ function readSurface(raw) {
   const words = (texts) => list(texts).filter((text) => typeof text === "string");
   return {
     backdrop: list(raw.lines_mm).map((line) => numberRows(line, 3)).filter((line) => line.length > 1),
+    bare: list(raw.bare_mm).map((line) => numberRows(line, 3)).filter((line) => line.length > 1),
+    covered: finite(raw.covered_share), apart: {rms: finite(raw.goal_rms), max: finite(raw.goal_max)},
     facets: numberRows([raw.facets], 2)[0] ?? null, flat: numberRows(raw.flat_mm, 2), vertices: numberRows(raw.vertices_mm, 3),
     diagonal: finite(raw.diagonal_mm), layer: finite(raw.layer_mm),
     rms: finite(raw.rms), max: finite(raw.max), cover: finite(raw.cover),
@@ -21,23 +23,26 @@ function surfaceVerdict(data) {
   const off = surface.diagonal === null || surface.rms === null ? "" :
       `Its ${surface.ribs ? "bodies" : "vertices"} lie ${millimetres(surface.rms * surface.diagonal)} (${percent(surface.rms)} of the diagonal) off the surface.`;
   const what = surface.ribs ? "The folded fishbone" : "The folded sheet";
-  if (met === false) return {mark: "\u2715", tone: "bad", title: `${what} misses its surface`, text: off};
+  const near = surface.covered === null ? "" : `, ${percent(surface.covered)} of it within a cell edge of a rib`;
+  if (met === false) return {mark: "\u2715", tone: "bad", title: `${what} misses its surface${near}`, text: off};
   if (verified === false)
-    return {mark: "!", tone: "bad", title: "It takes its surface in the model, but the physics run " + failing(data), text: off};
+    return {mark: "!", tone: "bad", title: `It takes its surface in the model${near}, but the physics run ${failing(data)}`, text: off};
   return {
     mark: "\u2713", tone: verified ? "good" : "unsure",
-    title: verified ? `${what} takes its surface, and the physics run agrees` : `${what} takes its surface in the model`,
+    title: verified ? `${what} takes its surface${near}, and the physics run agrees` : `${what} takes its surface${near}, in the model`,
     text: off + (verified ? "" : " It was not checked by a physics run."),
   };
 }
 
 function surfaceNumbers(data) {
-  const {goal: surface, tolerance} = data;
+  const {goal: surface, tolerance, metrics} = data;
   if (surface.rms === null) return [];
   const shown = surface.diagonal === null ? percent(surface.rms) : millimetres(surface.rms * surface.diagonal);
   return [
     keyNumber(surface.ribs ? "Bodies from surface, rms" : "Vertices from surface, rms", shown, `${percent(surface.rms)} of the diagonal; allowed ${percent(tolerance.shape)}`),
-    surface.cover !== null && keyNumber(surface.ribs ? "Area covered" : "Area shared", percent(surface.cover), `${surface.ribs ? "by cells" : "over the area of both"}; at least ${percent(tolerance.cover)}`),
+    surface.covered !== null && keyNumber("Surface near a rib", percent(surface.covered), `of its area, within a cell edge; at least ${percent(tolerance.covered_share)}`),
+    surface.covered === null && surface.cover !== null && keyNumber("Area shared", percent(surface.cover), `over the area of both; at least ${percent(tolerance.cover)}`),
+    finite(metrics.curvature_share) !== null && keyNumber("Curvature", percent(metrics.curvature_share), `of the surface\u2019s own, both ways; at least ${percent(tolerance.curvature_share)} where it curves by more than 0.1 sr`),
     surface.height !== null && keyNumber("Plates may be", `${figures(surface.height, 2)} walls high`, "before walls meet on the way"),
   ];
 }
@@ -56,7 +61,7 @@ function creasePattern({facets, flat}) {
              ...lines.map((points) => svg("polyline", {points, fill: "none", stroke: "currentColor", "stroke-width": 0.004 * width})));
 }
 
-function surfaceSection({goal: surface}) {
+function surfaceSection({goal: surface, metrics}) {
   const rows = [];
   const row = (name, value) => value && rows.push({cells: [name, value]});
   const span = (range, digits, unit) => range && `${figures(range[0], digits)} to ${figures(range[1], digits)}${unit}`;
@@ -64,11 +69,15 @@ function surfaceSection({goal: surface}) {
   row("ribs", surface.ribs > 0 && String(surface.ribs));
   row(surface.ribs ? "bodies off the surface, rms" : "vertices off the surface, rms", surface.rms !== null && percent(surface.rms));
   row("the farthest", surface.max !== null && percent(surface.max));
+  row("surface off the nearest rib, rms", surface.apart.rms !== null && percent(surface.apart.rms));
+  row("the farthest place of the surface", surface.apart.max !== null && percent(surface.apart.max));
+  row("cells on its area", surface.ribs > 0 && surface.cover !== null && percent(surface.cover));
   row("layers, apart", surface.layer !== null && millimetres(2 * Math.abs(surface.layer)));
   row("edges, over their mean", span(surface.edge, 2, ""));
   row("angles between creases", span(surface.sector, 3, "\u00b0"));
   row("largest tilt", surface.beta !== null && `${figures(surface.beta, 3)}\u00b0`);
-  row("curvature missing about the middle", surface.missing !== null && percent(surface.missing));
+  row("curvature missing", surface.missing !== null && percent(surface.missing));
+  row("best cylinder or cone, off the surface, rms", finite(metrics.developable_rms) !== null && percent(metrics.developable_rms));
   const ways = surface.ways.map((way) => ({cells: [way.name, percent(way.rms), percent(way.max), String(way.pieces), percent(way.open)]}));
   const compared = ways.length > 1 &&
       table(["way", "off the surface, rms", "the farthest", "pieces", "open area"], ways,

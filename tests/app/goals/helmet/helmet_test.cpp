@@ -77,6 +77,32 @@ TEST(Helmet, IsGivenInTheFrameOfTheMesh) {
   EXPECT_NEAR(highest, 112 - 40 + 9, 3);
 }
 
+TEST(Helmet, SaysHowMuchOfTheHeadIsNearToARib) {
+  const Scratch scratch;
+  scratch.write("head.obj", head);
+  const auto share = [&](const std::string& ribs, const std::string& least, int code) {
+    std::string text = helmet;
+    text.replace(text.find("ribs: 3"), 7, "ribs: " + ribs);
+    text.replace(text.find("max_mm: 5"), 9, "max_mm: 50" + least);
+    text.replace(text.find("rms_mm: 1.5"), 11, "rms_mm: 20");
+    const Outcome run =
+        kinetix_opt(scratch.write("cap.yaml", text) + " --no-verify -o " + scratch.path() + "/out");
+    EXPECT_EQ(run.code, code) << run.out << run.err;
+    EXPECT_THAT(run.out, HasSubstr("% of the head within a cell edge of a rib: "));
+    EXPECT_EQ(run.out.find("`tolerance.covered_share`") != std::string::npos, code == 3);
+    const Json result = Json::parse(text_of(scratch / "out/result.json"));
+    EXPECT_EQ(schema_errors(result), "");
+    EXPECT_EQ(result["metrics"]["covered_share"], result["helmet"]["covered_share"]);
+    EXPECT_GT(result["metrics"]["goal_max_mm"], result["metrics"]["goal_rms_mm"]);
+    return double(result["metrics"]["covered_share"]);
+  };
+  const double one = share("1", "", 0), three = share("3", "", 0);
+  EXPECT_GT(one, 0.1);
+  EXPECT_LT(one, three);
+  EXPECT_LE(three, 1);
+  EXPECT_EQ(share("1", ", covered_share: 0.99", 3), one);
+}
+
 TEST(Helmet, ThatIsTooFarOffSaysByHowMuch) {
   const Scratch scratch;
   scratch.write("head.obj", head);

@@ -7,6 +7,7 @@
 #include "app/goals/surface/surface_outcome.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "model/base/invalid_input.hpp"
+#include "optim/surface/developable.hpp"
 #include "targets/document/document.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/targets/meshes.hpp"
@@ -87,6 +88,133 @@ TEST(SurfaceGoal, SaysHowMuchASheetLacksAndThatRibsWouldDo) {
   EXPECT_FALSE(run.goal->met());
   EXPECT_THAT(run.goal->violations, ::testing::Contains(HasSubstr("of its curvature")));
   EXPECT_THAT(run.goal->violations, ::testing::Contains(HasSubstr("`target.ribs: 3`")));
+}
+
+RunOptions without_physics() {
+  RunOptions options;
+  options.verify = false;
+  return options;
+}
+
+/// A sheet that bends one way alone came within the usual tolerance of a shallow cap.
+TEST(SurfaceGoal, OfACapIsNotMetByNearlyACylinder) {
+  const testing::TemporaryFolder folder;
+  const auto run = run_scene(*read(folder, ", shape: cap, arc_deg: 40",
+                                   "structure: {facets: [4, 4]}\ntolerance: {shape: 0.05, cover: 0}\n")
+                                  .goal,
+                             without_physics());
+  const auto& outcome = outcome_of<SurfaceOutcome>(run);
+  EXPECT_NEAR(outcome.cone_rms, 0.0127, 0.002);
+  EXPECT_EQ(outcome.curvature.share < 0.5 || outcome.design.error.rms > 0.5 * outcome.cone_rms,
+            !run.goal->met());
+  EXPECT_FALSE(run.goal->met());
+  nlohmann::ordered_json metrics;
+  outcome.add_metrics(metrics);
+  EXPECT_EQ(metrics["curvature_share"], outcome.curvature.share);
+}
+
+SurfaceOutcome laid_on(const targets::SurfacePatch& goal, const targets::SurfacePatch& sheet) {
+  SurfaceOutcome out(read_surface_file(targets::parse_document(
+      "kinetix: 1\ntarget: {kind: surface, shape: cap}\ntolerance: {shape: 0.1, cover: 0}\n", "cap.yaml")));
+  out.file.patch = goal;
+  out.design.within = out.clear = true;
+  constexpr int facets = 8;
+  targets::PointGrid middle{facets, facets, {}};
+  double sum = 0;
+  for (int j = 0; j <= facets; ++j)
+    for (int i = 0; i <= facets; ++i) {
+      const Eigen::Vector2d at(goal.half.x() * (2.0 * i / facets - 1),
+                               goal.half.y() * (2.0 * j / facets - 1));
+      middle.points.emplace_back(at.x(), at.y(), sheet.height(at).z);
+      sum += std::pow(closest_surface_point(goal, middle.points.back()).distance / goal.diagonal(), 2);
+    }
+  out.design.error.rms = std::sqrt(sum / static_cast<double>(middle.points.size()));
+  out.curvature = gauss_share(goal, middle);
+  out.cone_rms = optim::rms_from_best_cone(optim::points_below(goal, middle)) / goal.diagonal();
+  return out;
+}
+
+targets::SurfacePatch bent_one_way(double half, double curvature, double lift) {
+  return {"bent", {half, half}, [=](const Eigen::Vector2d& at) {
+            targets::Height h{lift - curvature * at.x() * at.x() / 2, {-curvature * at.x(), 0}};
+            h.bending(0, 0) = -curvature;
+            return h;
+          }};
+}
+
+TEST(SurfaceGoal, AsksForTheCurvatureOfCapsSaddlesAndBowlsOfEveryDepth) {
+  for (const double arc : {0.6, 0.9, 1.4}) {
+    const targets::SurfacePatch cap = targets::cap_patch(100, arc);
+    EXPECT_THAT(violations(laid_on(cap, cap)), ::testing::IsEmpty()) << arc;
+    const double bend = std::sin(arc / 2) / std::sqrt(2.0) / 50;
+    const auto rolled = violations(laid_on(cap, bent_one_way(50, bend, -bend * 50 * 50 / 6)));
+    EXPECT_THAT(rolled, ::testing::Contains(HasSubstr("0 % of the surface's Gauss curvature"))) << arc;
+    EXPECT_THAT(rolled, ::testing::Contains(HasSubstr("the best cylinder or cone"))) << arc;
+  }
+  const targets::SurfacePatch saddle = targets::saddle_patch(100, 0.2);
+  EXPECT_THAT(violations(laid_on(saddle, saddle)), ::testing::IsEmpty());
+  EXPECT_THAT(violations(laid_on(saddle, bent_one_way(50, -4 * 0.2 / 50, 0))),
+              ::testing::Contains(HasSubstr("0 % of")));
+  const targets::SurfacePatch vase = targets::vase_patch(120, 50, 10, 1);
+  EXPECT_THAT(violations(laid_on(vase, vase)), ::testing::IsEmpty());
+}
+
+TEST(SurfaceGoal, AsksForNoneOfSurfacesThatHardlyCurve) {
+  const targets::SurfacePatch shallow = targets::cap_patch(100, 0.2);
+  const double bend = std::sin(0.1) / std::sqrt(2.0) / 50;
+  EXPECT_THAT(violations(laid_on(shallow, bent_one_way(50, bend, 0))), ::testing::IsEmpty());
+}
+
+nlohmann::ordered_json metrics_of_ribs(const Run& run) {
+  nlohmann::ordered_json metrics;
+  outcome_of<RibsOutcome>(run).add_metrics(metrics);
+  return metrics;
+}
+
+std::string first_line(const Run& run) { return outcome_of<RibsOutcome>(run).summary_lines(run).front()[1]; }
+
+TEST(SurfaceGoal, IsMissedByRibsThatLeaveMostOfItBare) {
+  const testing::TemporaryFolder folder;
+  for (const std::string goal : {", shape: cap, arc_deg: 60, ribs: 1", ", shape: saddle, rise: 0.2, ribs: 1",
+                                 ", profile: [[8, 0], [40, 4], [62, 18], [75, 40]], ribs: 2"}) {
+    const auto run = run_scene(*read(folder, goal).goal, without_physics());
+    const double share = metrics_of_ribs(run)["covered_share"];
+    EXPECT_GT(share, 0.02) << goal;
+    EXPECT_LT(share, 0.5) << goal;
+    EXPECT_FALSE(run.goal->met()) << goal;
+    EXPECT_THAT(run.goal->violations, ::testing::Contains(HasSubstr("`tolerance.covered_share`"))) << goal;
+    EXPECT_THAT(first_line(run), HasSubstr("within a cell edge of a rib: MISSES THE TOLERANCE")) << goal;
+    EXPECT_GT(metrics_of_ribs(run)["goal_max"], 0.05) << goal;
+  }
+}
+
+TEST(SurfaceGoal, IsMetByRibsThatAreNearToMostOfIt) {
+  const testing::TemporaryFolder folder;
+  const auto run = run_scene(*read(folder, ", shape: cap, arc_deg: 60, ribs: 8").goal, without_physics());
+  EXPECT_TRUE(run.goal->met()) << run.goal->violations.front();
+  EXPECT_GT(metrics_of_ribs(run)["covered_share"], 0.9);
+  EXPECT_THAT(first_line(run), HasSubstr("% of its area within a cell edge of a rib: within tolerance"));
+  const auto few = run_scene(
+      *read(folder, ", shape: cap, arc_deg: 60, ribs: 1", "tolerance: {covered_share: 0.05}\n").goal,
+      without_physics());
+  EXPECT_TRUE(few.goal->met());
+}
+
+TEST(SurfaceGoal, NamesTheNewKeyToWhoAsksRibsForTheirCover) {
+  const testing::TemporaryFolder folder;
+  const auto says = [&](const std::string& target, const std::string& tolerance) -> std::string {
+    try {
+      read(folder, target, "tolerance: {" + tolerance + "}\n");
+    } catch (const InvalidInput& e) {
+      return e.what();
+    }
+    return "accepted";
+  };
+  EXPECT_THAT(says(", shape: cap, ribs: 4", "cover: 0.2"), HasSubstr("give `tolerance.covered_share`"));
+  EXPECT_THAT(says(", shape: cap, ribs: 4", "curvature_share: 0.2"), HasSubstr("leave it out"));
+  EXPECT_THAT(says(", shape: cap", "covered_share: 0.2"), HasSubstr("give `tolerance.cover`"));
+  EXPECT_EQ(says(", shape: cap", "cover: 0.2, curvature_share: 0.3"), "accepted");
+  EXPECT_EQ(says(", shape: cap, ribs: 4", "covered_share: 0.2"), "accepted");
 }
 
 TEST(SurfaceGoal, RefusesWhatItCannotRead) {

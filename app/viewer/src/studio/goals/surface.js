@@ -4,7 +4,7 @@ import {field, inQuotes, number, targetFile} from "./target_file.js";
 const FACETS = field("facets", "facets along a side", 8, {min: 2, max: 24, step: 1});
 const RIBS = field("ribs", "ribs instead of a sheet", 0, {min: 0, max: 60, step: 1});
 const WIDTH = field("width_mm", "wide", 100, {unit: "mm", min: 20, max: 5000});
-const RISE_A_DEGREE = 0.00375;                   // of a saddle, over half its width: 0.15 at 40 degrees, which sheets reach
+const RISE_A_DEGREE = 0.00375;                   // of a saddle, over half its width: 0.15 at 40 degrees
 const VASE_HEIGHT = 4 / 3, VASE_SWELL = 1 / 30;  // of its radius, likewise
 const made = ({ribs, facets}) => (ribs > 0 ? [] : [`structure: {facets: [${facets}, ${facets}]}`]);
 const over = ({ribs}) => (ribs > 0 ? `, ribs: ${ribs}` : "");
@@ -28,11 +28,11 @@ export const surfaceGoal = {
   name: "surface",
   view: "slant",
   cards: {
-    surface: {title: "Surface", about: "A flat sheet that curves both ways: part of a sphere, a saddle, the front of a vase.",
+    surface: {title: "Surface", about: "Part of a sphere, a saddle or the front of a vase. A sheet comes near to it and mostly misses its curvature; ribs follow it.",
       fields: [{name: "shape", text: "shape", kind: "select", value: "cap", choices: [["cap", "cap"], ["saddle", "saddle"], ["vase", "vase"]]}, WIDTH,
         field("arc_deg", "it turns by", 40, {unit: "\u00b0", max: 120}), FACETS, RIBS], text: shaped},
     mesh: {title: "Mesh", about: "A sheet or ribs over a mesh: OBJ, STL or PLY. A sheet takes an open one without holes, ribs any.", drop: ".obj,.stl,.ply", needsFile: true,
       fields: [{name: "units", text: "mesh is in", kind: "select", value: "mm", choices: [["mm", "mm"], ["cm", "cm"], ["m", "m"], ["in", "inches"]]}, FACETS, RIBS], text: scanned},
   },
-  ghost: (surface) => ({lines: surface.lines_mm}),
+  ghost: (surface) => ({lines: surface.lines_mm, bare: surface.bare_mm}),
 };

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <vector>
+
+#include "model/lattice/square/structure.hpp"
+#include "model/linkage/state.hpp"
+#include "targets/mesh/mesh_distance.hpp"
+
+namespace kinetix::optim {
+
+/// The folded cells of a fishbone, spine and ribs, moved towards the surface by the clearance: how far any place of the
+/// surface is from the nearest of them.
+class RibsReach {
+ public:
+  /// @param state of the structure, in the frame of the surface, mm   @pre at least one cell
+  RibsReach(const model::Structure& structure, const model::State& state,
+            const targets::MeshDistance& surface, double clearance_mm);
+
+  /// From p to the nearest cell, mm.
+  double distance(const Eigen::Vector3d& p) const;
+  /// Within which a place counts as covered: one cell edge.
+  double edge_mm() const { return edge_mm_; }
+
+ private:
+  double edge_mm_;
+  targets::TriangleTree cells_;
+};
+
+/// The parts of a line that lie farther than one cell edge from every rib, of two points at least, for pictures.
+std::vector<std::vector<Eigen::Vector3d>> bare_parts(const RibsReach& ribs,
+                                                     const std::vector<Eigen::Vector3d>& line);
+
+/// A surface against the ribs over it, by its area.
+struct RibsCover {
+  double share = 0;  ///< of the area within one cell edge of a rib, [0, 1]
+  double rms = 0;    ///< distance of the surface from the nearest rib, mm
+  double max = 0;    ///< likewise the largest, mm
+};
+
+/// By points spread evenly over the triangles of a surface. @param lowest_z what lies below does not count, mm
+RibsCover cover_by(const RibsReach& ribs, const targets::TriangleMesh& surface,
+                   double lowest_z = -std::numeric_limits<double>::infinity());
+
+}  // namespace kinetix::optim

@@ -1,0 +1,144 @@
+#include "optim/surface/developable.hpp"
+
+#include <ceres/jet.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "model/base/decompositions.hpp"
+#include "optim/solvers/solver.hpp"
+
+namespace kinetix::optim {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr int cone_variables = 6;   // two turns of the axis, two shifts of it, half angle, radius
+constexpr int cone_directions = 8;  // of the axis in the points' plane, from which the search starts
+constexpr int least_points =
+    16;  // a side of the whole grid: fits then have as many points as a picture shows
+// Of the points' size: radius to start from where they hardly bend.
+constexpr double flat_radius = 20;
+
+/// The frame in which points lie about a plane: x and y in it, the origin in their middle, of size 1.
+std::vector<Vector3d> levelled(const std::vector<Vector3d>& points, double& size) {
+  Vector3d middle = Vector3d::Zero();
+  for (const Vector3d& p : points) middle += p / static_cast<double>(points.size());
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Vector3d& p : points) spread += (p - middle) * (p - middle).transpose();
+  const Eigen::Matrix3d axes = symmetric_eigenvectors(spread).vectors.rowwise().reverse();
+  size = std::sqrt(spread.trace() / static_cast<double>(points.size()));
+  std::vector<Vector3d> out;
+  for (const Vector3d& p : points) out.push_back(axes.transpose() * (p - middle) / size);
+  return out;
+}
+
+/// Distances of points from a cone near to a cylinder to start from.
+class ConeProblem final : public LeastSquaresProblem {
+ public:
+  ConeProblem(const std::vector<Vector3d>& points, const Vector3d& axis, double radius)
+      : points_(points), axis_(axis), across_(Vector3d::UnitZ().cross(axis)), radius_(radius) {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    lower_ = VectorXd::Constant(cone_variables, -none);
+    upper_ = VectorXd::Constant(cone_variables, none);
+  }
+
+  int variables() const override { return cone_variables; }
+  int residuals() const override { return static_cast<int>(points_.size()); }
+  const VectorXd& lower() const override { return lower_; }
+  const VectorXd& upper() const override { return upper_; }
+
+  bool evaluate(const VectorXd& x, VectorXd& r, Eigen::MatrixXd* J) const override {
+    using Dual = ceres::Jet<double, cone_variables>;
+    Dual at[cone_variables];
+    for (int k = 0; k < cone_variables; ++k) at[k] = Dual(x[k], k);
+    const Eigen::Matrix<Dual, 3, 1> a =
+        (axis_.cast<Dual>() + at[0] * across_.cast<Dual>() + at[1] * Vector3d::UnitZ().cast<Dual>())
+            .normalized();
+    const Eigen::Matrix<Dual, 3, 1> b =
+        at[2] * across_.cast<Dual>() + (Dual(-radius_) + at[3]) * Vector3d::UnitZ().cast<Dual>();
+    const double side = radius_ < 0 ? -1 : 1;  // the points lie above or below the axis
+    r.resize(residuals());
+    if (J) J->resize(residuals(), cone_variables);
+    for (int k = 0; k < residuals(); ++k) {
+      const Eigen::Matrix<Dual, 3, 1> w = points_[k].cast<Dual>() - b;
+      const Dual d = cos(at[4]) * w.cross(a).norm() - sin(at[4]) * w.dot(a) - (Dual(side * radius_) + at[5]);
+      r[k] = d.a;
+      if (J) J->row(k) = d.v.transpose();
+    }
+    return r.allFinite() && (!J || J->allFinite());
+  }
+
+ private:
+  const std::vector<Vector3d>& points_;
+  Vector3d axis_, across_;
+  double radius_;
+  VectorXd lower_, upper_;
+};
+
+/// Radius of the parabola z = y^2 / (2 R) across a direction, negative where it bends upwards.
+double radius_across(const std::vector<Vector3d>& points, const Vector3d& axis) {
+  const Vector3d across = Vector3d::UnitZ().cross(axis);
+  Eigen::MatrixXd A(points.size(), 3);
+  VectorXd z(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double y = across.dot(points[k]);
+    A.row(static_cast<int>(k)) << 1, y, y * y;
+    z[static_cast<int>(k)] = points[k].z();
+  }
+  const double bend = least_squares(A, z)[2];
+  const double radius = -1 / (2 * bend);
+  return std::abs(radius) <= flat_radius ? radius : std::copysign(flat_radius, radius);
+}
+
+}  // namespace
+
+targets::PointGrid middle_of(const SurfaceDesign& design) {
+  const model::QuadMesh& m = design.mesh;
+  targets::PointGrid out{m.columns - 1, m.rows - 1, {}};
+  for (int j = 0; j < m.rows; ++j)
+    for (int i = 0; i < m.columns; ++i)
+      out.points.push_back((design.vertices[m.vertex(i, j)] + design.vertices[m.vertex(i + 1, j)] +
+                            design.vertices[m.vertex(i, j + 1)] + design.vertices[m.vertex(i + 1, j + 1)]) /
+                           4);
+  return out;
+}
+
+std::vector<Vector3d> points_below(const targets::SurfacePatch& surface, const targets::PointGrid& grid) {
+  std::vector<Vector3d> out;
+  const auto parts_of = [](int facets) { return (least_points + facets - 1) / facets; };
+  const int across = parts_of(grid.columns), along = parts_of(grid.rows);
+  const int columns = across * grid.columns, rows = along * grid.rows;
+  for (int j = 0; j <= rows; ++j)
+    for (int i = 0; i <= columns; ++i) {
+      const int column = std::min(i / across, grid.columns - 1), row = std::min(j / along, grid.rows - 1);
+      const double u = static_cast<double>(i) / across - column, v = static_cast<double>(j) / along - row;
+      const Vector3d p = (1 - v) * ((1 - u) * grid.at(column, row) + u * grid.at(column + 1, row)) +
+                         v * ((1 - u) * grid.at(column, row + 1) + u * grid.at(column + 1, row + 1));
+      const Vector2d at = closest_surface_point(surface, p).at;
+      if (std::abs(at.x()) <= surface.half.x() && std::abs(at.y()) <= surface.half.y())
+        out.emplace_back(at.x(), at.y(), surface.height(at).z);
+    }
+  return out;
+}
+
+double rms_from_best_cone(const std::vector<Vector3d>& points) {
+  double size = 1, least = std::numeric_limits<double>::infinity();
+  const std::vector<Vector3d> level = levelled(points, size);
+  SolverOptions options;
+  options.tolerance = 1e-9;
+  for (int k = 0; k < cone_directions; ++k) {
+    const double angle = pi * k / cone_directions;
+    const Vector3d axis(std::cos(angle), std::sin(angle), 0);
+    const ConeProblem problem(level, axis, radius_across(level, axis));
+    const SolveResult found = solve(problem, VectorXd::Zero(cone_variables), options);
+    least = std::min(least, found.residual_norm);
+  }
+  return least * size / std::sqrt(static_cast<double>(points.size()));
+}
+
+}  // namespace kinetix::optim
