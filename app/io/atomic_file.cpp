@@ -13,9 +13,11 @@
 #include <deque>
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <random>
 #include <utility>
 
+#include "app/io/end_of_writing.hpp"
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::app {
@@ -40,7 +42,11 @@ class Part;
 Part* newest_part = nullptr;
 OutputFolder* newest_folder = nullptr;
 
-/// The thread that writes files, and that alone holds signals back.
+/// Of the chains, and of files that come to their places together. The signal handler does not ask for it: only a program
+/// that has handed signals to others writes from several threads.
+std::mutex chains;
+
+/// The thread that handles signals.
 pthread_t writer;
 
 /// Holds the signals back while it lives: no part may exist that the handler does not know.
@@ -75,11 +81,13 @@ class Part {
     if (descriptor_ < 0)
       throw InvalidInput(fmt::format("cannot write into this folder: {}", std::strerror(errno)),
                          {folder_of(file_)});
+    const std::lock_guard lock(chains);
     older_ = std::exchange(newest_part, this);
   }
 
   ~Part() {
     const NoInterrupts until_unchained;
+    const std::lock_guard lock(chains);
     if (descriptor_ >= 0) close(descriptor_);
     remove();
     Part** link = &newest_part;
@@ -178,6 +186,7 @@ void remove_old_parts(const fs::path& folder) {
 
 void put_all_in_place(std::deque<Part>& parts) {
   const NoInterrupts until_all_are_there;
+  const std::lock_guard lock(chains);
   std::size_t count = 0;
   try {
     for (; count < parts.size(); ++count) parts[count].put_in_place();
@@ -192,6 +201,11 @@ void put_all_in_place(std::deque<Part>& parts) {
 extern "C" void remove_unfinished() {
   for (const Part* part = newest_part; part != nullptr; part = part->older()) part->remove();
   OutputFolder::remove_all_created();
+}
+
+void remove_unfinished_of_others() {
+  chains.lock();
+  remove_unfinished();
 }
 
 void remove_parts_when_interrupted() {
@@ -209,6 +223,7 @@ void write_file(const std::string& file, const std::function<void(const FileSink
   produce([&](std::string_view piece) { part.write(piece); });
   part.finish();
   const NoInterrupts until_it_is_there;
+  const std::lock_guard lock(chains);
   part.put_in_place();
   part.flush_folder();
 }
@@ -245,6 +260,7 @@ OutputFolder::OutputFolder(const std::string& path) : path_(path) {
     if (p.has_filename()) created_.push_back(p);
   {
     const NoInterrupts until_chained;
+    const std::lock_guard lock(chains);
     older_ = std::exchange(newest_folder, this);
   }
   try {
@@ -270,11 +286,13 @@ void OutputFolder::make() {
 
 void OutputFolder::keep() {
   const NoInterrupts until_kept;
+  const std::lock_guard lock(chains);
   leave_chain();
 }
 
 void OutputFolder::remove_created() {
   const NoInterrupts until_removed;
+  const std::lock_guard lock(chains);
   for (const std::string& folder : created_) rmdir(folder.c_str());
   leave_chain();
 }
