@@ -3,6 +3,7 @@
 #include <utility>
 
 // Boost.Asio of 1.74 forgets <utility>.
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
@@ -14,10 +15,12 @@
 #include <chrono>
 #include <csignal>
 #include <deque>
+#include <list>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <set>
+#include <vector>
 
+#include "app/studio/server_rules.hpp"
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::app::studio {
@@ -30,34 +33,13 @@ namespace websocket = beast::websocket;
 using boost::system::error_code;
 using tcp = asio::ip::tcp;
 
-constexpr std::size_t most_clients = 8;             // pages: more than one person opens
-constexpr int most_connections = 64;                // of a browser, while it loads
-constexpr std::size_t largest_message = 768 << 10;  // bytes: a picture or a scan in base64
-constexpr std::size_t largest_request = 8 << 10;    // bytes of an HTTP header
-constexpr std::size_t longest_ack = 100;            // bytes of a text that may be an acknowledgement
-constexpr int most_in_flight = 2;                   // frames that a page has not acknowledged
-constexpr std::size_t most_texts_waiting = 1000;    // for a page that does not read
-constexpr std::chrono::seconds patience{5};         // with a request, and with a first message
-
-constexpr std::string_view policy =
-    "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src 'self' data: "
-    "blob:; "
-    "media-src blob:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
-
 using Request = http::request<http::empty_body>;
 using Response = http::response<http::string_body>;
-
-/// In the same time whatever is wrong.
-bool same_secret(std::string_view a, std::string_view b) {
-  if (a.size() != b.size()) return false;
-  unsigned char differs = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) differs |= static_cast<unsigned char>(a[k] ^ b[k]);
-  return differs == 0;
-}
 
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 
 class Page;
+class Connection;
 
 }  // namespace
 
@@ -65,18 +47,23 @@ struct Server::Engine {
   std::span<const WebFile> files;
   std::string token;
   Visitors visitors;
+  std::list<Connection*>
+      connections;  ///< before they are pages; the oldest first. Outlives those that io holds.
   asio::io_context io{1};
   tcp::acceptor acceptor{io};
-  asio::signal_set signals{io, SIGINT, SIGTERM};
   std::map<int, std::shared_ptr<Page>> pages;
   std::set<std::string> hosts;  ///< that we go by
-  int connections = 0;
   int next_client = 1;
   std::int64_t next_frame = 1;
   std::shared_ptr<const Frame> newest;
 
   void listen(std::uint16_t port);
   void accept();
+  void take(tcp::socket socket);
+  bool has_room() const;
+  void make_room_for_stranger();
+  /// Does something for a page, or for all of them (-1).
+  void with_pages(int client, const std::function<void(Page&)>& work);
   bool knows_host(std::string_view host) const { return hosts.count(std::string(host)) > 0; }
   bool knows_origin(std::string_view origin) const {
     constexpr std::string_view scheme = "http://";
@@ -91,29 +78,49 @@ using Engine = Server::Engine;
 /// A WebSocket with its page.
 class Page : public std::enable_shared_from_this<Page> {
  public:
-  Page(Engine& engine, tcp::socket socket, int client)
-      : engine_(engine), socket_(std::move(socket)), client_(client), timer_(engine.io) {}
+  /// @param invited whether the request had the token
+  Page(Engine& engine, tcp::socket socket, int client, bool invited)
+      : engine_(engine), socket_(std::move(socket)), client_(client), timer_(engine.io), invited_(invited) {}
 
-  /// @param known whether the request had the token   @param protocol to be named in the answer, or empty
-  void start(const Request& request, bool known, const std::string& protocol) {
+  bool invited() const { return invited_; }
+
+  /// @param protocol to be named in the answer, or empty
+  void start(const Request& request, const std::string& protocol) {
     socket_.read_message_max(largest_message);
     socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
     socket_.set_option(websocket::stream_base::decorator([protocol](websocket::response_type& response) {
       if (!protocol.empty()) response.set(http::field::sec_websocket_protocol, protocol);
     }));
-    socket_.async_accept(request, [self = shared_from_this(), known](error_code error) {
-      if (error) return self->leave();
-      if (known) self->welcome();
-      if (!known) self->wait_for_token();
-      self->read();
+    socket_.async_accept(request, [self = shared_from_this()](error_code error) {
+      self->attempt([&] {
+        if (error) return self->leave();
+        if (self->invited_) self->welcome();
+        if (!self->invited_) self->wait_for_token();
+        self->read();
+      });
     });
   }
 
-  void tell(std::string text) {
+  /// What goes wrong, as where there is no memory, ends this page alone; it comes again.
+  void attempt(const std::function<void()>& work) {
+    try {
+      work();
+    } catch (const std::exception&) {
+      close();
+    }
+  }
+
+  void tell(Text text) {
     if (!known_) return;
-    texts_.push_back(std::move(text));
-    if (texts_.size() > most_texts_waiting) return close();
+    texts_.add(std::move(text));
+    if (texts_.counted_bytes() > most_bytes_waiting) return close();
     write();
+  }
+
+  void took(std::size_t bytes) {
+    --commands_;
+    command_bytes_ -= bytes;
+    if (rests_ && !closed_ && !is_full()) read();
   }
 
   void show() {
@@ -139,30 +146,43 @@ class Page : public std::enable_shared_from_this<Page> {
   }
 
   void welcome() {
-    known_ = true;
+    known_ = invited_ = true;
     timer_.cancel();
     engine_.visitors.come(client_);
     if (engine_.newest) show();
   }
 
+  bool is_full() const { return commands_ >= most_commands || command_bytes_ >= most_command_bytes; }
+
   void read() {
+    rests_ = false;
     socket_.async_read(buffer_, [self = shared_from_this()](error_code error, std::size_t) {
-      if (error) return self->leave();
-      self->hear();
+      self->attempt([&] {
+        if (error) return self->leave();
+        self->hear();
+      });
     });
   }
 
   void hear() {
     const std::string text = beast::buffers_to_string(buffer_.data());
     buffer_.consume(buffer_.size());
-    if (!known_ && !same_secret(text, engine_.token)) return close();
+    if (!known_ && !(same_secret(text, engine_.token) && engine_.has_room())) return close();
     if (!known_)
       welcome();
     else if (!socket_.got_text())
-      tell(R"({"type": "error", "message": "commands are texts"})");
+      tell({"error",
+            std::make_shared<const std::string>(R"({"type": "error", "message": "commands are texts"})")});
     else if (!acknowledges(text))
-      engine_.visitors.say(client_, text);
-    if (!closed_) read();
+      pass_on(text);
+    rests_ = !closed_ && is_full();
+    if (!closed_ && !rests_) read();
+  }
+
+  void pass_on(const std::string& text) {
+    ++commands_;
+    command_bytes_ += text.size();
+    engine_.visitors.say(client_, text);
   }
 
   /// Frames are acknowledged all the time: this alone is read here.
@@ -181,22 +201,24 @@ class Page : public std::enable_shared_from_this<Page> {
   void write() {
     if (writing_ || closed_) return;
     if (!texts_.empty()) {
-      out_ = std::move(texts_.front());
-      texts_.pop_front();
+      out_ = texts_.take().bytes;
       socket_.text(true);
     } else if (unseen_ && flying_.size() < most_in_flight) {
+      out_ = std::make_shared<const std::string>(frame_bytes(*engine_.newest, engine_.next_frame, client_));
       unseen_ = false;
-      flying_.push_back(engine_.next_frame);
-      out_ = frame_bytes(*engine_.newest, engine_.next_frame++, client_);
+      flying_.push_back(engine_.next_frame++);
       socket_.binary(true);
     } else {
       return;
     }
     writing_ = true;
-    socket_.async_write(asio::buffer(out_), [self = shared_from_this()](error_code error, std::size_t) {
-      self->writing_ = false;
-      if (error) return self->leave();
-      self->write();
+    socket_.async_write(asio::buffer(*out_), [self = shared_from_this()](error_code error, std::size_t) {
+      self->attempt([&] {
+        self->writing_ = false;
+        self->out_.reset();
+        if (error) return self->leave();
+        self->write();
+      });
     });
   }
 
@@ -211,11 +233,14 @@ class Page : public std::enable_shared_from_this<Page> {
   websocket::stream<tcp::socket> socket_;
   const int client_;
   asio::steady_timer timer_;
-  bool known_ = false;  ///< it said the token, and the handshake is through
+  bool invited_;        ///< it said the token
+  bool known_ = false;  ///< and the handshake is through
   bool closed_ = false, writing_ = false;
+  bool rests_ = false;                            ///< it is not read from, since many of its commands wait
+  std::size_t commands_ = 0, command_bytes_ = 0;  ///< that wait
   beast::flat_buffer buffer_;
-  std::string out_;
-  std::deque<std::string> texts_;
+  std::shared_ptr<const std::string> out_;  ///< that is being sent
+  WaitingTexts texts_;
   bool unseen_ = false;              ///< the newest frame
   std::deque<std::int64_t> flying_;  ///< frames that were sent and not acknowledged
 };
@@ -223,10 +248,18 @@ class Page : public std::enable_shared_from_this<Page> {
 /// A connection before it is a WebSocket.
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
-  Connection(Engine& engine, tcp::socket socket) : engine_(engine), stream_(std::move(socket)) {
-    ++engine_.connections;
+  Connection(Engine& engine, tcp::socket socket)
+      : engine_(engine),
+        stream_(std::move(socket)),
+        place_(engine.connections.insert(engine.connections.end(), this)) {}
+  ~Connection() { close(); }
+
+  void close() {
+    if (!is_listed_) return;
+    is_listed_ = false;
+    engine_.connections.erase(place_);
+    stream_.close();
   }
-  ~Connection() { --engine_.connections; }
 
   void read() {
     parser_.emplace();
@@ -234,7 +267,12 @@ class Connection : public std::enable_shared_from_this<Connection> {
     parser_->body_limit(0);
     stream_.expires_after(patience);
     http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](error_code error, std::size_t) {
-      if (!error) self->answer(self->parser_->release());
+      if (error) return;
+      try {
+        self->answer(self->parser_->release());
+      } catch (const std::exception&) {
+        self->close();
+      }
     });
   }
 
@@ -259,8 +297,6 @@ class Connection : public std::enable_shared_from_this<Connection> {
     constexpr std::string_view place = "/session";
     if (target.substr(0, place.size()) != place)
       return respond(request, http::status::not_found, "the WebSocket is /session\n");
-    if (engine_.pages.size() >= most_clients)
-      return respond(request, http::status::service_unavailable, "eight pages are open already\n");
     std::string_view given = target.substr(place.size());
     if (given.substr(0, 1) == "/") given.remove_prefix(1);
     if (given.substr(0, 7) == "?token=") given.remove_prefix(7);
@@ -268,11 +304,15 @@ class Connection : public std::enable_shared_from_this<Connection> {
     const bool by_protocol = same_secret(protocol, token), by_address = same_secret(given, token);
     if (!by_protocol && !by_address && !(given.empty() && protocol.empty()))
       return respond(request, http::status::forbidden, "the token is another one\n");
+    const bool invited = by_protocol || by_address;
+    if (!engine_.has_room())
+      return respond(request, http::status::service_unavailable, "eight pages are open already\n");
+    if (!invited) engine_.make_room_for_stranger();
     stream_.expires_never();
     const int client = engine_.next_client++;
-    const auto page = std::make_shared<Page>(engine_, stream_.release_socket(), client);
+    const auto page = std::make_shared<Page>(engine_, stream_.release_socket(), client, invited);
     engine_.pages[client] = page;
-    page->start(request, by_protocol || by_address, by_protocol ? protocol : "");
+    page->start(request, by_protocol ? protocol : "");
   }
 
   void respond(const Request& request, http::status status, std::string_view content,
@@ -296,6 +336,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   Engine& engine_;
   beast::tcp_stream stream_;
+  const std::list<Connection*>::iterator place_;
+  bool is_listed_ = true;
   beast::flat_buffer buffer_;
   std::optional<http::request_parser<http::empty_body>> parser_;
   Response response_;
@@ -311,20 +353,52 @@ void Server::Engine::listen(std::uint16_t port) {
   if (!error) acceptor.bind(here, error);
   if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
   if (error) throw InvalidInput("port " + std::to_string(port) + " of 127.0.0.1: " + error.message());
-  const std::string at = ":" + std::to_string(acceptor.local_endpoint().port());
-  hosts = {"127.0.0.1" + at, "localhost" + at};
+  hosts = host_names(acceptor.local_endpoint().port());
 }
 
 void Server::Engine::accept() {
   acceptor.async_accept([this](error_code error, tcp::socket socket) {
     if (error == asio::error::operation_aborted) return;
-    if (!error && connections < most_connections) {
-      error_code ignored;
-      socket.set_option(tcp::no_delay(true), ignored);
-      std::make_shared<Connection>(*this, std::move(socket))->read();
+    try {
+      if (!error) take(std::move(socket));
+    } catch (const std::exception&) {
+      // Without memory for it, it is not taken.
     }
     accept();
   });
+}
+
+void Server::Engine::take(tcp::socket socket) {
+  if (connections.size() >= most_connections) connections.front()->close();
+  error_code ignored;
+  socket.set_option(tcp::no_delay(true), ignored);
+  std::make_shared<Connection>(*this, std::move(socket))->read();
+}
+
+/// For one more that knows the token.
+bool Server::Engine::has_room() const {
+  return std::count_if(pages.begin(), pages.end(), [](const auto& page) { return page.second->invited(); }) <
+         most_clients;
+}
+
+void Server::Engine::make_room_for_stranger() {
+  std::vector<std::shared_ptr<Page>> strangers;
+  for (const auto& [client, page] : pages)
+    if (!page->invited()) strangers.push_back(page);
+  if (std::ssize(strangers) >= most_clients) strangers.front()->close();
+}
+
+void Server::Engine::with_pages(int client, const std::function<void(Page&)>& work) {
+  const auto all = pages;
+  for (const auto& [number, page] : all)
+    if (client < 0 || client == number) page->attempt([&, to = page.get()] { work(*to); });
+}
+
+std::set<std::string> host_names(std::uint16_t port) {
+  const std::string at = ":" + std::to_string(port);
+  std::set<std::string> names = {"127.0.0.1" + at, "localhost" + at};
+  if (port == 80) names.insert({"127.0.0.1", "localhost"});
+  return names;
 }
 
 Server::Server(std::span<const WebFile> files, std::string token, std::uint16_t port, Visitors visitors)
@@ -340,30 +414,37 @@ Server::~Server() = default;
 std::uint16_t Server::port() const { return engine_->acceptor.local_endpoint().port(); }
 
 void Server::run() {
-  engine_->signals.async_wait([this](error_code error, int) {
+  asio::signal_set signals(engine_->io, SIGINT, SIGTERM);
+  signals.async_wait([this, &signals](error_code error, int) {
     if (error) return;
-    engine_->signals.clear();  // the next one ends the program as it always did, whatever still runs
+    signals.clear();  // the next one ends the program as it always did, whatever still runs
     engine_->io.stop();
   });
   engine_->accept();
-  engine_->io.run();
+  while (!engine_->io.stopped()) try {
+      engine_->io.run();
+    } catch (const std::exception&) {
+      // What was posted found no memory; the rest goes on.
+    }
 }
 
 void Server::stop() { engine_->io.stop(); }
 
-void Server::tell(int client, std::string text) {
+void Server::tell(int client, Text text) {
   asio::post(engine_->io, [this, client, text = std::move(text)] {
-    const auto pages = engine_->pages;
-    for (const auto& [number, page] : pages)
-      if (client < 0 || client == number) page->tell(text);
+    engine_->with_pages(client, [&](Page& page) { page.tell(text); });
   });
+}
+
+void Server::took(int client, std::size_t bytes) {
+  asio::post(engine_->io,
+             [this, client, bytes] { engine_->with_pages(client, [&](Page& page) { page.took(bytes); }); });
 }
 
 void Server::show(std::shared_ptr<const Frame> frame) {
   asio::post(engine_->io, [this, frame = std::move(frame)] {
     engine_->newest = frame;
-    const auto pages = engine_->pages;
-    for (const auto& [number, page] : pages) page->show();
+    engine_->with_pages(-1, [](Page& page) { page.show(); });
   });
 }
 

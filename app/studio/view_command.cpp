@@ -1,6 +1,9 @@
 #include "app/studio/view_command.hpp"
 
+#include <chrono>
+#include <cstdlib>
 #include <filesystem>
+#include <future>
 #include <iostream>
 #include <random>
 #include <variant>
@@ -8,11 +11,14 @@
 #include "app/assembly/assembly_file.hpp"
 #include "app/console/open_report.hpp"
 #include "app/goals/read_target.hpp"
+#include "app/io/end_of_writing.hpp"
 #include "app/studio/assembly/assembly_session.hpp"
 #include "app/studio/messages/templates.hpp"
 #include "app/studio/server.hpp"
+#include "app/studio/session/autosave.hpp"
 #include "app/studio/session/earlier_result.hpp"
 #include "app/studio/session/session.hpp"
+#include "app/studio/session/temporary_folder.hpp"
 #include "app/viewer/assets.hpp"
 #include "targets/document/document.hpp"
 
@@ -24,12 +30,25 @@ using studio::Opened;
 
 using Source = std::variant<Opened, AssemblyFile>;
 
+constexpr std::chrono::milliseconds patience{500};  // at the end, with what still runs
+
+/// It stays the same file wherever the program goes, and where its folder goes.
+std::string absolute(const std::string& file) {
+  std::error_code failure;
+  const fs::path path = fs::absolute(file, failure);
+  return failure ? file : path.lexically_normal().string();
+}
+
 Source opened_file(const std::string& file) {
   const targets::Node root = targets::read_document(file, max_design_bytes);
   if (is_assembly(root)) return read_assembly(root);
-  if (!root.optional("target")) return Opened{read_design(root), file, "", 0, 0};
-  read_target(root);  // refuses a broken one before the page is there
-  return Opened{studio::template_design("panel"), "", file, 0, 0};
+  if (root.optional("target")) {
+    read_target(root);  // refuses a broken one before the page is there
+    return Opened{studio::template_design("panel"), "", absolute(file), 0, 0};
+  }
+  DesignFile design = read_design(root);
+  studio::require_showable(design);
+  return Opened{std::move(design), absolute(file), "", 0, 0};
 }
 
 Source opened_source(const std::string& source) {
@@ -41,13 +60,30 @@ Source opened_source(const std::string& source) {
                      ": no design.yaml in this folder; give a design, a target, or the folder of a result");
 }
 
+/// Null where nothing is edited, or nothing can be kept.
+std::shared_ptr<studio::Autosave> autosave_of(const Source& source) {
+  const Opened* opened = std::get_if<Opened>(&source);
+  const fs::path place = studio::autosave_place();
+  if (!opened || place.empty()) return nullptr;
+  const std::string& file = opened->target_file.empty() ? opened->save_file : opened->target_file;
+  try {
+    return std::make_shared<studio::Autosave>(place, file.empty() ? absolute("new") : file);
+  } catch (const InvalidInput& e) {
+    std::cerr << "warning: " << e.what() << "\n";
+    return nullptr;
+  }
+}
+
 std::unique_ptr<studio::SessionLoop> session_of(Source source, const CommandOptions& options,
+                                                std::shared_ptr<studio::Autosave> autosave,
                                                 studio::Outlet outlet) {
   if (auto* bodies = std::get_if<AssemblyFile>(&source))
     return std::make_unique<studio::AssemblySession>(std::move(*bodies), options.threads, std::move(outlet));
   Opened& opened = std::get<Opened>(source);
   opened.threads = options.threads;
   opened.seed = options.seed;
+  opened.results = absolute(opened.results);
+  opened.autosave = std::move(autosave);
   if (!opened.save_file.empty()) opened.result = studio::earlier_result(opened.save_file, opened.design);
   return std::make_unique<studio::Session>(std::move(opened), std::move(outlet));
 }
@@ -68,6 +104,31 @@ std::vector<studio::WebFile> web_files() {
   return files;
 }
 
+/// Whether the session ends in time. What still runs then ends with the program, which must end.
+bool ends_in_time(std::jthread worker, std::unique_ptr<studio::SessionLoop> session) {
+  std::promise<void> ended;
+  const std::future<void> end = ended.get_future();
+  worker.request_stop();
+  std::thread closer(
+      [worker = std::move(worker), session = std::move(session), ended = std::move(ended)]() mutable {
+        worker.join();
+        session.reset();
+        ended.set_value();
+      });
+  const bool in_time = end.wait_for(patience) == std::future_status::ready;
+  if (in_time)
+    closer.join();
+  else
+    closer.detach();
+  return in_time;
+}
+
+/// Of a design that was not saved: it is not what the next studio opens, but it is not lost.
+void put_aside(studio::Autosave* autosave) {
+  const std::string file = autosave ? autosave->put_aside() : "";
+  if (!file.empty()) std::cerr << "The design was not saved. `kinetix-opt view " << file << "` opens it.\n";
+}
+
 }  // namespace
 
 int view_command(const CommandOptions& options, const ViewRequest& request) {
@@ -79,17 +140,24 @@ int view_command(const CommandOptions& options, const ViewRequest& request) {
                         {[&](int client) { to->greet(client); },
                          [&](int client, std::string text) { to->post(client, std::move(text)); },
                          [&](int client) { to->dismiss(client); }});
-  const std::unique_ptr<studio::SessionLoop> session =
-      session_of(std::move(source), options,
-                 {[&](int client, std::string text) { server.tell(client, std::move(text)); },
-                  [&](std::shared_ptr<const studio::Frame> frame) { server.show(std::move(frame)); }});
+  const std::shared_ptr<studio::Autosave> autosave = autosave_of(source);
+  std::unique_ptr<studio::SessionLoop> session =
+      session_of(std::move(source), options, autosave,
+                 {[&](int client, studio::Text text) { server.tell(client, std::move(text)); },
+                  [&](std::shared_ptr<const studio::Frame> frame) { server.show(std::move(frame)); },
+                  [&](int client, std::size_t bytes) { server.took(client, bytes); }});
   to = session.get();
-  std::jthread worker([&](const std::stop_token& stop) { session->run(stop); });
+  std::jthread worker([to](const std::stop_token& stop) { to->run(stop); });
   const std::string address = "http://127.0.0.1:" + std::to_string(server.port()) + "/#" + token;
   std::cout << address << std::endl;
   if (request.opens_page) open_report(address);
   server.run();
-  return done;
+  const bool in_time = ends_in_time(std::move(worker), std::move(session));
+  put_aside(autosave.get());
+  if (in_time) return done;
+  remove_unfinished_of_others();
+  studio::remove_temporary_folders();
+  std::exit(done);
 }
 
 }  // namespace kinetix::app

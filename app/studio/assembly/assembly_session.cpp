@@ -5,6 +5,7 @@
 
 #include "app/assembly/assembly_run.hpp"
 #include "app/studio/messages/design_message.hpp"
+#include "app/studio/messages/failure_message.hpp"
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
 
@@ -50,6 +51,11 @@ Frame AssemblySession::frame() const {
   Frame frame = player_.frame();
   frame.revision = revision_;
   return frame;
+}
+
+void AssemblySession::halt() {
+  player_.set_paused(true);
+  tell_state();
 }
 
 void AssemblySession::stop_jobs() {
@@ -135,14 +141,22 @@ void AssemblySession::set_mode(const Message& message) {
 
 /// Long work for whoever asked for it, who hears what goes wrong.
 void AssemblySession::start(Job& job, double id, const std::function<void(const std::stop_token&)>& work) {
-  job.start([this, client = client_, id, work](const std::stop_token& asked) {
-    try {
-      work(asked);
-    } catch (const std::exception& e) {
-      enqueue(
-          [this, client, id, what = std::string(e.what())] { tell_json(error_message(what, id), client); });
-    }
-  });
+  job.start(
+      [this, client = client_, id, type = type_, work](const std::stop_token& asked) {
+        try {
+          work(asked);
+        } catch (const std::exception& e) {
+          enqueue([this, client, id, type, what = failure_message(e)] {
+            tell_json(error_message(what, id, type), client);
+          });
+        }
+      },
+      [this, client = client_, id] {
+        enqueue([this, client, id] {
+          note_heard(client, id);
+          changed_ = true;
+        });
+      });
 }
 
 /// Bodies collide by convex pieces, which are cut once and take a while.

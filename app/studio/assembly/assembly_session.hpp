@@ -21,6 +21,7 @@ class AssemblySession : public SessionLoop {
   void obey(const Message& message) override;
   bool moves() const override { return player_.plays(); }
   bool play() override;
+  void halt() override;
   Frame frame() const override;
   void stop_jobs() override;
 

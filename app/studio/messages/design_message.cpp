@@ -88,8 +88,9 @@ Json state_message(const Player& player) {
           {"driven", player.driven()}};
 }
 
-Json error_message(const std::string& what, double id) {
+Json error_message(const std::string& what, double id, const std::string& about) {
   Json out = {{"type", "error"}, {"message", what}};
+  if (!about.empty()) out["about"] = about;
   if (id > 0) out["id"] = id;
   return out;
 }

@@ -12,8 +12,8 @@ nlohmann::ordered_json hello_message(const std::string& name);
 nlohmann::ordered_json design_message(const DesignFile& design, const Moving& moving);
 /// `state`, without whether a search is going on.
 nlohmann::ordered_json state_message(const Player& player);
-/// `error`. @param id of the command that it answers; 0: of none
-nlohmann::ordered_json error_message(const std::string& what, double id);
+/// `error`. @param id of the command that it answers; 0: of none   @param about type of the command that failed; empty: none
+nlohmann::ordered_json error_message(const std::string& what, double id, const std::string& about);
 /// `progress`, without the time that is left. @param done 0 to 1; negative: not known
 nlohmann::ordered_json progress_message(const char* job, const std::string& stage, double done,
                                         const std::string& so_far);

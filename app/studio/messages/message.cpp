@@ -23,8 +23,9 @@ double number_of(const nlohmann::json& value, const char* key, double least, dou
 }
 
 int integer_of(const nlohmann::json& value, const char* key, int least, int most) {
-  const double number = number_of(value, key, least, most);
-  if (number != std::floor(number)) throw wrong(key, "a whole number");
+  const double number = value.is_number() ? value.get<double>() : std::nan("");
+  if (!(number >= least && number <= most && number == std::floor(number)))
+    throw wrong(key, fmt::format("a whole number from {} to {}", least, most));
   return static_cast<int>(number);
 }
 

@@ -25,9 +25,11 @@ Player::Player(const DesignFile& design) : force_N_(nan), energy_Nmm_(nan) {
 void Player::load(const DesignFile& design) {
   const double theta = theta_;
   const bool plays_on = mode_ == Mode::bullet;
+  auto moving = std::make_unique<Moving>(design);
+  DesignFile taken = design;
   live_.reset();
-  design_ = design;
-  moving_ = std::make_unique<Moving>(design_);
+  design_ = std::move(taken);
+  moving_ = std::move(moving);
   kept_ = kept_by_springs();
   fixed_.clear();
   theta_ = theta;
@@ -84,12 +86,18 @@ double Player::kept_by_springs() const {
 /// @param driven theta of the drive that holds the present state, where it is known
 void Player::enter_engine(std::optional<double> driven) {
   const double at = model::mean_theta(moving_->linkage, state_);
-  live_ = live_sheet(design_, moving_->linkage, springs());
-  live_->set_gravity(gravity_);
-  live_->place(state_);
-  for (const int body : fixed_) live_->fix(body, true);
-  time_.restart();
-  if (springs() && std::abs(at) > folded) drive_engine(driven ? *driven : drive_theta(at, state_));
+  try {
+    live_ = live_sheet(design_, moving_->linkage, springs());
+    live_->set_gravity(gravity_);
+    live_->place(state_);
+    for (const int body : fixed_) live_->fix(body, true);
+    time_.restart();
+    if (springs() && std::abs(at) > folded) drive_engine(driven ? *driven : drive_theta(at, state_));
+  } catch (...) {
+    live_.reset();
+    mode_ = wanted_ = moving_->exact ? Mode::exact : Mode::equilibrium;
+    throw;
+  }
 }
 
 void Player::drive_engine(double theta) {
@@ -183,6 +191,8 @@ void Player::play() {
   time_.pass(
       speed_, [this] { return plays(); }, [this] { step(); });
 }
+
+double Player::drive_theta() const { return mode_ == Mode::exact ? drive_theta(theta_, state_) : theta(); }
 
 double Player::theta() const { return mode_ == Mode::bullet ? drive_theta(sheet_theta(), state_) : theta_; }
 

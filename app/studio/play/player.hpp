@@ -13,7 +13,7 @@ class Player {
   explicit Player(const DesignFile& design);
 
   /// Another design, folded as far as the one before. Where it has no exact motion, the mode is equilibrium until one
-  /// comes that has.
+  /// comes that has. Where that fails for want of memory the design before stays, but for a failure of the engine, which is left.
   void load(const DesignFile& design);
   const Moving& moving() const { return *moving_; }
   Mode mode() const { return mode_; }
@@ -46,6 +46,7 @@ class Player {
   void play();
 
   double theta() const;        ///< rad, as fold_to() takes it
+  double drive_theta() const;  ///< rad: of the design's own drive, in all modes
   double sheet_theta() const;  ///< rad: as far as the sheet is folded, whatever drives it
   const model::State& state() const { return state_; }
   /// Without revision and hearers.

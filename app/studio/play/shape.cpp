@@ -22,6 +22,15 @@ Eigen::Vector3d carried(const Moving& moving, double theta, int body, const Eige
   return state[body].p + state[body].R * (at - moving.linkage.rest_position(body));
 }
 
+/// @pre it has a drive
+void end_drive_at(DesignFile& design, double drive_theta) {
+  const model::LinkageDrive shown = drive_to(design, drive_theta);
+  design.drive->compression = shown.compression;
+  design.drive->branch = shown.branch;
+  design.drive->angle = shown.angle;
+  design.drive->shorten_mm = shown.shorten_mm;
+}
+
 }  // namespace
 
 Moving::Moving(const DesignFile& design) : linkage(design.structure), exact(exact_motion(design.structure)) {
@@ -52,14 +61,16 @@ DesignFile as_far_as_shown(DesignFile design, const Moving& moving, double sheet
   if (sheet_theta == 0) return design;
   if (moving.exact)
     design.drive.reset();
-  else if (design.drive) {
-    const model::LinkageDrive shown = drive_to(design, drive_theta);
-    design.drive->compression = shown.compression;
-    design.drive->branch = shown.branch;
-    design.drive->angle = shown.angle;
-    design.drive->shorten_mm = shown.shorten_mm;
-  }
+  else if (design.drive)
+    end_drive_at(design, drive_theta);
   design.theta = sheet_theta;
+  return design;
+}
+
+DesignFile saved_as_shown(DesignFile design, const Moving& moving, double sheet_theta, double drive_theta) {
+  if (design.drive && sheet_theta != 0) end_drive_at(design, drive_theta);
+  // Without an exact motion it is opened by its drive, whose theta need not be the sheet's.
+  design.theta = moving.exact ? sheet_theta : drive_theta;
   return design;
 }
 

@@ -34,6 +34,9 @@ model::LinkageDrive drive_to(const DesignFile& design, double theta);
 /// @param sheet_theta rad, of the sheet   @param drive_theta rad, of its drive (LinkageDrive::theta)
 DesignFile as_far_as_shown(DesignFile design, const Moving& moving, double sheet_theta, double drive_theta);
 
+/// The same for its file, which keeps its drive: that ends where it is shown.
+DesignFile saved_as_shown(DesignFile design, const Moving& moving, double sheet_theta, double drive_theta);
+
 /// A design in the engine, ready to be played with, flat. @param springs hinges as elastic as the design says
 /// @param linkage of the design; must outlive it
 std::unique_ptr<sim::LiveSheet> live_sheet(const DesignFile& design, const model::Linkage& linkage,

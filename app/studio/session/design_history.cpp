@@ -1,18 +1,36 @@
 #include "app/studio/session/design_history.hpp"
 
+#include <algorithm>
+
 namespace kinetix::app::studio {
 namespace {
 
-constexpr std::size_t longest =
-    100;  // steps back: more than anybody remembers, and 100 MB of the largest sheets
+constexpr std::size_t longest = 100;           // steps back: more than anybody remembers
+constexpr std::size_t most_bytes = 128 << 20;  // of all designs; then as many steps as that holds
+
+constexpr std::size_t hinge_bytes = 56, body_bytes = 8, cell_bytes = 40;  // bytes, in a sheet of squares
+
+/// About as many bytes as the design takes.
+std::size_t size_of(const DesignFile& design) {
+  const model::Sheet& sheet = design.structure;
+  return sheet.hinges() * hinge_bytes + sheet.bodies() * body_bytes + sheet.cells() * cell_bytes;
+}
 
 }  // namespace
 
-void DesignHistory::add(DesignFile design, int thing) {
+DesignHistory::DesignHistory(DesignFile first) {
+  designs_.reserve(longest + 1);  // so that add() needs no memory
+  designs_.push_back({std::move(first), 0, {}});
+}
+
+void DesignHistory::add(DesignFile design, int thing, Finding finding) {
   designs_.resize(at_ + 1);
   if (saved_ > static_cast<int>(at_)) saved_ = -1;
-  designs_.push_back({std::move(design), thing, {}});
-  if (designs_.size() > longest) {
+  designs_.push_back({std::move(design), thing, std::move(finding)});
+  std::size_t bytes = 0;
+  for (const Entry& entry : designs_) bytes += size_of(entry.design);
+  while (designs_.size() > longest || (bytes > most_bytes && designs_.size() > 2)) {
+    bytes -= size_of(designs_.front().design);
     designs_.erase(designs_.begin());
     saved_ = std::max(saved_ - 1, -1);
   }

@@ -16,12 +16,13 @@ namespace kinetix::app::studio {
 struct Finding {
   std::shared_ptr<const Run> run = {};  ///< of a search of this session; null: of none
   nlohmann::ordered_json told = {};     ///< the message of the result; null: none is known
+  double theta = 0;                     ///< of the design as it was found, rad
 };
 
 /// A design and those that it came from, each with the number of the thing that it is a state of: edits stay with theirs.
 class DesignHistory {
  public:
-  explicit DesignHistory(DesignFile first) { designs_.push_back({std::move(first), 0, {}}); }
+  explicit DesignHistory(DesignFile first);
 
   const DesignFile& current() const { return designs_[at_].design; }
   int thing() const { return designs_[at_].thing; }
@@ -29,7 +30,7 @@ class DesignHistory {
   /// Of the present design, which keeps it while others are undone and redone.
   void set_finding(Finding finding) { designs_[at_].finding = std::move(finding); }
   /// The next design, in the place of those that were undone.
-  void add(DesignFile design, int thing);
+  void add(DesignFile design, int thing, Finding finding = {});
   bool can_undo() const { return at_ > 0; }
   bool can_redo() const { return at_ + 1 < designs_.size(); }
   /// @return whether there was anything to undo

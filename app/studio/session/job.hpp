@@ -1,36 +1,92 @@
 #pragma once
 
-#include <atomic>
 #include <functional>
-#include <list>
-#include <memory>
+#include <mutex>
+#include <optional>
+#include <stop_token>
 #include <thread>
+#include <utility>
 
 namespace kinetix::app::studio {
 
-/// Work of a session that takes long, on threads of its own. What ran before is asked to stop, and ends when it comes to
-/// it: whoever starts the next does not wait.
+/// Work of a session that takes long, on a thread of its own, one after the other. Whoever starts the next does not wait: what runs
+/// is asked to stop, and the newest that was started begins when it has.
 class Job {
  public:
-  void start(std::function<void(std::stop_token)> work) {
-    ask_to_stop();
-    runs_.remove_if([](const Run& run) { return run.ended->load(); });
-    const auto ended = std::make_shared<std::atomic<bool>>(false);
-    runs_.push_back({ended, std::jthread([work = std::move(work), ended](const std::stop_token& stop) {
-                       work(stop);
-                       *ended = true;
-                     })});
+  using Work = std::function<void(const std::stop_token& stop)>;
+
+  Job() = default;
+  ~Job() {
+    {
+      const std::lock_guard lock(mutex_);
+      next_.reset();
+      stop_.request_stop();
+    }
+    if (thread_.joinable()) thread_.join();
   }
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
+
+  /// @param work says itself what goes wrong in it   @param dropped called where newer work came before this began
+  void start(
+      Work work, std::function<void()> dropped = [] {}) {
+    std::optional<Next> older;
+    {
+      const std::lock_guard lock(mutex_);
+      stop_.request_stop();
+      stop_ = {};
+      older = std::exchange(next_, Next{std::move(work), std::move(dropped), stop_.get_token()});
+      if (!runs_) begin();
+    }
+    if (older) older->dropped();
+  }
+
   void ask_to_stop() {
-    for (Run& run : runs_) run.thread.request_stop();
+    const std::lock_guard lock(mutex_);
+    stop_.request_stop();
   }
 
  private:
-  struct Run {
-    std::shared_ptr<std::atomic<bool>> ended;
-    std::jthread thread;
+  struct Next {
+    Work work;
+    std::function<void()> dropped;
+    std::stop_token stop;
   };
-  std::list<Run> runs_;
+
+  /// @pre locked, nothing runs
+  void begin() {
+    if (thread_.joinable()) thread_.join();
+    try {
+      thread_ = std::thread([this] { run(); });
+      runs_ = true;
+    } catch (...) {
+      next_.reset();
+      throw;
+    }
+  }
+
+  void run() {
+    for (;;) {
+      std::optional<Next> now;
+      {
+        const std::lock_guard lock(mutex_);
+        now = std::exchange(next_, std::nullopt);
+        runs_ = now.has_value();
+      }
+      if (!now) return;
+      try {
+        now->work(now->stop);
+      } catch (...) {
+        // There was not even room to say so.
+      }
+    }
+  }
+
+  std::mutex mutex_;
+  std::stop_source stop_;
+  std::optional<Next> next_;
+  bool runs_ = false;
+  std::thread thread_;
 };
 
 }  // namespace kinetix::app::studio

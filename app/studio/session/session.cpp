@@ -10,6 +10,7 @@
 #include "app/io/atomic_file.hpp"
 #include "app/run/run.hpp"
 #include "app/studio/messages/design_message.hpp"
+#include "app/studio/messages/failure_message.hpp"
 #include "app/studio/messages/templates.hpp"
 #include "app/studio/session/design_edits.hpp"
 #include "app/studio/session/earlier_result.hpp"
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr double largest_push_N = 1000;  // more than a person pushes with
-constexpr double same_fold = 1e-6;  // rad of theta: nearer to where a search ended nobody moved the slider
+constexpr double same_fold = 1e-6;       // rad of theta: nearer to where a search ended nobody moved it
 
 /// Where the equilibrium of a result ended, rad, which need not be where its design was asked to go; nothing of other results, whose
 /// designs stand as they were saved.
@@ -41,31 +42,54 @@ fs::path new_folder(const fs::path& inside, const std::string& name) {
 
 }  // namespace
 
+void require_showable(const DesignFile& design) {
+  if (design.structure.bodies() <= most_bodies) return;
+  throw InvalidInput(fmt::format(
+      "structure.cells: {} bodies are more than the {} that a page can show. Take fewer cells, or "
+      "use `kinetix-opt check`, `simulate` and `export`.",
+      design.structure.bodies(), most_bodies));
+}
+
 Session::Session(Opened opened, Outlet outlet)
     : SessionLoop(std::move(outlet)),
       opened_(std::move(opened)),
       history_(opened_.design),
       save_files_{opened_.save_file},
       player_(opened_.design) {
-  history_.set_finding({.told = opened_.result});
-  if (const auto theta = theta_of_equilibrium(opened_.result); theta && player_.mode() == Mode::exact)
+  history_.set_finding({.told = opened_.result, .theta = opened_.design.theta});
+  std::optional<KeptDesign> kept;
+  if (opened_.autosave) kept = opened_.autosave->kept();
+  if (kept) {
+    if (kept->save_file != opened_.save_file) save_files_.push_back(kept->save_file);
+    history_.add(kept->design, static_cast<int>(save_files_.size()) - 1,
+                 {.told = kept->result, .theta = kept->design.theta});
+    player_ = Player(kept->design);
+    restored_ = revision_;
+  }
+  const Json& result = history_.finding().told;
+  if (const auto theta = theta_of_equilibrium(result); theta && player_.mode() == Mode::exact)
     player_.fold_to(*theta);
   if (player_.mode() == Mode::equilibrium) enqueue([this] { trace(player_.theta()); });
-  if (!opened_.target_file.empty()) enqueue([this] { search_for(opened_.target_file, nullptr); });
+  if (!opened_.target_file.empty() && !kept) enqueue([this] { search_for(opened_.target_file, nullptr); });
 }
 
 void Session::welcome(int client) {
-  tell(hello_message(history_.current().name), client);
-  Json design = design_message(history_.current(), player_.moving());
-  tell(std::move(design), client);
+  Json hello = hello_message(history_.current().name);
+  if (opened_.autosave) hello["autosave"] = opened_.autosave->folder().string();
+  tell(hello, client);
+  if (design_text_.bytes)
+    tell_text(design_text_, client);
+  else
+    tell_design(client);
   tell_state(client);
   tell_result(client);
-  if (!path_.is_null()) tell(path_, client);
+  tell_path(client);
 }
 
 void Session::obey(const Message& message) {
   const auto command = commands().find(message.type());
   if (command == commands().end()) throw InvalidInput("type: unknown command '" + message.type() + "'");
+  if (!is_told_) tell_design();
   command->second(*this, message);
 }
 
@@ -73,6 +97,11 @@ bool Session::play() {
   const std::unique_lock alone(engine_, std::try_to_lock);
   if (alone) player_.play();
   return alone.owns_lock();
+}
+
+void Session::halt() {
+  player_.set_paused(true);
+  tell_state();
 }
 
 Frame Session::frame() const {
@@ -147,14 +176,14 @@ const std::map<std::string, Session::Command>& Session::commands() {
       {"nearest", [](S& s, const M&) { s.take_nearest(); }},
       {"undo",
        [](S& s, const M&) {
-         if (s.history_.undo()) s.design_changed();
+         if (s.history_.can_undo()) s.go_back(false);
        }},
       {"redo",
        [](S& s, const M&) {
-         if (s.history_.redo()) s.design_changed();
+         if (s.history_.can_redo()) s.go_back(true);
        }},
       {"open", [](S& s, const M& m) { s.open(m); }},
-      {"save", [](S& s, const M&) { s.save(); }},
+      {"save", [](S& s, const M& m) { s.save(m); }},
       {"search", [](S& s, const M& m) { s.search(m); }},
       {"part", [](S& s, const M& m) { s.take_part(m); }},
       {"stop", [](S& s, const M&) { s.searcher_.ask_to_stop(); }},
@@ -190,18 +219,36 @@ void Session::drag(const Message& message) {
   if (player_.mode() == Mode::equilibrium) trace(player_.theta());
 }
 
-void Session::take(DesignFile design) {
-  history_.add(std::move(design), history_.thing());
-  design_changed();
+void Session::take(DesignFile design, Finding finding) {
+  add(std::move(design), history_.thing(), std::move(finding));
 }
 
 /// One that is no change of the present design: `save` leaves that one's file alone.
-void Session::take_other(DesignFile design) {
+void Session::take_other(DesignFile design, Finding finding) {
   save_files_.emplace_back();
-  history_.add(std::move(design), static_cast<int>(save_files_.size()) - 1);
+  add(std::move(design), static_cast<int>(save_files_.size()) - 1, std::move(finding));
+}
+
+/// Where a design cannot be loaded, as for want of memory, the one before stays.
+void Session::add(DesignFile design, int thing, Finding finding) {
+  player_.load(design);
+  history_.add(std::move(design), thing, std::move(finding));
   design_changed();
 }
 
+void Session::go_back(bool forth) {
+  const auto go = [this](bool on) { return on ? history_.redo() : history_.undo(); };
+  go(forth);
+  try {
+    player_.load(history_.current());
+  } catch (...) {
+    go(!forth);
+    throw;
+  }
+  design_changed();
+}
+
+/// @pre the player has it
 void Session::design_changed() {
   tracer_.ask_to_stop();
   ++revision_;
@@ -209,11 +256,28 @@ void Session::design_changed() {
   way_.reset();
   path_ = nullptr;
   ++traces_;  // what is under way is of another design
-  player_.load(history_.current());
-  tell(design_message(history_.current(), player_.moving()));
+  changed_ = true;
+  is_told_ = false;
+  design_text_ = {};
+  keep_unsaved();
+  tell_design();
   tell_state();
   tell_result();
   if (player_.mode() == Mode::equilibrium) trace(player_.theta());
+}
+
+/// So that a studio that is killed opens with it.
+void Session::keep_unsaved() {
+  if (!opened_.autosave) return;
+  try {
+    if (history_.is_saved())
+      opened_.autosave->forget();
+    else
+      opened_.autosave->keep(history_.current(), save_files_[history_.thing()], history_.finding().told);
+    not_kept_.clear();
+  } catch (const std::exception& e) {
+    not_kept_ = failure_message(e);
+  }
 }
 
 void Session::take_nearest() {
@@ -230,7 +294,9 @@ void Session::open(const Message& message) {
   const targets::Node root = targets::parse_document(message.text("yaml"), "design");
   if (is_assembly(root))
     throw InvalidInput("open: a design of bodies has meshes beside it: `kinetix-opt view` its file");
-  take_other(read_design(root));
+  DesignFile design = read_design(root);
+  require_showable(design);
+  take_other(std::move(design));
 }
 
 /// Of the present design: the file that it came from, or one in a new folder, which is this session's from now on.
@@ -240,38 +306,66 @@ fs::path Session::save_file() {
   return file;
 }
 
-void Session::save() {
+/// Of a result that was kept with its design, and lies nowhere else.
+void Session::save_result_beside(const std::string& folder) const {
+  const Json& told = history_.finding().told;
+  const fs::path file = fs::path(folder) / "result.json";
+  std::error_code none;
+  if (told.is_object() && !fs::exists(file, none)) write_file(file.string(), told["result"].dump(1) + "\n");
+}
+
+/// The design as it was found or made. `at_fold`: as far folded as it is shown, which is a change of it.
+void Session::save(const Message& message) {
+  const bool at_fold = message.has("at_fold") && message.boolean("at_fold");
+  DesignFile design = history_.current();
+  if (at_fold)
+    design =
+        saved_as_shown(std::move(design), player_.moving(), player_.sheet_theta(), player_.drive_theta());
   const fs::path file = save_file();
   std::error_code ignored;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
-  const auto& run = history_.finding().run;
-  const bool has_results = run && file.filename() == "design.yaml", is_exact = bool(player_.moving().exact);
-  if (has_results) write_results(const_cast<Run&>(*run), file.parent_path().string());
-  DesignFile design = history_.current();
-  // Without an exact motion it is opened by its drive, whose theta need not be the sheet's.
-  design.theta = is_exact ? player_.sheet_theta() : player_.theta();
-  const bool is_moved = has_results && is_exact && std::abs(design.theta - run->theta) > same_fold;
+  const Finding finding = history_.finding();
+  const bool has_results = finding.run && file.filename() == "design.yaml";
+  if (has_results)
+    write_results(const_cast<Run&>(*finding.run), file.parent_path().string());
+  else if (file.filename() == "design.yaml")
+    save_result_beside(file.parent_path().string());
+  const bool is_moved = has_results && std::abs(design.theta - finding.theta) > same_fold;
   if (!has_results || is_moved) write_file(file.string(), design_text(design));
+  if (design.theta != history_.current().theta || design.drive != history_.current().drive)
+    history_.add(design, history_.thing(), finding);
   history_.mark_saved();
-  tell({{"type", "saved"}, {"path", file.string()}});
-  tell(design_message(history_.current(), player_.moving()));
+  keep_unsaved();
+  tell({{"type", "saved"}, {"path", file.string()}, {"theta_rad", design.theta}, {"at_fold", at_fold}});
+  tell_design();
 }
 
-void Session::tell(const nlohmann::ordered_json& message, int client) const {
-  nlohmann::ordered_json out = message;
-  if (out["type"] == "design") {
-    out["revision"] = revision_;
-    out["undo"] = history_.can_undo();
-    out["redo"] = history_.can_redo();
-    out["unsaved"] = !history_.is_saved();
-    out["has_result"] = !history_.finding().told.is_null();
-  }
-  tell_json(out, client);
+/// The newest, for everybody from now on.
+void Session::tell_design(int client) {
+  Json out = design_message(history_.current(), player_.moving());
+  out["revision"] = revision_;
+  out["undo"] = history_.can_undo();
+  out["redo"] = history_.can_redo();
+  out["unsaved"] = !history_.is_saved();
+  out["kept"] = opened_.autosave && not_kept_.empty();
+  if (!not_kept_.empty()) out["not_kept"] = not_kept_;
+  out["restored"] = restored_ == revision_ && !history_.is_saved();
+  out["has_result"] = !history_.finding().told.is_null();
+  design_text_ = text_of(out);
+  tell_text(design_text_, client);
+  if (client == everybody) is_told_ = true;
 }
 
 /// That of the present design, where one is known.
 void Session::tell_result(int client) const {
-  if (const Json& told = history_.finding().told; !told.is_null()) tell(told, client);
+  Json told = history_.finding().told;
+  if (told.is_null()) return;
+  told["revision"] = revision_;
+  tell(told, client);
+}
+
+void Session::tell_path(int client) const {
+  if (!path_.is_null()) tell({{"type", "path"}, {"revision", revision_}, {"rows", path_}}, client);
 }
 
 void Session::tell_state(int client) const {

@@ -7,6 +7,7 @@
 #include "app/run/run.hpp"
 #include "app/studio/play/player.hpp"
 #include "app/studio/play/sheet_equilibria.hpp"
+#include "app/studio/session/autosave.hpp"
 #include "app/studio/session/design_history.hpp"
 #include "app/studio/session/job.hpp"
 #include "app/studio/session/parts.hpp"
@@ -24,7 +25,13 @@ struct Opened {
   nlohmann::ordered_json result =
       {};                           ///< the message of the result that the design is of; null: none is known
   std::string results = "results";  ///< the folder in which `save` makes one for what was read from no file
+  std::shared_ptr<Autosave> autosave = {};  ///< where what is not saved is kept; null: nowhere
 };
+
+/// Bodies of the largest sheet that is opened: 500 x 500 cells. Its message has 150 MB; more than twice that no browser reads.
+inline constexpr int most_bodies = 300'000;
+/// @throws InvalidInput for a design that the page cannot show
+void require_showable(const DesignFile& design);
 
 /// A sheet in the studio: its design, its shape at the moment, and what runs on its behalf.
 class Session : public SessionLoop {
@@ -40,6 +47,7 @@ class Session : public SessionLoop {
   void obey(const Message& message) override;
   bool moves() const override { return player_.plays(); }
   bool play() override;
+  void halt() override;
   Frame frame() const override;
   void stop_jobs() override;
 
@@ -47,35 +55,50 @@ class Session : public SessionLoop {
   void set_mode(const Message& message);
   void fold_to(double theta);
   void drag(const Message& message);
-  void take(DesignFile design);
-  void take_other(DesignFile design);
+  void take(DesignFile design, Finding finding = {});
+  void take_other(DesignFile design, Finding finding = {});
+  void add(DesignFile design, int thing, Finding finding);
+  void go_back(bool forth);
   void design_changed();
   void take_nearest();
   void open(const Message& message);
-  void save();
+  void save(const Message& message);
+  void save_result_beside(const std::string& folder) const;
+  void keep_unsaved();
   std::filesystem::path save_file();
   void take_part(const Message& message);
   void search(const Message& message);
   void export_files(const Message& message);
 
+  void show_flat();
+  struct NewestShape;
   void trace(double theta);
+  void show_newest(int number, NewestShape& newest);
   void dropped(int client, double id);
   void snap();
-  void search_for(const std::string& file, std::shared_ptr<void> keeps);
+  void search_for(const std::string& file, std::shared_ptr<const void> keeps);
   void found(std::shared_ptr<Run> run);
 
-  void tell(const nlohmann::ordered_json& message, int client = everybody) const;
+  void tell(const nlohmann::ordered_json& message, int client = everybody) const {
+    tell_json(message, client);
+  }
+  void tell_design(int client = everybody);
   void tell_result(int client = everybody) const;
+  void tell_path(int client = everybody) const;
   void tell_state(int client = everybody) const;
 
   const Opened opened_;
   DesignHistory history_;
   std::vector<std::string> save_files_;  ///< by thing of the history; empty: not asked for yet
   int revision_ = 1;
+  int restored_ = 0;      ///< revision of the design that a studio which was killed had left; 0: none
+  std::string not_kept_;  ///< why what is not saved is kept nowhere; empty: it is kept
+  Text design_text_;      ///< the newest message `design`
+  bool is_told_ = true;   ///< everybody was told of the newest design
   Player player_;
   std::shared_ptr<const KnownWay> way_;        ///< of the present design's equilibria, as far as it is known
   std::shared_ptr<const KnownWay> stable_of_;  ///< that way led to the stable states
-  nlohmann::ordered_json path_;                ///< the message of that way; null: none is known
+  nlohmann::ordered_json path_;                ///< rows of that way for the page; null: none is known
   int traces_ = 0;                             ///< that were begun: what older ones say counts no more
   std::vector<model::StableState> stable_;     ///< that the last equilibrium path led to
   std::size_t next_stable_ = 0;

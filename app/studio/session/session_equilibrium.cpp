@@ -1,6 +1,10 @@
 #include "app/studio/session/session.hpp"
 
+#include <mutex>
+#include <optional>
+
 #include "app/studio/messages/design_message.hpp"
+#include "app/studio/messages/failure_message.hpp"
 
 namespace kinetix::app::studio {
 namespace {
@@ -20,47 +24,79 @@ Json path_rows(const KnownWay& way, const SheetEquilibria& equilibria) {
 
 }  // namespace
 
+/// The newest shape of a way that nobody has shown yet.
+struct Session::NewestShape {
+  std::mutex mutex;
+  std::optional<std::pair<model::DrivenState, double>> at;  ///< and its force, N
+};
+
 /// To theta, on its own thread, from what is known of the way; the shapes on it are shown as they come.
 void Session::trace(double theta) {
+  if (theta == 0) return show_flat();
   const int client = client_, number = ++traces_;
   const double id = std::exchange(id_, 0);
-  tracer_.start([this, client, number, id, theta, design = history_.current(), known = way_,
-                 is_settled = stable_of_ == way_](const std::stop_token& stop) {
-    try {
-      const SheetEquilibria equilibria(design);
-      const auto see = [&](const model::DrivenState& at) {
-        const double force = equilibria.force_N(at.step.theta, at.step.load);
-        enqueue([this, number, at, force] {
-          if (number != traces_) return;
-          player_.show_equilibrium(at.state, at.step.theta, force, at.step.energy);
-          changed_ = true;
-        });
-      };
-      std::string why;
-      const auto way = equilibria.go(theta, known, stop, see, why);
-      if (stop.stop_requested()) return dropped(client, id);
-      Json rows = path_rows(*way, equilibria);
-      enqueue([this, number, client, id, way, why, rows = std::move(rows)] {
-        note_heard(client, id);
-        changed_ = true;
-        if (number != traces_) return;
-        way_ = way;
-        path_ = {{"type", "path"}, {"rows", rows}};
-        tell(path_);
-        if (!why.empty()) tell(error_message(why, 0), client);
-      });
-      if (way == known && is_settled) return;
-      auto states = equilibria.stable(*way, stop);
-      if (stop.stop_requested()) return;
-      enqueue([this, number, way, states = std::move(states)] {
-        if (number != traces_) return;
-        stable_ = states;
-        stable_of_ = way;
-      });
-    } catch (const std::exception& e) {
-      enqueue([this, client, id, what = std::string(e.what())] { tell(error_message(what, id), client); });
-    }
-  });
+  tracer_.start(
+      [this, client, number, id, theta, design = history_.current(), known = way_,
+       is_settled = stable_of_ == way_](const std::stop_token& stop) {
+        try {
+          if (stop.stop_requested()) return dropped(client, id);
+          const SheetEquilibria equilibria(design);
+          const auto newest = std::make_shared<NewestShape>();
+          const auto see = [&](const model::DrivenState& at) {
+            const double force = equilibria.force_N(at.step.theta, at.step.load);
+            const std::lock_guard lock(newest->mutex);
+            const bool is_awaited = newest->at.has_value();
+            newest->at.emplace(at, force);
+            if (!is_awaited) enqueue([this, number, newest] { show_newest(number, *newest); });
+          };
+          std::string why;
+          const auto way = equilibria.go(theta, known, stop, see, why);
+          if (stop.stop_requested()) return dropped(client, id);
+          Json rows = path_rows(*way, equilibria);
+          enqueue([this, number, client, id, way, why, rows = std::move(rows)] {
+            note_heard(client, id);
+            changed_ = true;
+            if (number != traces_) return;
+            way_ = way;
+            path_ = rows;
+            tell_path();
+            if (!why.empty()) tell(error_message(why, 0, "equilibrium"), client);
+          });
+          if (way == known && is_settled) return;
+          auto states = equilibria.stable(*way, stop);
+          if (stop.stop_requested()) return;
+          enqueue([this, number, way, states = std::move(states)] {
+            if (number != traces_) return;
+            stable_ = states;
+            stable_of_ = way;
+          });
+        } catch (const std::exception& e) {
+          enqueue([this, client, id, what = failure_message(e)] {
+            tell(error_message(what, id, "theta"), client);
+          });
+        }
+      },
+      [this, client, id] { dropped(client, id); });
+}
+
+/// Nothing is strained there, which takes no search.
+void Session::show_flat() {
+  tracer_.ask_to_stop();
+  ++traces_;
+  player_.show_equilibrium(rest_state(player_.moving().linkage), 0, 0, 0);
+  changed_ = true;
+}
+
+void Session::show_newest(int number, NewestShape& newest) {
+  std::optional<std::pair<model::DrivenState, double>> shape;
+  {
+    const std::lock_guard lock(newest.mutex);
+    shape = std::exchange(newest.at, std::nullopt);
+  }
+  if (number != traces_ || !shape) return;
+  const auto& [at, force] = *shape;
+  player_.show_equilibrium(at.state, at.step.theta, force, at.step.energy);
+  changed_ = true;
 }
 
 /// Nobody waits for that command's effect any more.

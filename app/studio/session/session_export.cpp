@@ -4,6 +4,7 @@
 
 #include "app/print/export_command.hpp"
 #include "app/studio/messages/design_message.hpp"
+#include "app/studio/messages/failure_message.hpp"
 
 namespace kinetix::app::studio {
 namespace {
@@ -24,33 +25,42 @@ void Session::export_files(const Message& message) {
   if (message.has("bed_mm")) request.bed_mm = message.numbers("bed_mm", 1, 1e5);
   if (request.bed_mm.size() % 2 != 0 || request.bed_mm.size() > 2)
     throw InvalidInput("bed_mm: must be [x, y]");
-  DesignFile design =
-      as_far_as_shown(history_.current(), player_.moving(), player_.sheet_theta(), player_.theta());
+  const bool at_fold = message.has("at_fold") && message.boolean("at_fold");
+  DesignFile design = history_.current();
+  if (at_fold)
+    design = as_far_as_shown(std::move(design), player_.moving(), player_.sheet_theta(), player_.theta());
   const fs::path beside = save_file().parent_path();
   const std::string folder = (beside / (design.name + "_print")).string();
-  exporting_ = true;
   const int client = client_;
   const double id = std::exchange(id_, 0);
-  exporter_.start([this, client, id, design = std::move(design), request, folder](const std::stop_token&) {
+  exporter_.start([this, client, id, design = std::move(design), request, folder, at_fold,
+                   revision = revision_](const std::stop_token&) {
     const auto progress = [this](const std::string& stage, double done, const std::string& so_far) {
       const Json out = progress_message("export", stage, done, so_far);
       enqueue([this, out] { tell(out); });
     };
     try {
       const Exported out = export_design(design, request, folder, progress);
-      enqueue([this, client, id, out] {
+      enqueue([this, client, id, out, at_fold, revision, theta = design.theta] {
         exporting_ = false;
         note_heard(client, id);
         changed_ = true;
-        tell({{"type", "exported"}, {"folder", out.folder}, {"files", out.files}, {"summary", out.text}});
+        tell({{"type", "exported"},
+              {"folder", out.folder},
+              {"files", out.files},
+              {"summary", out.text},
+              {"revision", revision},
+              {"theta_rad", theta},
+              {"at_fold", at_fold}});
       });
     } catch (const std::exception& e) {
-      enqueue([this, client, id, what = std::string(e.what())] {
+      enqueue([this, client, id, what = failure_message(e)] {
         exporting_ = false;
-        tell(error_message(what, id), client);
+        tell(error_message(what, id, "export"), client);
       });
     }
   });
+  exporting_ = true;
 }
 
 }  // namespace kinetix::app::studio

@@ -1,24 +1,32 @@
 #include "app/studio/session/session_loop.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include "app/studio/messages/design_message.hpp"
-#include "model/base/invalid_input.hpp"
+#include "app/studio/messages/failure_message.hpp"
 
 namespace kinetix::app::studio {
 namespace {
 
+using SteadyClock = std::chrono::steady_clock;
+
 constexpr std::chrono::milliseconds between_plays{
     8};  // while the engine runs: twice as often as frames are seen
+constexpr std::chrono::milliseconds between_shows{
+    30};  // while commands wait: as often as frames are seen by people
 
 }  // namespace
 
 void SessionLoop::post(int client, std::string text) {
-  enqueue([this, client, text = std::move(text)] { obey(client, text); });
+  enqueue(client, [this, client, text = std::move(text)] {
+    obey(client, text);
+    outlet_.took(client, text.size());
+  });
 }
 
 void SessionLoop::greet(int client) {
-  enqueue([this, client] {
+  enqueue(client, [this, client] {
     heard_[client] = 0;
     welcome(client);
     changed_ = true;
@@ -26,7 +34,7 @@ void SessionLoop::greet(int client) {
 }
 
 void SessionLoop::dismiss(int client) {
-  enqueue([this, client] {
+  enqueue(client, [this, client] {
     heard_.erase(client);
     forget(client);
   });
@@ -34,13 +42,13 @@ void SessionLoop::dismiss(int client) {
 
 void SessionLoop::note_heard(int client, double id) {
   const auto page = heard_.find(client);
-  if (id > 0 && page != heard_.end()) page->second = id;
+  if (page != heard_.end()) page->second = std::max(page->second, id);
 }
 
-void SessionLoop::enqueue(std::function<void()> work) {
+void SessionLoop::enqueue(int client, Task work) {
   {
     const std::lock_guard lock(mutex_);
-    queue_.push_back(std::move(work));
+    queues_[client].push_back(std::move(work));
   }
   arrived_.notify_one();
 }
@@ -48,8 +56,8 @@ void SessionLoop::enqueue(std::function<void()> work) {
 void SessionLoop::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     do_queued();
-    if (plays() && play()) changed_ = true;
-    if (changed_) show();
+    play_on();
+    if (changed_) attempt([this] { show(); });
     wait_for_work(stop);
   }
   stop_jobs();
@@ -57,35 +65,57 @@ void SessionLoop::run(const std::stop_token& stop) {
 
 void SessionLoop::wait_for_work(const std::stop_token& stop) {
   std::unique_lock lock(mutex_);
-  const auto ready = [this] { return !queue_.empty(); };
+  const auto ready = [this] { return !queues_.empty(); };
   if (plays())
     arrived_.wait_for(lock, stop, between_plays, ready);
   else
     arrived_.wait(lock, stop, ready);
 }
 
+/// All that long work says, and of each client the first.
+std::deque<SessionLoop::Task> SessionLoop::next_tasks() {
+  const std::lock_guard lock(mutex_);
+  std::deque<Task> tasks;
+  for (auto& [client, queue] : queues_) do {
+      tasks.push_back(std::move(queue.front()));
+      queue.pop_front();
+    } while (client == everybody && !queue.empty());
+  std::erase_if(queues_, [](const auto& queue) { return queue.second.empty(); });
+  return tasks;
+}
+
 void SessionLoop::do_queued() {
-  std::deque<std::function<void()>> work;
-  {
-    const std::lock_guard lock(mutex_);
-    work.swap(queue_);
-  }
-  for (const auto& task : work) task();
+  const SteadyClock::time_point end = SteadyClock::now() + between_shows;
+  do {
+    const std::deque<Task> tasks = next_tasks();
+    if (tasks.empty()) return;
+    for (const Task& task : tasks) attempt(task);
+  } while (SteadyClock::now() < end);
 }
 
 void SessionLoop::obey(int client, const std::string& text) {
   client_ = client;
   id_ = 0;
+  type_.clear();
+  double id = 0;
   try {
     const Message message(text);
-    id_ = message.id();
+    id = id_ = message.id();
+    type_ = message.type();
     obey(message);
     note_heard(client, id_);
     changed_ = true;
-  } catch (const InvalidInput& e) {
-    tell_json(error_message(e.what(), id_), client);
+  } catch (const std::exception& e) {
+    attempt([&] { tell_json(error_message(failure_message(e), id, type_), client); });
   }
   client_ = everybody;
+}
+
+void SessionLoop::play_on() {
+  const bool goes_on = attempt([this] {
+    if (plays() && play()) changed_ = true;
+  });
+  if (!goes_on) attempt([this] { halt(); });
 }
 
 void SessionLoop::show() {
@@ -95,8 +125,29 @@ void SessionLoop::show() {
   changed_ = false;
 }
 
+/// @return whether it was done; what goes wrong is told to everybody, as far as that goes
+bool SessionLoop::attempt(const Task& work) const {
+  try {
+    work();
+    return true;
+  } catch (const std::exception& e) {
+    try {
+      tell_json(error_message(failure_message(e), 0, ""));
+    } catch (const std::exception&) {
+      // There is not even room for a word.
+    }
+    return false;
+  }
+}
+
+Text SessionLoop::text_of(const nlohmann::ordered_json& message) {
+  return {message.at("type").get<std::string>(),
+          std::make_shared<const std::string>(
+              message.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace))};
+}
+
 void SessionLoop::tell_json(const nlohmann::ordered_json& message, int client) const {
-  outlet_.tell(client, message.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  tell_text(text_of(message), client);
 }
 
 }  // namespace kinetix::app::studio

@@ -11,6 +11,8 @@
 #include "app/result/result_json.hpp"
 #include "app/studio/messages/base64.hpp"
 #include "app/studio/messages/design_message.hpp"
+#include "app/studio/messages/failure_message.hpp"
+#include "app/studio/session/temporary_folder.hpp"
 
 namespace kinetix::app::studio {
 namespace {
@@ -27,17 +29,6 @@ double seconds_since(SteadyClock::time_point start) {
   return std::chrono::duration<double>(SteadyClock::now() - start).count();
 }
 
-/// A folder that goes with its last owner.
-std::shared_ptr<fs::path> temporary_folder() {
-  std::string name = (fs::temp_directory_path() / "kinetix-studio-XXXXXX").string();
-  if (!mkdtemp(name.data())) throw InvalidInput(name + ": cannot be made");
-  return {new fs::path(name), [](fs::path* path) {
-            std::error_code ignored;
-            fs::remove_all(*path, ignored);
-            delete path;
-          }};
-}
-
 /// A name without a way out of its folder.
 std::string plain_name(const std::string& name) {
   const bool plain = !name.empty() && name.size() < 100 && name[0] != '.' &&
@@ -50,18 +41,20 @@ std::string plain_name(const std::string& name) {
 
 void Session::take_part(const Message& message) {
   if (parts_.count(client_) == 0 && parts_.size() >= most_senders) parts_.erase(parts_.begin());
-  parts_[client_].add(plain_name(message.text("name")), message.integer("at", 0, most_part_bytes),
+  constexpr double farthest = 1e15;  // of a number that stays whole: Parts knows its own limit
+  parts_[client_].add(plain_name(message.text("name")),
+                      static_cast<std::int64_t>(message.number("at", 0, farthest)),
                       from_base64(message.text("content")));
 }
 
 void Session::search(const Message& message) {
   if (searching_) throw InvalidInput("search: one is going on; stop it first");
-  const auto folder = temporary_folder();
-  const Parts parts = std::exchange(parts_[client_], {});
-  for (const auto& [name, content] : parts.files()) write_file((*folder / name).string(), content);
+  const auto folder = make_temporary_folder();
+  Parts parts = std::exchange(parts_[client_], {});
   if (message.has("files"))
     for (const auto& [name, content] : message.named_texts("files"))
-      write_file((*folder / plain_name(name)).string(), from_base64(content));
+      parts.add(plain_name(name), 0, from_base64(content));
+  for (const auto& [name, content] : parts.files()) write_file((*folder / name).string(), content);
   const std::string file = (*folder / "target.yaml").string();
   write_file(file, message.text("target"));
   read_target(file);
@@ -69,9 +62,7 @@ void Session::search(const Message& message) {
 }
 
 /// @param keeps what must live until the search is through
-void Session::search_for(const std::string& file, std::shared_ptr<void> keeps) {
-  searching_ = true;
-  tell_state();
+void Session::search_for(const std::string& file, std::shared_ptr<const void> keeps) {
   searcher_.start([this, file, keeps](const std::stop_token& stop) {
     std::string stage_shown;
     TimeLeft left;
@@ -105,13 +96,15 @@ void Session::search_for(const std::string& file, std::shared_ptr<void> keeps) {
       auto run = std::make_shared<Run>(run_scene(*target.goal, options));
       enqueue([this, run] { found(run); });
     } catch (const std::exception& e) {
-      enqueue([this, what = std::string(e.what())] {
+      enqueue([this, what = failure_message(e)] {
         searching_ = false;
-        tell(error_message(what, 0));
+        tell(error_message(what, 0, "search"));
         tell_state();
       });
     }
   });
+  searching_ = true;
+  tell_state();
 }
 
 void Session::found(std::shared_ptr<Run> run) {
@@ -119,18 +112,18 @@ void Session::found(std::shared_ptr<Run> run) {
   const std::string text = design_export.write(*run).front().content;
   DesignFile design = read_design(targets::parse_document(text, "the result"));
   const bool is_other = design.name != history_.current().name;
+  Finding finding{run,
+                  {{"type", "result"},
+                   {"result", result_json(*run)},
+                   {"summary", summary(*run)},
+                   {"met", run->goal && run->goal->met()},
+                   {"stopped", run->stopped}},
+                  design.theta};
   if (is_other)
-    take_other(std::move(design));
+    take_other(std::move(design), std::move(finding));
   else
-    take(std::move(design));
+    take(std::move(design), std::move(finding));
   fold_to(run->theta);
-  history_.set_finding({run,
-                        {{"type", "result"},
-                         {"result", result_json(*run)},
-                         {"summary", summary(*run)},
-                         {"met", run->goal && run->goal->met()},
-                         {"stopped", run->stopped}}});
-  tell_result();
   tell_state();
   changed_ = true;
 }

@@ -28,15 +28,22 @@ app::DesignFile pressed_panel() {
   return design;
 }
 
-TEST(StudioExport, GoesAsFarAsTheSliderWhateverTheDesignIsPressedBy) {
+TEST(StudioExport, TakesTheDesignUnlessItIsAskedForAsItIsShown) {
   OpenStudio studio(pressed_panel());
   Client client(studio.port());
   ASSERT_TRUE(client.open(studio.token));
   client.ask({{"type", "theta"}, {"deg", 10}});
-  client.send(R"({"type": "export", "formats": ["glb"], "process": "polyjet", "clearance_mm": 0.12})");
-  const json out = client.text("exported");
-  const std::string file = out["folder"].get<std::string>() + "/print.json";
-  EXPECT_NEAR(json::parse(std::ifstream(file))["path"]["theta_deg"].get<double>(), 10, 1e-9);
+  const auto theta_deg = [&](json command) {
+    command.update(
+        {{"type", "export"}, {"formats", {"glb"}}, {"process", "polyjet"}, {"clearance_mm", 0.12}});
+    client.send(command.dump());
+    const json out = client.text("exported");
+    EXPECT_EQ(out["at_fold"], command.contains("at_fold"));
+    const std::string file = out["folder"].get<std::string>() + "/print.json";
+    return json::parse(std::ifstream(file))["path"]["theta_deg"].get<double>();
+  };
+  EXPECT_NEAR(theta_deg(json::object()), std::acos(0.7) * 180 / pi, 1e-9);
+  EXPECT_NEAR(theta_deg({{"at_fold", true}}), 10, 1e-9);
 }
 
 TEST(StudioExport, TakesTheDriveOfADesignWithoutClosedFormAsFarAsTheSlider) {

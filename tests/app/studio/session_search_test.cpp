@@ -145,12 +145,16 @@ TEST_F(Studio, KnowsTheGoalOfADesignThatLiesBesideItsResult) {
   EXPECT_NEAR(page.ask({{"type", "release"}}).head(3), 0.1, 1e-12) << "as it was saved since";
 }
 
-TEST_F(Studio, SavesWhatASearchFoundAsFarFoldedAsItIsShown) {
+TEST_F(Studio, SavesWhatASearchFoundAsItWasFound) {
   client.send(json{{"type", "search"}, {"target", target}, {"files", {{"arc.csv", base64(arc())}}}}.dump());
   const json found = client.text("result");
+  const double theta = found["result"]["metrics"]["theta_rad"];
   client.ask({{"type", "theta"}, {"deg", 5}});
   client.send(R"({"type": "save"})");
   const std::string path = client.text("saved")["path"];
+  EXPECT_NEAR(app::read_design(path).theta, theta, 1e-9);
+  client.send(R"({"type": "save", "at_fold": true})");
+  EXPECT_EQ(client.text("saved")["path"], path);
   EXPECT_NEAR(app::read_design(path).theta, 5 * pi / 180, 1e-9);
   const auto again = app::studio::earlier_result(path, app::read_design(path));
   ASSERT_FALSE(again.is_null()) << "its result is beside it all the same";

@@ -162,10 +162,56 @@ TEST_F(Studio, ShowsAnEditedColumnAsItsSavedDesignFolds) {
   const Received frame =
       client.ask({{"type", "hinge"}, {"index", column[first_is_lower ? 1 : 0]}, {"beta_deg", 12}});
   EXPECT_EQ(frame.head(8), 0);
-  client.send(R"({"type": "save"})");
+  client.send(R"({"type": "save", "at_fold": true})");
   const std::string path = client.text("saved")["path"];
   const app::DesignFile saved = app::read_design(path);
   EXPECT_LT(difference(frame, exact_motion(saved.structure).at(saved.theta)), 1e-9);
+}
+
+/// The slider looks at a design, it does not change it.
+TEST_F(Studio, SavesTheDesignWhereverTheSliderStands) {
+  const auto saved = [&](Client& page, const char* command) {
+    page.send(command);
+    const json told = page.text("saved");
+    const double theta = app::read_design(told["path"].get<std::string>()).theta;
+    EXPECT_EQ(told["theta_rad"].get<double>(), theta);
+    return theta;
+  };
+  client.ask({{"type", "theta"}, {"deg", 30}});
+  EXPECT_EQ(saved(client, R"({"type": "save"})"), 0) << "a template is flat";
+  EXPECT_NEAR(saved(client, R"({"type": "save", "at_fold": true})"), 30 * radians_per_degree, 1e-12);
+  client.ask({{"type", "theta"}, {"deg", -10}});
+  EXPECT_NEAR(saved(client, R"({"type": "save"})"), 30 * radians_per_degree, 1e-12) << "as it says now";
+  client.ask({{"type", "undo"}});
+  EXPECT_EQ(saved(client, R"({"type": "save"})"), 0) << "the fold was a step that can be undone";
+  app::DesignFile folded = file;
+  folded.theta = 0.4;
+  OpenStudio one{folded};
+  Client page{one.port()};
+  ASSERT_TRUE(page.open(one.token));
+  page.ask({{"type", "theta"}, {"deg", 5}});
+  page.ask({{"type", "mode"}, {"mode", "bullet"}});
+  page.ask({{"type", "hinge"}, {"index", 0}, {"t", 0.4}});
+  EXPECT_EQ(saved(page, R"({"type": "save"})"), 0.4) << "an edit leaves it";
+  page.send(R"({"type": "save", "at_fold": "yes"})");
+  EXPECT_THAT(page.text("error")["message"].get<std::string>(), ::testing::HasSubstr("true or false"));
+}
+
+TEST_F(Studio, SavesADriveThatEndsWhereItIsShown) {
+  app::DesignFile pressed = file;
+  pressed.drive.emplace();
+  pressed.drive->axis = model::Axis::x;
+  pressed.drive->compression = 0.1;
+  OpenStudio one{pressed};
+  Client page{one.port()};
+  ASSERT_TRUE(page.open(one.token));
+  page.ask({{"type", "theta"}, {"deg", 30}});
+  page.send(R"({"type": "save"})");
+  EXPECT_EQ(app::read_design(page.text("saved")["path"].get<std::string>()).drive, pressed.drive);
+  page.send(R"({"type": "save", "at_fold": true})");
+  const app::DesignFile saved = app::read_design(page.text("saved")["path"].get<std::string>());
+  ASSERT_TRUE(saved.drive);
+  EXPECT_NEAR(app::drive_of(saved).theta(), 30 * radians_per_degree, 1e-12);
 }
 
 TEST_F(Studio, SavesOverNoOtherDesign) {
@@ -415,9 +461,9 @@ TEST_F(Studio, WakesUpToThePresent) {
 TEST(Session, RestsWhileNoPageIsThere) {
   const TemporaryFolder folder;
   std::atomic<int> shown = 0;
-  app::studio::Session session(
-      {app::studio::template_design("strip"), folder.path("design.yaml"), "", 1, 0},
-      {[](int, const std::string&) {}, [&](const std::shared_ptr<const app::studio::Frame>&) { ++shown; }});
+  app::studio::Session session({app::studio::template_design("strip"), folder.path("design.yaml"), "", 1, 0},
+                               {[](int, const app::studio::Text&) {},
+                                [&](const std::shared_ptr<const app::studio::Frame>&) { ++shown; }});
   const std::jthread worker([&](const std::stop_token& stop) { session.run(stop); });
   const auto wait = [](int ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); };
   const auto plays_from = [&](int before) {

@@ -29,18 +29,28 @@ class OpenStudio {
                                                                             folder.path("results")},
                                                         std::move(outlet));
         }) {}
+  explicit OpenStudio(app::studio::Opened opened)
+      : OpenStudio([&](app::studio::Outlet outlet) {
+          return std::make_unique<app::studio::Session>(std::move(opened), std::move(outlet));
+        }) {}
   explicit OpenStudio(app::AssemblyFile bodies)
       : OpenStudio([&](app::studio::Outlet outlet) {
           return std::make_unique<app::studio::AssemblySession>(std::move(bodies), 2, std::move(outlet));
         }) {}
-  explicit OpenStudio(const Maker& make)
+  /// @param came for every command that the server passes on
+  explicit OpenStudio(
+      const Maker& make, const std::function<void()>& came = [] {})
       : server(files(), token, 0,
                {[this](int client) { session->greet(client); },
-                [this](int client, std::string text) { session->post(client, std::move(text)); },
+                [this, came](int client, std::string text) {
+                  came();
+                  session->post(client, std::move(text));
+                },
                 [this](int client) { session->dismiss(client); }}) {
     session =
-        make({[this](int client, std::string text) { server.tell(client, std::move(text)); },
-              [this](std::shared_ptr<const app::studio::Frame> frame) { server.show(std::move(frame)); }});
+        make({[this](int client, app::studio::Text text) { server.tell(client, std::move(text)); },
+              [this](std::shared_ptr<const app::studio::Frame> frame) { server.show(std::move(frame)); },
+              [this](int client, std::size_t bytes) { server.took(client, bytes); }});
     worker = std::jthread([this](const std::stop_token& stop) { session->run(stop); });
     listener = std::thread([this] { server.run(); });
   }

@@ -24,16 +24,17 @@ bool is_long(const std::string& text) {
 
 /// What a page says, one message a line, to a session in its own thread. It ends at its answer to the last one.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string last = "987654321";
   std::stop_source stop;
   Session session({app::studio::template_design("strip"), fuzz::input_folder().path("saved.yaml"), "", 1, 0},
-                  {[&](int client, const std::string&) {
-                     if (client == 1) stop.request_stop();
+                  {[&](int, const app::studio::Text& text) {
+                     if (text.bytes->find(last) != std::string::npos) stop.request_stop();
                    },
                    [](const auto&) {}});
   std::istringstream lines(std::string(reinterpret_cast<const char*>(data), size));
   for (std::string line; std::getline(lines, line);)
     if (!is_long(line)) session.post(0, line);
-  session.post(1, "the last message, which is none");
+  session.post(0, R"({"type": "none of the commands", "id": 987654321})");
   session.run(stop.get_token());
   return 0;
 }

@@ -1,0 +1,130 @@
+#include "app/studio/session/autosave.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+#include "app/io/atomic_file.hpp"
+#include "app/io/sha256.hpp"
+#include "app/studio/session/earlier_result.hpp"
+#include "model/base/invalid_input.hpp"
+#include "targets/document/text_file.hpp"
+
+namespace kinetix::app::studio {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int most_places = 100;  // studios of one source at the same time
+constexpr std::string_view kept_heading = "# Kept by the studio until it is saved: ";
+
+std::string kept_text(const DesignFile& design, const std::string& save_file) {
+  const Json about = {{"saves_to", save_file}};
+  return fmt::format("{}{}\n{}", kept_heading, about.dump(-1, ' ', true, Json::error_handler_t::replace),
+                     design_text(design));
+}
+
+/// Where `save` would write it.
+std::string save_file_of(const std::string& text) {
+  if (!text.starts_with(kept_heading)) return "";
+  const std::size_t begin = kept_heading.size(), end = text.find('\n');
+  const Json about = Json::parse(text.substr(begin, end - begin), nullptr, false);
+  return about.is_object() ? about.value("saves_to", std::string()) : "";
+}
+
+/// Of the source, for people and for the rest of us.
+std::string place_name(const std::string& source) {
+  std::string stem =
+      fs::path(source).parent_path().filename().string() + "-" + fs::path(source).stem().string();
+  for (char& c : stem)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_') c = '_';
+  return stem.substr(0, 60) + "-" + sha256(source).substr(0, 16);
+}
+
+}  // namespace
+
+fs::path autosave_place() {
+  const char *state = std::getenv("XDG_STATE_HOME"), *home = std::getenv("HOME");
+  if (state && fs::path(state).is_absolute()) return fs::path(state) / "kinetix" / "studio";
+  if (home && fs::path(home).is_absolute()) return fs::path(home) / ".local" / "state" / "kinetix" / "studio";
+  return {};
+}
+
+Autosave::Autosave(const fs::path& state, const std::string& source) {
+  std::error_code failure;
+  fs::create_directories(state, failure);
+  if (!fs::is_directory(state, failure))
+    throw InvalidInput("this folder cannot be made, so that designs are not kept", {state.string()});
+  fs::permissions(state, fs::perms::owner_all, failure);
+  const std::string name = place_name(source);
+  for (int k = 1; k <= most_places; ++k)
+    if (lock(state / (k == 1 ? name : fmt::format("{}_{}", name, k)))) return;
+  throw InvalidInput("no place can be made in this folder, so that designs are not kept", {state.string()});
+}
+
+Autosave::~Autosave() {
+  std::error_code ignored;
+  if (!fs::exists(folder_, ignored)) fs::remove(folder_.string() + ".lock", ignored);
+  close(lock_);
+}
+
+/// @return whether the place is ours
+bool Autosave::lock(const fs::path& folder) {
+  const std::string file = folder.string() + ".lock";
+  const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  if (descriptor < 0) return false;
+  if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+    close(descriptor);
+    return false;
+  }
+  folder_ = folder;
+  lock_ = descriptor;
+  return true;
+}
+
+std::optional<KeptDesign> Autosave::kept() const {
+  const std::string file = (folder_ / "design.yaml").string();
+  std::error_code none;
+  if (!fs::exists(file, none)) return {};
+  try {
+    KeptDesign kept{read_design(file), save_file_of(targets::read_text_file(file, max_design_bytes))};
+    kept.result = earlier_result(file, kept.design);
+    return kept;
+  } catch (const InvalidInput&) {
+    return {};
+  }
+}
+
+void Autosave::keep(const DesignFile& design, const std::string& save_file, const Json& told) {
+  const std::lock_guard guard(mutex_);
+  if (has_ended_) return;
+  FileSet files(folder_.string());
+  files.add("design.yaml", kept_text(design, save_file));
+  if (told.is_object()) files.add("result.json", told["result"].dump(1) + "\n");
+  files.commit();
+  std::error_code ignored;
+  if (!told.is_object()) fs::remove(folder_ / "result.json", ignored);
+}
+
+void Autosave::forget() {
+  const std::lock_guard guard(mutex_);
+  std::error_code ignored;
+  if (!has_ended_) fs::remove_all(folder_, ignored);
+}
+
+std::string Autosave::put_aside() {
+  const std::lock_guard guard(mutex_);
+  has_ended_ = true;
+  std::error_code failure;
+  if (!fs::exists(folder_ / "design.yaml", failure)) return "";
+  const fs::path aside = folder_.string() + ".last";
+  fs::remove_all(aside, failure);
+  fs::rename(folder_, aside, failure);
+  return ((failure ? folder_ : aside) / "design.yaml").string();
+}
+
+}  // namespace kinetix::app::studio
