@@ -1,5 +1,6 @@
 // The studio's program and a browser with its page, for tests.
 import {spawn} from "node:child_process";
+import path from "node:path";
 import puppeteer from "puppeteer-core";
 import {folder, PROGRAM} from "./program.mjs";
 
@@ -8,16 +9,16 @@ export {folder, PROGRAM, run, SHAPES} from "./program.mjs";
 const BROWSER = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const SOFTWARE = ["--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
 
-/** {address, stop} of `view SOURCE`, run in a folder of its own. */
+/** {address, stop, kill} of `view SOURCE`, run in a folder of its own, which also keeps what is not saved. */
 export async function serve(source, cwd = folder()) {
-  const child = spawn(PROGRAM, ["view", "--no-open", ...(source ? [source] : [])], {cwd});
+  const child = spawn(PROGRAM, ["view", "--no-open", ...(source ? [source] : [])], {cwd, env: {...process.env, XDG_STATE_HOME: path.join(cwd, "state")}});
   child.stderr.resume();
   const address = await new Promise((resolve, reject) => {
     child.stdout.once("data", (data) => resolve(String(data).trim()));
     child.once("close", () => reject(new Error("the program ended")));
   });
   const ended = new Promise((resolve) => child.once("close", resolve));
-  return {address, cwd, stop: () => child.kill("SIGINT") && ended};
+  return {address, cwd, stop: () => child.kill("SIGINT") && ended, kill: () => child.kill("SIGKILL") && ended};
 }
 
 export function browser() {

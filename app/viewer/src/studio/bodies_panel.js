@@ -1,5 +1,6 @@
 // A design of bodies: how far it turns, its hinges, and what is known of the body or hinge that is chosen.
-import {$, degrees, element, neat, show, status} from "./dom.js";
+import {$, degrees, element, neat, show} from "./dom.js";
+import {status} from "./words.js";
 
 const MOST_LINES = 8;  // of the list of hinges: the rest is scrolled to
 const KINDS = {block: "soft part", pin: "pin in a bore", hinge: "hinge", ball: "ball, turns every way"};
@@ -22,8 +23,8 @@ export class BodiesPanel {
   async drive() {
     const [hinge] = this.state.chosen;
     if (hinge === undefined) return status("choose a hinge first");
-    await this.connection.send("driven", {hinge}).catch(() => {});
-    status(`${this.hinges[hinge].name} is turned`);
+    const turns = () => this.state.design.bodies?.driven === hinge;
+    await this.connection.send("driven", {hinge}).then(() => status(`${this.hinges[hinge].name} is turned`, turns), () => {});
   }
 
   /** What has no meaning for bodies is hidden by the style sheet. */

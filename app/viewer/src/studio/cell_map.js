@@ -1,6 +1,7 @@
 // The sheet from above, flat: cells to paint, hinges to choose. One picture that the arrow keys walk over.
 import {cellAt} from "../squares.js";
-import {$, show, status, svg} from "./dom.js";
+import {$, show, svg} from "./dom.js";
+import {status} from "./words.js";
 
 const CLICK_SHARE = 0.08;  // of a cell: a pointer that moved less has clicked
 const T_RANGE = [0.02, 0.98];
@@ -64,8 +65,8 @@ export class CellMap {
     const {chosen} = this.state, together = chosen.length > 1 && chosen.includes(held.hinge);
     if (!together) this.choose(held.hinge, false);
     const hinges = together ? {indices: [held.hinge, ...chosen.filter((k) => k !== held.hinge)], alternate: $("alternate").checked} : {index: held.hinge};
-    this.send("hinge", {...hinges, t: held.to.t, offset_mm: held.to.offset_mm});
-    status(`hinge ${held.hinge}: t ${held.to.t.toFixed(2)}, ${held.to.offset_mm.toFixed(2)} mm beside its wall`);
+    this.send("hinge", {...hinges, t: held.to.t, offset_mm: held.to.offset_mm},
+      `hinge ${held.hinge}: t ${held.to.t.toFixed(2)}, ${held.to.offset_mm.toFixed(2)} mm beside its wall`);
   }
 
   /** Where on its wall a hinge would be: t along it, mm across it, and the place in the picture. */
@@ -79,14 +80,15 @@ export class CellMap {
     return {t, offset_mm, at: [at[0] / edge, this.flip - at[1] / edge]};
   }
 
-  send(type, keys) {
-    this.state.connection.send(type, {...keys, symmetry: this.symmetry}).catch(() => this.draw());
+  /** @param words said once it is done */
+  send(type, keys, words) {
+    this.state.connection.send(type, {...keys, symmetry: this.symmetry}).then(() => status(words), () => this.draw());
   }
 
   paintAll(cells, on) {
     if (!cells.length) return;
-    this.send("paint", cells.length > 1 ? {cells: cells.flat(), on} : {cell: cells[0], on});
-    status(`${cells.length > 1 ? `${cells.length} cells` : `cell ${cells[0].join(", ")}`} ${on ? "added" : "taken away"}`);
+    this.send("paint", cells.length > 1 ? {cells: cells.flat(), on} : {cell: cells[0], on},
+      `${cells.length > 1 ? `${cells.length} cells` : `cell ${cells[0].join(", ")}`} ${on ? "added" : "taken away"}`);
   }
 
   /** Cells there are, and one ring of places around where there could be more. */

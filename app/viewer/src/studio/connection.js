@@ -57,15 +57,15 @@ export class Connection {
     if (!frame) return;
     this.tell("frame", frame);
     this.socket.send(JSON.stringify({type: "ack", frame: frame.number}));
-    for (const [id, {resolve}] of this.waiting)
-      if (id <= frame.heard) this.waiting.delete(id) && resolve(frame);
+    for (const [id, {type, resolve}] of this.waiting)
+      if (id <= frame.heard) this.waiting.delete(id) && this.tell("done", {type}), resolve(frame);
   }
 
   /** Sends a command; the promise is kept by the first frame with its effect, and broken where it is refused. */
   send(type, keys = {}) {
     if (this.socket?.readyState !== WebSocket.OPEN) return Promise.reject(new Error("The program is not there."));
     const id = this.next++;
-    const answer = new Promise((resolve, reject) => this.waiting.set(id, {resolve, reject}));
+    const answer = new Promise((resolve, reject) => this.waiting.set(id, {type, resolve, reject}));
     this.socket.send(JSON.stringify({type, id, ...keys}));
     answer.catch(() => {});  // every refusal is shown by the handler of "error"
     return answer;

@@ -1,7 +1,8 @@
 // The design in numbers: sheet, hinges, how they are made, what is wrong with it.
-import {$, degrees, element, neat, say, show, status, typed} from "./dom.js";
+import {$, degrees, element, foldWords, neat, show, typed} from "./dom.js";
 import {turnWords} from "./bodies_panel.js";
 import {CellMap} from "./cell_map.js";
+import {say, status, unsay} from "./words.js";
 
 const FAMILIES = {F1: "stays flat: scales and shears", F2: "bends in one direction", F3: "bends with zigzag rows", F4: "folds as a net", planar: "stays flat", creased: "folds along its creases"};
 
@@ -12,11 +13,12 @@ export class DesignPanel {
     this.listen();
     state.on("hello", () => this.showHello());
     state.on("design", () => this.showDesign());
-    state.on("chosen", () => this.showHinge());
+    state.on("chosen", () => (unsay("choice"), this.showHinge()));
   }
 
-  send(type, keys) {
-    return this.connection.send(type, keys).catch(() => this.showDesign());
+  /** @param words said once it is done */
+  send(type, keys, words = "") {
+    return this.connection.send(type, keys).then(() => words && status(words), () => this.showDesign());
   }
 
   listen() {
@@ -24,7 +26,7 @@ export class DesignPanel {
     $("hinge").addEventListener("change", ({target}) => target.name && this.setHinges(target.name, Number(target.value)));
     for (const id of ["sheet", "hinge", "made"]) $(id).addEventListener("submit", (event) => event.preventDefault());
     $("made").addEventListener("change", () => this.setMade());
-    $("nearest").addEventListener("click", () => this.send("nearest").then(() => status("now it moves exactly")));
+    $("nearest").addEventListener("click", () => this.send("nearest", {}, "now it moves exactly"));
     $("pick_none").addEventListener("click", () => this.state.choose([]));
     $("pick_column").addEventListener("click", () => this.widen("column"));
     $("pick_row").addEventListener("click", () => this.widen("row"));
@@ -43,7 +45,7 @@ export class DesignPanel {
   /** All hinges of the chosen one's direction in its column or row. */
   widen(line) {
     const {chosen, design} = this.state, first = chosen.length ? this.state.wall(chosen[0]) : null;
-    if (!first) return say("Choose a hinge of a sheet of squares first.");
+    if (!first) return say("Choose a hinge of a sheet of squares first.", {about: "choice"});
     this.state.choose(design.structure.hinges.map((_, k) => k).filter((k) => {
       const wall = this.state.wall(k);
       return wall.along === first.along && wall[line] === first[line];
@@ -68,7 +70,7 @@ export class DesignPanel {
     const {design} = this.state, {structure} = design;
     $("name").textContent = design.name;
     document.title = `${design.name} \u2013 KinetiX studio`;
-    show($("unsaved"), design.unsaved);
+    this.showUnsaved();
     $("undo").disabled = !design.undo;
     $("redo").disabled = !design.redo;
     this.showVerdict();
@@ -77,6 +79,17 @@ export class DesignPanel {
     this.showMade();
     this.state.chosen = this.state.chosen.filter((index) => index < structure.hinges.length);
     this.showHinge();
+  }
+
+  /** Whether it is saved, and else where it is kept; how far folded it is. */
+  showUnsaved() {
+    const {unsaved, kept, not_kept, restored, theta_rad, bodies} = this.state.design, {autosave} = this.state.hello ?? {};
+    show($("unsaved"), unsaved);
+    $("unsaved").textContent = kept ? "not saved" : "not saved, kept nowhere";
+    $("unsaved").title = kept ? `Kept in ${autosave} until it is saved: if the studio is killed, the next one opens it.` : not_kept ?? "";
+    $("design_fold").textContent = bodies ? "" : `design: ${foldWords(theta_rad)}`;
+    if (restored) say("These changes were not saved when the studio ended. Undo shows the saved design.", {about: "restored"});
+    else unsay("restored");
   }
 
   showVerdict() {

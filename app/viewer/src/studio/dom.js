@@ -32,17 +32,6 @@ export function typed(value, digits = 4) {
   return Number.isFinite(value) ? String(Number(value.toFixed(digits))) : "";
 }
 
-/** What a person should read: bad news stays until it is closed. */
-export function say(text, good = false) {
-  const box = $("messages");
-  if ([...box.children].some((line) => line.firstChild.textContent === text)) return;
-  const line = element("p", {class: good ? "good" : null}, element("span", {}, text));
-  line.append(element("button", {type: "button", "aria-label": "Close this message", click: () => line.remove()}, "Close"));
-  box.append(line);
-  while (box.children.length > 4) box.firstChild.remove();
-  if (good) setTimeout(() => line.remove(), 8000);
-}
-
 /** A run's summary, whose lines are a name and what is said of it, or go on with that: its first line, then rows. */
 export function summaryRows(summary) {
   const [first, ...lines] = summary.split("\n").filter((line) => line.trim()), rows = [];
@@ -53,9 +42,8 @@ export function summaryRows(summary) {
   return [element("p", {class: "note"}, first ?? ""), element("dl", {class: "rows"}, rows)];
 }
 
-export function status(text) {
-  $("status").textContent = text;
-}
+/** How far a sheet is folded, for people. */
+export const foldWords = (theta_rad) => (Math.abs(theta_rad) < 1e-9 ? "flat" : `${neat((theta_rad * 180) / Math.PI, 1)}\u00b0`);
 
 export const degrees = (radians) => (radians * 180) / Math.PI;
 export const radians = (degrees) => (degrees * Math.PI) / 180;

@@ -1,5 +1,5 @@
 // A field to draw a line in with the pointer, or point by point with the keys. Points are in mm, y up.
-import {status} from "./dom.js";
+import {status} from "./words.js";
 
 const LEAST_STEP = 0.012;  // of the field's width between points that are kept
 const KEY_STEP = 0.05;     // of the field's width a press

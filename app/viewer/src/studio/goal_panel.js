@@ -1,7 +1,8 @@
 // What to become: a kind of goal, its numbers, its file; the search and its verdict.
-import {$, element, neat, say, show, status, summaryRows} from "./dom.js";
+import {$, element, neat, show, summaryRows} from "./dom.js";
 import {DrawingPad} from "./drawing_pad.js";
 import {CARDS} from "./goals.js";
+import {say, status, unsay} from "./words.js";
 
 const LARGEST_FILE = 32 * 2 ** 20;  // bytes, of all files of a search: what the program takes (app/studio/session/parts.hpp)
 const PART = 480e3;                 // bytes, a multiple of 3: the program takes messages up to 768 kB, and base64 adds a third
@@ -17,6 +18,7 @@ export class GoalPanel {
     state.on("progress", () => this.showProgress());
     state.on("result", () => this.showResult());
     state.on("design", () => this.showWhose());
+    this.connection.on("error", ({about}) => about === "search" && this.restore());
   }
 
   listen() {
@@ -62,7 +64,7 @@ export class GoalPanel {
 
   async take(file) {
     if (!file) return;
-    if (file.size > LARGEST_FILE) return say(`${file.name} is larger than ${LARGEST_FILE / 2 ** 20} MiB: name it in a target file and start the studio with that.`);
+    if (file.size > LARGEST_FILE) return say(`${file.name} is larger than ${LARGEST_FILE / 2 ** 20} MiB: name it in a target file and start the studio with that.`, {about: "goal"});
     const bytes = new Uint8Array(await file.arrayBuffer()), name = file.name.replace(/[^\w.-]/g, "_");
     this.file = {name, content: this.kind === CARDS.file ? new TextDecoder().decode(bytes) : undefined};
     this.files = this.kind === CARDS.file ? {} : {[name]: bytes};
@@ -97,6 +99,7 @@ export class GoalPanel {
   }
 
   compose() {
+    unsay("goal");
     const values = this.values(), missing = this.missing(values);
     $("target_text").value = missing ? "" : this.kind.text(values);
     $("search").disabled = Boolean(this.state.program.searching);
@@ -105,7 +108,7 @@ export class GoalPanel {
 
   async search() {
     const typed = $("target_text").value, missing = typed.trim() ? null : this.compose();
-    if (missing) return $("goal").reportValidity() && say(missing);
+    if (missing) return $("goal").reportValidity() && say(missing, {about: "goal"});
     show($("found"), false);
     this.state.remember();
     const target = $("target_text").value;
@@ -122,6 +125,12 @@ export class GoalPanel {
       if (bytes.length > PART) status(`${name}: ${neat((100 * at) / bytes.length, 0)} % sent`);
       await this.connection.send("part", {name, at, content: base64(bytes.subarray(at, at + PART))});
     }
+  }
+
+  /** A search that came to nothing leaves the verdict of the design that is shown. */
+  restore() {
+    show($("found"), Boolean(this.state.result));
+    this.showWhose();
   }
 
   showProgram() {

@@ -1,12 +1,14 @@
 // Pointer and keys on the scene: drag, fix, push, select. The view's own camera has what these tools leave.
-import {$, say, status} from "./dom.js";
+import {$} from "./dom.js";
+import {say, status} from "./words.js";
 
 const CLICK_PX = 5;        // a pointer that moved less has clicked
 const KEY_STEP = 0.25;     // of a cell edge a press, when a body is dragged by keys
 
 export class Hand {
   constructor(state, scene) {
-    Object.assign(this, {state, scene, connection: state.connection, body: null, held: null});
+    Object.assign(this, {state, scene, connection: state.connection, body: null, held: null, pushed: null});
+    state.on("design", () => this.body >= this.state.design.structure.bodies.length && this.choose(null));
     const canvas = scene.canvas;
     canvas.addEventListener("pointerdown", (event) => this.down(event));
     canvas.addEventListener("pointermove", (event) => this.move(event));
@@ -40,8 +42,9 @@ export class Hand {
   async push({body, at}) {
     if (!(await this.inPhysics("Pushing"))) return;
     const force = Number($("push_force").value) || 1;
-    this.connection.send("push", {body, at, force_N: force}).catch(() => {});
-    status(`pushing body ${body} with ${force} N`);
+    this.pushed = body;
+    this.connection.send("push", {body, at, force_N: force})
+      .then(() => this.pushed === body && status(`pushing body ${body} with ${force} N`, () => this.pushed === body), () => {});
   }
 
   move(event) {
@@ -67,6 +70,8 @@ export class Hand {
   /** Ends what the hand does; the thing stays where it is or springs back, as the mode has it. */
   letGo() {
     this.held = null;
+    if (this.pushed !== null) status("");
+    this.pushed = null;
     this.scene.setThread(null);
     this.connection.forget("drag");
     return this.connection.send("release").catch(() => {});
@@ -97,8 +102,8 @@ export class Hand {
   async fix(body) {
     if (!(await this.inPhysics("Fixing"))) return;
     const fixed = !this.state.program.fixed?.includes(body);
-    await this.connection.send("fix", {body, fixed}).catch(() => {});
-    status(`body ${body} is ${fixed ? "fixed" : "free"}`);
+    const holds = () => Boolean(this.state.program.fixed?.includes(body)) === fixed;
+    await this.connection.send("fix", {body, fixed}).then(() => status(`body ${body} is ${fixed ? "fixed" : "free"}`, holds), () => {});
   }
 
   /** Tools of the engine take one there. */
@@ -106,10 +111,10 @@ export class Hand {
     if (this.state.program.mode === "bullet") return true;
     try {
       await this.connection.send("mode", {mode: "bullet"});
-      status(`${what} takes the physics: switched to it`);
+      status(`${what} takes the physics: switched to it`, () => this.state.program.mode === "bullet");
       return true;
     } catch (error) {
-      say(error.message);
+      say(error.message, {about: "mode"});
       return false;
     }
   }

@@ -6,7 +6,7 @@ import {decoded} from "../solids.js";
 import {BodiesPanel} from "./bodies_panel.js";
 import {Connection} from "./connection.js";
 import {DesignPanel} from "./design_panel.js";
-import {$, degrees, neat, radians, say, show, status} from "./dom.js";
+import {$, degrees, foldWords, neat, radians, show} from "./dom.js";
 import {GoalPanel} from "./goal_panel.js";
 import {distancesOf, ghostOf, goalOf, placementOf} from "./goals.js";
 import {Hand} from "./hand.js";
@@ -16,6 +16,7 @@ import {PageState} from "./page_state.js";
 import {PathChart} from "./path_chart.js";
 import {turnBetween} from "../quaternion.js";
 import {tabs} from "./tabs.js";
+import {forgetDesign, forgetState, say, status, unsay} from "./words.js";
 
 const STAND_THETA = radians(20);  // how an exact sheet stands is read from its shape there at least
 
@@ -33,18 +34,28 @@ tabs(document.querySelector('[role="tablist"]'));
 
 // ---- what the program tells
 
-for (const type of ["hello", "progress", "exported", "path"])
+for (const type of ["hello", "progress", "exported"])
   connection.on(type, (message) => {
     state[type] = message;
     state.changed(type);
   });
+connection.on("path", (message) => {
+  if (message.revision !== state.design?.revision) return;
+  unsay("equilibrium");
+  state.path = message;
+  state.changed("path");
+});
 connection.on("state", (message) => {
+  const was = state.program.mode;
   state.program = message;
+  if (was !== message.mode) unsay("equilibrium");
+  forgetState(was !== message.mode);
   state.changed("program");
 });
 connection.on("meshes", ({bodies, hinges}) => (state.meshes = {bodies: bodies.map(decoded), hinges: hinges.map((mesh) => mesh && decoded(mesh))}));
 connection.on("design", (design) => {
   const first = !state.design, same = !first && sameSheet(state.design, design);
+  if (!first && state.design.revision !== design.revision) forgetDesign();
   if (!same) state.found = null;
   state.design = design;
   if (!same) newSheet(design, first);
@@ -52,6 +63,7 @@ connection.on("design", (design) => {
   marks();
 });
 connection.on("result", (message) => {
+  if (message.revision !== state.design?.revision) return;
   state.result = message;
   state.found = message.result;
   scene.setGoal(ghostOf(state.design, state.found));
@@ -71,10 +83,18 @@ connection.on("frame", (frame) => {
   if (state.fitting) state.fitting = false, scene.fit();
   state.changed("frame");
 });
-connection.on("error", ({message}) => say(message));
-connection.on("saved", ({path}) => say(`Saved: ${path}`, true));
+connection.on("error", ({message, about}) => say(message, {about}));
+connection.on("done", ({type}) => (unsay(type), type === "reset" && unsay("equilibrium")));
+connection.on("saved", (message) => (unsay("saved"), say(`Saved: ${message.path}, ${savedWords(message)}.`, {good: true, about: "saved"})));
 connection.on("closed", () => state.design && say("The program has ended or was stopped. This page looks for it again."));
 connection.on("open", () => $("messages").replaceChildren());
+
+/** How far folded the design is that was saved, and whether that is what is seen. */
+function savedWords({theta_rad, at_fold}) {
+  if (at_fold) return `folded as it is shown, ${foldWords(theta_rad)}`;
+  const shown = state.frame?.theta, is_other = Number.isFinite(shown) && Math.abs(shown - theta_rad) > radians(0.05);
+  return `${state.design.has_result ? "folded as it was found" : "folded as the design says"}, ${foldWords(theta_rad)}${is_other ? `, not as the slider has it, ${foldWords(shown)}` : ""}`;
+}
 
 /** Pictures and outlines are seen from above, everything else at a slant. */
 function lookAt(result) {
@@ -151,7 +171,7 @@ function marks() {
 state.on("chosen", marks);
 state.on("body", marks);
 state.on("program", marks);
-$("colour").addEventListener("change", marks);
+$("colour").addEventListener("change", () => (status(""), marks()));
 state.on("frame", () => $("colour").value === "turn" && scene.setHeat(turns()));
 
 // ---- before and after
@@ -176,13 +196,14 @@ function compare(on) {
 $("compare").addEventListener("click", () => compare($("compare").getAttribute("aria-pressed") !== "true"));
 $("remember").addEventListener("click", () => {
   state.remember();
-  status("kept: Compare shows it beside what comes");
+  status("kept: Compare shows it beside what comes", () => Boolean(state.before));
 });
 
 // ---- buttons and keys
 
 const send = (type) => connection.send(type).catch(() => {});
 for (const type of ["undo", "redo", "save"]) $(type).addEventListener("click", () => send(type));
+$("save_fold").addEventListener("click", () => connection.send("save", {at_fold: true}).catch(() => {}));
 $("release").addEventListener("click", () => hand.letGo());
 $("view").addEventListener("change", () => scene.orbit.view($("view").value));
 for (const input of document.querySelectorAll('input[name="tool"]')) input.addEventListener("change", () => ($("stage").dataset.tool = input.value));

@@ -1,5 +1,6 @@
 // Files for printers, CAD and simulators: formats, process, what was written.
-import {$, element, show, status, summaryRows} from "./dom.js";
+import {$, element, foldWords, show, summaryRows} from "./dom.js";
+import {status} from "./words.js";
 
 const USUAL = ["stl", "3mf"];  // what most printers take
 
@@ -16,6 +17,9 @@ export class MakePanel {
     $("export").addEventListener("submit", (event) => event.preventDefault() ?? this.export());
     state.on("hello", () => this.showHello());
     state.on("exported", () => this.showExported());
+    $("export").elements.folded.addEventListener("change", () => this.showFold());
+    for (const what of ["design", "frame", "result"]) state.on(what, () => this.showFold());
+    state.on("design", () => this.showWhose());
   }
 
   showHello() {
@@ -25,19 +29,36 @@ export class MakePanel {
     $("export").elements.process.replaceChildren(element("option", {value: ""}, "as the design says"), ...processes.map((name) => element("option", {value: name}, name)));
   }
 
+  /** How far folded the thing is written: as its design has it, or as it is shown. */
+  showFold() {
+    const {design, frame} = this.state, {folded} = $("export").elements;
+    if (!design || design.bodies) return;
+    const [asDesign, asShown] = [foldWords(design.theta_rad), frame ? foldWords(frame.theta) : "\u2013"];
+    const words = [`${design.has_result ? "as it was found" : "as the design says"} (${asDesign})`, `as the slider has it (${asShown})`];
+    words.forEach((text, k) => folded.options[k].textContent !== text && (folded.options[k].textContent = text));
+  }
+
+  /** Files stay when the design is changed, and are of the one before. */
+  showWhose() {
+    const {exported, design} = this.state;
+    if (exported) $("written_title").textContent = exported.revision === design.revision ? "Written" : "Written, of another design than that shown";
+  }
+
   async export() {
-    const formats = [...document.querySelectorAll('input[name="format"]:checked')].map(({value}) => value), {process: {value: process}, hinge: {value: hinge}, orient: {value: orient}, clearance_mm: {value: clearance}, bed} = $("export").elements;
+    const formats = [...document.querySelectorAll('input[name="format"]:checked')].map(({value}) => value), {process: {value: process}, hinge: {value: hinge}, orient: {value: orient}, clearance_mm: {value: clearance}, folded: {value: folded}, bed} = $("export").elements;
     if (!$("export").reportValidity()) return;
     if (!formats.length) return status("choose a format first");
     const sides = bedSides(bed.value);
     if (!sides) return status("the bed is two lengths in mm: 250, 210");
     status("exporting\u2026");
-    await this.connection.send("export", {formats, orient, ...(process ? {process} : {}), ...(hinge ? {hinge} : {}), ...(clearance ? {clearance_mm: Number(clearance)} : {}), ...sides}).catch(() => status("nothing was written"));
+    await this.connection.send("export", {formats, orient, ...(process ? {process} : {}), ...(hinge ? {hinge} : {}), ...(clearance ? {clearance_mm: Number(clearance)} : {}), ...(folded === "shown" ? {at_fold: true} : {}), ...sides}).catch(() => status("nothing was written"));
   }
 
   showExported() {
-    const {folder, files, summary} = this.state.exported;
+    const {folder, files, summary, theta_rad, at_fold} = this.state.exported;
     show($("written"), true);
+    this.showWhose();
+    $("written_fold").textContent = `Folded ${at_fold ? "as it was shown" : "as its design says"}: ${foldWords(theta_rad)}.`;
     $("written_folder").textContent = folder;
     $("written_files").replaceChildren(...files.map((name) => element("li", {}, name)));
     $("written_text").replaceChildren(...summaryRows(summary ?? ""));

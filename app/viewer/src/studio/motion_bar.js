@@ -1,5 +1,6 @@
 // Mode, fold slider, play, and what only the engine can do.
-import {$, degrees, neat, radians, show, status} from "./dom.js";
+import {$, degrees, neat, radians, show} from "./dom.js";
+import {status} from "./words.js";
 
 const PERIOD_S = 5;  // of one way there and back by the play button
 

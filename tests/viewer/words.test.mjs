@@ -1,0 +1,158 @@
+// What the studio's page says of the present: it goes when it no longer holds, and names the design that was saved.
+import assert from "node:assert/strict";
+import {existsSync, mkdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
+import path from "node:path";
+import {after, before, test} from "node:test";
+import {browser, folder, open, serve} from "./studio.mjs";
+
+let chrome;
+
+before(async () => (chrome = await browser()));
+after(() => chrome?.close());
+
+/** With a page of the studio, in a folder of its own; nothing may go wrong in it. */
+async function inStudio(source, use, home = folder(), end = "stop") {
+  const studio = await serve(source, home);
+  try {
+    const {page, complaints} = await open(chrome, studio.address);
+    await use(page, home);
+    assert.deepEqual(complaints, []);
+    await page.close();
+  } finally {
+    await studio[end]();
+  }
+}
+
+const send = (page, type, keys = {}) => page.evaluate((name, rest) => window.kinetix.send(name, rest).then(() => "done", ({message}) => message), type, keys);
+const text = (page, id) => page.$eval(`#${id}`, ({textContent}) => textContent);
+const news = (page) => page.$$eval("#messages p > span", (lines) => lines.map(({textContent}) => textContent));
+const until = (page, condition, ...args) => page.waitForFunction(condition, {timeout: 20000}, ...args);
+const noNews = (page) => until(page, () => document.querySelectorAll("#messages p").length === 0);
+
+test("an error goes when a command of its kind works", () => inStudio("", async (page, home) => {
+  for (const [type, wrong, right, works] of [
+    ["hinge", {index: 0, t: 0}, "hinge", {index: 0, t: 0.4}],
+    ["paint", {cell: [-1, 0], on: true}, "paint", {cell: [0, 0], on: false}],
+    ["theta", {deg: 1000}, "theta", {deg: 10}],
+    ["drag", {body: -1, to: [0, 0, 0]}, "theta", {deg: 12}],
+    ["export", {formats: ["doc"]}, "export", {formats: ["svg"]}],
+  ]) {
+    assert.notEqual(await send(page, type, wrong), "done", type);
+    assert.equal((await news(page)).length, 1, type);
+    assert.equal(await send(page, right, works), "done", right);
+    await noNews(page);
+  }
+  const results = path.join(home, "results");
+  rmSync(results, {recursive: true});
+  writeFileSync(results, "a file in the place of the folder");
+  await send(page, "open", {template: "strip"});
+  assert.match(await send(page, "save"), /results/);
+  await send(page, "hinge", {index: 0, t: 0.4});
+  assert.equal((await news(page)).length, 1, "that it was not saved is as true as before");
+  rmSync(results);
+  assert.equal(await send(page, "save"), "done");
+  await until(page, () => [...document.querySelectorAll("#messages p > span")].every(({textContent}) => /^Saved: /.test(textContent)));
+}));
+
+test("an error goes when what it was about is another design, or computed in another way", () => inStudio("", async (page) => {
+  assert.notEqual(await send(page, "snap"), "done");
+  assert.equal((await news(page)).length, 1);
+  await send(page, "mode", {mode: "bullet"});
+  await noNews(page);
+  await send(page, "mode", {mode: "exact"});
+  assert.notEqual(await send(page, "nearest"), "done", "it moves exactly as it is");
+  assert.equal(await text(page, "status"), "", "what was refused is not said to be done");
+  await send(page, "open", {template: "strip"});
+  await noNews(page);
+  await page.click("#pick_column");
+  assert.match((await news(page))[0], /Choose a hinge/);
+  await page.evaluate(() => document.querySelectorAll(".map .hinge")[0].dispatchEvent(new PointerEvent("pointerdown", {bubbles: true, button: 0, pointerId: 1, clientX: 0, clientY: 0})));
+  await page.evaluate(() => document.getElementById("map").dispatchEvent(new PointerEvent("pointerup", {bubbles: true, button: 0, pointerId: 1, clientX: 0, clientY: 0})));
+  await noNews(page);
+}));
+
+test("the line of status is of the design that is shown", () => inStudio("", async (page) => {
+  await send(page, "hinge", {index: 20, t: 0.4});
+  await until(page, () => !document.getElementById("nearest").hidden);
+  await page.click("#nearest");
+  await until(page, () => document.getElementById("status").textContent === "now it moves exactly");
+  await page.click("#undo");
+  await until(page, () => document.getElementById("status").textContent === "" && !document.getElementById("nearest").hidden);
+  await page.focus("#map svg");
+  await page.keyboard.press("Enter");
+  await until(page, () => /taken away/.test(document.getElementById("status").textContent));
+  await page.click("#undo");
+  await until(page, () => document.getElementById("status").textContent === "");
+  await page.focus("#scene");
+  await page.keyboard.press("n");
+  assert.match(await text(page, "status"), /^body 0 of/);
+  await send(page, "open", {template: "strip"});
+  await until(page, () => document.getElementById("status").textContent === "");
+  await page.click('label:has(input[value="fix"])');
+  await page.focus("#scene");
+  await page.keyboard.press("n");
+  await page.keyboard.press("x");
+  await until(page, () => /is fixed/.test(document.getElementById("status").textContent));
+  await send(page, "reset");
+  await until(page, () => document.getElementById("status").textContent === "");
+}));
+
+const thetaOf = (file) => Number(/theta_deg: (\S+)/.exec(readFileSync(file, "utf8"))[1]);
+
+test("Save takes the design, Save at this fold what is shown, and the page says which", () => {
+  const home = folder(), file = path.join(home, "strip.yaml");
+  writeFileSync(file, "kinetix: 1\nstructure: {cells: [8, 1], cell_mm: 10}\ndesign: {theta_deg: 20}\n");
+  return inStudio(file, async (page) => {
+    assert.equal(await text(page, "design_fold"), "design: 20\u00b0");
+    await page.evaluate(() => window.kinetix.setTheta(35));
+    await page.click("#save");
+    await until(page, () => /Saved: .*strip\.yaml, folded as the design says, 20\u00b0, not as the slider has it, 35\u00b0/.test(document.getElementById("messages").textContent));
+    assert.equal(thetaOf(file), 20);
+    await page.click("#save_fold");
+    await until(page, () => /folded as it is shown, 35\u00b0/.test(document.getElementById("messages").textContent));
+    assert.equal(thetaOf(file), 35);
+    await until(page, () => document.getElementById("design_fold").textContent === "design: 35\u00b0");
+    assert.equal(await page.evaluate(() => window.kinetix.design.unsaved), false);
+    await page.click("#undo");
+    await until(page, () => document.getElementById("design_fold").textContent === "design: 20\u00b0" && !document.getElementById("unsaved").hidden);
+    await page.click("#tab_make");
+    assert.deepEqual(await page.$$eval('#export select[name="folded"] option', (all) => all.map(({textContent}) => textContent)),
+      ["as the design says (20\u00b0)", "as the slider has it (35\u00b0)"]);
+    await page.select('#export select[name="folded"]', "shown");
+    await page.click('#formats input[value="3mf"]');
+    await page.click("#export button[type=submit]");
+    await until(page, () => !document.getElementById("written").hidden);
+    assert.equal(await text(page, "written_fold"), "Folded as it was shown: 35\u00b0.");
+    await send(page, "hinge", {indices: [0, 1], beta_deg: 5});
+    await until(page, () => document.getElementById("written_title").textContent === "Written, of another design than that shown");
+  }, home);
+});
+
+test("a studio that is killed opens where it was, and says so while it is so", async () => {
+  const home = folder();
+  mkdirSync(path.join(home, "results"));
+  await inStudio("", async (page) => {
+    await send(page, "sheet", {columns: 5, rows: 3});
+    await send(page, "hinge", {index: 0, t: 0.3});
+    assert.match(await page.$eval("#unsaved", ({title}) => title), /Kept in .*state.kinetix.studio/);
+  }, home, "kill");
+  await inStudio("", async (page) => {
+    assert.equal(await page.evaluate(() => window.kinetix.design.structure.cells.length), 15);
+    assert.match((await news(page))[0], /were not saved when the studio ended/);
+    await page.click("#undo");
+    await noNews(page);
+    assert.equal(await page.evaluate(() => window.kinetix.design.structure.cells.length), 64, "as it begins");
+    await page.click("#redo");
+    await until(page, () => window.kinetix.design.structure.cells.length === 15);
+    await page.click("#save");
+    await until(page, () => /Saved: .*results.panel.design\.yaml/.test(document.getElementById("messages").textContent));
+  }, home, "kill");
+  assert.ok(existsSync(path.join(home, "results", "panel", "design.yaml")));
+  await inStudio("", async (page) => {
+    assert.equal(await page.evaluate(() => window.kinetix.design.structure.cells.length), 64, "what was saved is in its file");
+    await send(page, "sheet", {columns: 5, rows: 3});
+  }, home);
+  await inStudio("", async (page) => {
+    assert.equal(await page.evaluate(() => window.kinetix.design.structure.cells.length), 64, "one that was ended begins anew");
+  }, home);
+});
