@@ -18,6 +18,9 @@
 namespace kinetix::app {
 namespace {
 
+// Rad of theta: as fine as the states that a run shows of a sheet that folds by 40 deg, and the same however far a drive goes, since
+// what happens on the way must not depend on that.
+constexpr double longest_step = 0.06;
 constexpr double steps_per_frame = 2;  // states kept for each frame shown, so that frames lie nearly evenly
 
 /// Keeps states of a motion at even distances of theta, closer than the frames that are wanted in the end, and its last one.
@@ -112,36 +115,42 @@ void add_fidelity(Run& run, double seconds) {
 
 }  // namespace
 
-model::EquilibriumPathOptions steps_to(const model::LinkageDrive& drive, int frames, bool planar) {
+model::EquilibriumPathOptions path_of_run(bool planar) {
   model::EquilibriumPathOptions options;
   options.planar = planar;
-  const double frame = std::abs(drive.theta()) / (frames - 1);
-  if (frame > 0) options.longest_step = std::clamp(frame, options.first_step, options.longest_step);
+  options.longest_step = longest_step;
   return options;
 }
 
 void add_equilibrium(Run& run, const model::LinkageDrive& drive, const model::Elasticity& elasticity,
                      int frames, const RunOptions& run_options) {
   run.plan.why.push_back(stiffness_sentence(run, elasticity));
+  run.plan.why.emplace_back(
+      "contact: each half wall is a plate cut along its hinge axis; pins, knuckles and blocks of hinges are "
+      "left out, and edges that meet head on may be in each other by up to half the thickness");
   const double goal = drive.theta();
-  model::EquilibriumPathOptions path_options = steps_to(drive, frames, run.plan.planar);
+  model::EquilibriumPathOptions path_options = path_of_run(run.plan.planar);
   path_options.side = run.side;
   path_options.stop = run_options.stop;
   FrameKeeper keeper(goal, frames);
   model::EnergyTurns turns(drive);
+  model::LoadTurns load_turns;
   const auto see = [&](const model::EquilibriumStep& step, const model::State& state) {
     keeper.see(step.theta, state);
     turns.see(step, state);
+    load_turns.see(step, state);
     run_options.progress("equilibrium path", goal == 0 ? 1 : step.theta / goal);
   };
   const auto start = std::chrono::steady_clock::now();
-  model::EquilibriumPath path =
-      trace_equilibrium({run.structure, drive, run.plan.exact}, elasticity, path_options, see);
+  const model::DrivenLinkage driven{run.structure, drive, run.plan.exact};
+  model::EquilibriumPath path = trace_equilibrium(driven, elasticity, path_options, see);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  add_limit_points(path);
+  add_limit_points(path,
+                   located_limit_points(driven.linkage, elasticity, drive, path_options, load_turns, path));
   const double last = path.theta;
   run.theta = reached_theta(run.structure, run.plan.exact, drive, path, elasticity);
   run.states.push_back({"target", to_string(Model::equilibrium), run.theta, path.state, path.gaps});
+  follow_fall(driven, elasticity, path_options, turns);
   model::StableStates stable = stable_states(run.structure, elasticity, {turns}, {.path = path_options});
   run.equilibrium = Equilibrium{elasticity, drive, std::move(path), std::move(stable), {}};
   if (run.plan.exact) add_exact(run);

@@ -5,9 +5,9 @@
 
 namespace kinetix::app {
 
-/// Steps of the path to a drive's goal that are as fine as the states that a run shows. Largest loads are those of steps:
-/// whoever asks beforehand what a run will tell has to take the same. @param frames as of add_equilibrium
-model::EquilibriumPathOptions steps_to(const model::LinkageDrive& drive, int frames, bool planar);
+/// Steps of the equilibrium path of a run, the same for every goal of a drive. Largest loads are those of steps: a forecast of
+/// what a run reports takes the same steps.
+model::EquilibriumPathOptions path_of_run(bool planar);
 
 /// Follows the equilibrium of run.structure with elastic hinges to the drive's goal and adds what came out:
 /// the path, its last state, the stable states that a release on the way leads to, the closed form's state

@@ -143,7 +143,7 @@ MatterPath path_in_matter(const Run& run, const Scene& scene, const std::stop_to
   const optim::InMatter after =
       made_up_for(run, scene, out.path, elasticity, exact->tolerance_mm, stop).after;
   const model::LinkageDrive drive = goal_drive(run, after.sheet, after.theta);
-  model::EquilibriumPathOptions options = steps_to(drive, motion_states, run.plan.planar);
+  model::EquilibriumPathOptions options = path_of_run(run.plan.planar);
   options.stop = stop;
   return {after.sheet, after.theta, drive,
           trace_equilibrium({after.sheet, drive, exact_motion(after.sheet)}, elasticity, options)};

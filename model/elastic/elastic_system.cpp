@@ -77,7 +77,7 @@ std::string ElasticSystem::touching_words(const State& state) const {
 
 bool ElasticSystem::passed_through(const State& before, const State& after) const {
   if (pieces_) return pieces_->passed_through(before, after);
-  return contact_ && walls_.passed_through(before, after);
+  return contact_ && (walls_.passed_through(before, after) || walls_.sweep_through(before, after));
 }
 
 bool ElasticSystem::newly_cross(const State& before, const State& after) const {

@@ -50,7 +50,8 @@ class ElasticSystem {
   std::string touching_words(const State& state) const;
   /// What presses on each other: "walls" or "bodies".
   std::string what_touches() const { return pieces_ ? "bodies" : "walls"; }
-  /// Whether walls or bodies went through each other between two states (ContactModel, PieceContact::passed_through).
+  /// Whether walls or bodies went through each other between two states (ContactSearch::passed_through, sweep_through;
+  /// PieceContact::passed_through).
   bool passed_through(const State& before, const State& after) const;
   /// Whether walls cross each other that did not before (ContactSearch::newly_cross); never where bodies take their place.
   bool newly_cross(const State& before, const State& after) const;

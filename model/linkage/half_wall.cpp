@@ -18,11 +18,6 @@ OrientedBox plate(const Eigen::Vector3d& edge, const Eigen::Vector3d& up, double
 
 }  // namespace
 
-Linkage with_square_ends(Linkage structure) {
-  for (Plate& plate : structure.plates) plate.slant = 0;
-  return structure;
-}
-
 std::vector<HalfWall> half_walls(const Linkage& structure) {
   std::vector<HalfWall> all;
   all.reserve(structure.plates.size());

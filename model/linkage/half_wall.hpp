@@ -8,15 +8,12 @@
 namespace kinetix::model {
 
 /// A plate of a linkage with the wall's height and thickness, its end at the hinge cut along the hinge axis: slanted where alpha
-/// is not 90 deg, as in the physics run and in prints.
+/// is not 90 deg, as in prints. Contact ranges, equilibria and the physics run have this one shape of a wall.
 struct HalfWall {
   int body = 0;
   int hinge = 0;
   OrientedBox box;  ///< relative to the body's position, mm
 };
-
-/// A linkage whose plates end square to their edge, whatever alpha is: as contact of equilibria has them.
-Linkage with_square_ends(Linkage structure);
 
 /// In the order of Linkage::plates.
 std::vector<HalfWall> half_walls(const Linkage& structure);

@@ -1,5 +1,7 @@
 #include "sim/shapes/wall_prisms.hpp"
 
+#include <cmath>
+
 #include "model/linkage/half_wall.hpp"
 
 namespace kinetix::sim {
@@ -7,7 +9,8 @@ namespace {
 
 /// @param half of the plate, cell edges; @param slant length that the end at the hinge gains per height
 Prism prism(const Eigen::Matrix3d& axes, const Eigen::Vector3d& half, double slant, double inset) {
-  const double length = 2 * half.x() - inset, height = half.y() - inset, thickness = half.z() - inset;
+  const double length = 2 * half.x() - inset * std::hypot(1, slant), height = half.y() - inset,
+               thickness = half.z() - inset;
   Prism corners;
   int k = 0;
   for (const double h : {-height, height})

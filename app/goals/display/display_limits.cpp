@@ -37,7 +37,7 @@ PanelLoads panel_loads(const DisplayFile& file, const model::Sheet& basic, optim
   place_hinges(view, panel);
   const model::LinkageDrive drive = drive_on(panel, view);
   const model::EquilibriumPath path = trace_equilibrium({panel, drive, exact_motion(panel)}, elasticity,
-                                                        steps_to(drive, motion_states, true));
+                                                        path_of_run(true));
   PanelLoads loads;
   loads.hinges = hinge_loads(path, drive, panel, file.hinge);
   loads.compression = view.turn ? NAN : view.plates.compression;

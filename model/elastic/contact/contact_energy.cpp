@@ -39,8 +39,8 @@ Eigen::Vector4d ContactModel::gap_gradient(const PointGap& g, const Contact& c, 
   const ContactPlate& box = all().plates[c.other];
   const ContactPoint& point = all().points[c.point];
   const Matrix3d& R = state[plate.body].R;
-  return {plate.sign * point.part * g.n.dot(R * plate.edge), g.n.dot(R * plate.place_rate(point)),
-          c.face == Face::wall_tip_end ? -box.sign : 0,
+  return {plate.sign * point.part * plate.length_rate_at(point.high) * g.n.dot(R * plate.edge),
+          g.n.dot(R * plate.place_rate(point)), -box.sign * ContactPlates::face_offset_rate(box, c.face),
           g.m.dot(state[box.body].R * box.face_normal_rate(c.face))};
 }
 
@@ -55,7 +55,8 @@ Eigen::Matrix<double, 12, 4> ContactModel::derivatives(const Contact& c, double 
   const ContactPlate& box = all().plates[c.other];
   const ContactPoint& point = all().points[c.point];
   const Matrix3d& R = state[plate.body].R;
-  const Vector3d by_t = plate.sign * point.part * (R * plate.edge), by_beta = R * plate.place_rate(point);
+  const Vector3d by_t = plate.sign * point.part * plate.length_rate_at(point.high) * (R * plate.edge),
+                 by_beta = R * plate.place_rate(point);
   const Vector3d normal_by_beta = state[box.body].R * box.face_normal_rate(c.face);
   const Vector3d none = Vector3d::Zero();
   const Eigen::Vector4d value = gap_gradient(g, c, state);

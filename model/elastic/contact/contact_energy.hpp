@@ -22,6 +22,7 @@ class ContactModel {
   bool passed_through(const State& before, const State& after) {
     return search_.passed_through(before, after);
   }
+  bool sweep_through(const State& before, const State& after) { return search_.sweep_through(before, after); }
   bool newly_cross(const State& before, const State& after) { return search_.newly_cross(before, after); }
 
   int body(int plate) const { return all().plates[plate].body; }

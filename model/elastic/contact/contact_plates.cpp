@@ -42,6 +42,7 @@ ContactPlate contact_plate(const Plate& half_wall) {
   plate.body = half_wall.body;
   plate.sign = half_wall.length_t;
   plate.length = half_wall.length;
+  plate.slant = half_wall.slant;
   plate.edge = half_wall.edge;
   plate.up = half_wall.up;
   plate.up_rate = half_wall.up_beta;
@@ -59,7 +60,7 @@ Vector3d ContactPlate::face_normal(Face face) const {
     case Face::side_minus:
       return -normal;
     case Face::wall_tip_end:
-      return edge;
+      return (edge - slant * up) / end_slope();
     case Face::top:
       return up;
     case Face::bottom:
@@ -75,7 +76,7 @@ Vector3d ContactPlate::face_normal_rate(Face face) const {
     case Face::side_minus:
       return -normal_rate;
     case Face::wall_tip_end:
-      return Vector3d::Zero();
+      return -slant * up_rate / end_slope();
     case Face::top:
       return up_rate;
     case Face::bottom:
@@ -85,7 +86,7 @@ Vector3d ContactPlate::face_normal_rate(Face face) const {
 }
 
 Vector3d ContactPlate::place(const ContactPoint& point) const {
-  return point.part * length * edge + point.across * normal + point.high * up;
+  return point.part * length_at(point.high) * edge + point.across * normal + point.high * up;
 }
 
 Vector3d ContactPlate::place_rate(const ContactPoint& point) const {
@@ -93,7 +94,10 @@ Vector3d ContactPlate::place_rate(const ContactPoint& point) const {
 }
 
 double ContactPlates::wall_tip_radius() const {
-  return planar ? half_thickness : std::hypot(half_thickness, half_height);
+  if (planar) return half_thickness;
+  double longest = 0;
+  for (const ContactPlate& plate : plates) longest = std::max(longest, plate.end_slope());
+  return std::hypot(half_thickness, half_height * longest);
 }
 
 double ContactPlates::reach() const {
@@ -103,7 +107,7 @@ double ContactPlates::reach() const {
 }
 
 double ContactPlates::face_offset(const ContactPlate& plate, Face face) const {
-  if (face == Face::wall_tip_end) return plate.length;
+  if (face == Face::wall_tip_end) return plate.length / plate.end_slope();
   return face == Face::top || face == Face::bottom ? half_height : half_thickness;
 }
 

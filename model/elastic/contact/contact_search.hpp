@@ -42,6 +42,9 @@ class ContactSearch {
   /// for contact to stop it. In space also, whether it came in from above or below and would be pushed out through
   /// a side. @pre both states are finite
   bool passed_through(const State& before, const State& after);
+  /// Whether two half walls that do not touch in either state, or only a little, get into each other on the screw motion that
+  /// leads from one state to the other: then a step between them passes a contact. @pre both states are finite
+  bool sweep_through(const State& before, const State& after);
   /// Whether two half walls lie across each other that did not before, as where walls that stood tip to tip slip past. No
   /// contact lets them: its forces grow up to there. In the plane, their middle lines cross; in space, they are in each other by
   /// half a thickness or more in every direction.  @pre both states are finite
@@ -79,14 +82,19 @@ class ContactSearch {
   Eigen::Vector3d in_box(const Contact& contact) const;
   /// A plate as its other one sees it, likewise.
   Box in_box(const PlatePair& pair) const;
-  static Eigen::Vector3d point_of(const Box& plate, double length, const ContactPoint& point);
-  Extent extent_of(const Box& plate, double length) const;
+  /// @param index of the plate that a box is of
+  Eigen::Vector3d point_of(const Box& box, int index, const ContactPoint& point) const;
+  Extent extent_of(const Box& box, int index) const;
+  /// Of the whole plate, where contact of the plane looks at points of its tip alone.
+  Extent whole_extent_of(const Box& box, int index) const;
   /// Whether a point of that extent may be in another's box grown by a margin, cell edges.
   bool may_be_within(const Extent& extent, int other, double margin) const;
   /// Middles of all plates, a column each, cell edges.
   Eigen::Matrix3Xd placed_centers() const;
   /// Plates points of which may be in a box grown by a margin, cell edges, in the state last placed. Sorted.
   std::vector<PlatePair> pairs_within(double margin);
+  /// Pairs that may meet between two states, and each pair's plate as its other one sees it in the first one.
+  std::vector<PlatePair> pairs_between(const State& before, const State& after, std::vector<Box>& from);
   bool may_touch(int plate, int other) const;
   /// Whether two half walls, cut along their hinges, are in each other by half a thickness in every direction.
   bool are_deep(int plate, int other, const State& state) const;
@@ -106,6 +114,12 @@ class ContactSearch {
   void add_if_inside(Contact contact);
   /// All points of a plate.
   void add_inside(const PlatePair& pair);
+  /// Whether a plate, on the way from one place to another one as the other plate sees it, gets into that one: further than
+  /// they are in both places, and further than the motion is known.
+  bool sweeps_through(const PlatePair& pair, const Box& before, const Box& after) const;
+  /// Whether all of a plate is on one side of the other's box in both places.
+  bool stays_off(const PlatePair& pair, const Box& before, const Box& after) const;
+  OrientedBox oriented(const Box& box, int index) const;
   /// Of a plate as its other one sees it in two states: what passed_through asks.
   bool went_through(const PlatePair& pair, const Box& before, const Box& after) const;
 

@@ -1,5 +1,7 @@
 #include "model/elastic/path/drive_load.hpp"
 
+#include <cmath>
+
 #include "model/elastic/path/path_direction.hpp"
 
 namespace kinetix::model {
@@ -17,6 +19,19 @@ double drive_speed(const ElasticSystem& system, const State& state, double theta
   return system.driven_gradient(state).dot(along);
 }
 
+constexpr double difference = 2e-5;  // rad of theta: of central differences
+// Of the direction of a path: its factor may be that of a state 2e-3 before, and each leaves about the square of that.
+constexpr int refinements = 2;
+// k_point edge or edge^2: of less, what Newton's method leaves would show in a difference.
+constexpr double least_load = 1e-7;
+
+/// Of a state that is in equilibrium to first order, without the multiplier.
+double load_of(const ElasticSystem& system, const State& state, double theta) {
+  if (!system.holds_coordinate()) return system.load(state, theta);
+  const Eigen::VectorXd by_drive = system.dofs().restrict(system.driven_gradient(state));
+  return system.dofs().restrict(system.elastic_gradient(state)).dot(by_drive) / by_drive.squaredNorm();
+}
+
 }  // namespace
 
 bool turns_softly(const ElasticSystem& system) { return system.stiffness().least_turn() < soft_turning; }
@@ -26,6 +41,16 @@ double load_along_path(const ElasticSystem& system, const State& state, double t
   const Eigen::VectorXd along =
       system.place_rate(theta) + path_direction(system, state, theta, theta, tangent);
   return system.elastic_gradient(state).dot(along) / drive_speed(system, state, theta, along);
+}
+
+double load_stiffness(const ElasticSystem& system, const State& state, double theta,
+                      const TangentStiffness& tangent) {
+  const double rate = system.drive_rate(theta);
+  if (rate == 0 || !(std::abs(system.load(state, theta)) > least_load)) return NAN;
+  const Eigen::VectorXd along =
+      system.place_rate(theta) + path_direction(system, state, theta, theta, tangent, refinements);
+  const auto load = [&](double by) { return load_of(system, system.retract(state, by * along), theta + by); };
+  return (load(difference) - load(-difference)) / (2 * difference * rate);
 }
 
 double drive_load(const ElasticSystem& system, const State& state, double theta,

@@ -16,6 +16,12 @@ bool turns_softly(const ElasticSystem& system);
 double load_along_path(const ElasticSystem& system, const State& state, double theta,
                        const TangentStiffness& tangent);
 
+/// Derivative of the load by the drive's coordinate along the path, in the units of ElasticSystem::load by that coordinate; NaN
+/// for plates in the flat state and where rounding would drown it. By central differences of first-order states.
+/// @param state in stable equilibrium at theta, rad  @param tangent its tangent, factorised
+double load_stiffness(const ElasticSystem& system, const State& state, double theta,
+                      const TangentStiffness& tangent);
+
 /// The load of an equilibrium: along the path where hinges turn softly, else the force on what is driven. That of springs
 /// comes from their turns, which rounding leaves alone.
 /// @param state in equilibrium at theta, rad

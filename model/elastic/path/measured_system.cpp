@@ -17,6 +17,7 @@ EquilibriumStep MeasuredSystem::measured(const State& state, double theta, bool 
   step.theta = theta;
   step.drive = elastic.drive_coordinate(theta);
   step.load = drive_load(elastic, state, theta, tangent, stable) * load_unit;
+  if (stable) step.stiffness = load_stiffness(elastic, state, theta, tangent) * load_unit;
   step.energy = elastic.stored_energy(state, theta) * unit;
   step.springs = elastic.spring_energy(state, theta) * unit;
   step.gap = hinge_gaps(elastic.structure(), state).max;

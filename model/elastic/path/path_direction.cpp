@@ -3,12 +3,17 @@
 namespace kinetix::model {
 
 Eigen::VectorXd path_direction(const ElasticSystem& system, const State& state, double theta,
-                               double placed_at, const TangentStiffness& tangent) {
+                               double placed_at, const TangentStiffness& tangent, int refined) {
   Eigen::VectorXd pull = tangent.multiply_all(system.place_rate(placed_at));
   if (system.holds_coordinate())
     pull += -ElasticSystem::grip * system.driven_rate(placed_at) * system.driven_gradient(state);
   if (system.drive().heats_springs()) pull += system.drive_rate(theta) * system.spring_gradient(state);
-  return -system.dofs().extend(tangent.solve(system.dofs().restrict(pull)));
+  const Eigen::VectorXd reduced = system.dofs().restrict(pull);
+  Eigen::VectorXd along = tangent.solve(reduced);
+  for (int k = 0; k < refined; ++k)
+    along +=
+        tangent.solve(reduced - system.dofs().restrict(tangent.multiply_all(system.dofs().extend(along))));
+  return -system.dofs().extend(along);
 }
 
 }  // namespace kinetix::model

@@ -10,6 +10,6 @@ namespace kinetix::model {
 /// @param placed_at theta of the rate at which plates move and a cord shortens, rad: they stand still to first order where
 /// they start
 Eigen::VectorXd path_direction(const ElasticSystem& system, const State& state, double theta,
-                               double placed_at, const TangentStiffness& tangent);
+                               double placed_at, const TangentStiffness& tangent, int refined = 0);
 
 }  // namespace kinetix::model

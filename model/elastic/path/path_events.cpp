@@ -1,6 +1,7 @@
 #include "model/elastic/path/path_events.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "model/base/invalid_input.hpp"
@@ -11,6 +12,8 @@ namespace {
 using Kind = PathEvent::Kind;
 using Descent = Branch::Descent;
 
+// Of the drive: over less, a difference of two loads is what Newton's method leaves.
+constexpr double least_change = 1e-6;
 constexpr double steep = 30;  // times the steepest slope of the load before contact: walls carry it
 // Of the largest tension on the way: less than this below 0 is what Newton's method leaves.
 constexpr double no_push = 1e-6;
@@ -28,15 +31,29 @@ std::string words(Descent descent, bool on_closed_form) {
 
 }  // namespace
 
+std::optional<double> LockWatch::look(const EquilibriumStep& before, const EquilibriumStep& after) const {
+  if (locked_ || after.contacts == 0 || !(free_slope_ > 0)) return {};
+  double slope = after.stiffness;
+  if (std::isnan(slope)) {
+    const double change = after.drive - before.drive;
+    if (before.contacts == 0 || !(std::abs(change) >= least_change)) return {};
+    slope = (after.load - before.load) / change;
+  }
+  if (!(slope > steep * free_slope_)) return {};
+  return slope / free_slope_;
+}
+
 std::optional<double> LockWatch::see(const EquilibriumStep& before, const EquilibriumStep& after) {
   const double change = after.drive - before.drive;
-  if (change == 0) return {};
-  const double slope = (after.load - before.load) / change;
-  if (after.contacts == 0) free_slope_ = std::max(free_slope_, std::abs(slope));
-  if (locked_ || after.contacts == 0 || before.contacts == 0 || !(free_slope_ > 0)) return {};
-  if (!(slope > steep * free_slope_)) return {};
-  locked_ = true;
-  return slope / free_slope_;
+  if (after.contacts == 0 && std::abs(change) >= least_change)
+    free_slope_ = std::max(free_slope_, std::abs((after.load - before.load) / change));
+  const auto times = look(before, after);
+  locked_ = locked_ || times;
+  return times;
+}
+
+bool SlackWatch::look(const EquilibriumStep& step) const {
+  return !slack_ && step.load < -no_push * std::max(largest_, std::abs(step.load));
 }
 
 bool SlackWatch::see(const EquilibriumStep& step) {
@@ -47,10 +64,12 @@ bool SlackWatch::see(const EquilibriumStep& step) {
 
 void PathEvents::see(const EquilibriumStep& before, const EquilibriumStep& after, const State& state,
                      const Arrival& arrival) {
-  const auto happened = [&](Kind kind, std::string what) { add(kind, after, before.theta, std::move(what)); };
+  // A jump happens where the path leaves its branch, and how far the step behind it goes is of no meaning.
+  const EquilibriumStep& at = arrival.located && (arrival.snapped || arrival.descent) ? before : after;
+  const auto happened = [&](Kind kind, std::string what) { add(kind, at, before.theta, std::move(what)); };
   if (arrival.descent) {
     if (arrival.on_closed_form) off_ = {};
-    if (arrival.descent == Descent::off_closed_form) off_ = {after.theta, true};
+    if (arrival.descent == Descent::off_closed_form) off_ = {at.theta, true};
     happened(Kind::bifurcation, "the equilibrium turned unstable: left along the " +
                                     words(*arrival.descent, arrival.on_closed_form));
   }
@@ -63,6 +82,7 @@ void PathEvents::see(const EquilibriumStep& before, const EquilibriumStep& after
     happened(
         Kind::slack,
         "the cord would have to push, which it cannot: it goes slack, and the structure goes on by itself");
+  if (arrival.snapped) return;
   if (const auto times = lock_.see(before, after))
     happened(Kind::lock, system_.what_touches() + " carry the drive: the load rises " +
                              number_text(std::round(*times)) + " times as steeply as without contact");

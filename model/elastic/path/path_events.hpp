@@ -13,8 +13,10 @@ namespace kinetix::model {
 /// Notices that walls carry the drive: the load rises far more steeply with it than it did without contact.
 class LockWatch {
  public:
-  /// @return how many times as steeply, on the first step between states in contact that shows it
+  /// @return how many times as steeply, on the first step between states in contact, or at the first state, that shows it
   std::optional<double> see(const EquilibriumStep& before, const EquilibriumStep& after);
+  /// Likewise, of a step that is not taken yet.
+  std::optional<double> look(const EquilibriumStep& before, const EquilibriumStep& after) const;
   bool has_locked() const { return locked_; }
 
  private:
@@ -27,6 +29,8 @@ class SlackWatch {
  public:
   /// @return whether it is the first step in a row at which it would
   bool see(const EquilibriumStep& step);
+  /// Likewise, of a step that is not taken yet.
+  bool look(const EquilibriumStep& step) const;
 
  private:
   double largest_ = 0;  ///< load on the way, N
@@ -38,6 +42,7 @@ struct Arrival {
   std::optional<Branch::Descent> descent;  ///< from an unstable equilibrium, if from one
   bool snapped = false;                    ///< to another state at nearly the same drive
   bool on_closed_form = false;             ///< it lies there
+  bool located = false;  ///< what happened there lies between the last state and 1.2e-7 rad behind it
 };
 
 /// Tells from the steps of a path what a user should know of.
@@ -53,6 +58,11 @@ class PathEvents {
   /// The path ends at `last`, locked by walls. @param touching in the state beyond that could not be taken, in words, as
   /// ElasticSystem::touching_words   @param why in words
   void end_locked(const EquilibriumStep& last, const std::string& touching, const std::string& why);
+
+  /// Whether a step that is not taken yet would lock the structure, or take a cord slack.
+  bool would_happen(const EquilibriumStep& before, const EquilibriumStep& after) const {
+    return lock_.look(before, after) || (system_.drive().pulls_cord() && slack_.look(after));
+  }
 
   const std::vector<PathEvent>& events() const { return events_; }
   const OffClosedForm& off_closed_form() const { return off_; }

@@ -44,7 +44,7 @@ void PathHead::move_to(Trial trial, bool snapped) {
   if (trial.descent || snapped)
     predictor_.restart();
   else
-    predictor_.move_on(theta_);
+    predictor_.move_on(theta_, trial.theta);
   state_ = std::move(trial.state);
   theta_ = trial.theta;
   on_closed_form_ = (on_closed_form_ || trial.descent) && closed_form_.is_near(state_, theta_);

@@ -16,6 +16,7 @@ class PathHead {
   double theta() const { return theta_; }  ///< rad
   /// Whether the system's tangent is that of the state, factorised: not where the state is unstable.
   bool has_tangent() const { return has_tangent_; }
+  bool is_flat() const { return theta_ == 0; }
   /// Whether the path has come along the closed form.
   bool on_closed_form() const { return on_closed_form_; }
 

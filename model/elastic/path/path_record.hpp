@@ -21,6 +21,10 @@ class PathRecord {
 
   /// The head has come to a new state.
   void add(const EquilibriumStep& step, const Arrival& arrival);
+  /// PathEvents::would_happen
+  bool would_happen(const EquilibriumStep& before, const EquilibriumStep& after) const {
+    return events_.would_happen(before, after);
+  }
   /// Iterations of Newton's method, also of steps that are not taken.
   void count(int iterations) { path_.iterations += iterations; }
 

@@ -4,6 +4,13 @@
 #include <utility>
 
 namespace kinetix::model {
+namespace {
+
+// Rad of theta, to which events are located. A power of 2: multiples of it are exact, so that where an event is found does not
+// depend on the step on which it was noticed.
+constexpr double event_width = 0x1p-23;
+
+}  // namespace
 
 PathTracer::PathTracer(const DrivenLinkage& driven, const Elasticity& elasticity,
                        const EquilibriumPathOptions& options,
@@ -15,50 +22,140 @@ PathTracer::PathTracer(const DrivenLinkage& driven, const Elasticity& elasticity
       check_(system_, options.longest_jump),
       length_(options, driven.drive.theta()),
       record_(system_, closed_form_, head_, options, frame),
-      stop_(options.stop) {}
+      stop_(options.stop),
+      at_(record_.last()),
+      options_(options) {}
 
 EquilibriumPath PathTracer::run() {
   const double goal = system_.elastic.drive().theta();
   while (head_.theta() != goal) {
     if (stop_.stop_requested()) return record_.finished(EquilibriumPath::Stop::interrupted, refusal_);
-    const NextStep next = length_.next(head_.theta());
-    const bool taken = advance(next);
-    if (!taken && next.is_shortest) return record_.finished(refusal_.stop(record_.last()), refusal_);
-    if (taken && record_.is_overstretched())
+    const Outcome outcome = advance(length_.next(head_.theta()));
+    if (outcome == Outcome::ended) return record_.finished(refusal_.stop(record_.last()), refusal_);
+    if (outcome == Outcome::taken && record_.is_overstretched())
       return record_.finished(EquilibriumPath::Stop::overstretched, refusal_);
   }
   return record_.finished(EquilibriumPath::Stop::reached, refusal_);
 }
 
-bool PathTracer::advance(const NextStep& next) {
+PathTracer::Outcome PathTracer::advance(const NextStep& next) {
   const double multiplier = system_.elastic.multiplier();
-  const State prediction = head_.predicted(next.theta);
-  Trial trial = solver_.find(next, head_, prediction);
-  record_.count(trial.iterations);
-  const StepFaults faults = check_.faults(head_.state(), prediction, trial);
-  if (const auto permitted = check_.permitted(next, record_.last(), trial, faults)) {
-    take(std::move(trial), *permitted, faults.jump);
-    return true;
+  Attempt first = attempt(next);
+  if (is_plain(first)) {
+    take(std::move(first));
+    return Outcome::taken;
   }
-  refuse(next, trial, faults);
-  system_.elastic.set_multiplier(multiplier);
-  head_.restore_tangent();
-  return false;
+  go_back(multiplier);
+  if (next.is_short) return take_event(std::move(first));
+  if (next.to_goal) {
+    // What a longer path would do here.
+    Attempt beyond = attempt(length_.next_beyond(head_.theta()));
+    go_back(multiplier);
+    if (!is_plain(beyond)) first = std::move(beyond);
+  }
+  refuse(first);
+  return Outcome::refused;
 }
 
-void PathTracer::take(Trial trial, const PermittedStep& permitted, double jump) {
-  const auto descent = trial.descent;
+PathTracer::Attempt PathTracer::attempt(const NextStep& next) {
+  Attempt out;
+  out.next = next;
+  const State prediction = head_.predicted(next.theta);
+  out.order = head_.prediction_order();
+  out.trial = solver_.find(next, head_, prediction);
+  record_.count(out.trial.iterations);
+  out.faults = check_.faults(head_.state(), prediction, out.trial);
+  out.permitted = check_.permitted(next, at_, out.trial, out.faults);
+  return out;
+}
+
+bool PathTracer::is_plain(const Attempt& attempt) const {
+  if (!attempt.permitted) return false;
+  // Flat is left to a side by whatever step comes first.
+  if (head_.is_flat() && system_.leaves_flat_to_a_side()) return true;
+  const bool turned_unstable =
+      attempt.trial.descent || (attempt.next.locates && !attempt.trial.newton.stable);
+  return !turned_unstable && !attempt.permitted->snapped && !attempt.permitted->touches &&
+         !attempt.permitted->bends && !record_.would_happen(at_, attempt.permitted->step);
+}
+
+PathTracer::Outcome PathTracer::take_event(Attempt event) {
+  if (head_.is_flat() && system_.leaves_flat_to_a_side()) return land(false);
+  event = locate(std::move(event));
+  if (at_.theta != record_.last().theta) record_.add(at_, {{}, false, head_.on_closed_form()});
+  const double multiplier = system_.elastic.multiplier();
+  Attempt behind = attempt(event.next);
+  const bool stays =
+      behind.permitted && !behind.permitted->snapped && behind.trial.newton.stable && !behind.trial.descent;
+  if (stays) {
+    take(std::move(behind));
+    return Outcome::taken;
+  }
+  go_back(multiplier);
+  return land(true);
+}
+
+PathTracer::Attempt PathTracer::locate(Attempt event) {
+  for (;;) {
+    const double from = head_.theta(), to = event.next.theta;
+    const double middle = event_width * std::round((from + to) / 2 / event_width);
+    if (!((middle - from) * (to - middle) > 0)) return event;
+    const double multiplier = system_.elastic.multiplier();
+    NextStep next;
+    next.theta = middle;
+    next.length = std::abs(middle - from);
+    next.locates = next.is_short = true;
+    Attempt tried = attempt(next);
+    if (is_plain(tried)) {
+      at_ = tried.permitted->step;
+      head_.move_to(std::move(tried.trial), false);
+      continue;
+    }
+    go_back(multiplier);
+    event = std::move(tried);
+  }
+}
+
+PathTracer::Outcome PathTracer::land(bool located) {
+  for (double length = options_.longest_step_touching;; length /= 2) {
+    const double multiplier = system_.elastic.multiplier();
+    Attempt landed = attempt(length_.landing(head_.theta(), std::max(length, options_.least_step)));
+    if (landed.permitted) {
+      PermittedStep& step = *landed.permitted;
+      if (located && !landed.trial.descent) {
+        step.snapped = check_.loses_energy(at_, step.step);
+        // It left an equilibrium that turned unstable without stopping there.
+        if (!step.snapped && step.bends) landed.trial.descent = Branch::Descent::lowest_mode;
+      }
+      take(std::move(landed), located);
+      return Outcome::taken;
+    }
+    refuse(landed);
+    go_back(multiplier);
+    if (length <= options_.least_step) return Outcome::ended;
+  }
+}
+
+void PathTracer::take(Attempt taken, bool located) {
+  const auto descent = taken.trial.descent;
+  const PermittedStep permitted = *taken.permitted;
   const bool new_branch = descent || permitted.snapped;
-  const double growth = new_branch ? 1 : length_.growth(jump, head_.prediction_order());
-  head_.move_to(std::move(trial), permitted.snapped);
-  record_.add(permitted.step, {descent, permitted.snapped, head_.on_closed_form()});
+  const double growth = new_branch ? 1 : length_.growth(taken.faults.jump, taken.order);
+  head_.move_to(std::move(taken.trial), permitted.snapped);
+  at_ = permitted.step;
+  record_.add(permitted.step, {descent, permitted.snapped, head_.on_closed_form(), located});
   length_.change(growth, permitted.step.contacts > 0);
 }
 
-void PathTracer::refuse(const NextStep& next, const Trial& trial, const StepFaults& faults) {
-  const bool far_off = faults.jumped || faults.tunnelled;
-  length_.shorten(next, length_.growth(far_off ? faults.jump : NAN, head_.prediction_order()));
-  refusal_ = {faults, trial.newton, system_.elastic.touching_words(trial.state)};
+void PathTracer::refuse(const Attempt& refused) {
+  const bool far_off = refused.faults.jumped || refused.faults.tunnelled;
+  length_.shorten(refused.next, length_.growth(far_off ? refused.faults.jump : NAN, refused.order));
+  refusal_ = {refused.faults, refused.trial.newton, system_.elastic.touching_words(refused.trial.state)};
+}
+
+void PathTracer::go_back(double multiplier) {
+  system_.elastic.set_multiplier(multiplier);
+  head_.restore_tangent();
 }
 
 }  // namespace kinetix::model

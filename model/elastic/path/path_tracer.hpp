@@ -8,7 +8,9 @@
 namespace kinetix::model {
 
 /// Traces an equilibrium path from flat: each step is predicted, solved for and checked, and the next one is
-/// as long as that went well. See trace_equilibrium for what it takes and gives.
+/// as long as that went well. Where walls begin to touch or part, where the path jumps or turns unstable, and where
+/// it ends is located by bisection. Steps and events do not depend on the goal: the last step alone ends there.
+/// See trace_equilibrium for the parameters and the result.
 class PathTracer {
  public:
   /// All parameters are kept by reference.
@@ -19,10 +21,31 @@ class PathTracer {
   EquilibriumPath run();
 
  private:
-  /// One step. @return whether it was taken
-  bool advance(const NextStep& next);
-  void take(Trial trial, const PermittedStep& permitted, double jump);
-  void refuse(const NextStep& next, const Trial& trial, const StepFaults& faults);
+  /// A step that was tried.
+  struct Attempt {
+    NextStep next;
+    Trial trial;
+    StepFaults faults;
+    std::optional<PermittedStep> permitted;
+    int order = 1;  ///< of the prediction
+  };
+  enum class Outcome { taken, refused, ended };
+
+  Outcome advance(const NextStep& next);
+  Attempt attempt(const NextStep& next);
+  /// Whether a step may be taken and nothing happens on it that has a place of its own on the path.
+  bool is_plain(const Attempt& attempt) const;
+  /// Moves the head to just before what happens on a short step, and takes the step behind it.
+  Outcome take_event(Attempt event);
+  /// The shortest attempt that is found from the head at which something happens; the head moves up to just before it.
+  Attempt locate(Attempt event);
+  /// Tries short steps from a head that no plain step leaves.
+  Outcome land(bool located);
+  /// @param located as of Arrival
+  void take(Attempt attempt, bool located = false);
+  void refuse(const Attempt& attempt);
+  /// Goes back to the head after an attempt that was not taken.
+  void go_back(double multiplier);
 
   MeasuredSystem system_;
   const ClosedForm closed_form_;
@@ -32,7 +55,9 @@ class PathTracer {
   StepLength length_;
   PathRecord record_;
   std::stop_token stop_;
-  Refusal refusal_;  ///< of the last step that was not taken
+  Refusal refusal_;     ///< of the last step that was not taken
+  EquilibriumStep at_;  ///< of the head
+  const EquilibriumPathOptions& options_;
 };
 
 }  // namespace kinetix::model

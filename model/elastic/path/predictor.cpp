@@ -10,7 +10,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double longest = 0.3;  // rad, cell edges, of a hinge: further ahead, a tangent tells nothing
+constexpr double least_bent = 1e-3;  // rad of theta: over less, the difference of two tangents is rounding
+constexpr double longest = 0.3;      // rad, cell edges, of a hinge: further ahead, a tangent tells nothing
 
 }  // namespace
 
@@ -27,8 +28,10 @@ State Predictor::predict(const State& state, double from, double to, const Tange
   return second;
 }
 
-void Predictor::move_on(double from) {
-  last_rate_ = std::exchange(rate_, VectorXd());
+void Predictor::move_on(double from, double to) {
+  VectorXd rate = std::exchange(rate_, VectorXd());
+  if (std::abs(to - from) < least_bent) return;
+  last_rate_ = std::move(rate);
   last_theta_ = from;
 }
 

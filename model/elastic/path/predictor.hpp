@@ -19,7 +19,7 @@ class Predictor {
   int order() const { return order_; }
 
   /// The path has left the state at `from` for another on the same branch.
-  void move_on(double from);
+  void move_on(double from, double to);
   /// The path has left its branch.
   void restart();
 

@@ -16,6 +16,7 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double different = 1e-3;  // rad of a hinge: releases that end closer found the same state
+constexpr double furthest = 1.55;   // rad of theta: no drive goes to a right angle
 constexpr int most_left = 5;        // in a row after a release: after so many it counts as unresolved
 // Rad, cell edges: enough to leave the saddle, too little for another valley.
 constexpr double off_saddle = 1e-2;
@@ -84,6 +85,10 @@ class Release {
   double unit_;
 };
 
+const DrivenState& lower(const EnergyTurn& turn) {
+  return turn.before.step.kept_energy() < turn.after.step.kept_energy() ? turn.before : turn.after;
+}
+
 /// Joins the states along all paths.
 class Collector {
  public:
@@ -111,16 +116,13 @@ class Collector {
       else if (!top || turn.before.step.kept_energy() > top->before.step.kept_energy())
         top = turn;
     }
-    if (path.ends_falling() && !path_options_.stop.stop_requested()) arrive(path.last());
+    if (path.ends_falling() && !path_options_.stop.stop_requested())
+      arrive({path.last().step, path.foot() ? path.foot()->state : path.last().state});
   }
 
   StableStates found() { return std::move(found_); }
 
  private:
-  static const DrivenState& lower(const EnergyTurn& turn) {
-    return turn.before.step.kept_energy() < turn.after.step.kept_energy() ? turn.before : turn.after;
-  }
-
   /// Index of the state that a release leads to, new or known; -1 where it leads nowhere.
   int settle(const DrivenState& start) {
     std::string why;
@@ -159,6 +161,28 @@ class Collector {
 
 }  // namespace
 
+void follow_fall(const DrivenLinkage& driven, const Elasticity& elasticity,
+                 const EquilibriumPathOptions& options, EnergyTurns& path) {
+  const double goal = driven.drive.theta();
+  const bool came_there = path.ends_falling() && path.last().step.theta == goal;
+  if (!came_there || driven.drive.press || driven.drive.heats_springs() || std::abs(goal) >= furthest) return;
+  const DrivenLinkage further{driven.linkage, driven.drive.to(std::copysign(furthest, goal)), driven.exact};
+  EnergyTurns longer(further.drive);
+  std::stop_source found;
+  EquilibriumPathOptions same = options;
+  same.stop = found.get_token();
+  trace_equilibrium(further, elasticity, same, [&](const EquilibriumStep& step, const State& state) {
+    longer.see(step, state);
+    const bool has_fallen = std::abs(step.theta) > std::abs(goal) && !longer.ends_falling();
+    if (has_fallen || options.stop.stop_requested()) found.request_stop();
+  });
+  if (options.stop.stop_requested()) return;
+  const auto foot = std::find_if(longer.turns().begin(), longer.turns().end(), [&](const EnergyTurn& turn) {
+    return !turn.maximum && std::abs(turn.after.step.theta) > std::abs(goal);
+  });
+  path.set_foot(foot != longer.turns().end() ? lower(*foot) : longer.last());
+}
+
 StableStates stable_states(const Linkage& structure, const Elasticity& elasticity,
                            const std::vector<EnergyTurns>& paths, const StableStateOptions& options) {
   Collector collector(structure, elasticity, options);
@@ -173,6 +197,7 @@ StableStates find_stable_states(const std::vector<DrivenLinkage>& drives, const 
     EnergyTurns& path = paths.emplace_back(driven.drive);
     trace_equilibrium(driven, elasticity, options.path,
                       [&](const EquilibriumStep& step, const State& state) { path.see(step, state); });
+    follow_fall(driven, elasticity, options.path, path);
   }
   return stable_states(drives.front().linkage, elasticity, paths, options);
 }

@@ -28,9 +28,16 @@ struct StableStateOptions {
   int max_iterations = 400;  ///< of Newton's method after a release
 };
 
+/// Where the energy of a path that a drive took to its goal still falls there, follows the same path beyond the goal to where it
+/// stops falling, for stable_states() to release the structure there: EnergyTurns::set_foot. So a state does not depend on how far
+/// the drive went. Does nothing for other paths, plates that press and shape memory.
+/// @param options those of the path
+void follow_fall(const DrivenLinkage& driven, const Elasticity& elasticity,
+                 const EquilibriumPathOptions& options, EnergyTurns& path);
+
 /// The stable states that driven paths of trace_equilibrium lead to, made with the same structure, elasticity
 /// and options: flat, and where the structure goes when it is released from each minimum of the energy along
-/// a path and from an end that it still falls to. Further ones may exist that no path comes near. Where options.path.stop
+/// a path and from an end that it still falls to (from EnergyTurns::foot, if that is known). Further ones may exist that no path comes near. Where options.path.stop
 /// asks to, those found so far.
 StableStates stable_states(const Linkage& structure, const Elasticity& elasticity,
                            const std::vector<EnergyTurns>& paths, const StableStateOptions& options = {});

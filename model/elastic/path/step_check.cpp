@@ -1,17 +1,22 @@
 #include "model/elastic/path/step_check.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "model/closure/closure_drive.hpp"
 
 namespace kinetix::model {
 namespace {
 
-constexpr double bent_load = 0.01;          // of the work of a step: loads between its ends are not on a line
+constexpr double bent_load = 0.01;      // of the work of a step: loads between its ends are not on a line
+constexpr double bent_stiffness = 0.1;  // of the change of the load on a step, likewise of its derivative
+constexpr double least_step =
+    1e-4;  // rad of theta: over less, derivatives are not those at the ends of the step
+constexpr double load_noise = 1e-5;         // of a load: states before the goal are known to no more
 constexpr double difference_noise = 1e-13;  // of the energy and of k_point edge^2: rounding of a difference
 
-bool meets_walls(const EquilibriumStep& before, const EquilibriumStep& after) {
-  return before.contacts == 0 && after.contacts > 0;
+bool changes_contact(const EquilibriumStep& before, const EquilibriumStep& after) {
+  return (before.contacts == 0) != (after.contacts == 0);
 }
 
 }  // namespace
@@ -32,9 +37,10 @@ std::optional<PermittedStep> StepCheck::permitted(const NextStep& next, const Eq
   if (!trial.newton.converged || faults.tunnelled || faults.mirrored) return {};
   if (faults.jumped && !next.is_short) return {};
   const EquilibriumStep step = system_.measured(trial.state, trial.theta, trial.newton.stable);
-  const bool lost = !trial.descent && !keeps_energy(before, step);
-  if (!next.is_short && (lost || meets_walls(before, step))) return {};
-  return PermittedStep{step, faults.jumped || lost};
+  const bool lost = !trial.descent && !keeps_energy(before, step), bends = !keeps_load(before, step);
+  const bool touches = changes_contact(before, step);
+  if (!next.is_short && (lost || touches || bends)) return {};
+  return PermittedStep{step, faults.jumped || lost, touches, bends};
 }
 
 bool StepCheck::keeps_energy(const EquilibriumStep& before, const EquilibriumStep& after) const {
@@ -43,6 +49,25 @@ bool StepCheck::keeps_energy(const EquilibriumStep& before, const EquilibriumSte
   const double slack = (most - least) / 2 + bent_load * std::max(std::abs(least), std::abs(most)) +
                        difference_noise * (system_.unit + after.energy);
   const double change = after.energy - before.energy;
+  return change >= least - slack && change <= most + slack;
+}
+
+bool StepCheck::loses_energy(const EquilibriumStep& before, const EquilibriumStep& after) const {
+  const double way = (after.drive - before.drive) * system_.elastic.travel();
+  const double bend = std::isfinite(after.stiffness) ? after.stiffness * (after.drive - before.drive) / 2 : 0;
+  // The energy of the other branch where the step began.
+  const double energy = after.energy - way * (after.load - bend);
+  const double work = std::abs(way) * std::max(std::abs(before.load), std::abs(after.load));
+  return before.energy - energy > bent_load * work + difference_noise * (system_.unit + before.energy);
+}
+
+bool StepCheck::keeps_load(const EquilibriumStep& before, const EquilibriumStep& after) {
+  const bool known = std::isfinite(before.stiffness) && std::isfinite(after.stiffness);
+  if (!known || !(std::abs(after.theta - before.theta) >= least_step)) return true;
+  const double way = after.drive - before.drive, change = after.load - before.load;
+  const auto [least, most] = std::minmax({before.stiffness * way, after.stiffness * way});
+  const double slack = (most - least) / 2 + bent_stiffness * std::max(std::abs(least), std::abs(most)) +
+                       load_noise * std::max(std::abs(before.load), std::abs(after.load));
   return change >= least - slack && change <= most + slack;
 }
 

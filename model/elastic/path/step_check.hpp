@@ -21,6 +21,8 @@ struct StepFaults {
 struct PermittedStep {
   EquilibriumStep step;
   bool snapped = false;  ///< to another state at nearly the same drive
+  bool touches = false;  ///< walls begin to touch or the last of them part
+  bool bends = false;    ///< the load does not go on as it did
 };
 
 /// Whether a path may step to a trial state.
@@ -32,15 +34,19 @@ class StepCheck {
 
   /// None where the trial is no equilibrium. @param before the state that the path has come to
   StepFaults faults(const State& before, const State& prediction, const Trial& trial) const;
-  /// Jumps to another state and first contacts are located first: only short steps go there.
+  /// Jumps to another state, and where contact begins or ends, are located first: only short steps go there.
   /// @param before that the path has come to  @pre the system's tangent is that of the trial
   std::optional<PermittedStep> permitted(const NextStep& next, const EquilibriumStep& before,
                                          const Trial& trial, const StepFaults& faults) const;
+  /// Whether a step from the last state on a branch came to another one of less energy, there.
+  bool loses_energy(const EquilibriumStep& before, const EquilibriumStep& after) const;
 
  private:
   /// Whether the energy changes by the work of the loads at both ends of a step: a jump between them loses
   /// some.
   bool keeps_energy(const EquilibriumStep& before, const EquilibriumStep& after) const;
+  /// Whether the load changes by what its derivatives at both ends of a step make of it: where the path jumps or turns unstable it does not.
+  static bool keeps_load(const EquilibriumStep& before, const EquilibriumStep& after);
 
   const MeasuredSystem& system_;
   const double longest_jump_;  ///< rad

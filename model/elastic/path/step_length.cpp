@@ -15,15 +15,29 @@ constexpr double rounding = 1e-9;      // of a step or of what is left of the pa
 }  // namespace
 
 StepLength::StepLength(const EquilibriumPathOptions& options, double goal)
-    : options_(options), goal_(goal), step_(std::min(options.first_step, std::abs(goal))) {}
+    : options_(options), goal_(goal), step_(options.first_step) {}
 
 NextStep StepLength::next(double from) const {
   const double left = std::abs(goal_ - from);
+  return to(step_ >= left * (1 - rounding) ? goal_ : from + std::copysign(step_, goal_), from);
+}
+
+NextStep StepLength::next_beyond(double from) const { return to(from + std::copysign(step_, goal_), from); }
+
+NextStep StepLength::landing(double from, double length) const {
+  const double left = std::abs(goal_ - from);
+  NextStep step = to(length >= left ? goal_ : from + std::copysign(length, goal_), from);
+  step.is_short = true;
+  step.is_shortest = length <= options_.least_step;
+  return step;
+}
+
+NextStep StepLength::to(double theta, double from) const {
   NextStep next;
-  next.theta = step_ >= left * (1 - rounding) ? goal_ : from + std::copysign(step_, goal_);
-  next.length = std::abs(next.theta - from);
-  next.to_goal = next.theta == goal_;
-  next.is_shortest = step_ <= options_.least_step || step_ < rounding * left;
+  next.theta = theta;
+  next.length = std::abs(theta - from);
+  next.to_goal = theta == goal_;
+  next.is_shortest = step_ <= options_.least_step || step_ < rounding * std::abs(goal_ - from);
   next.is_short = next.is_shortest || next.length <= options_.longest_step_touching * (1 + rounding);
   return next;
 }

@@ -11,15 +11,20 @@ struct NextStep {
   bool to_goal = false;
   bool is_short = false;     ///< so short that a jump to another state is taken, and walls may begin to touch
   bool is_shortest = false;  ///< no shorter one will be tried
+  bool locates = false;      ///< looks for where something happens: the step is not taken if anything does
 };
 
-/// Steps of theta that adapt to how well they are predicted.
+/// Steps of theta that adapt to how well they are predicted. They do not depend on the goal, except the last one, which ends there.
 class StepLength {
  public:
   /// @param goal theta, rad  @param options are kept by reference
   StepLength(const EquilibriumPathOptions& options, double goal);
 
   NextStep next(double from) const;
+  /// The same if the goal were further away: what a longer path would try from here.
+  NextStep next_beyond(double from) const;
+  /// Of a given length towards the goal and not beyond it, short enough for a jump to be taken.
+  NextStep landing(double from, double length) const;
   /// Factor for the next step so that a hinge will turn by less than longest_jump beyond the prediction.
   /// @param jump by what it did now, rad; NaN where that is not known  @param order of the prediction: its
   /// error grows with the step to one power more
@@ -31,6 +36,8 @@ class StepLength {
 
  private:
   const EquilibriumPathOptions& options_;
+  NextStep to(double theta, double from) const;
+
   const double goal_;
   double step_;  ///< rad, > 0
 };

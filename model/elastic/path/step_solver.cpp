@@ -30,9 +30,9 @@ Trial StepSolver::find(const NextStep& next, const PathHead& head, State predict
   trial.state = std::move(prediction);
   const bool left_flat = head.theta() == 0 && turns_softly(system_.elastic) && leave_head(next, head, trial);
   if (!left_flat) search(first_options(next), head.has_tangent(), trial);
-  leave_saddles(next, trial);
+  if (!next.locates) leave_saddles(next, trial);
   trial.mirrored = is_mirrored(trial);
-  if (trial.mirrored && leave_head(next, head, trial)) trial.mirrored = is_mirrored(trial);
+  if (trial.mirrored && !next.locates && leave_head(next, head, trial)) trial.mirrored = is_mirrored(trial);
   return trial;
 }
 
@@ -42,7 +42,7 @@ NewtonOptions StepSolver::newton_options(const NextStep& next, bool may_stray) c
   if (!may_stray) options.most_moved = strayed * options_.longest_jump;
   if (next.is_shortest && system_.elastic.drive().heats_springs())
     options.max_iterations = std::max(options.max_iterations, snap_iterations);
-  if (next.to_goal) return options;
+  if (next.to_goal || next.locates) return options;
   options.step_tolerance = std::max(options.step_tolerance, rough_step);
   options.energy_tolerance = level;
   options.drive_tolerance = std::max(options.drive_tolerance, rough_step * rough_step);
@@ -50,8 +50,8 @@ NewtonOptions StepSolver::newton_options(const NextStep& next, bool may_stray) c
 }
 
 NewtonOptions StepSolver::first_options(const NextStep& next) const {
-  NewtonOptions options = newton_options(next, next.is_short);
-  if (next.is_shortest || next.length <= careful_from) return options;
+  NewtonOptions options = newton_options(next, next.is_short && !next.locates);
+  if (!next.locates && (next.is_shortest || next.length <= careful_from)) return options;
   options.starts_convex = true;
   options.max_iterations = std::min(options.max_iterations, careful_iterations);
   return options;

@@ -11,6 +11,8 @@
 namespace kinetix::model {
 namespace {
 
+constexpr double limit_accuracy = 1e-8;  // rad of theta, of a limit point
+constexpr double prominent = 0.02;       // of the largest load so far, by which a limit point stands out
 constexpr double theta_accuracy = 1e-7;  // rad of theta: the energy at a maximum is off by its square alone
 constexpr double vanishing = 1e-4;       // of the larger load at both ends: more is left where the path jumps
 constexpr int most_equilibria =
@@ -21,6 +23,21 @@ class Summit {
   Summit(const Linkage& structure, const Elasticity& elasticity, const LinkageDrive& drive,
          const EquilibriumPathOptions& options)
       : system_(structure, elasticity, drive, options), newton_(options.newton) {}
+
+  /// Where the load turns.
+  std::optional<EquilibriumStep> limit(const LoadTurns::Turn& turn) {
+    Side low{turn.before, turn.before.step.stiffness}, high{turn.after, turn.after.step.stiffness};
+    for (int k = 0; k < most_equilibria; ++k) {
+      const double theta = (low.theta() * high.load - high.theta() * low.load) / (high.load - low.load);
+      const double from_low = std::abs(theta - low.theta()), from_high = std::abs(theta - high.theta());
+      const auto next = equilibrium(theta, from_low < from_high ? low.at.state : high.at.state);
+      if (!next || !std::isfinite(next->step.stiffness)) return {};
+      if (std::min(from_low, from_high) <= limit_accuracy) return next->step;
+      const bool is_low = (next->step.stiffness > 0) == (low.load > 0);
+      replace(is_low ? low : high, is_low ? high : low, *next, next->step.stiffness);
+    }
+    return {};
+  }
 
   /// Regula falsi with the Illinois rule.
   EnergyBarrier of(const EnergyTurn& turn) {
@@ -39,7 +56,7 @@ class Summit {
         return best;
       }
       const bool is_low = (next->step.load > 0) == (low.load > 0);
-      replace(is_low ? low : high, is_low ? high : low, *next);
+      replace(is_low ? low : high, is_low ? high : low, *next, next->step.load);
     }
     return best;
   }
@@ -47,15 +64,14 @@ class Summit {
  private:
   struct Side {
     DrivenState at;
-    double load;
+    double load;        ///< or what else is to vanish
     bool kept = false;  ///< the other side moved last
     double theta() const { return at.step.theta; }
   };
 
-  static void replace(Side& side, Side& other, DrivenState next) {
+  static void replace(Side& side, Side& other, DrivenState next, double load) {
     if (other.kept) other.load /= 2;
     other.kept = true;
-    const double load = next.step.load;
     side = {std::move(next), load, false};
   }
 
@@ -104,7 +120,54 @@ Loads signed_loads(const EquilibriumPath& path, double sign) {
   return loads;
 }
 
+/// Whether a load stands out as a maximum among those of the whole path up to its next one above, `sign` times.
+bool stands_out(const std::vector<EquilibriumStep>& steps, std::size_t place, double load, double sign) {
+  double largest = std::abs(load), lowest_before = sign * load, lowest_behind = sign * load;
+  for (std::size_t k = 0; k < place; ++k) largest = std::max(largest, std::abs(steps[k].load));
+  for (std::size_t k = place; k-- > 0 && sign * steps[k].load <= sign * load;)
+    lowest_before = std::min(lowest_before, sign * steps[k].load);
+  std::size_t k = place;
+  for (; k < steps.size() && sign * steps[k].load <= sign * load; ++k)
+    lowest_behind = std::min(lowest_behind, sign * steps[k].load);
+  const double least = prominent * largest;
+  return sign * load - lowest_before >= least &&
+         (k == steps.size() ? sign * load > lowest_behind : sign * load - lowest_behind >= least);
+}
+
 }  // namespace
+
+void LoadTurns::see(const EquilibriumStep& step, const State& state) {
+  DrivenState now{step, state};
+  if (last_.step.stiffness * step.stiffness < 0) turns_.push_back({std::move(last_), now});
+  last_ = std::move(now);
+}
+
+std::vector<PathEvent> located_limit_points(const Linkage& structure, const Elasticity& elasticity,
+                                            const LinkageDrive& drive, const EquilibriumPathOptions& options,
+                                            const LoadTurns& turns, const EquilibriumPath& path) {
+  std::vector<PathEvent> found;
+  if (turns.turns().empty()) return found;
+  std::vector<EquilibriumStep> steps = path.steps;
+  if (path.let_go > 0) steps.pop_back();  // it is of other rows
+  Summit search(structure, elasticity, drive, options);
+  for (const LoadTurns::Turn& turn : turns.turns()) {
+    const double before = turn.before.step.theta, after = turn.after.step.theta;
+    const bool jumps = std::any_of(path.events.begin(), path.events.end(), [&](const PathEvent& event) {
+      return event.since == before &&
+             (event.kind == PathEvent::Kind::snap || event.kind == PathEvent::Kind::bifurcation);
+    });
+    const auto limit = jumps ? std::nullopt : search.limit(turn);
+    if (!limit) continue;
+    const bool maximum = turn.before.step.stiffness * (turn.after.step.drive - turn.before.step.drive) > 0;
+    const auto place = std::find_if(steps.begin(), steps.end(), [&](const EquilibriumStep& step) {
+      return std::abs(step.theta) >= std::abs(after);
+    });
+    if (stands_out(steps, static_cast<std::size_t>(place - steps.begin()), limit->load, maximum ? 1 : -1))
+      found.push_back({PathEvent::Kind::limit_point, *limit, before,
+                       maximum ? "the load reached a maximum" : "the load reached a minimum"});
+  }
+  return found;
+}
 
 void EnergyTurns::see(const EquilibriumStep& step, const State& state) {
   DrivenState now{step, state};
@@ -136,8 +199,9 @@ std::vector<PathEvent> limit_points(const EquilibriumPath& path, double prominen
   return found;
 }
 
-void add_limit_points(EquilibriumPath& path) {
-  const std::vector<PathEvent> limits = limit_points(path);
+void add_limit_points(EquilibriumPath& path) { add_limit_points(path, limit_points(path)); }
+
+void add_limit_points(EquilibriumPath& path, const std::vector<PathEvent>& limits) {
   path.events.insert(path.events.end(), limits.begin(), limits.end());
   std::stable_sort(path.events.begin(), path.events.end(), [](const PathEvent& a, const PathEvent& b) {
     return std::abs(a.at.theta) < std::abs(b.at.theta);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "model/elastic/path/equilibrium_path.hpp"
@@ -37,11 +39,15 @@ class EnergyTurns {
   const DrivenState& last() const { return last_; }
   /// Whether the energy still falls at the end.
   bool ends_falling() const { return slope_ < 0; }
+  /// Where it stops falling if the drive goes on beyond the end, if that is known.
+  const std::optional<DrivenState>& foot() const { return foot_; }
+  void set_foot(DrivenState foot) { foot_ = std::move(foot); }
 
  private:
   LinkageDrive drive_;
   std::vector<EnergyTurn> turns_;
   DrivenState last_;
+  std::optional<DrivenState> foot_;
   bool started_ = false;
   double slope_ = 0;  ///< sign of the energy's change along the path at its end
 };
@@ -64,12 +70,37 @@ struct EnergyBarrier {
 EnergyBarrier energy_summit(const Linkage& structure, const Elasticity& elasticity, const LinkageDrive& drive,
                             const EquilibriumPathOptions& options, const EnergyTurn& turn);
 
+/// Keeps of a path the states in a row between which its load turns: from rising with the drive to falling, or back. Give see()
+/// to trace_equilibrium as `frame`.
+class LoadTurns {
+ public:
+  struct Turn {
+    DrivenState before, after;
+  };
+
+  void see(const EquilibriumStep& step, const State& state);
+  const std::vector<Turn>& turns() const { return turns_; }
+
+ private:
+  std::vector<Turn> turns_;
+  DrivenState last_;
+};
+
+/// Limit points of the load, each located to 1e-8 rad of theta between two states of the path, as events in the order of the
+/// path. A maximum stands out where the load has risen to it by at least 2 % of the largest load up to there, and falls behind
+/// it by as much before it rises above it again or the path ends; a minimum likewise.
+/// @pre structure, elasticity, drive and options those of the path
+std::vector<PathEvent> located_limit_points(const Linkage& structure, const Elasticity& elasticity,
+                                            const LinkageDrive& drive, const EquilibriumPathOptions& options,
+                                            const LoadTurns& turns, const EquilibriumPath& path);
+
 /// The steps of a path at which its load has a maximum or a minimum, as events in the order of the path; the
 /// ends do not count. A maximum stands out where the load falls on both sides of it, before it rises above it
 /// again, by at least `prominence` times the span of all loads; a minimum likewise. Plates that let go at the end make none.
 std::vector<PathEvent> limit_points(const EquilibriumPath& path, double prominence = 0.02);
 
-/// Adds them to the path's events, which stay in the order of the path.
+/// Adds limit points to the path's events, which stay in the order of the path.
+void add_limit_points(EquilibriumPath& path, const std::vector<PathEvent>& limits);
 void add_limit_points(EquilibriumPath& path);
 
 }  // namespace kinetix::model

@@ -147,7 +147,7 @@ TEST(ContactEnergy, IsZeroFlatAndUntilTheClosedFormCloses) {
 
 TEST(ContactEnergy, OnlyWallsThatOverlapTouch) {
   for_each_contact([](const Touching& panel, const Contact& c) {
-    const auto overlapping = WallContact(with_square_ends(panel.structure)).overlapping(panel.state);
+    const auto overlapping = WallContact(panel.structure).overlapping(panel.state);
     const WallPair pair{std::min(c.plate, c.other), std::max(c.plate, c.other)};
     EXPECT_TRUE(std::find(overlapping.begin(), overlapping.end(), pair) != overlapping.end());
   });
@@ -265,6 +265,69 @@ TEST(ContactModel, SeesWallsThatCameToLieAcrossEachOther) {
   EXPECT_FALSE(walls.newly_cross(across, across));
   EXPECT_FALSE(walls.newly_cross(across, apart));
   EXPECT_FALSE(walls.newly_cross(apart, apart));
+}
+
+/// Turned by `angle` about the upright through its vertex: the half wall along x.
+State turned_past(const Structure& s, double angle, double high = 0) {
+  State state = hanging(s, 0.3, 0);
+  Pose& pose = state[*s.body_at({2, 1})];
+  pose.p = s.size.edge_mm * Vector3d(0.3, -0.3, high);
+  pose.R = Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
+  return state;
+}
+
+/// The tips of thin walls go round each other's ends in both states, and not between them.
+TEST(ContactModel, SeesThinWallsThatPassEachOtherBetweenTwoStates) {
+  for (const double thickness_mm : {0.001, 0.01, 0.1})
+    for (const bool planar : {true, false}) {
+      SCOPED_TRACE(::testing::Message() << thickness_mm << " mm, planar " << planar);
+      const Structure s = make_structure(rectangle(3, 1), {10, thickness_mm, 6});
+      ContactModel walls(s, planar);
+      int swept = 0;
+      for (double angle = 0; angle < 2 * pi; angle += 0.05)
+        swept += walls.sweep_through(turned_past(s, angle), turned_past(s, angle + 0.05));
+      // Two half walls of one body, at right angles, sweep over those of the other.
+      EXPECT_GE(swept, 2);
+      EXPECT_LE(swept, 8);
+      EXPECT_FALSE(walls.sweep_through(turned_past(s, 0), turned_past(s, 0)));
+      if (planar) continue;
+      for (double angle = 0; angle < 2 * pi; angle += 0.05)
+        EXPECT_FALSE(walls.sweep_through(turned_past(s, angle, 0.61), turned_past(s, angle + 0.05, 0.61)))
+            << "over it, " << angle;
+    }
+}
+
+/// Boxes of half walls, cut along their hinges, are what presses: nothing touches that they leave apart, and nothing is apart where
+/// they are in each other by half a thickness.
+TEST(ContactEnergy, IsOfWallsCutAlongTheirHinges) {
+  std::mt19937 random(11);
+  int touching = 0, deep = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    Structure s = random_panel(2, 2, random);
+    for (Hinge& hinge : s.hinges) hinge.parameters.alpha = pi / 2 + (trial % 2 == 0 ? 0.6 : -0.6);
+    s.size.thickness_mm = 1.5;
+    ContactModel walls(s, false);
+    if (walls.overlap_at_rest()) continue;
+    const State state = shaken(s, rest_state(s), 0.3, random, false);
+    const std::vector<HalfWall> boxes = half_walls(s);
+    const auto overlap_of = [&](int a, int b, double depth) {
+      return overlap(placed(boxes[a], state[boxes[a].body]), placed(boxes[b], state[boxes[b].body]), depth);
+    };
+    std::set<std::pair<int, int>> found;
+    for (const Contact& c : walls.find(state)) {
+      EXPECT_TRUE(overlap_of(c.plate, c.other, 0)) << trial;
+      found.insert(std::minmax(c.plate, c.other));
+    }
+    touching += static_cast<int>(found.size());
+    WallContact all(s);
+    for (const WallPair& pair : all.overlapping(state))
+      if (overlap_of(pair.first, pair.second, 0.5 * s.size.thickness_mm)) {
+        ++deep;
+        EXPECT_TRUE(found.contains({pair.first, pair.second})) << trial;
+      }
+  }
+  EXPECT_GE(touching, 40);
+  EXPECT_GE(deep, 10);
 }
 
 }  // namespace

@@ -67,5 +67,22 @@ TEST(StepLength, OfALastStepThatWasRefusedIsHalfOfWhatWasLeft) {
   EXPECT_NEAR(length.next(0.99).length, 0.005, 1e-15);
 }
 
+TEST(StepLength, BeforeTheGoalDoesNotDependOnIt) {
+  for (const double goal : {0.001, 0.01, 0.3, 1.5}) {
+    EXPECT_EQ(StepLength(usual, goal).next_beyond(0).theta, 0.02) << goal;
+    StepLength length(usual, goal);
+    length.change(2, false);
+    EXPECT_EQ(length.next_beyond(0).theta, 0.04) << goal;
+  }
+}
+
+TEST(StepLength, LandsOnTheGoalAtTheFurthest) {
+  const StepLength length(usual, -0.5);
+  EXPECT_EQ(length.landing(-0.1, 0.02).theta, -0.12);
+  EXPECT_EQ(length.landing(-0.49, 0.02).theta, -0.5);
+  EXPECT_TRUE(length.landing(-0.49, 0.02).to_goal);
+  EXPECT_TRUE(length.landing(-0.1, 0.02).is_short);
+}
+
 }  // namespace
 }  // namespace kinetix::model
