@@ -72,8 +72,7 @@ int run_assembly_command(const CommandOptions& options, const targets::Node& roo
                     ? json
                     : assembly_summary(run) + fmt::format("  {:<10} {}/result.json, design.yaml, parts\n",
                                                           "written", folder.path()));
-  if (!run.reached()) return target_missed;
-  return run.verification && !run.verification->agrees ? physics_disagrees : done;
+  return exit_code(verdict_of(run));
 }
 
 }  // namespace kinetix::app

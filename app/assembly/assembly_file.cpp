@@ -33,6 +33,8 @@ constexpr targets::Word<JointWord> joint_words[] = {
 const targets::Bounds turn_bounds = targets::between(-180, 180, "degrees");
 // Of distances from the middle: to nothing, or a hundred times as far.
 const targets::Bounds expand_bounds = targets::from_to(0.01, 100);
+// Of distances from poses.
+const targets::Bounds pull_bounds = targets::from_to(1e-9, 100, "cell edges");
 // Of a confidence, dimensionless.
 const targets::Bounds share = targets::from_to(0, 1);
 
@@ -122,6 +124,16 @@ const targets::KeyTable& turn_keys() {
        {},
        "or: bodies are pulled to this times their distance from the middle, and go as far as hinges let "
        "them"},
+  });
+  return keys;
+}
+
+const targets::KeyTable& tolerance_keys() {
+  static const targets::KeyTable keys({
+      {"pull", value::number(pull_bounds), targets::by_default(0.05),
+       "largest distance of bodies from `drive.poses` in the end, rms over points half a cell edge from "
+       "their "
+       "positions, cell edges"},
   });
   return keys;
 }
@@ -344,6 +356,8 @@ std::string design_text(const AssemblyFile& file) {
                        vector_text(b.position));
   out += "  hinges:\n";
   for (const model::AssemblyHinge& h : a.hinges) out += hinge_line(a, h);
+  if (file.poses && file.pull_tolerance != AssemblyFile{}.pull_tolerance)
+    out += fmt::format("tolerance: {{pull: {}}}\n", targets::shortest_text(file.pull_tolerance));
   if (file.poses) return out + poses_text(*file.poses);
   if (file.expand) return out + fmt::format("drive: {{expand: {}}}\n", targets::shortest_text(*file.expand));
   if (file.driven)
@@ -358,6 +372,7 @@ const targets::KeyTable& assembly_keys() {
   static const targets::KeyTable keys = file_keys({
       {"structure", value::map(bodies_keys()), targets::needed, "its bodies and hinges, at rest"},
       {"drive", value::map(turn_keys()), {}, "what is turned, and how far; without it the structure rests"},
+      {"tolerance", value::map(tolerance_keys()), {}, "how near is near enough"},
   });
   return keys;
 }
@@ -377,6 +392,11 @@ AssemblyFile read_assembly(const targets::Node& node) {
   Reader reader(structure);
   file.assembly = reader.read();
   if (const targets::Section drive = root.section("drive"); drive.given()) read_drive(drive, reader, file);
+  if (const targets::Section tolerance = root.section("tolerance"); tolerance.given()) {
+    if (const auto pull = tolerance.optional("pull"); pull && !file.poses)
+      throw pull->error("is of bodies that are pulled to `drive.poses`. Give these as well, or take it out");
+    tolerance.read("pull", file.pull_tolerance, pull_bounds);
+  }
   return file;
 }
 

@@ -20,6 +20,7 @@ struct AssemblyFile {
   double angle = 0;  ///< by which it is turned in the end, rad, in (-pi, pi); 0: at rest
   std::optional<model::State> poses = {};  ///< instead: where bodies are pulled to, mm
   std::optional<double> expand = {};  ///< or: times their distance from the middle, as far as they go, > 0
+  double pull_tolerance = 0.05;       ///< rms from `poses` that counts as there, cell edges, > 0
 
   bool is_pulled() const { return poses || expand; }
   /// What pulls the bodies, moved to where they are; nothing where a hinge is turned.

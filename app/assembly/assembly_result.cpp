@@ -83,6 +83,12 @@ ResultJson numbers_of(const AssemblyRun& run) {
   return out;
 }
 
+ResultJson tolerance_of(const AssemblyRun& run) {
+  ResultJson out = {{"verify", GoalSettings::usual_verify}};
+  if (run.file.poses) out["pull"] = run.file.pull_tolerance;
+  return out;
+}
+
 ResultJson speeds(const AssemblyRun& run) {
   ResultJson out = ResultJson::array();
   out.push_back({{"model", "exact"},
@@ -126,6 +132,7 @@ nlohmann::ordered_json assembly_result(const AssemblyRun& run) {
                     {"kinetix_version", version},
                     {"seed", 0},
                     {"target", nullptr},
+                    {"verdict", verdict_json(verdict_of(run))},
                     {"plan",
                      {{"family", "none"},
                       {"model", to_string(run.model)},
@@ -135,7 +142,7 @@ nlohmann::ordered_json assembly_result(const AssemblyRun& run) {
                     {"structure", bodies_and_hinges(a)},
                     {"states", states_json(run)},
                     {"metrics", numbers_of(run)},
-                    {"tolerance", {{"verify", GoalSettings::usual_verify}}},
+                    {"tolerance", tolerance_of(run)},
                     {"fidelity", speeds(run)},
                     {"timing_s",
                      {{"load", run.load_s},
@@ -148,11 +155,14 @@ nlohmann::ordered_json assembly_result(const AssemblyRun& run) {
 }
 
 std::string assembly_summary(const AssemblyRun& run) {
-  std::string out = fmt::format("{}: {} bodies, {} hinges\n", run.file.name, run.file.assembly.bodies.size(),
-                                run.file.assembly.hinges.size());
-  const auto line = [&](const char* label, const std::string& text) {
+  const Verdict verdict = verdict_of(run);
+  std::string out = fmt::format("{}: {}\n", run.file.name, headline(verdict));
+  const auto line = [&](const std::string& label, const std::string& text) {
     out += fmt::format("  {:<10} {}\n", label, text);
   };
+  for (const auto& [label, words] : problem_lines(verdict)) line(label, words);
+  line("bodies",
+       fmt::format("{}, {} hinges", run.file.assembly.bodies.size(), run.file.assembly.hinges.size()));
   line(run.deployment ? "pull" : "closure", closure_words(run));
   if (const auto& e = run.equilibrium) {
     line("load", fmt::format("moment {:.4g} N mm: {}", e->steps.back().load, e->why));

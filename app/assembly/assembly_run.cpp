@@ -172,11 +172,6 @@ double AssemblyRun::theta_of(std::size_t k) const {
   return deployment ? motion.turns[k] / 2 : model::theta_at_turn(sense_of(*this), motion.turns[k]);
 }
 
-bool AssemblyRun::reached() const {
-  return model == Model::equilibrium ? equilibrium->stop == model::EquilibriumPath::Stop::reached
-                                     : motion.reached;
-}
-
 model::LinkageDrive AssemblyRun::drive() const {
   return model::turned_hinge(driven, sense_of(*this), turn_of(*this));
 }

@@ -6,6 +6,7 @@
 
 #include "app/assembly/assembly_file.hpp"
 #include "app/assembly/body_pieces.hpp"
+#include "app/result/verdict.hpp"
 #include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
 #include "model/assembly/assembly_motion.hpp"
@@ -32,8 +33,6 @@ struct AssemblyRun {
 
   /// The way of motion state k, rad: what the drive's theta has come to.
   double theta_of(std::size_t k) const;
-  /// Whether the model came to the drive's end.
-  bool reached() const;
   model::LinkageDrive drive() const;
 };
 
@@ -46,6 +45,9 @@ AssemblyRun run_assembly(AssemblyFile file, Model model, std::optional<double> t
 
 /// Stiffnesses of the hinges of an assembly, each its own.
 model::Elasticity elasticity_of(const model::Assembly& assembly);
+
+/// The verdict on a run of bodies: `met` of those that are pulled to poses, within AssemblyFile::pull_tolerance.
+Verdict verdict_of(const AssemblyRun& run);
 
 /// How far the closed states go, in a sentence.
 std::string closure_words(const AssemblyRun& run);

@@ -22,6 +22,7 @@
 #include "app/print/hinge_fit.hpp"
 #include "app/result/drive_trials_summary.hpp"
 #include "app/result/result_json.hpp"
+#include "app/result/verdict.hpp"
 #include "app/run/interrupted.hpp"
 #include "app/run/stopwatch.hpp"
 #include "app/sweep/plan/sweep_plan.hpp"
@@ -39,7 +40,7 @@ RunOptions run_options(const CommandOptions& options, Console& console, const St
           .prints = options.prints,
           .stop = stopper.token(),
           .fidelity = options.fidelity,
-          .misfit = why_hinges_do_not_fit};
+          .printable = answer_of_export};
 }
 
 /// Bad input that is found after reading gets the file's name.
@@ -50,12 +51,6 @@ Run located(const std::string& file, const Scene& scene, const RunOptions& optio
     if (!e.place().file.empty()) throw;
     throw InvalidInput(e.reason(), {file, 0, 0, e.place().key});
   }
-}
-
-int exit_code(const Run& run) {
-  if (run.misses()) return target_missed;
-  if (run.verification && !run.verification->agrees) return physics_disagrees;
-  return done;
 }
 
 void print(const Run& run, const nlohmann::ordered_json& json, const std::string& folder, bool as_json) {
@@ -87,7 +82,7 @@ int run_and_write(const CommandOptions& options, const Scene& scene, const std::
                     folder.path(), run.kept_design));
   print(run, json, folder.path(), options.json);
   if (options.open) open_report(folder.path() + "/report.html");
-  return exit_code(run);
+  return exit_code(verdict_of(run));
 }
 
 /// Read once: a file that changes in between would be two designs.

@@ -32,11 +32,11 @@ void print(const Json& error) {
 
 }  // namespace
 
-void report_error(const InvalidInput& error, bool as_json) {
+void report_error(const InvalidInput& error, int exit_code, bool as_json) {
   std::cerr << error.what() << "\n";
   if (!as_json) return;
   const Place& place = error.place();
-  Json json = {{"exit_code", bad_input}, {"message", error.what()}, {"reason", error.reason()}};
+  Json json = {{"exit_code", exit_code}, {"message", error.what()}, {"reason", error.reason()}};
   if (!place.file.empty()) json["file"] = place.file;
   if (place.line > 0) json["line"] = place.line;
   if (place.column > 0) json["column"] = place.column;

@@ -19,6 +19,7 @@
 #include "app/imports/import_command.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/print/export_command.hpp"
+#include "app/print/fit.hpp"
 #include "app/run/interrupted.hpp"
 #include "app/studio/view_command.hpp"
 #include "app/sweep/sweep_command.hpp"
@@ -386,8 +387,11 @@ int main(int argc, char** argv) {
     if (std::cout) return code;
     std::cerr << "standard output cannot be written\n";
     return kinetix::app::internal_error;
+  } catch (const kinetix::app::NotPrintable& e) {
+    kinetix::app::report_error(e, kinetix::app::target_missed, as_json);
+    return kinetix::app::target_missed;
   } catch (const kinetix::InvalidInput& e) {
-    kinetix::app::report_error(e, as_json);
+    kinetix::app::report_error(e, kinetix::app::bad_input, as_json);
     return kinetix::app::bad_input;
   } catch (const kinetix::app::Interrupted& e) {
     std::cerr << e.what() << ": nothing is written\n";

@@ -8,6 +8,7 @@
 
 #include "app/pipeline/as_made.hpp"
 #include "app/pipeline/certify.hpp"
+#include "app/run/contact_reason.hpp"
 #include "app/run/run_hinges.hpp"
 #include "app/run/stopwatch.hpp"
 #include "model/contact/wall_contact.hpp"
@@ -32,16 +33,8 @@ void correct_samples(Run& run) {
 
 /// Walls that do overlap on the way to a goal, whichever states its search has looked at.
 void judge_contact(Run& run) {
-  const model::CertifiedLimit& limit = run.certified->designed.to(run.theta);
-  if (!run.goal || run.plan.model != Model::exact || !limit.contact ||
-      std::abs(*limit.contact) >= std::abs(run.theta))
-    return;
-  if (run.certified->designed.overlaps_as_built())
-    return run.goal->violations.push_back(overlap_words(limit.walls, run.structure));
-  const auto [first, second] = wall_names(limit, run.structure);
-  run.goal->violations.push_back(
-      fmt::format("walls {} and {} overlap at theta {:.3f} deg, on the way to {:.3f} deg", first, second,
-                  to_degrees(*limit.contact), to_degrees(run.theta)));
+  if (!run.goal || run.plan.model != Model::exact || !run.certified->designed) return;
+  if (const auto why = contact_reason(run)) run.goal->violations.push_back(*why);
 }
 
 /// Where nothing was to be proven: walls that overlap as built are seen in the flat state.
@@ -68,7 +61,7 @@ Judging::Judging(const Run& run, const Scene& scene, const RunOptions& options)
     : run_(run), scene_(scene), options_(options) {}
 
 void Judging::work() {
-  constexpr std::array parts{&Judging::judge_prints, &Judging::prove_range, &Judging::judge_fit};
+  constexpr std::array parts{&Judging::judge_prints, &Judging::prove_range, &Judging::ask_export};
   for (int k = begun_++; k < static_cast<int>(parts.size()); k = begun_++)
     if (!options_.stop.stop_requested()) (this->*parts[k])();
 }
@@ -99,10 +92,8 @@ void Judging::prove_range() {
   found_.certify_s = watch.lap();
 }
 
-void Judging::judge_fit() {
-  if (!run_.goal || run_.states.empty() || !scene_.is_judged_by_distances()) return;
-  if (!options_.misfit || !print_problems(run_).empty()) return;
-  found_.misfit = options_.misfit(run_);
+void Judging::ask_export() {
+  if (run_.goal && !run_.states.empty() && options_.printable) found_.print = options_.printable(run_);
 }
 
 void add(Judgement judgement, Run& run) {
@@ -110,9 +101,9 @@ void add(Judgement judgement, Run& run) {
   run.timings.certify = judgement.certify_s;
   if (judgement.printed) {
     run.printed = std::move(judgement.printed);
-    run.printed->can_be_printed &= !judgement.misfit;
-    run.printed->misfit = std::move(judgement.misfit);
+    if (judgement.print) run.printed->can_be_printed = judgement.print->is_taken;
   }
+  run.print = std::move(judgement.print);
   if (!judgement.prints_unknown.empty()) {
     run.prints_unknown = std::move(judgement.prints_unknown);
     run.plan.why.push_back("what prints come to is not known: " + run.prints_unknown);

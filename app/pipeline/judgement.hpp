@@ -14,13 +14,12 @@ struct Judgement {
   std::optional<PrintedGoal> printed;  ///< of goals that are judged by distances
   std::string prints_unknown;          ///< why there is none, of such goals; else empty
   std::optional<Certified> certified;  ///< where the options ask for it
-  std::optional<std::string>
-      misfit;  ///< why hinges of prints do not fit the sheet, where the options ask for it
+  std::optional<PrintAnswer> print;    ///< of `export`, where there is a goal and the options ask for it
   double as_made_s = 0, certify_s = 0;
 };
 
-/// Comes to a judgement in parts, which threads take as they become free: what prints come to, where walls meet, how hinges
-/// fit. Looks at a run and changes nothing of it, so that a physics run may go on beside it.
+/// Comes to a judgement in parts, which threads take as they become free: what prints come to, where walls meet, what `export`
+/// answers. Looks at a run and changes nothing of it, so that a physics run may go on beside it.
 class Judging {
  public:
   /// @param run, scene, options are kept by reference
@@ -34,7 +33,7 @@ class Judging {
  private:
   void judge_prints();
   void prove_range();
-  void judge_fit();
+  void ask_export();
 
   const Run& run_;
   const Scene& scene_;

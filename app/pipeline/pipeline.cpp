@@ -7,6 +7,7 @@
 #include "app/pipeline/matter.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/pipeline/verify.hpp"
+#include "app/result/equilibrium_summary.hpp"
 #include "app/run/run_hinges.hpp"
 #include "app/run/stopwatch.hpp"
 #include "model/base/parallel_runs.hpp"
@@ -73,6 +74,12 @@ void check(Run& run, const Scene& scene, const std::optional<PhysicsTask>& task,
   if (!run.verification->agrees && run.verification->coarse) repeat_finer(run, scene, *task, options);
 }
 
+/// A goal counts in the state that its drive leads to: where the drive stops on its way there is none.
+void judge_drive(Run& run) {
+  if (run.goal && !run.matter && run.equilibrium && !run.equilibrium->reached())
+    run.goal->violations.push_back(drive_stop_reason(*run.equilibrium));
+}
+
 /// However well the shape is kept: what tears does not keep it. After the physics run, which judges the shape alone.
 void judge_strain(Run& run) {
   if (!run.goal || run.states.empty()) return;
@@ -99,6 +106,7 @@ Run run_scene(const Scene& scene, const RunOptions& options) {
   scene.judge(run, options);
   watch.lap();
   if (is_of_matter(scene, run)) settle_in_matter(run, scene, options);
+  judge_drive(run);
   run.timings.matter = watch.lap();
   const bool verifies = options.verify && !options.stop.stop_requested();
   check(run, scene, verifies ? physics_task(run, scene) : std::nullopt, options);

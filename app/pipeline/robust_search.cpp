@@ -90,8 +90,9 @@ std::string why_not_taken(const Run& run, const Expected& found, const RunOption
   if (!(found.printed.made.designed_mm <= found.tolerance_mm)) return "it is too far off the goal";
   if (!found.printed.can_be_printed) return "the process cannot print it";
   if (!found.hinges_bear) return "its hinges are strained by more than their material bears";
-  const auto misfit = options.misfit ? options.misfit(run) : std::nullopt;
-  return misfit ? "its hinges do not fit: " + *misfit : "";
+  if (!options.printable) return "";
+  const PrintAnswer print = options.printable(run);
+  return print.is_taken ? "" : "it cannot be printed: " + print.why;
 }
 
 /// @param plain what the plain search found

@@ -238,6 +238,8 @@ struct Source {
         print.job.sheet.warnings.push_back(std::move(*note));
       if (auto note = strain_note(print.job.sheet)) print.job.sheet.warnings.push_back(std::move(*note));
       return print;
+    } catch (const NotPrintable& e) {
+      throw NotPrintable(e.reason(), {file, 0, 0, e.place().key});
     } catch (const InvalidInput& e) {
       throw InvalidInput(e.reason(), {file, 0, 0, e.place().key});
     }

@@ -1,9 +1,11 @@
 #include "app/print/fit.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
@@ -149,6 +151,50 @@ std::string would_do(const Order& order, const Attempt& refused, PrintChoice cho
       larger ? ": " + *larger : "");
 }
 
+/// A bed is an option of the command, all else the design's.
+[[noreturn]] void refuse(const Order& order, const Attempt& refused, const PrintChoice& choice) {
+  if (refused.is_bed_too_small) throw InvalidInput(refused.reason);
+  throw NotPrintable(refused.reason + would_do(order, refused, choice));
+}
+
+/// The first kind of hinge that fits, or the last that was tried.
+struct Fitted {
+  PrintChoice choice;
+  Attempt attempt;
+  std::string no_pins = {};  ///< why hinges that the design leaves open are no pins
+};
+
+/// Pins where they fit, else blocks. @param choice whose kind does not count
+Fitted fitted(const Order& order, PrintChoice choice) {
+  choice.kind = model::HingeKind::pin;
+  Fitted out{choice, best_attempt(order, choice)};
+  if (out.attempt.print || !leaves_hinges_open(order.design)) return out;
+  choice.kind = model::HingeKind::block;
+  out = {choice, best_attempt(order, choice), std::move(out.attempt.reason)};
+  if (!out.attempt.print)
+    out.attempt.reason = "neither pins nor blocks fit: with blocks " + out.attempt.reason;
+  return out;
+}
+
+/// "block, pin": each kind once.
+std::string named_kinds(const std::set<std::string>& kinds) {
+  return fmt::format("{}", fmt::join(kinds, ", "));
+}
+
+std::string named_kinds(const PrintSheet& sheet) {
+  std::set<std::string> kinds;
+  for (const model::HingePrint& hinge : sheet.hinges) kinds.insert(to_string(hinge.made.kind));
+  return named_kinds(kinds);
+}
+
+/// @param open of hinges that the design leaves open
+std::string named_kinds(const DesignFile& design, model::HingeKind open) {
+  std::set<std::string> kinds;
+  for (const HingeSection* hinge : hinge_sections(design))
+    kinds.insert(to_string(hinge->made ? hinge->made->kind : open));
+  return named_kinds(kinds);
+}
+
 }  // namespace
 
 std::optional<std::string> resized_words(double from_mm, double to_mm) {
@@ -162,29 +208,24 @@ PreparedPrint prepared(const DesignFile& design, const model::Process& process, 
   const Order order{design, process, folded};
   Attempt found = best_attempt(order, choice);
   if (found.print) return std::move(*found.print);
-  throw InvalidInput(found.reason + would_do(order, found, choice));
-}
-
-std::optional<std::string> why_unprepared(const DesignFile& design, const model::Process& process,
-                                          const PrintChoice& choice) {
-  const Attempt found = best_attempt({design, process, false}, choice);
-  return found.print ? std::nullopt : std::optional(found.reason);
+  refuse(order, found, choice);
 }
 
 PreparedPrint prepared_as_fits(const DesignFile& design, const model::Process& process, PrintChoice choice,
                                bool folded) {
   const Order order{design, process, folded};
-  choice.kind = model::HingeKind::pin;
-  Attempt pins = best_attempt(order, choice);
-  if (pins.print) return std::move(*pins.print);
-  if (!leaves_hinges_open(design)) throw InvalidInput(pins.reason + would_do(order, pins, choice));
-  choice.kind = model::HingeKind::block;
-  Attempt blocks = best_attempt(order, choice);
-  if (!blocks.print)
-    throw InvalidInput("neither pins nor blocks fit: with blocks " + blocks.reason +
-                       would_do(order, blocks, choice));
-  blocks.print->job.sheet.warnings.push_back("hinges are blocks, as pins do not fit: " + pins.reason);
-  return std::move(*blocks.print);
+  Fitted found = fitted(order, choice);
+  if (!found.attempt.print) refuse(order, found.attempt, found.choice);
+  if (found.choice.kind == model::HingeKind::block)
+    found.attempt.print->job.sheet.warnings.push_back("hinges are blocks, as pins do not fit: " +
+                                                      found.no_pins);
+  return std::move(*found.attempt.print);
+}
+
+PrintAnswer answer_as_fits(const DesignFile& design, const model::Process& process) {
+  const Fitted found = fitted({design, process, false}, {});
+  if (!found.attempt.print) return {false, named_kinds(design, found.choice.kind), found.attempt.reason};
+  return {true, named_kinds(found.attempt.print->job.sheet)};
 }
 
 }  // namespace kinetix::app

@@ -5,8 +5,16 @@
 
 #include "app/print/format/print_format.hpp"
 #include "app/print/sheet/path_clearance.hpp"
+#include "app/run/run_options.hpp"
+#include "model/base/invalid_input.hpp"
 
 namespace kinetix::app {
+
+/// A design that cannot be printed as it is. The program ends with exit code 3.
+class NotPrintable : public InvalidInput {
+ public:
+  using InvalidInput::InvalidInput;
+};
 
 /// A sheet that can be printed and folds.
 struct PreparedPrint {
@@ -15,14 +23,14 @@ struct PreparedPrint {
 };
 
 /// Pins that the design leaves open are as high as leaves room on the way.
-/// @throws InvalidInput, naming the cell edge that would do, for a sheet that the process cannot print, whose hinges
-/// overlap a junction, or whose solids come nearer to each other on the way to the fold than they may; without an edge for
+/// @throws NotPrintable, naming the cell edge that would do, for a sheet that the process cannot print, whose hinges
+/// overlap a junction, or whose solids come nearer to each other on the way to the fold than they may; InvalidInput for
 /// a bed that does not hold each body
 PreparedPrint prepared(const DesignFile& design, const model::Process& process, const PrintChoice& choice,
                        bool folded);
 
 /// With pins where they fit, else with blocks, and a warning that says why. @param choice whose kind does not count
-/// @throws InvalidInput likewise, with what blocks would need
+/// @throws NotPrintable and InvalidInput likewise, with what blocks would need
 PreparedPrint prepared_as_fits(const DesignFile& design, const model::Process& process, PrintChoice choice,
                                bool folded);
 
@@ -30,9 +38,7 @@ PreparedPrint prepared_as_fits(const DesignFile& design, const model::Process& p
 /// change it by more than rounding.
 std::optional<std::string> resized_words(double from_mm, double to_mm);
 
-/// Why `prepared` would refuse a sheet, without the cell edge that would do, which takes long to find; nothing where it would
-/// not.
-std::optional<std::string> why_unprepared(const DesignFile& design, const model::Process& process,
-                                          const PrintChoice& choice);
+/// What `prepared_as_fits` would do, without the cell edge that would do, which takes long to find.
+PrintAnswer answer_as_fits(const DesignFile& design, const model::Process& process);
 
 }  // namespace kinetix::app

@@ -6,17 +6,11 @@
 
 namespace kinetix::app {
 
-std::optional<std::string> why_hinges_do_not_fit(const Run& run) {
-  if (!run.plan.exact) return std::nullopt;
-  const DesignFile design = written_design(run);
-  const bool are_open = leaves_hinges_open(design);
-  if (are_open && run.hinge.model == HingeSection::Model::elastic) return std::nullopt;
-  const std::string who = are_open ? "hinges, left open, do not fit as blocks: " : "its hinges do not fit: ";
+PrintAnswer answer_of_export(const Run& run) {
   try {
-    const auto why = why_unprepared(design, run.process, {.kind = model::HingeKind::block});
-    return why ? std::optional(who + *why) : std::nullopt;
+    return answer_as_fits(written_design(run), run.process);
   } catch (const InvalidInput& e) {
-    return who + e.reason();
+    return {false, {}, e.reason()};
   }
 }
 

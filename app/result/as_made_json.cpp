@@ -48,7 +48,7 @@ const char* holding_words(const PrintedGoal& printed) {
 
 std::string verdict_words(const Run& run) {
   const PrintedGoal& printed = *run.printed;
-  if (!printed.can_be_printed) return printed.misfit ? "CANNOT BE PRINTED SO" : "CANNOT BE PRINTED";
+  if (!printed.can_be_printed) return "cannot be printed";
   if (printed.holds() && !run.goal->met()) return "prints keep that, but the design itself misses the goal";
   if (printed.holds()) return holding_words(printed);
   if (printed.runs && printed.runs->prints == 0)
@@ -96,6 +96,26 @@ std::string taken_words(const TakenHinges& taken) {
       "of "
       "{:g}{}",
       block.material.name, block.gap_mm, taken.strain, block.material.strain_max, held);
+}
+
+/// Why prints leave the goal, a sentence each; none where they keep it.
+std::vector<std::string> scatter_reasons(const Run& run) {
+  const PrintedGoal& printed = *run.printed;
+  std::vector<std::string> why;
+  if (printed.made.p95_mm > printed.tolerance_mm)
+    why.push_back(fmt::format("95 of 100 prints stay within {:.2f} mm of {}, and {:.2f} mm are allowed",
+                              printed.made.p95_mm, run.goal->judged_against(), printed.tolerance_mm));
+  if (!printed.runs) return why;
+  const model::PrintRuns& runs = *printed.runs;
+  if (runs.failed > 0)
+    why.push_back(fmt::format("{} of {} prints in the elastic model found no equilibrium near the design",
+                              runs.failed, runs.prints + runs.failed));
+  if (runs.prints > 0 && runs.p95_mm > printed.tolerance_mm)
+    why.push_back(
+        fmt::format("of {} prints in the elastic model {} came within {:.2f} mm of {}, and "
+                    "{:.2f} mm are allowed",
+                    runs.prints, runs.kept(), runs.p95_mm, run.goal->judged_against(), printed.tolerance_mm));
+  return why;
 }
 
 }  // namespace
@@ -160,27 +180,20 @@ Json as_made_json(const Run& run) {
 }
 
 std::vector<std::string> as_made_reasons(const Run& run) {
-  const PrintedGoal& printed = *run.printed;
   std::vector<std::string> why = unprintable(run);
-  if (printed.made.p95_mm > printed.tolerance_mm)
-    why.push_back(fmt::format("95 of 100 prints stay within {:.2f} mm of {}, and {:.2f} mm are allowed",
-                              printed.made.p95_mm, run.goal->judged_against(), printed.tolerance_mm));
-  if (!printed.runs) return why;
-  const model::PrintRuns& runs = *printed.runs;
-  if (runs.failed > 0)
-    why.push_back(fmt::format("{} of {} prints in the elastic model found no equilibrium near the design",
-                              runs.failed, runs.prints + runs.failed));
-  if (runs.prints > 0 && runs.p95_mm > printed.tolerance_mm)
-    why.push_back(
-        fmt::format("of {} prints in the elastic model {} came within {:.2f} mm of {}, and "
-                    "{:.2f} mm are allowed",
-                    runs.prints, runs.kept(), runs.p95_mm, run.goal->judged_against(), printed.tolerance_mm));
+  for (std::string& reason : scatter_reasons(run)) why.push_back(std::move(reason));
   return why;
 }
 
+std::vector<std::string> scatter_warnings(const Run& run) {
+  std::vector<std::string> all = scatter_reasons(run);
+  if (auto contact = contact_words(run)) all.push_back(std::move(*contact));
+  if (run.printed->runs && !run.printed->is_confirmed())
+    all.push_back(prints_words(*run.printed, run.goal->judged_against()));
+  return all;
+}
+
 std::vector<SummaryLine> as_made_lines(const Run& run) {
-  if (!run.prints_unknown.empty())
-    return {{"as made", "what prints come to is not known: " + run.prints_unknown}};
   if (!run.printed) return {};
   const model::AsMade& made = run.printed->made;
   std::vector<SummaryLine> lines = {
@@ -188,7 +201,6 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
                               "mm as designed), 95 of 100 prints within {:.2f} mm; {:.2f} mm are allowed: {}",
                               run.process.name, made.rms_mm, run.goal->judged_against(), made.designed_mm,
                               made.p95_mm, run.printed->tolerance_mm, verdict_words(run))}};
-  if (const auto contact = contact_words(run)) lines.push_back({"", *contact});
   if (const auto places = sources_by_place(run); !places.empty())
     lines.push_back({"", fmt::format("{} of {}: {} of what errors do", plural_words[places[0].parameter],
                                      places[0].place, share_words(places[0].share))});

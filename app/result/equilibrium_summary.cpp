@@ -114,6 +114,10 @@ std::string missed_words(const Equilibrium& equilibrium, double theta) {
   return in_words(equilibrium.path.stop) + ": " + equilibrium.path.why;
 }
 
+std::string drive_stop_reason(const Equilibrium& equilibrium) {
+  return "the drive stops on its way, " + in_words(equilibrium.path.stop) + ": " + equilibrium.path.why;
+}
+
 std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
   const Equilibrium& equilibrium = *run.equilibrium;
   const model::EquilibriumPath& path = equilibrium.path;

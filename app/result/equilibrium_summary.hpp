@@ -15,6 +15,9 @@ std::string in_words(model::EquilibriumPath::Stop stop);
 /// other side
 std::string missed_words(const Equilibrium& equilibrium, double theta);
 
+/// That the drive stops on its way, and why, one sentence. @pre it did
+std::string drive_stop_reason(const Equilibrium& equilibrium);
+
 /// What the summary says of an equilibrium: lines of a label and a text. @pre run.equilibrium
 std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run);
 

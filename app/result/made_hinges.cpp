@@ -56,9 +56,11 @@ std::optional<std::pair<std::string, std::string>> offset_line(const Run& run) {
     const double most = largest_offset_mm(*made, size);
     if (!(offset - most > worst)) continue;
     worst = offset - most;
-    line = {"OFFSET",
-            fmt::format("of the hinge of wall {} is {:.2f} mm; made so in this wall it can be {:.2f} at most",
-                        wall_name(run.structure, h), offset, most)};
+    line = {
+        "OFFSET",
+        fmt::format(
+            "the offset of the hinge of wall {} is {:.2f} mm; made so in this wall it can be {:.2f} at most",
+            wall_name(run.structure, h), offset, most)};
   }
   return line;
 }
@@ -91,7 +93,7 @@ std::vector<std::string> unprintable(const Run& run) {
   std::vector<std::string> all;
   if (!run.goal) return all;
   for (const model::PrintProblem& problem : print_problems(run)) all.push_back(problem_text(problem));
-  if (run.printed && run.printed->misfit) all.push_back(*run.printed->misfit);
+  if (all.empty() && run.print && !run.print->is_taken) all.push_back(run.print->why);
   return all;
 }
 
@@ -100,14 +102,12 @@ std::vector<std::pair<std::string, std::string>> made_hinge_lines(const Run& run
   for (const std::string& what : unprintable(run)) lines.emplace_back("PRINT", what);
   const std::vector<Turned> all = turned_hinges(run);
   if (const Turned* t = worst(all, strain_share))
-    lines.emplace_back(
-        "STRAINED", fmt::format("the hinge of wall {} by {:.3g}; its material bears {:g}: a longer gap or a "
-                                "thinner hinge strains less",
-                                wall_name(run.structure, t->hinge), t->strain, t->made->material.strain_max));
+    lines.emplace_back("STRAINED", strained_words({t->hinge, t->strain, t->made->material.strain_max},
+                                                  wall_name(run.structure, t->hinge)));
   const auto corners = [&](const Turned& t) { return t.turn / corner_turn(run, t); };
   if (const Turned* t = worst(all, corners))
     lines.emplace_back(
-        "CORNERS", fmt::format("of the two halves of wall {} meet where it has turned by {:.1f} deg; "
+        "CORNERS", fmt::format("corners of the two halves of wall {} meet where it has turned by {:.1f} deg; "
                                "here by {:.1f}: a longer gap lets it turn further",
                                wall_name(run.structure, t->hinge), corner_turn(run, *t) / radians_per_degree,
                                t->turn / radians_per_degree));

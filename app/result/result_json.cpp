@@ -12,6 +12,7 @@
 #include "app/result/robust_json.hpp"
 #include "app/result/stable_states_json.hpp"
 #include "app/result/state_json.hpp"
+#include "app/result/verdict.hpp"
 #include "app/run/run_hinges.hpp"
 #include "app/version.hpp"
 #include "model/sheet/sheet_hinge.hpp"
@@ -153,6 +154,7 @@ Json result_json(const Run& run) {
               {"kinetix_version", version},
               {"seed", run.seed},
               {"target", run.goal ? run.goal->target_json() : Json(nullptr)},
+              {"verdict", verdict_json(verdict_of(run))},
               {"plan", plan_json(run)},
               {"structure", structure_json(run, reach)},
               {"states", states},

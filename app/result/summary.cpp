@@ -9,6 +9,7 @@
 #include "app/result/matter_json.hpp"
 #include "app/result/result_json.hpp"
 #include "app/result/robust_json.hpp"
+#include "app/result/verdict.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -21,17 +22,6 @@ double largest_tilt(const model::Sheet& structure) {
   double largest = 0;
   for (int h = 0; h < structure.hinges(); ++h) largest = std::max(largest, std::abs(structure.hinge(h).beta));
   return largest;
-}
-
-/// The closed form passes through walls: says so where it did.
-std::string contact_line(const Run& run) {
-  if (!run.plan.free_range || run.goal || run.equilibrium) return "";
-  const model::ThetaLimit& limit =
-      run.theta < 0 ? run.plan.free_range->negative : run.plan.free_range->positive;
-  if (!limit.touches || std::abs(run.theta) <= std::abs(limit.theta)) return "";
-  return line("WALLS",
-              fmt::format("collide at theta {:.2f} deg, before this state; the closed form ignores contact",
-                          to_degrees(limit.theta)));
 }
 
 std::string physics_lines(const Run& run) {
@@ -51,15 +41,13 @@ std::string physics_lines(const Run& run) {
 }  // namespace
 
 std::string summary(const Run& run) {
-  std::string text =
-      fmt::format("{}: {} bodies, {} hinges\n", run.name, run.structure.bodies(), run.structure.hinges());
+  const Verdict verdict = verdict_of(run);
+  std::string text = fmt::format("{}: {}\n", run.name, headline(verdict));
+  for (const auto& [label, words] : problem_lines(verdict)) text += line(label, words);
+  text += line("sheet", fmt::format("{} bodies, {} hinges", run.structure.bodies(), run.structure.hinges()));
   text += line("plan", run.plan.exact.why);
-  if (run.plan.is_floppy())
-    text += line("FLOPPY", fmt::format("it moves in {} independent ways; see `why` in result.json",
-                                       run.plan.mobility->dofs_along));
   text += line("fold", fmt::format("theta {:.2f} deg, tilts up to {:.2f} deg", to_degrees(run.theta),
                                    to_degrees(largest_tilt(run.structure))));
-  text += contact_line(run);
   if (run.certified)
     for (const auto& [label, words] :
          certified_lines(*run.certified, run.structure, run.theta, near_exact(run)))
@@ -67,9 +55,6 @@ std::string summary(const Run& run) {
   if (const auto worst = worst_strain(run))
     text += line("strained", fmt::format("by {:.3g} of {:g} that its material bears, the most of its hinges",
                                          worst->strain, worst->allowed));
-  for (const auto& [label, words] : made_hinge_lines(run)) text += line(label, words);
-  if (run.stopped)
-    text += line("STOPPED", "before its end: this is the best so far, and only what was known of it");
   if (run.goal)
     for (const auto& [label, words] : run.goal->summary_lines(run)) text += line(label, words);
   for (const auto& [label, words] : matter_lines(run)) text += line(label, words);

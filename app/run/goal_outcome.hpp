@@ -54,6 +54,8 @@ class GoalOutcome {
   /// Adds the metrics that the kind names (GoalKind::metrics) to `metrics`.
   virtual void add_metrics(nlohmann::ordered_json& metrics) const = 0;
   virtual std::vector<SummaryLine> summary_lines(const Run& run) const = 0;
+  /// What a person should know of the goal and what leaves it met, a sentence each. @param run as above
+  virtual std::vector<std::string> warnings(const Run& /*run*/) const { return {}; }
   virtual std::vector<NamedContent> pictures(const Run&) const { return {}; }
   /// PNG files that the report itself shows.
   virtual std::vector<NamedContent> shown_pictures(const Run&) const { return {}; }

@@ -13,6 +13,7 @@
 #include "app/run/goal_outcome.hpp"
 #include "app/run/plan.hpp"
 #include "app/run/robust_choice.hpp"
+#include "app/run/run_options.hpp"
 #include "model/elastic/equilibrium_comparison.hpp"
 #include "model/elastic/path/stable_states.hpp"
 #include "model/matter/process.hpp"
@@ -100,8 +101,7 @@ struct PrintedGoal {
       {};                   ///< of pins: what the same prints would come to if they had none
   double tolerance_mm = 0;  ///< of the goal
   std::optional<model::PrintRuns> runs = {};  ///< that confirm it, or do not
-  bool can_be_printed = true;                 ///< by the process, and with these hinges
-  std::optional<std::string> misfit = {};     ///< why these hinges do not fit the sheet, as `export` says it
+  bool can_be_printed = true;                 ///< Run::print, or by the process where that was not asked
   /// Whether no walls meet on the way to the fold where each is as far out of place as the process leaves it, proven
   /// (Certified::printed); nothing where nothing is proven of these states, as of equilibria of elastic hinges.
   std::optional<bool> free_of_contact = {};
@@ -149,6 +149,7 @@ struct Run {
   std::optional<RobustChoice>
       robust;  ///< of a robust search, but of curves, which have columns to choose as well
   std::optional<PrintedGoal> printed;  ///< of goals that are judged by distances
+  std::optional<PrintAnswer> print;    ///< of `export` to the design; nothing where it was not asked
   std::optional<Certified> certified;  ///< theta without contact; nothing where it was not asked for
   bool stopped = false;                ///< the best so far, when it was told to stop
   std::string prints_unknown;  ///< why it is not known what prints of a goal come to; empty where it is
@@ -161,10 +162,6 @@ struct Run {
   /// Whether the sheet of a design stands folded to the other side than asked. What it shows of a goal is the goal's to judge.
   bool is_on_the_other_side() const {
     return !goal && equilibrium && equilibrium->is_on_the_other_side(theta);
-  }
-  /// Whether the model's state misses the goal, or the drive did not come to its own, or not to its side.
-  bool misses() const {
-    return (goal && !goal->met()) || (equilibrium && !equilibrium->reached()) || is_on_the_other_side();
   }
 };
 

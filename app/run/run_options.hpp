@@ -13,6 +13,13 @@ namespace kinetix::app {
 
 struct Run;
 
+/// The answer of `export` without options to a design.
+struct PrintAnswer {
+  bool is_taken = false;
+  std::string hinges;    ///< their kinds, which it would print or tried last
+  std::string why = {};  ///< it refuses the design, one sentence
+};
+
 /// What the command line adds to a file.
 struct RunOptions {
   int threads = 0;  ///< 0 = all cores
@@ -27,8 +34,8 @@ struct RunOptions {
       nullptr;  ///< held while the physics engine runs, which one thread at a time may use; null: nobody else does
   bool certify = true;    ///< prove how far it folds without contact
   bool fidelity = false;  ///< physics runs of coarser steps too, for the table of speed against error
-  /// Why the hinges of a run do not fit its sheet, or nothing (app/print/hinge_fit.hpp); empty: not asked.
-  std::function<std::optional<std::string>(const Run&)> misfit = {};
+  /// What `export` without options answers to the design of a run (app/print/hinge_fit.hpp); empty: not asked.
+  std::function<PrintAnswer(const Run&)> printable = {};
 };
 
 }  // namespace kinetix::app

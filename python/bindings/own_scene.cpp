@@ -158,7 +158,6 @@ std::vector<app::SummaryLine> OwnOutcome::summary_lines(const app::Run& run) con
   lines.push_back(
       {"error", fmt::format("{:.3g} of {} numbers (root of the sum of squares): {}", residuals.norm(),
                             residuals.size(), met() ? "within tolerance" : "MISSES THE TOLERANCE")});
-  for (const std::string& why : violations) lines.push_back({"why", why});
   lines.push_back(
       {"search", fmt::format("{:.3f} s, {} from {} starts, {}", run.timings.optimise, to_string(solver),
                              search.runs.size(), to_string(search.best_run().status))});

@@ -9,6 +9,7 @@
 #include "app/exports/write_results.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/result/result_json.hpp"
+#include "app/result/verdict.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/sensitivities.hpp"
@@ -26,17 +27,9 @@ std::string content_of(const app::Exporter& exporter, const app::Run& run) {
   return exporter.write(run).front().content;
 }
 
-std::optional<bool> agrees(const app::Run& run) {
-  return run.verification ? std::optional(run.verification->agrees) : std::nullopt;
-}
-
 /// By a drive in elastic hinges; of all others nothing.
 std::optional<bool> reached(const app::Run& run) {
   return run.equilibrium ? std::optional(run.equilibrium->reached()) : std::nullopt;
-}
-
-std::optional<bool> met(const app::Run& run) {
-  return run.goal ? std::optional(run.goal->met()) : std::nullopt;
 }
 
 /// One number a step of the equilibrium path.
@@ -74,8 +67,9 @@ void add_results(py::module_& core) {
   py::class_<app::Run, SharedRun>(core, "Run")
       .def_property_readonly("name", [](const app::Run& r) { return r.name; })
       .def_property_readonly("theta", [](const app::Run& r) { return r.theta; })
-      .def_property_readonly("met", met)
-      .def_property_readonly("agrees", agrees)
+      .def_property_readonly("exit_code",
+                             [](const app::Run& r) { return static_cast<int>(exit_code(verdict_of(r))); })
+      .def("verdict", [](const app::Run& r) { return verdict_json(verdict_of(r)).dump(); })
       .def_property_readonly("reached", reached)
       .def_property_readonly("stopped", [](const app::Run& r) { return r.stopped; })
       .def_property_readonly(

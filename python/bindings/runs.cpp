@@ -99,7 +99,7 @@ std::shared_ptr<app::Run> run_in_python(const app::Scene& scene, const std::stri
   const auto work = [&](const std::stop_source& stop) {
     app::RunOptions options = choice.options;
     options.stop = stop.get_token();
-    options.misfit = app::why_hinges_do_not_fit;
+    options.printable = app::answer_of_export;
     if (listener)
       options.progress = [&](const std::string& stage, double done, const std::string& words) {
         (*listener)(stage, done, words);

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any, Dict, List, Optional
+from typing import Any, Dict, List, NamedTuple, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +13,31 @@ from . import _core
 from .design import Design
 from .notebook import framed
 from .state import State
+
+
+class Problem(NamedTuple):
+    """A fact that speaks against a result."""
+
+    level: str
+    """``error``, where a flag of the verdict is false, or ``warning``."""
+    text: str
+
+
+class Verdict(NamedTuple):
+    """The answers of a run, as ``verdict`` of result.json. A flag is None where the run did not ask."""
+
+    met: Optional[bool]
+    """The design meets its goal in the state that counts."""
+    agrees: Optional[bool]
+    """The simulation agrees with the model."""
+    printable: Optional[bool]
+    """:func:`export` without options would write it."""
+    reaches: Optional[bool]
+    """The drive takes the sheet there."""
+    hinges: Dict[str, str]
+    """Of each flag that is not None, the kind of hinge that it speaks of."""
+    problems: List[Problem]
+    """Errors first; there is an error if and only if a flag is false."""
 
 
 class Result:
@@ -35,9 +60,21 @@ class Result:
         return self._core.theta
 
     @property
+    def verdict(self) -> Verdict:
+        """Whether the goal is met, the simulation agrees, it can be printed and its drive takes it there, and why not."""
+        found = json.loads(self._core.verdict())
+        found["problems"] = [Problem(**problem) for problem in found["problems"]]
+        return Verdict(**found)
+
+    @property
+    def exit_code(self) -> int:
+        """With which the program would end: 0; 3: not met, not printable or not reached; 4: the simulation disagrees."""
+        return self._core.exit_code
+
+    @property
     def met(self) -> Optional[bool]:
         """Whether the goal is met within its tolerances; None for a design, which had none."""
-        return self._core.met
+        return self.verdict.met
 
     @property
     def violations(self) -> List[str]:
@@ -47,7 +84,7 @@ class Result:
     @property
     def agrees(self) -> Optional[bool]:
         """Whether the physics run agrees with the model; None where there was no physics run."""
-        return self._core.agrees
+        return self.verdict.agrees
 
     @property
     def reached(self) -> Optional[bool]:

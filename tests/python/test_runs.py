@@ -26,6 +26,21 @@ class Runs(Scratch):
             self.assertEqual(of_program["metrics"]["shape_rms"], result.metrics["shape_rms"])
             self.assertEqual(result.name, "half_circle")
 
+    def test_the_verdict_is_that_of_the_program(self):
+        thin = {**CURVE, "structure": {"cells": [20, 1], "cell_mm": 11, "wall_mm": {"thickness": 0.3, "height": 6}}}
+        for goal, code in ((CURVE, 0), (thin, 3)):
+            result = kinetix.optimise(goal, verify=False)
+            self.assertEqual(result.exit_code, code)
+            verdict = result.verdict
+            self.assertEqual(json.loads(json.dumps(verdict._asdict())) | {"problems": []},
+                             result.to_dict()["verdict"] | {"problems": []})
+            self.assertEqual([problem._asdict() for problem in verdict.problems], result.to_dict()["verdict"]["problems"])
+            self.assertEqual((verdict.met, verdict.agrees, verdict.printable), (True, None, code == 0))
+            self.assertEqual(any(problem.level == "error" for problem in verdict.problems), code == 3)
+        forward = kinetix.verify(strip(6))
+        self.assertEqual(forward.exit_code, 0)
+        self.assertEqual((forward.met, forward.agrees, forward.verdict.printable), (None, True, None))
+
     def test_the_same_seed_gives_the_same_answer_for_any_number_of_threads(self):
         one, two = (kinetix.optimise(CURVE, threads=threads, verify=False).poses for threads in (1, 2))
         np.testing.assert_array_equal(one, two)

@@ -105,7 +105,6 @@ std::vector<SummaryLine> CurveOutcome::summary_lines(const Run& run) const {
       {"shape",
        fmt::format("rms {:.2e} of the goal's diagonal ({:.3f} mm from curve to curve), largest {:.3f} mm: {}",
                    error.rms, error.rms * error.scale_mm, error.max * error.scale_mm, verdict_of(*this))});
-  for (const std::string& why : violations) lines.push_back({"why", why});
   if (robust) lines.push_back({"robust", robust_text(*robust)});
   const optim::SolveResult& best = found.design.search.runs[found.design.chosen];
   lines.push_back(

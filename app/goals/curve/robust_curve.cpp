@@ -81,7 +81,7 @@ CurveCandidate judged(const CurveFile& file, const optim::FreeCurveDesign& found
     std::tie(out.as_made_mm, out.as_made_p95) = std::pair{printed->made.rms_mm, printed->made.p95_mm};
   out.is_allowed = printed && printed->can_be_printed && found.walls_are_free &&
                    bears_its_strain(run, state) && design.error.rms <= file.shape_tolerance &&
-                   (!options.misfit || !options.misfit(run));
+                   (!options.printable || options.printable(run).is_taken);
   return out;
 }
 

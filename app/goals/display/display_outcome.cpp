@@ -220,7 +220,6 @@ void DisplayOutcome::add_metrics(Json& metrics) const {
 std::vector<SummaryLine> DisplayOutcome::summary_lines(const Run& run) const {
   std::vector<SummaryLine> lines;
   lines.push_back({"picture", in_words(*this, after) + (met() ? "" : ": NOT AS REQUIRED")});
-  for (const std::string& why : violations) lines.push_back({"why", why});
   if (!design.starts.empty())
     lines.push_back({"rule", "the paper's rule alone: auc " +
                                  fmt::format("{:.3f}, contrast {:.1f}", design.starts[0].view.score.auc,
@@ -233,8 +232,11 @@ std::vector<SummaryLine> DisplayOutcome::summary_lines(const Run& run) const {
   if (unlimited) lines.push_back({"", "without them " + loads_text(*unlimited)});
   if (design.refined) lines.push_back({"strain", "on purpose: without it " + in_words(*this, exact)});
   if (physics) lines.push_back({"seen", "in the physics run: " + in_words(*this, *physics)});
-  for (const std::string& why : physics_violations) lines.push_back({"why", why});
   return lines;
+}
+
+std::vector<std::string> DisplayOutcome::warnings(const Run&) const {
+  return printed ? printed->why : std::vector<std::string>{};
 }
 
 std::vector<NamedContent> DisplayOutcome::pictures(const Run& run) const { return display_pictures(run); }

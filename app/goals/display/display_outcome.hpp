@@ -94,6 +94,7 @@ class DisplayOutcome final : public GoalOutcome {
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
   void add_metrics(nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
+  std::vector<std::string> warnings(const Run& run) const override;
   std::vector<NamedContent> pictures(const Run& run) const override;
   std::vector<NamedContent> shown_pictures(const Run& run) const override;
 };

@@ -176,7 +176,6 @@ std::vector<SummaryLine> FoldOutcome::summary_lines(const Run& run) const {
   std::vector<SummaryLine> lines;
   lines.push_back(
       {"solid", in_words(creases(net.error), net.error.rms) + (met() ? "" : ": DOES NOT FOLD AS REQUIRED")});
-  for (const std::string& why : violations) lines.push_back({"why", why});
   lines.push_back({"net", fmt::format("{} face{}, {} per crease, unfolding {} of {}", net.net.faces.size(),
                                       net.net.faces.size() == 1 ? "" : "s", columns_in_words(net.layout),
                                       design.net + 1, goal.nets.size())});
@@ -187,7 +186,6 @@ std::vector<SummaryLine> FoldOutcome::summary_lines(const Run& run) const {
   if (unlimited) lines.push_back({"", "without them " + loads_text(*unlimited)});
   if (physics)
     lines.push_back({"folded", "in the physics run: " + in_words(creases(*physics), physics->rms)});
-  for (const std::string& why : physics_violations) lines.push_back({"why", why});
   return lines;
 }
 

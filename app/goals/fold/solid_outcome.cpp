@@ -139,7 +139,6 @@ std::vector<SummaryLine> SolidOutcome::summary_lines(const Run& run) const {
   std::vector<SummaryLine> lines;
   lines.push_back({"solid", in_words(creases(design.error), design.error.rms) +
                                 (met() ? "" : ": DOES NOT FOLD AS REQUIRED")});
-  for (const std::string& why : violations) lines.push_back({"why", why});
   lines.push_back(
       {"net", fmt::format("{} face{} of {} cells a side, {} {} per crease", design.net.faces.size(),
                           design.net.faces.size() == 1 ? "" : "s", 2 * goal.cells, design.net.columns,
@@ -149,7 +148,6 @@ std::vector<SummaryLine> SolidOutcome::summary_lines(const Run& run) const {
       {"search", fmt::format("{:.3f} s, {} motions examined", run.timings.optimise, design.evaluations)});
   if (physics)
     lines.push_back({"folded", "in the physics run: " + in_words(creases(*physics), physics->rms)});
-  for (const std::string& why : physics_violations) lines.push_back({"why", why});
   return lines;
 }
 

@@ -198,6 +198,10 @@ void HelmetOutcome::add_metrics(Json& metrics) const {
   metrics["walls_inside_physics"] = physics_inside.hinges.size();
 }
 
+std::vector<std::string> HelmetOutcome::warnings(const Run&) const {
+  return head.openings.empty() ? std::vector<std::string>{} : std::vector{invented(head.openings)};
+}
+
 std::vector<SummaryLine> HelmetOutcome::summary_lines(const Run& run) const {
   std::vector<SummaryLine> lines;
   lines.push_back(
@@ -209,15 +213,12 @@ std::vector<SummaryLine> HelmetOutcome::summary_lines(const Run& run) const {
       {"fit", in_words(design.error) +
                   fmt::format(", {:.0f} % of the head within a cell edge of a rib: ", 100 * cover.share) +
                   verdict(keeps_tolerances(*this))});
-  for (const std::string& why : violations) lines.push_back({"why", why});
-  if (!head.openings.empty()) lines.push_back({"INVENTED", invented(head.openings)});
   for (const std::string& note : design.layout.notes) lines.push_back({"note", note});
   lines.push_back({"one tilt", fmt::format("the same for all walls: rms {:.2f} mm, largest {:.2f} mm at best",
                                            uniform.after.rms, uniform.after.max)});
   lines.push_back({"search", fmt::format("{:.2f} s, ceres, {} evaluations, {}", run.timings.optimise,
                                          design.search.evaluations, to_string(design.search.status))});
   if (physics) lines.push_back({"worn", "in the physics run: " + in_words(*physics)});
-  for (const std::string& why : physics_violations) lines.push_back({"why", why});
   return lines;
 }
 

@@ -31,6 +31,7 @@ class HelmetOutcome final : public GoalOutcome {
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
   void add_metrics(nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
+  std::vector<std::string> warnings(const Run& run) const override;
 };
 
 }  // namespace kinetix::app

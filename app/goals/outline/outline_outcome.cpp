@@ -112,7 +112,6 @@ std::vector<SummaryLine> OutlineOutcome::summary_lines(const Run& run) const {
     lines.push_back(
         {"flat", fmt::format("rim {:.2f} % of the diagonal off its outline (rms), area {:.1f} % shared",
                              100 * design.flat.rms, 100 * design.flat.iou)});
-  for (const std::string& why : violations) lines.push_back({"why", why});
   if (!met()) lines.push_back({"bounds", what_binds(design)});
   lines.push_back(
       {"hinges", fmt::format("up to {:.2f} mm off the middle of their walls, t from {:.2f} to {:.2f}",

@@ -67,7 +67,6 @@ std::vector<SummaryLine> SpaceBlockOutcome::summary_lines(const Run&) const {
        fmt::format("sodalite, {} x {} x {} cells with edges of {:.3g} mm, gussets of {:.3g}, {:.3g} "
                    "and {:.3g} edges in squares normal to x, y and z",
                    found.cells[0], found.cells[1], found.cells[2], found.edge_mm, g.x(), g.y(), g.z())}};
-  for (const std::string& why : violations) lines.push_back({"why", why});
   if (physics)
     lines.push_back({"pressed", fmt::format("in the physics run: {} of its lengths, off by {:.1e}",
                                             factors_text(physics->factors), physics->off)});

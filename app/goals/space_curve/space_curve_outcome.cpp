@@ -86,7 +86,6 @@ std::vector<SummaryLine> SpaceCurveOutcome::summary_lines(const Run& run) const 
        fmt::format("rms {:.2e} of the goal's diagonal ({:.3f} mm from curve to curve), largest {:.3f} mm: {}",
                    error().rms, error().rms * error().scale_mm, error().max * error().scale_mm,
                    verdict(error().rms <= file.shape_tolerance))});
-  for (const std::string& why : violations) lines.push_back({"why", why});
   const Eigen::Vector3d& y = found.across.direction;
   lines.push_back(
       {"across", fmt::format("the strip's width lies along [{:.3f}, {:.3f}, {:.3f}], along which the curve "

@@ -123,7 +123,6 @@ std::vector<SummaryLine> RibsOutcome::summary_lines(const Run& run) const {
        fmt::format("bodies {:.3f} % of the diagonal off it (rms, {:.3f} mm), {:.0f} % of its area "
                    "within a cell edge of a rib: {}",
                    100 * way.rms, way.rms * file.surface.diagonal, 100 * cover.share, verdict(is_within))});
-  for (const std::string& why : violations) lines.push_back({"why", why});
   lines.push_back(
       {"ribs",
        fmt::format(
@@ -141,7 +140,6 @@ std::vector<SummaryLine> RibsOutcome::summary_lines(const Run& run) const {
   if (settled)
     lines.push_back({"settled", fmt::format("in the physics run: bodies {:.3f} % off, largest {:.3f} %",
                                             100 * settled->rms, 100 * settled->max)});
-  for (const std::string& why : physics_violations) lines.push_back({"why", why});
   return lines;
 }
 

@@ -121,7 +121,6 @@ std::vector<SummaryLine> SurfaceOutcome::summary_lines(const Run& run) const {
            "vertices {:.2f} % of the diagonal off its two layers (rms, {:.3f} mm), area {:.0f} % shared: {}",
            100 * design.error.rms, design.error.rms * diagonal_mm, 100 * design.error.cover,
            verdict(why_off_surface(*this).empty()))});
-  for (const std::string& why : violations) lines.push_back({"why", why});
   if (needs_curvature())
     lines.push_back(
         {"curvature",

@@ -123,13 +123,13 @@ function readRun(raw, index) {
   return {start: finite(raw?.start) ?? index, status: raw?.status, rms: finite(raw?.fit_rms), history};
 }
 
-function readVerdict(metrics, tolerance) {
-  const within = (value, limit) => (finite(value) === null || finite(limit) === null ? null : value <= limit);
-  const truth = (value, otherwise) => (typeof value === "boolean" ? value : otherwise);
-  return {
-    met: truth(metrics.met, within(metrics.shape_rms, tolerance.shape)),
-    verified: truth(metrics.verified, within(metrics.verify_rms, tolerance.verify)),
-  };
+/** `verdict` of the result: flags (null where the run did not ask) and problems, errors first. */
+function readVerdict(raw) {
+  const given = dictionary(raw.verdict), flag = (name) => (typeof given[name] === "boolean" ? given[name] : null);
+  const problems = list(given.problems).filter((problem) => typeof problem?.text === "string");
+  const texts = (level) => problems.filter((problem) => problem.level === level).map(({text}) => text);
+  return {met: flag("met"), verified: flag("agrees"), printable: flag("printable"), reaches: flag("reaches"),
+    errors: texts("error"), warnings: texts("warning")};
 }
 
 /** What prints of it come to; null where that is not known. */
@@ -140,26 +140,6 @@ function readAsMade(raw) {
     mayTouch: raw.free_of_contact === false, isUnproven: raw.free_of_contact === null,
     canBePrinted: raw.can_be_printed !== false, confirmed: raw.confirmed !== false, prints: dictionary(raw.prints), play: someDictionary(raw.play), taken: someDictionary(raw.taken), sources,
     places: list(raw.places).filter((place) => finite(place?.share) !== null)};
-}
-
-const PROBLEM_WORDS = {strained: "Strained: ", corners: "Corners: ", offset: "Offset: "};
-
-const UNKNOWN_PRINTS = "but what prints come to is not known";
-
-/** What speaks against the made thing: {title, why}, the worst as the title's end; null where nothing does. */
-function readMadeFaults(raw) {
-  const made = dictionary(raw.as_made ?? raw[kindOf(raw)?.name]?.printed), unknown = typeof raw.as_made_unknown === "string" ? raw.as_made_unknown : null;
-  const problems = list(raw.made_problems).filter((problem) => typeof problem?.what === "string");
-  const title = problems.some(({kind}) => kind === "print") || made.can_be_printed === false ? "but it cannot be printed like this" :
-                problems.length                                                              ? "but its hinges cannot be made for it" :
-                made.holds === false                                                         ? "but not every print will hold" :
-                unknown !== null                                                             ? UNKNOWN_PRINTS :
-                                                                                               null;
-  if (title === null) return null;
-  const why = problems.map(({kind, what}) => (PROBLEM_WORDS[kind] ?? "") + what);
-  const said = title === UNKNOWN_PRINTS ? unknown : `what prints come to is not known: ${unknown}`;
-  const words = [...why, ...list(made.why), ...(unknown === null ? [] : [said])];
-  return {title, why: [...new Set(words)].map((text) => text[0].toUpperCase() + text.slice(1) + ".")};
 }
 
 /** What a slicer said of the print, after an export; null before. */
@@ -206,10 +186,9 @@ function readResult(raw) {
     equilibrium,
     stable: readStable(raw.equilibrium, structure),
     states: kind?.place?.(raw, states) ?? states,
-    verdict: readVerdict(metrics, tolerance),
+    verdict: readVerdict(raw),
     asMade: readAsMade(raw.as_made),
     certified: readCertified(raw.certified),
-    madeFaults: readMadeFaults(raw),
     print: readPrint(raw.print),
     madeChoices: readMadeChoices(raw.robust),
     matter: readMatter(raw.matter),

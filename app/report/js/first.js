@@ -6,7 +6,6 @@ const SHOT_MARGIN = 10;       // CSS pixels around a picture
 const FOLDED_COLUMN = 1.35;   // width of the column of the folded thing over that of the flat sheet, as in the style sheet
 const NARROW = "(max-width: 700px)";  // where they stand one below the other, as in the style sheet
 const FIRST_SLANT = [-0.55, 0.42], FIRST_TOP = [0, 1.1];  // azimuth and elevation, rad
-const OTHER_BRANCH = "another branch";  // as results say that physics ended in another equilibrium
 const OWN_SPRINGS = "its own springs";  // as `effort` of results calls a drive that nobody presses
 
 /** Whether no plates hold a panel's sides: its equilibrium then lies in its plane turned by whatever moved it. */
@@ -200,17 +199,10 @@ function firstShots(data) {
       flat ? figure((width) => drawShot(flat, folded, width, wider()), "Flat, as it is printed") : null);
 }
 
-/** That the physics run speaks against the model, whatever the goal is: a sentence, or nothing. */
-function disagreements(data) {
-  const {physics, verdict: {verified}, metrics: {verify_rms: rms}} = data;
-  if (verified !== false || (finite(rms) === null && !physics.status)) return [];
-  const branch = dictionary(physics.comparison).outcome === OTHER_BRANCH ? " It rests in another equilibrium of the same sheet." : "";
-  return [`The physics run ${failing(data)}. ${physicsWords(data)}${branch}`];
-}
-
-/** What keeps a tick from being green, a sentence each. */
-function madeReasons({madeFaults}, tone) {
-  return tone === "unsure" && madeFaults ? madeFaults.why : [];
+/** What speaks against it, a sentence each. */
+function problemLines({verdict: {errors, warnings}}) {
+  const line = (level) => (text) => html("p", {class: "why"}, `${level}: ${text}`);
+  return [...errors.map(line("Error")), ...warnings.map(line("Warning"))];
 }
 
 function firstScreen(data) {
@@ -218,7 +210,6 @@ function firstScreen(data) {
   return html(
       "header", {id: "headline"}, html("p", {class: "eyebrow"}, "KinetiX design report"), html("h1", {}, data.name),
       html("div", {class: "verdict " + tone}, html("span", {class: "mark", "aria-hidden": "true"}, mark),
-           html("div", {}, html("h2", {}, title), madeReasons(data, tone).map((reason) => html("p", {}, reason)),
-                [...reasons(data), ...disagreements(data)].map((reason) => html("p", {class: "why"}, reason)))),
+           html("div", {}, html("h2", {}, title), problemLines(data))),
       guarded(() => firstShots(data)), guarded(() => firstFacts(data)));
 }

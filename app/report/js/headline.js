@@ -72,16 +72,19 @@ function printsWords({count, failed, kept, rms_mm: rms, p95_mm: p95}) {
 const parameterPlurals = {t: "places", alpha: "directions", beta: "tilts", offset: "offsets"};
 const parameterWords = {t: "the place", alpha: "the direction", beta: "the tilt", offset: "the offset"};
 
-/** Green only where the made thing is known to be good as well. */
-function madeVerdict(found, {madeFaults}) {
-  if (found.tone !== "good" || !madeFaults) return found;
-  return {...found, mark: "!", tone: "unsure", title: `${found.title}, ${madeFaults.title}`};
+/** Red where any flag is false, amber where there are warnings. */
+function judged(found, {verdict: {printable, reaches, warnings}}) {
+  if (found.tone === "bad") return found;
+  const fault = reaches === false ? "but its drive does not take it there" : printable === false ? "but it cannot be printed like this" : null;
+  if (fault) return {...found, mark: "\u2715", tone: "bad", title: `${found.title}, ${fault}`};
+  if (found.tone !== "good" || !warnings.length) return found;
+  return {...found, mark: "!", tone: "unsure", title: `${found.title}, with ${count(warnings.length, "warning", "warnings")}`};
 }
 
 /** {mark, tone, title, text} */
 function verdict(data) {
   const found = data.kind ? data.kind.verdict(data) : data.equilibrium ? equilibriumVerdict(data) : designVerdict(data);
-  return madeVerdict(found, data);
+  return judged(found, data);
 }
 
 function keyNumber(name, value, note) {
@@ -141,10 +144,6 @@ function keyNumbers(data) {
     timeNumber(data),
   ].filter(Boolean);
   return numbers.length ? html("dl", {class: "numbers"}, numbers) : null;
-}
-
-function reasons({goal}) {
-  return [...(goal?.reasons ?? []), ...(goal?.physicsReasons ?? [])];
 }
 
 /** The verdict in full, and all key numbers. */

@@ -72,8 +72,12 @@ std::string words(const Json& result, const std::string& file) {
   for (const auto& [key, label, before, unit, digits, after] : told_measures)
     if (const auto value = metrics.find(key); value != metrics.end() && value->is_number())
       out += told_line(label, before + told_number(unit * value->get<double>(), digits) + after);
-  if (const auto agrees = metrics.find("verified"); agrees != metrics.end() && agrees->is_boolean())
-    out += told_line("", agrees->get<bool>() ? "physics agrees" : "physics DISAGREES");
+  const Json judged = result.value("verdict", Json(nullptr));
+  if (!judged.is_object() || !judged.contains("problems") || !judged["problems"].is_array()) return out;
+  for (const Json& problem : judged["problems"])
+    if (problem.contains("level") && problem.contains("text") && problem["level"].is_string() &&
+        problem["text"].is_string())
+      out += told_line(problem["level"].get<std::string>(), problem["text"].get<std::string>());
   return out;
 }
 
@@ -112,7 +116,8 @@ Json earlier_result(const std::string& design_file, const DesignFile& design) {
   const fs::path file = fs::path(design_file).parent_path() / "result.json";
   Json result = read(file);
   if (!is_of_search(result) || !is_of_sheet(result, design, rounding)) return nullptr;
-  const Json met = result["metrics"].value("met", Json(nullptr));
+  const Json judged = result.value("verdict", Json(nullptr));  // null in results of earlier versions
+  const Json met = judged.is_object() ? judged.value("met", Json(nullptr)) : Json(nullptr);
   const bool stopped = result.value("stopped", false);
   const std::string text = words(result, file.string());
   return {{"type", "result"}, {"result", std::move(result)}, {"summary", text},

@@ -9,6 +9,7 @@
 #include "app/pipeline/pipeline.hpp"
 #include "app/print/hinge_fit.hpp"
 #include "app/result/result_json.hpp"
+#include "app/result/verdict.hpp"
 #include "app/studio/messages/base64.hpp"
 #include "app/studio/messages/design_message.hpp"
 #include "app/studio/messages/failure_message.hpp"
@@ -92,7 +93,7 @@ void Session::search_for(const std::string& file, std::shared_ptr<const void> ke
       options.progress = progress;
       options.stop = stop;
       options.engine = &engine_;
-      options.misfit = why_hinges_do_not_fit;
+      options.printable = answer_of_export;
       auto run = std::make_shared<Run>(run_scene(*target.goal, options));
       enqueue([this, run] { found(run); });
     } catch (const std::exception& e) {
@@ -116,7 +117,7 @@ void Session::found(std::shared_ptr<Run> run) {
                   {{"type", "result"},
                    {"result", result_json(*run)},
                    {"summary", summary(*run)},
-                   {"met", run->goal && run->goal->met()},
+                   {"met", verdict_of(*run).met.value_or(false)},
                    {"stopped", run->stopped}},
                   design.theta};
   if (is_other)

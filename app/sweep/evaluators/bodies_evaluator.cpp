@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/result/equilibrium_summary.hpp"
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::app {
@@ -42,9 +41,7 @@ void BodiesEvaluator::compute(const AssemblyFile& file, SampleRow& row) {
 void BodiesEvaluator::see_exact(SampleRow& row) {
   seen_.theta = run_.states.front().theta;
   seen_.state = &run_.states.front().poses;
-  if (run_.reached()) return;
-  row.status = SampleStatus::missed;
-  row.reason = closure_words(run_);
+  take_verdict(verdict_of(run_), row);
 }
 
 void BodiesEvaluator::see_equilibrium(SampleRow& row) {
@@ -55,9 +52,7 @@ void BodiesEvaluator::see_equilibrium(SampleRow& row) {
   seen_.theta = path.theta;
   seen_.state = &path.state;
   seen_.equilibrium = &*equilibrium_;
-  if (equilibrium_->reached()) return;
-  row.status = SampleStatus::missed;
-  row.reason = in_words(path.stop) + ": " + path.why;
+  take_verdict(verdict_of(run_), row);
 }
 
 void BodiesEvaluator::see_physics(SampleRow& row) {
@@ -67,13 +62,7 @@ void BodiesEvaluator::see_physics(SampleRow& row) {
   seen_.state = &v.physics.state;
   seen_.physics = &v.physics;
   seen_.from_model = v.distance;
-  if (!run_.reached()) {
-    row.status = SampleStatus::missed;
-    row.reason = closure_words(run_);
-  } else if (!v.agrees) {
-    row.status = SampleStatus::disagrees;
-    row.reason = "the physics run settled in another state than the closed one";
-  }
+  take_verdict(verdict_of(run_), row);
 }
 
 }  // namespace kinetix::app

@@ -7,7 +7,7 @@
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/pipeline/verify.hpp"
-#include "app/result/equilibrium_summary.hpp"
+#include "app/result/verdict.hpp"
 #include "model/elastic/path/near_equilibrium.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "optim/doe/nan.hpp"
@@ -27,12 +27,6 @@ Run equilibrium_run(const DesignFile& design) {
   // As many frames as `simulate` has: they decide the steps of the path.
   add_equilibrium(run, drive_of(design), elasticity_of(design), motion_states, {});
   return run;
-}
-
-void miss_where_the_drive_does(const Equilibrium& equilibrium, double theta, SampleRow& row) {
-  if (equilibrium.reached() && !equilibrium.is_on_the_other_side(theta)) return;
-  row.status = SampleStatus::missed;
-  row.reason = missed_words(equilibrium, theta);
 }
 
 /// Of the closed form, where a family fits.
@@ -129,7 +123,7 @@ void DesignEvaluator::compute_equilibrium(const DesignFile& design, SampleRow& r
   seen_.theta = run_.theta;
   seen_.state = &run_.states.front().poses;
   seen_.equilibrium = &*run_.equilibrium;
-  miss_where_the_drive_does(*run_.equilibrium, run_.theta, row);
+  take_verdict(verdict_of(run_), row);
 }
 
 void DesignEvaluator::compute_near_base(const DesignFile& design, SampleRow& row) {
@@ -150,7 +144,8 @@ void DesignEvaluator::see_equilibrium(const DesignFile& design, model::Equilibri
                               found, run_.equilibrium->elasticity);
   seen_.state = &found.state;
   seen_.equilibrium = &*run_.equilibrium;
-  miss_where_the_drive_does(*run_.equilibrium, seen_.theta, row);
+  run_.theta = seen_.theta;
+  take_verdict(verdict_of(run_), row);
 }
 
 /// By the same steps as a single run: of coarser ones first, and with joints that suit the family.
@@ -167,12 +162,7 @@ void DesignEvaluator::compute_physics(const DesignFile& design, SampleRow& row) 
   seen_.state = &v.physics.state;
   seen_.physics = &v.physics;
   seen_.from_model = v.distance;
-  if (run_.misses()) {
-    miss_where_the_drive_does(*run_.equilibrium, run_.theta, row);
-  } else if (!v.agrees) {
-    row.status = SampleStatus::disagrees;
-    row.reason = "the physics run settled in another state than the model";
-  }
+  take_verdict(verdict_of(run_), row);
 }
 
 }  // namespace kinetix::app

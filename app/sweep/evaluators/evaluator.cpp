@@ -38,6 +38,14 @@ std::unique_ptr<Evaluator> make_evaluator(const SweepPlan& plan) {
   return std::make_unique<DesignEvaluator>(plan);
 }
 
+void take_verdict(const Verdict& verdict, SampleRow& row) {
+  const ExitCode code = exit_code(verdict);
+  row.status = code == target_missed       ? SampleStatus::missed
+               : code == physics_disagrees ? SampleStatus::disagrees
+                                           : SampleStatus::ok;
+  row.reason = verdict.reasons();
+}
+
 SampleRow run_sample(const SweepPlan& plan, Evaluator& evaluator, std::int64_t sample) noexcept {
   SampleRow row;
   row.sample = sample;

@@ -1,12 +1,11 @@
 #include "app/sweep/evaluators/search_evaluator.hpp"
 
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "app/pipeline/pipeline.hpp"
 #include "app/print/hinge_fit.hpp"
-#include "app/result/equilibrium_summary.hpp"
 #include "app/result/result_json.hpp"
+#include "app/result/verdict.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -19,12 +18,6 @@ const NamedState* shown_state(const Run& run, bool physics) {
   return shown;
 }
 
-/// @pre run.misses()
-std::string why_missed(const Run& run) {
-  if (!run.goal->met()) return fmt::format("{}", fmt::join(run.goal->violations, "; "));
-  return missed_words(*run.equilibrium, run.theta);
-}
-
 }  // namespace
 
 void SearchEvaluator::evaluate(SampleRow& row) {
@@ -32,7 +25,7 @@ void SearchEvaluator::evaluate(SampleRow& row) {
   const bool physics = plan_.doe.model == Model::bullet;
   const Run run = run_scene(
       *maker_.target().goal,
-      {.threads = 1, .seed = plan_.seed, .verify = physics, .progress = {}, .misfit = why_hinges_do_not_fit});
+      {.threads = 1, .seed = plan_.seed, .verify = physics, .progress = {}, .printable = answer_of_export});
   const auto metrics = metrics_json(run);
   Observation seen{.structure = &run.structure, .theta = run.theta, .metrics = &metrics};
   const NamedState* state = shown_state(run, physics);
@@ -40,13 +33,7 @@ void SearchEvaluator::evaluate(SampleRow& row) {
   seen.state = &state->poses;
   seen.is_closed_form = state->model == to_string(Model::exact);
   for (std::size_t k = 0; k < plan_.responses.size(); ++k) row.responses[k] = plan_.responses[k].of(seen);
-  if (run.misses()) {
-    row.status = SampleStatus::missed;
-    row.reason = why_missed(run);
-  } else if (run.verification && !run.verification->agrees) {
-    row.status = SampleStatus::disagrees;
-    row.reason = "the physics run does not agree with the model";
-  }
+  take_verdict(verdict_of(run), row);
 }
 
 }  // namespace kinetix::app

@@ -96,7 +96,7 @@ TEST(Program, KeepsTheBestSoFarWhenItsTimeIsUp) {
   const Outcome run = kinetix_opt(scratch.write("long.yaml", long_search) + " --time-limit 0.5 -o " + folder);
   EXPECT_EQ(run.code, 3) << run.out << run.err;
   EXPECT_THAT(run.err, HasSubstr("the time is up: keeping the best so far"));
-  EXPECT_THAT(run.out, HasSubstr("STOPPED"));
+  EXPECT_THAT(run.out, HasSubstr("\n  warning    stopped before its end"));
   const Json result = Json::parse(text_of(folder + "/result.json"));
   EXPECT_EQ(schema_errors(result), "");
   EXPECT_EQ(result["stopped"], true);

@@ -115,6 +115,81 @@ TEST(TileImport, PullsSquaresApartWhereTheyHaveNoTarget) {
   EXPECT_NEAR(TileJson::parse(run.out)["metrics"]["theta_rad"].get<double>(), 0.7854, 0.05);
 }
 
+/// What `simulate` or `verify` says of an import, by its result.json.
+TileJson run_of(const TileFolder& folder, const std::string& command, int code) {
+  const Outcome run = kinetix_opt(command + " " + folder.design() + " --json --quiet -o " +
+                                  (folder.scratch / "run").string());
+  EXPECT_EQ(run.code, code) << run.out << run.err;
+  const TileJson result = TileJson::parse(run.out);
+  EXPECT_EQ(schema_errors(TileJson::parse(run.out)), "");
+  return result;
+}
+
+std::string first_error(const TileJson& result) {
+  const TileJson& problems = result["verdict"]["problems"];
+  return problems.empty() || problems[0]["level"] != "error" ? "" : problems[0]["text"].get<std::string>();
+}
+
+// Squares joined at both ends of their edges turn by nothing: their target is another closed state, without a way to it.
+TEST(TileImport, SaysThatSheetsThatDoNotMoveAreNoMechanism) {
+  for (const auto& [columns, rows] : {std::pair{2, 2}, {3, 2}, {4, 4}}) {
+    model::TileSheet sheet = rotating_squares(columns, rows, 0.6);
+    const auto joints = sheet.joints;
+    for (const model::TileJoint& joint : joints) {  // the other end of each edge, too
+      const int other = joint.second == joint.first + 1 ? 3 : 1;
+      sheet.joints.push_back(
+          {joint.first, joint.first_corner ^ other, joint.second, joint.second_corner ^ other, true});
+    }
+    const TileFolder folder(sheet);
+    folder.import();
+    for (const char* command : {"simulate", "verify"}) {
+      const TileJson result = run_of(folder, command, 3);
+      EXPECT_EQ(result["verdict"]["met"], false);
+      EXPECT_EQ(result["verdict"]["reaches"], false);
+      EXPECT_THAT(first_error(result), HasSubstr("two states of their own, not a mechanism between them"));
+    }
+  }
+}
+
+// Tiles that move, and targets that their joints do not allow: one tile shifted, all of them farther apart, one turned.
+TEST(TileImport, ATargetThatIsMissedByMoreThanTheToleranceIsThree) {
+  const auto missed = [](model::TileSheet sheet, const std::string& who) {
+    const TileFolder folder(sheet);
+    folder.import();
+    const TileJson result = run_of(folder, "simulate", 3);
+    EXPECT_EQ(result["verdict"]["met"], false) << who;
+    EXPECT_EQ(result["tolerance"]["pull"], 0.05) << who;
+    EXPECT_GT(result["metrics"]["pull_rms"], 0.05) << who;
+    EXPECT_THAT(first_error(result), HasSubstr("cell edges (rms) from where they are pulled to")) << who;
+    const std::string design = text_of(folder.design());
+    folder.scratch.write("out/design.yaml", design + "tolerance: {pull: 3}\n");
+    EXPECT_EQ(run_of(folder, "simulate", 0)["verdict"]["met"], true) << who;
+    EXPECT_THAT(text_of(folder.scratch / "run/design.yaml"), HasSubstr("tolerance: {pull: 3}")) << who;
+  };
+  const model::TileSheet sheet = rotating_squares(3, 3, 0.5);
+  model::TileSheet shifted = sheet, apart = sheet, turned = sheet;
+  for (Eigen::Vector3d& corner : shifted.target[0]) corner.x() -= 1;
+  missed(shifted, "shifted");
+  for (std::size_t k = 0; k < apart.target.size(); ++k) {
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& corner : apart.target[k]) middle += corner / 4;
+    for (Eigen::Vector3d& corner : apart.target[k]) corner += 0.5 * middle;
+  }
+  missed(apart, "apart");
+  for (Eigen::Vector3d& corner : turned.target[4])
+    corner = Eigen::Vector3d(2 * turned.target[4][0].x(), 0, 0) - corner;
+  missed(turned, "turned");
+}
+
+TEST(TileImport, AToleranceWithoutPosesIsRefused) {
+  const TileFolder folder(rotating_squares(2, 2, 0.4), false);
+  folder.import();
+  folder.scratch.write("out/design.yaml", text_of(folder.design()) + "tolerance: {pull: 0.1}\n");
+  const Outcome run = kinetix_opt("check " + folder.design());
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("tolerance.pull: is of bodies that are pulled to `drive.poses`"));
+}
+
 TEST(TileImport, JoinsByBallsWhereOneFaceHolds) {
   model::TileSheet sheet = rotating_squares(3, 3, 0.4);
   for (model::TileJoint& joint : sheet.joints) joint.both_faces = false;

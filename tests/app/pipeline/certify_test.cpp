@@ -7,6 +7,7 @@
 
 #include "app/goals/read_target.hpp"
 #include "app/pipeline/pipeline.hpp"
+#include "app/result/verdict.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
@@ -178,17 +179,17 @@ TEST(Certify, FailsGoalsWhoseWallsOverlapAsBuilt) {
   EXPECT_THAT(run.goal->violations.back(), HasSubstr("overlap as built"));
   const app::Run unproven = run_scene(*app::read_target(file).goal, {.verify = false, .certify = false});
   EXPECT_FALSE(unproven.certified);
-  EXPECT_TRUE(unproven.misses()) << "as in a sweep";
+  EXPECT_EQ(verdict_of(unproven).met, false) << "as in a sweep";
   EXPECT_EQ(unproven.goal->violations, run.goal->violations);
 }
 
 TEST(Certify, ARunWhoseDriveStoppedOnItsWayMisses) {
   app::Run run;
-  EXPECT_FALSE(run.misses());
+  EXPECT_EQ(exit_code(verdict_of(run)), app::done);
   run.equilibrium.emplace();
-  EXPECT_FALSE(run.misses());
+  EXPECT_EQ(exit_code(verdict_of(run)), app::done);
   run.equilibrium->path.stop = model::EquilibriumPath::Stop::locked;
-  EXPECT_TRUE(run.misses());
+  EXPECT_EQ(exit_code(verdict_of(run)), app::target_missed);
 }
 
 TEST(Certify, IsPartOfACheck) {

@@ -195,7 +195,7 @@ TEST(Export, KeepsToTheLimitsOfOnesOwnPrinter) {
     EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("clearance 0.2 mm a side")) << options;
   }
   expect_refused(std::string(panel) + "process: {base: fdm, least_wall_mm: 0.9}\n", "--format stl",
-                 "a wall of 0.8 mm is less than fdm prints, 0.9 mm");
+                 "a wall of 0.8 mm is less than fdm prints, 0.9 mm", not_printable);
 }
 
 TEST(Export, SaysHowFarPartsMaySwell) {

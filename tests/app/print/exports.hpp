@@ -20,17 +20,21 @@ structure: {cells: [3, 2], cell_mm: 12, wall_mm: {thickness: 0.8, height: 6}}
 design: {theta_deg: 20}
 )";
 
+/// Exit code of an export that is refused as the design cannot be printed.
+inline constexpr int not_printable = 3;
+
 /// What `export` says of a design that it writes into `out`.
 inline Outcome exported(const Scratch& scratch, const std::string& design, const std::string& options) {
   return kinetix_opt("export " + scratch.write("panel.yaml", design) + " -o " + std::string(scratch / "out") +
                      " " + options);
 }
 
-/// A refusal: one line, exit code 2, nothing written. Quiet, since a slow machine may say before what it is busy with.
-inline void expect_refused(const std::string& design, const std::string& options, const std::string& says) {
+/// A refusal: one line, exit code 2, 3 for a design that cannot be printed, nothing written. Quiet, since a slow machine may say before what it is busy with.
+inline void expect_refused(const std::string& design, const std::string& options, const std::string& says,
+                           int code = 2) {
   const Scratch scratch;
   const Outcome run = exported(scratch, design, options + " --quiet");
-  EXPECT_EQ(run.code, 2) << run.out << run.err;
+  EXPECT_EQ(run.code, code) << run.out << run.err;
   EXPECT_THAT(run.err, ::testing::HasSubstr(says));
   EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
   EXPECT_FALSE(fs::exists(scratch / "out")) << says;

@@ -151,14 +151,16 @@ export class GoalPanel {
     $("progress_text").textContent = text + (left_s > 1 ? `, about ${Math.ceil(left_s)} s left` : "");
   }
 
-  /** Whether the physics run ended elsewhere than the model, or nowhere. */
-  get disagrees() {
-    return this.state.result.result?.metrics?.verified === false;
+  /** What speaks against a goal that is met, by the result's verdict. */
+  get faults() {
+    const {agrees, printable, reaches} = this.state.result.result?.verdict ?? {};
+    return [agrees === false && "the physics run does not confirm it", printable === false && "it cannot be printed like this",
+      reaches === false && "its drive does not take it there"].filter(Boolean);
   }
 
   /** In words: what came of the search. */
   get verdict() {
-    const {met, stopped, earlier} = this.state.result, but = this.disagrees ? ", but the physics run does not confirm it" : "";
+    const {met, stopped, earlier} = this.state.result, but = this.faults.length ? `, but ${this.faults.join(", and ")}` : "";
     if (earlier) return (met ? `Met${but}` : met === false ? "Not met" : "Not known to be met") + ": what was found before";
     return met ? `Found: it meets the goal${but}` : stopped ? "Stopped: the best so far" : "Not met: this is the nearest";
   }
@@ -174,7 +176,7 @@ export class GoalPanel {
     const {met, summary} = this.state.result;
     show($("found"), true);
     $("found_title").textContent = this.verdict;
-    $("found_title").className = met && !this.disagrees ? "good" : "bad";
+    $("found_title").className = met && !this.faults.length ? "good" : "bad";
     $("found_text").replaceChildren(...summaryRows(summary ?? ""));
     status($("found_title").textContent);
   }

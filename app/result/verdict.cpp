@@ -1,0 +1,193 @@
+#include "app/result/verdict.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/result/as_made_json.hpp"
+#include "app/result/equilibrium_summary.hpp"
+#include "app/result/made_hinges.hpp"
+#include "app/run/contact_reason.hpp"
+#include "app/run/run_hinges.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using Flag = std::optional<bool> Verdict::*;
+using Reasons = std::vector<std::string>;
+
+struct NamedFlag {
+  const char* name;
+  Flag flag;
+};
+
+constexpr NamedFlag flags[] = {{"met", &Verdict::met},
+                               {"agrees", &Verdict::agrees},
+                               {"printable", &Verdict::printable},
+                               {"reaches", &Verdict::reaches}};
+
+const char* flag_name(Flag flag) {
+  return std::find_if(std::begin(flags), std::end(flags), [&](const NamedFlag& f) { return f.flag == flag; })
+      ->name;
+}
+
+/// The hinges of the states: as the file makes them, else as the model assumes them.
+std::string hinges_of_model(const Run& run) {
+  std::vector<std::string> kinds;
+  for (const model::MadeHinge& made : made_hinges(run))
+    if (std::find(kinds.begin(), kinds.end(), to_string(made.kind)) == kinds.end())
+      kinds.push_back(to_string(made.kind));
+  if (!kinds.empty()) return fmt::format("{}", fmt::join(kinds, ", "));
+  return run.equilibrium || run.hinge.model == HingeSection::Model::elastic ? "elastic" : "rotary";
+}
+
+Reasons agreement_reasons(const Run& run) {
+  const Verification& v = *run.verification;
+  if (v.agrees) return {};
+  if (v.physics.status != sim::PhysicsResult::Status::settled)
+    return {fmt::format("the simulation failed, {}: {}", to_string(v.physics.status), v.physics.why)};
+  Reasons why = run.goal ? run.goal->physics_violations : Reasons{};
+  if (v.compared && !(v.distance.rms <= run.verify_tolerance)) {
+    const double edge_mm = run.structure.size().edge_mm;
+    why.push_back(fmt::format("the simulation ends {:.3g} mm (rms) from the model; {:.3g} mm are allowed{}",
+                              v.distance.rms * edge_mm, run.verify_tolerance * edge_mm,
+                              v.equilibrium ? ": " + v.equilibrium->why : ""));
+  }
+  return why;
+}
+
+Reasons print_reasons(const Run& run) {
+  if (run.print->is_taken) return {};
+  const Reasons why = unprintable(run);
+  return why.empty() ? Reasons{run.print->why} : why;
+}
+
+/// What keeps the drive from taking the sheet to the state shown; nothing where no model of the drive was asked.
+std::optional<Reasons> drive_reasons(const Run& run) {
+  Reasons why;
+  if (run.matter && !run.equilibrium)
+    return Reasons{"elastic hinges find no equilibrium: " + run.matter->why};
+  if (run.equilibrium) {
+    if (!run.equilibrium->reached()) why.push_back(drive_stop_reason(*run.equilibrium));
+    if (run.is_on_the_other_side()) why.push_back(missed_words(*run.equilibrium, run.theta));
+  } else if (run.plan.model != Model::exact || run.states.empty()) {
+    return std::nullopt;
+  } else if (auto contact = contact_reason(run)) {
+    why.push_back(std::move(*contact));
+  }
+  if (!run.states.empty())
+    if (auto strained = strained_too_far(run, run.states.front().poses)) why.push_back(std::move(*strained));
+  return why;
+}
+
+void warn_all(Verdict& verdict, const Reasons& texts) {
+  for (const std::string& text : texts) verdict.warn(text);
+}
+
+/// What other parts of the run found and what changes no flag. New warnings are added here, those of a kind of goal in its
+/// GoalOutcome::warnings().
+void add_warnings(const Run& run, Verdict& verdict) {
+  if (run.stopped) verdict.warn("stopped before its end: this is the best so far");
+  if (run.plan.is_floppy())
+    verdict.warn(fmt::format("the sheet has {} degrees of freedom: one drive does not hold it",
+                             run.plan.mobility->dofs_along));
+  for (const auto& [label, words] : made_hinge_lines(run))
+    if (label != "STRAINED") verdict.warn(words);  // that is an error of `reaches`
+  if (!run.goal) return;
+  if (!run.goal->met()) warn_all(verdict, run.goal->physics_violations);
+  warn_all(verdict, run.goal->warnings(run));
+  if (!run.prints_unknown.empty()) verdict.warn("what prints come to is not known: " + run.prints_unknown);
+  if (run.printed) warn_all(verdict, scatter_warnings(run));
+}
+
+nlohmann::ordered_json flag_json(const std::optional<bool>& flag) {
+  return flag ? nlohmann::ordered_json(*flag) : nlohmann::ordered_json(nullptr);
+}
+
+const char* level_word(Problem::Level level) { return level == Problem::Level::error ? "error" : "warning"; }
+
+}  // namespace
+
+void Verdict::set(Flag flag, const Reasons& reasons, const std::string& hinge) {
+  this->*flag = reasons.empty();
+  hinges.emplace_back(flag_name(flag), hinge);
+  for (const std::string& text : reasons) {
+    const auto same = [&](const Problem& p) { return p.level == Problem::Level::error && p.text == text; };
+    if (std::none_of(problems.begin(), problems.end(), same))
+      problems.push_back({Problem::Level::error, text});
+  }
+}
+
+void Verdict::warn(const std::string& text) {
+  const auto same = [&](const Problem& p) { return p.text == text; };
+  if (std::none_of(problems.begin(), problems.end(), same))
+    problems.push_back({Problem::Level::warning, text});
+}
+
+bool Verdict::has_errors() const {
+  return std::any_of(problems.begin(), problems.end(),
+                     [](const Problem& p) { return p.level == Problem::Level::error; });
+}
+
+std::string Verdict::reasons() const {
+  std::string out;
+  for (const Problem& p : problems)
+    if (p.level == Problem::Level::error) out += (out.empty() ? "" : "; ") + p.text;
+  return out;
+}
+
+Verdict verdict_of(const Run& run) {
+  Verdict out;
+  const std::string hinges = hinges_of_model(run);
+  if (run.goal) out.set(&Verdict::met, run.goal->violations, hinges);
+  if (run.verification) out.set(&Verdict::agrees, agreement_reasons(run), hinges);
+  if (run.print) out.set(&Verdict::printable, print_reasons(run), run.print->hinges);
+  if (const auto why = drive_reasons(run)) out.set(&Verdict::reaches, *why, hinges);
+  add_warnings(run, out);
+  return out;
+}
+
+ExitCode exit_code(const Verdict& verdict) {
+  const auto is_false = [&](Flag flag) { return !(verdict.*flag).value_or(true); };
+  if (is_false(&Verdict::met) || is_false(&Verdict::printable) || is_false(&Verdict::reaches))
+    return target_missed;
+  return is_false(&Verdict::agrees) ? physics_disagrees : done;
+}
+
+nlohmann::ordered_json verdict_json(const Verdict& verdict) {
+  using Json = nlohmann::ordered_json;
+  Json out, hinges = Json::object(), problems = Json::array();
+  for (const NamedFlag& f : flags) out[f.name] = flag_json(verdict.*f.flag);
+  for (const auto& [flag, kind] : verdict.hinges) hinges[flag] = kind;
+  for (const Problem& p : verdict.problems)
+    problems.push_back({{"level", level_word(p.level)}, {"text", p.text}});
+  out["hinges"] = std::move(hinges);
+  out["problems"] = std::move(problems);
+  return out;
+}
+
+std::string headline(const Verdict& verdict) {
+  Reasons parts;
+  const auto add = [&](Flag flag, const std::string& yes, const std::string& no) {
+    if (verdict.*flag) parts.push_back(*(verdict.*flag) ? yes : no);
+  };
+  add(&Verdict::met, "goal met", "goal missed");
+  const auto kind = std::find_if(verdict.hinges.begin(), verdict.hinges.end(),
+                                 [](const auto& hinge) { return hinge.first == "printable"; });
+  const std::string with = kind != verdict.hinges.end() ? kind->second : "";
+  add(&Verdict::printable, "printable with " + with + " hinges", "not printable");
+  if (!verdict.met || !verdict.reaches.value_or(true))
+    add(&Verdict::reaches, "reached by its drive", "not reached by its drive");
+  add(&Verdict::agrees, "simulation agrees", "simulation disagrees");
+  return parts.empty() ? "not judged" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::vector<SummaryLine> problem_lines(const Verdict& verdict) {
+  std::vector<SummaryLine> lines;
+  for (const Problem& p : verdict.problems) lines.push_back({level_word(p.level), p.text});
+  return lines;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,192 @@
+#include "app/result/verdict.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/program.hpp"
+#include "tests/app/schema_errors.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using ::testing::HasSubstr;
+using VerdictJson = nlohmann::json;
+using app::Verdict;
+
+constexpr const char* flag_names[] = {"met", "agrees", "printable", "reaches"};
+
+bool is_false(const VerdictJson& flag) { return flag == false; }
+
+/// What holds of every verdict: errors where flags are false, a kind of hinge for each flag, and the exit code.
+void expect_consistent(const VerdictJson& verdict, int code, const std::string& who) {
+  bool any_false = false;
+  for (const char* name : flag_names) {
+    any_false |= is_false(verdict[name]);
+    EXPECT_EQ(verdict["hinges"].contains(name), !verdict[name].is_null()) << who << " " << name;
+  }
+  bool has_error = false;
+  for (const VerdictJson& problem : verdict["problems"]) has_error |= problem["level"] == "error";
+  EXPECT_EQ(has_error, any_false) << who << verdict.dump(1);
+  const bool missed =
+      is_false(verdict["met"]) || is_false(verdict["printable"]) || is_false(verdict["reaches"]);
+  EXPECT_EQ(code, missed ? 3 : is_false(verdict["agrees"]) ? 4 : 0) << who << verdict.dump(1);
+}
+
+struct Judged {
+  Outcome run;
+  VerdictJson result;
+  const VerdictJson& verdict() const { return result["verdict"]; }
+};
+
+/// Runs the program and checks its verdict.
+Judged judged(const std::string& command, const std::string& folder) {
+  Judged out;
+  out.run = kinetix_opt(command + " --quiet --json -o " + folder);
+  out.result = VerdictJson::parse(out.run.out);
+  EXPECT_EQ(schema_errors(VerdictJson::parse(out.run.out)), "") << command;
+  expect_consistent(out.verdict(), out.run.code, command);
+  return out;
+}
+
+std::string errors_of(const VerdictJson& verdict) {
+  std::string out;
+  for (const VerdictJson& problem : verdict["problems"])
+    if (problem["level"] == "error") out += problem["text"].get<std::string>() + "\n";
+  return out;
+}
+
+TEST(Verdict, HasAnErrorWhereAFlagIsFalseAndNowhereElse) {
+  Verdict verdict;
+  verdict.set(&Verdict::met, {}, "pin");
+  EXPECT_EQ(verdict.met, true);
+  verdict.warn("walls may touch");
+  EXPECT_FALSE(verdict.has_errors());
+  EXPECT_EQ(exit_code(verdict), app::done);
+  verdict.set(&Verdict::reaches, {"locked"}, "pin");
+  EXPECT_EQ(verdict.reaches, false);
+  EXPECT_TRUE(verdict.has_errors());
+  EXPECT_EQ(verdict.reasons(), "locked");
+}
+
+TEST(Verdict, ThreeGoesBeforeFourAndWhatWasNotAskedCountsForNothing) {
+  const std::optional<bool> none, yes = true, no = false;
+  for (const auto& met : {none, yes, no})
+    for (const auto& agrees : {none, yes, no})
+      for (const auto& printable : {none, yes, no})
+        for (const auto& reaches : {none, yes, no}) {
+          const Verdict verdict{.met = met,
+                                .agrees = agrees,
+                                .printable = printable,
+                                .reaches = reaches,
+                                .hinges = {},
+                                .problems = {}};
+          const int expected = met == no || printable == no || reaches == no ? 3 : agrees == no ? 4 : 0;
+          EXPECT_EQ(exit_code(verdict), expected);
+        }
+}
+
+// Three kinds of goals whose sheets `export` refuses, and what was meant to be printed by another process.
+TEST(Verdict, OfASheetThatExportRefusesIsThree) {
+  const Scratch scratch;
+  const std::string shapes = KINETIX_SOURCE "/targets/shapes/";
+  const std::string thin = scratch.write(
+      "thin.yaml",
+      "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [30, 12], [60, 16], [90, 12], [120, 0]]}\n"
+      "structure: {cells: [12, 1], wall_mm: {thickness: 0.4, height: 6}}\nprocess: fdm\n");
+  for (const std::string& file :
+       {shapes + "turned_s.yaml", shapes + "disc.yaml", shapes + "handle.yaml", thin}) {
+    const std::string out = scratch / fs::path(file).stem().string(), print = out + "_print";
+    const Judged found = judged(file + " --no-verify", out);
+    EXPECT_EQ(found.verdict()["met"], true) << file;
+    EXPECT_EQ(found.verdict()["agrees"], nullptr) << file;
+    EXPECT_EQ(found.verdict()["printable"], false) << file;
+    const Outcome refused = kinetix_opt("export " + out + " --format stl --quiet -o " + print);
+    EXPECT_EQ(refused.code, 3) << refused.err;
+    EXPECT_FALSE(fs::exists(print)) << "nothing is written";
+  }
+}
+
+// Pins where they fit, else blocks, and hinges of the file's own, as export has them.
+TEST(Verdict, OfASheetThatExportWritesNamesItsHinges) {
+  const Scratch scratch;
+  const std::string curve =
+      "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [30, 12], [60, 16], [90, 12], [120, 0]]}\n";
+  for (const std::string& more :
+       {"structure: {cells: [12, 1]}\n", "structure: {cells: [12, 1], cell_mm: 20}\n",
+        "structure: {cells: [12, 1]}\nhinge: {kind: block, material: tango, gap_mm: 1.5}\n"}) {
+    const std::string out = scratch / "out", print = scratch / "print";
+    const Judged found = judged(scratch.write("in.yaml", curve + more) + " --no-verify", out);
+    const Outcome made = kinetix_opt("export " + out + " --format stl --quiet -o " + print);
+    EXPECT_EQ(found.verdict()["printable"], made.code == 0) << more << made.err;
+    if (made.code != 0) continue;
+    EXPECT_EQ(found.verdict()["hinges"]["printable"],
+              VerdictJson::parse(text_of(print + "/print.json"))["hinge"]);
+  }
+}
+
+// Displays of two lattices and a panel of rubber whose drives stop on their way.
+TEST(Verdict, AGoalIsNotMetWhereTheDriveNeverArrives) {
+  const Scratch scratch;
+  for (const std::string& more :
+       {"target: {kind: display, glyph: H}\nstructure: {lattice: honeycomb, cells: [8, 8]}\n",
+        "target: {kind: display, glyph: L}\nstructure: {lattice: honeycomb, cells: [8, 8]}\n",
+        "target: {kind: display, rows: [\"0000\", \"0110\", \"0110\", \"0000\"]}\n"
+        "structure: {cell_mm: 10, wall_mm: {thickness: 2.6, height: 6}}\ndrive: {compression: 0.3}\n",
+        "target: {kind: display, rows: [\"0000\", \"0100\", \"0110\", \"0000\"]}\n"
+        "structure: {cell_mm: 10, wall_mm: {thickness: 2.6, height: 6}}\ndrive: {compression: 0.35}\n"}) {
+    const Judged found = judged(scratch.write("in.yaml", "kinetix: 1\n" + more), scratch / "out");
+    ASSERT_EQ(found.verdict()["reaches"], false) << more << found.verdict().dump(1);
+    EXPECT_EQ(found.verdict()["met"], false) << more;
+    EXPECT_EQ(found.result["metrics"]["met"], false) << more;
+    EXPECT_THAT(errors_of(found.verdict()), HasSubstr("the drive stops on its way")) << more;
+    EXPECT_THAT(found.result["display"]["reasons"].dump(), HasSubstr("the drive stops on its way")) << more;
+  }
+}
+
+TEST(Verdict, OfForwardRunsAsksNothingOfPrints) {
+  const Scratch scratch;
+  const std::string design = scratch.write("design.yaml",
+                                           "kinetix: 1\nstructure: {cells: [4, 2], cell_mm: 10}\n"
+                                           "design: {theta_deg: 20}\n");
+  for (const char* model : {"exact", "equilibrium", "bullet"}) {
+    const Judged found = judged("simulate " + design + " --model " + model, scratch / model);
+    EXPECT_EQ(found.run.code, 0) << model;
+    EXPECT_EQ(found.verdict()["met"], nullptr);
+    EXPECT_EQ(found.verdict()["printable"], nullptr);
+    EXPECT_EQ(found.verdict()["reaches"], true) << model;
+    EXPECT_EQ(found.verdict()["agrees"].is_null(), std::string(model) != "bullet");
+  }
+  const Judged beyond = judged("simulate " + design + " --theta-deg 44.9", scratch / "beyond");
+  EXPECT_EQ(beyond.run.code, 3) << "walls of real thickness meet before";
+  EXPECT_EQ(beyond.verdict()["reaches"], false);
+}
+
+// A block strained by more than its material bears, in an exact and in an elastic state.
+TEST(Verdict, OfAStrainBeyondTheMaterialsIsThatTheDriveDoesNotReach) {
+  const Scratch scratch;
+  const std::string design = scratch.write("design.yaml",
+                                           "kinetix: 1\nstructure: {cells: [4, 2], cell_mm: 20}\n"
+                                           "design: {theta_deg: 30}\n"
+                                           "hinge: {kind: block, material: tpu95a, gap_mm: 0.5}\n");
+  for (const char* model : {"exact", "equilibrium"}) {
+    const Judged found = judged("simulate " + design + " --model " + model, scratch / model);
+    EXPECT_EQ(found.run.code, 3) << model;
+    EXPECT_EQ(found.verdict()["reaches"], false) << model;
+    EXPECT_EQ(found.verdict()["hinges"]["reaches"], "block");
+    EXPECT_THAT(errors_of(found.verdict()), HasSubstr("strained")) << model;
+  }
+}
+
+TEST(Verdict, StandsFirstInTheSummary) {
+  const Scratch scratch;
+  const Outcome run = kinetix_opt(KINETIX_SOURCE "/targets/shapes/handle.yaml --no-verify --quiet -o " +
+                                  (scratch / "out").string());
+  EXPECT_EQ(run.code, 3);
+  EXPECT_EQ(run.out.substr(0, run.out.find('\n')), "handle: goal met, not printable");
+  EXPECT_THAT(run.out, HasSubstr("\n  error      a wall of 0.262 mm is less than polyjet prints, 0.6 mm"));
+}
+
+}  // namespace
+}  // namespace kinetix::testing
