@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
 #include "app/pictures/panel_picture.hpp"
@@ -42,7 +41,8 @@ std::string size_words(double size) {
 
 std::vector<Eigen::Vector2d> OutlineOutcome::placed(double edge_mm) const {
   std::vector<Eigen::Vector2d> out;
-  for (const Eigen::Vector2d& p : laid.points()) out.push_back(edge_mm * (p / design.scale + design.origin));
+  for (const Eigen::Vector2d& p : file.folded.points())
+    out.push_back(edge_mm * (p / design.scale + design.origin));
   return out;
 }
 
@@ -54,11 +54,10 @@ Json OutlineOutcome::target_json() const {
 
 void OutlineOutcome::add_sections(const Run& run, Json& result) const {
   const double edge = run.structure.size().edge_mm;
-  const Eigen::Vector2d shift = -design.scale * (Eigen::Rotation2Dd(-turn) * design.origin);
   Json section = {{"goal_mm", points_json(placed(edge))},
                   {"rim", rim},
                   {"size", size(edge)},
-                  {"placement", {{"turn_deg", -to_degrees(turn)}, {"shift_mm", {shift.x(), shift.y()}}}},
+                  {"lattice_deg", -to_degrees(turn)},
                   {"diagonal_mm", size(edge) * laid.diagonal()},
                   {"exact", error_json(design.error)},
                   {"offset_mm", design.offset * edge},

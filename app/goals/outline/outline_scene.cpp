@@ -1,3 +1,5 @@
+#include <Eigen/Geometry>
+
 #include "app/goals/outline/outline_kind.hpp"
 #include "app/goals/outline/outline_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
@@ -8,21 +10,26 @@
 namespace kinetix::app {
 namespace {
 
-/// Of a state anywhere in space, laid over the exact one.
-targets::OutlineError error_of(const OutlineOutcome& outline, const model::State& state, double edge_mm) {
-  const model::State placed = aligned(state, outline.exact);
-  std::vector<Eigen::Vector2d> rim;
-  for (const int body : outline.rim) rim.push_back(placed[body].p.head<2>());
-  return outline_error(targets::Outline(outline.placed(edge_mm)), rim);
+model::Pose turned_about_z(double angle) {
+  return {Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix(), Eigen::Vector3d::Zero()};
 }
 
-/// Families lay a sheet down each in their own place: the outline goes where its first body is.
-/// @param edge_mm cell edge of the sheet, mm
-void move_outline(const model::State& exact, double edge_mm, optim::OutlineDesign& design) {
+/// Of a state anywhere in space, laid over the exact one, as on the lattice: diagonals do not depend on the drawing.
+targets::OutlineError error_of(const OutlineOutcome& outline, const model::State& state, double edge_mm) {
+  const model::State on_lattice = moved(aligned(state, outline.exact), turned_about_z(outline.turn));
+  std::vector<Eigen::Vector2d> rim;
+  for (const int body : outline.rim) rim.push_back(on_lattice[body].p.head<2>());
+  return outline_error(targets::turned(targets::Outline(outline.placed(edge_mm)), outline.turn), rim);
+}
+
+/// Families lay a sheet down each in their own place, and the search has the outline as it lies on the lattice: the outline
+/// goes where the first body of the state is that results show. @param edge_mm cell edge of the sheet, mm
+void move_outline(const model::State& shown, double edge_mm, double turn, optim::OutlineDesign& design) {
   const model::PlanarStructure& panel = design.panel;
   const model::Pose searched =
       model::redrawn_pose(panel.graph.vertices[0], design.y[0], panel.senses[0], design.theta);
-  design.origin += (exact[0].p / edge_mm - searched.p).head<2>();
+  const Eigen::Vector2d from_first = design.origin - searched.p.head<2>();
+  design.origin = shown[0].p.head<2>() / edge_mm + Eigen::Rotation2Dd(-turn) * from_first;
 }
 
 /// @param who the state is of that results show
@@ -81,8 +88,15 @@ class OutlineScene final : public Scene {
                          {"", 0, 0, "variables.offset_mm"});
     add_exact_state(run, run.theta);
     auto& outline = outcome_of<OutlineOutcome>(run);
+    turn_back(run, 0);
     outline.exact = run.states.front().poses;
-    move_outline(outline.exact, run.structure.size().edge_mm, outline.design);
+    move_outline(outline.exact, run.structure.size().edge_mm, outline.turn, outline.design);
+  }
+
+  /// As it lies on the lattice, along which its drive goes.
+  model::State own_state(const Run& run) const override {
+    const auto& outline = outcome_of<OutlineOutcome>(run);
+    return moved(outline.exact, turned_about_z(outline.turn));
   }
 
   /// In the place of the exact state.
@@ -97,7 +111,8 @@ class OutlineScene final : public Scene {
     const targets::Outline goal(outline.placed(run.structure.size().edge_mm));
     const model::Pose motion = motion_onto(state, outline.exact);
     const model::State placed = moved(state, motion);
-    Judged out{{}, file_.shape_tolerance * goal.diagonal()};
+    Judged out{{},
+               file_.shape_tolerance * outline.size(run.structure.size().edge_mm) * outline.laid.diagonal()};
     for (const int body : outline.rim) {
       const Eigen::Vector3d& place = placed[body].p;
       const targets::Outline::Nearest at = goal.nearest(place.head<2>());
@@ -117,7 +132,11 @@ class OutlineScene final : public Scene {
     outline.violations = all_violations(file_, outline, "equilibrium");
   }
 
-  std::optional<PhysicsTask> physics_task(const Run& run) const override { return folding_task(run); }
+  std::optional<PhysicsTask> physics_task(const Run& run) const override {
+    PhysicsTask task = folding_task(run);
+    task.reference = own_state(run);
+    return task;
+  }
 
   void judge_physics(Run& run) const override {
     auto& outline = outcome_of<OutlineOutcome>(run);
@@ -125,9 +144,20 @@ class OutlineScene final : public Scene {
     outline.physics_violations = violations(file_, *outline.physics, "physics run");
   }
 
-  void add_frames(Run& run) const override { add_exact_frames(run); }
+  void add_frames(Run& run) const override {
+    const std::size_t first = run.states.size();
+    add_exact_frames(run);
+    turn_back(run, first);
+  }
 
  private:
+  /// States from this one on: as the outline was drawn.
+  static void turn_back(Run& run, std::size_t first) {
+    const double turn = outcome_of<OutlineOutcome>(run).turn;
+    for (std::size_t k = first; turn != 0 && k < run.states.size(); ++k)
+      run.states[k].poses = moved(std::move(run.states[k].poses), turned_about_z(-turn));
+  }
+
   OutlineFile file_;
 };
 

@@ -136,24 +136,33 @@ TEST(Outline, DoesNotDependOnHowItWasTurnedWhenItWasDrawn) {
   }
 }
 
-TEST(Outline, LiesBesideItsDrawingByItsPlacement) {
-  app::Run run =
-      run_of(target(turned_points(pear, 130),
-                    "structure: {cells: [6, 6], cell_mm: 12, wall_mm: {thickness: 1.5, height: 8}}\n" +
-                        gently_pressed),
-             false);
-  const auto result = written(run);
-  const auto& outline = result["outline"];
-  const double size = outline["size"], turn = outline["placement"]["turn_deg"].get<double>() * pi / 180;
-  const auto& shift = outline["placement"]["shift_mm"];
-  for (std::size_t k = 0; k < pear.size(); ++k) {
-    const Eigen::Vector2d placed(outline["goal_mm"][k][0].get<double>(),
-                                 outline["goal_mm"][k][1].get<double>());
-    const Eigen::Vector2d back = Eigen::Rotation2Dd(turn) * (placed / size) +
-                                 Eigen::Vector2d(shift[0].get<double>(), shift[1].get<double>());
-    const auto& drawn = result["target"]["points_mm"][k];
-    EXPECT_NEAR((back - Eigen::Vector2d(drawn[0].get<double>(), drawn[1].get<double>())).norm(), 0, 1e-6)
-        << k;
+TEST(Outline, LiesAsItWasDrawn) {
+  for (const double degrees : {0.0, 130.0}) {
+    app::Run run =
+        run_of(target(turned_points(pear, degrees),
+                      "structure: {cells: [6, 6], cell_mm: 12, wall_mm: {thickness: 1.5, height: 8}}\n" +
+                          gently_pressed),
+               false);
+    const auto result = written(run);
+    const auto& outline = result["outline"];
+    const double size = outline["size"];
+    const auto point = [](const nlohmann::json& p) {
+      return Eigen::Vector2d(p[0].get<double>(), p[1].get<double>());
+    };
+    const auto &drawn = result["target"]["points_mm"], &placed = outline["goal_mm"];
+    for (std::size_t k = 1; k < pear.size(); ++k)
+      EXPECT_NEAR((point(placed[k]) - point(placed[0]) - size * (point(drawn[k]) - point(drawn[0]))).norm(),
+                  0, 1e-6);
+    // The rim lies on the outline where the result has both.
+    std::vector<Eigen::Vector2d> corners;
+    for (const auto& p : placed) corners.push_back(point(p));
+    const targets::Outline goal(corners);
+    double sum = 0;
+    for (const int body : outline["rim"])
+      sum += std::pow(goal.nearest(point(result["states"][0]["poses"][body]["position_mm"])).distance, 2);
+    const double rms = std::sqrt(sum / static_cast<double>(outline["rim"].size()));
+    EXPECT_NEAR(rms, result["metrics"]["outline_rms"].get<double>() * outline["diagonal_mm"].get<double>(),
+                1e-6);
   }
 }
 
