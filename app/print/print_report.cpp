@@ -200,6 +200,11 @@ std::vector<std::string> print_warnings(const PrintJob& job) {
     out.push_back(
         "the way to the fold was checked along the equilibrium of the design's hinges: it has no exact "
         "motion");
+  if (!job.sheet.jumps.empty())
+    out.push_back(
+        fmt::format("the sheet snaps at theta {:.1f} deg: on the way of the snap itself parts were checked "
+                    "as if it were straight",
+                    to_degrees(job.sheet.thetas[job.sheet.jumps.front() + 1])));
   if (job.sheet.has_soft() && !job.sheet.process.joins_two && !job.sheet.is_one_material())
     out.push_back(job.sheet.process.name +
                   " prints one material: soft parts are a print of their own, to be glued to the walls");

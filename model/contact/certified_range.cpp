@@ -16,8 +16,6 @@ constexpr double rounding =
     1e-9;  // cell edges: of poses of thousands of bodies is below it, as in WallContact
 constexpr double wander =
     1;  // cell edges, by which bodies may move in such an interval: keeps neighbours few
-constexpr double lawful =
-    1e-6;  // rad, by which a state may turn a hinge otherwise: files have angles to 1e-9
 constexpr double contact_near = 0.01;  // of theta: how far beyond the end an overlap is looked for
 
 /// The search to one side of flat.
@@ -60,32 +58,33 @@ class CertifiedSide {
 
   /// Whether the state turns its hinges as the laws say; measures what it leaves open.
   bool is_lawful(const ThetaInterval& interval) {
-    const HingeGaps gaps = hinge_gaps(plates_.structure, interval.state());
-    double off = gaps.axis_max;
-    for (std::size_t h = 0; h < plates_.structure.hinges.size(); ++h) {
-      const RestHinge& hinge = plates_.structure.hinges[h];
-      const Eigen::AngleAxisd turn(plates_.senses[h] * plates_.laws[plates_.law_of[h]].turn(interval.theta()),
-                                   hinge.axis);
-      const Eigen::Matrix3d upper = interval.state()[hinge.lower].R * turn.toRotationMatrix();
-      off = std::max(off, (upper - interval.state()[hinge.upper].R).norm());
-      if (off <= lawful) continue;
-      out_.why_not = "the hinge on wall " + plates_.structure.wall_name(static_cast<int>(h)) +
+    const LawDeviation there = interval.deviation();
+    if (there.hinge >= 0) {
+      out_.why_not = "the hinge on wall " + plates_.structure.wall_name(there.hinge) +
                      " does not turn as its family has it";
       return false;
     }
-    gap_ = std::max(gap_, gaps.max);
-    off_ = std::max(off_, off);
+    gap_ = std::max(gap_, there.gap);
+    off_ = std::max(off_, there.off);
     return true;
   }
 
   double margin(const HingeChain& chain) const {
-    const double steps = static_cast<double>(chain.size()) + 1;
-    return plates_.edge() * (rounding + steps * (gap_ + off_ * 2 * steps * plates_.longest_arm));
+    return plates_.edge() * rounding + plates_.margin_mm(chain.size(), gap_, off_);
+  }
+
+  /// How far each body's plates get from where they are, mm.
+  std::vector<double> ways(const ThetaInterval& interval) const {
+    std::vector<double> out;
+    const std::vector<SweptMotion> motions = interval.motions();
+    for (std::size_t b = 0; b < motions.size(); ++b)
+      out.push_back(motions[b].way(interval.state()[b].p, plates_.reach[b]));
+    return out;
   }
 
   /// Those that may meet within the interval; nothing where bodies move too far in it to tell neighbours.
   std::optional<std::vector<PlatesOfPair>> near_pairs(const ThetaInterval& interval) {
-    const std::vector<double> way = interval.ways();
+    const std::vector<double> way = ways(interval);
     const double most = *std::max_element(way.begin(), way.end());
     if (!(most <= wander * plates_.edge()) && interval.half_width() > options_.precision) return std::nullopt;
     Eigen::Matrix3Xd places(3, interval.state().size());

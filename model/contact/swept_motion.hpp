@@ -22,6 +22,8 @@ class SweptMotion {
   /// A first turn about an axis that stands still, at an even rate.
   /// @param point on the axis, mm   @param spin axis times rate, rad per rad
   void turn_about(const Eigen::Vector3d& point, const Eigen::Vector3d& spin);
+  /// At a rate that stays the same: r' = v + omega x r. @param v of a point of the body at the origin, mm per rad
+  void screw(const Eigen::Vector3d& omega, const Eigen::Vector3d& v);
   /// Beyond a hinge.
   /// @param point, axis of it in the middle of the interval   @param rate there, with sign   @param bounds of it
   void pass(const Eigen::Vector3d& point, const Eigen::Vector3d& axis, double rate, const RateBounds& bounds);
@@ -31,6 +33,9 @@ class SweptMotion {
   Eigen::Vector3d speed(const Eigen::Vector3d& r) const { return v_ + omega_.cross(r); }
   /// Bound of the second derivative of that point, and of all within `reach` of it, mm per rad^2.
   double change(const Eigen::Vector3d& r, double reach) const;
+  /// The same along a unit direction n: a body that turns about one axis a alone has n . r'' = (n x a) . (s' l + s^2 a x l),
+  /// which vanishes along the axis.
+  double change_along(const Eigen::Vector3d& n, const Eigen::Vector3d& r, double reach) const;
   /// How far these get from where they are in the middle, mm.
   double way(const Eigen::Vector3d& r, double reach) const;
 
@@ -42,6 +47,8 @@ class SweptMotion {
   double most_omega_ = 0;                             ///< W, rad per rad
   double omega_change_ = 0;                           ///< A, rad per rad^2
   double anchor_change_ = 0;                          ///< of the last hinge, mm per rad^2
+  int turns_ = 0;                                     ///< hinges that were passed, or the one of a screw
+  Eigen::Vector3d axis_ = Eigen::Vector3d::Zero();    ///< unit vector, of the last one
 };
 
 }  // namespace kinetix::model

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "model/contact/linkage_plates.hpp"
 #include "model/contact/theta_interval.hpp"
 
 namespace kinetix::model {

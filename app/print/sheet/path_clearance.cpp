@@ -1,52 +1,29 @@
 #include "app/print/sheet/path_clearance.hpp"
 
-#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
-#include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
-
 #include <cmath>
 #include <map>
-#include <memory>
+#include <set>
 
+#include "app/print/sheet/fold_motion.hpp"
+#include "app/print/sheet/part_pieces.hpp"
 #include "model/base/parallel_runs.hpp"
 #include "model/contact/near_pairs.hpp"
+#include "model/contact/swept_hull.hpp"
 
 namespace kinetix::app {
 namespace {
 
 using Eigen::Vector3d;
+using model::HingeChain;
+using model::SweptHull;
 
 constexpr double polygon_mm = 0.01;  // mm: by which polygons differ from their circles
 constexpr double nothing_mm = 1e3;   // mm: where there are no two bodies
 constexpr double first_rad = 2e-3;   // rad: 0.1 degrees, as messages say it
-
-btVector3 to_bullet(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-Vector3d from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
-
-btTransform to_bullet(const model::Pose& pose) {
-  const Eigen::Matrix3d& R = pose.R;
-  const btMatrix3x3 turn(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2));
-  return btTransform(turn, to_bullet(pose.p));
-}
-
-/// A convex piece with its support function.
-struct Shape {
-  int part;
-  std::unique_ptr<btConvexHullShape> hull;
-  Vector3d center;    // mm, in the part
-  double radius = 0;  // mm, about the center
-};
-
-Shape shape_of(int part, const std::vector<Vector3d>& corners) {
-  Shape shape{part, std::make_unique<btConvexHullShape>(), Vector3d::Zero()};
-  for (const Vector3d& p : corners) {
-    shape.hull->addPoint(to_bullet(p), false);
-    shape.center += p / static_cast<double>(corners.size());
-  }
-  shape.hull->setMargin(0);
-  shape.hull->recalcLocalAabb();
-  for (const Vector3d& p : corners) shape.radius = std::max(shape.radius, (p - shape.center).norm());
-  return shape;
-}
+constexpr double slack_mm =
+    0.005;                       // mm: between two states that were looked at, parts come no nearer than that
+constexpr double looked_mm = 1;  // mm: parts that come nearer are looked for where no others are near
+constexpr double wander = 1;     // cell edges, by which bodies may move in a stretch: keeps neighbours few
 
 double clearance_of(const model::HingePrint& hinge) {
   return hinge.made.kind == model::HingeKind::pin ? hinge.made.clearance_mm : 0;
@@ -66,77 +43,70 @@ void take_nearer(const LeastDistance& other, LeastDistance& known) {
   if (other.mm < known.mm) known = other;
 }
 
-class Distances {
+/// Two pieces that are not proven apart, and the direction along which they were last.
+struct PiecePair {
+  int first = 0, second = 0;
+  Vector3d normal = Vector3d::Zero();  // as the first body of the parts sees it; 0: none is known
+};
+
+/// Two parts that may come too near.
+struct PartPair {
+  int first = 0, second = 0;
+  bool is_hinged = false;
+  double asked_mm = 0;
+  std::vector<int> bodies = {};         // that the two go with: the first of them sees the others
+  std::vector<HingeChain> chains = {};  // to each of the others
+  std::vector<PiecePair> open = {};
+};
+
+/// A pair over a stretch of the path.
+struct Task {
+  double low = 0, high = 0;
+  PartPair pair;
+};
+
+/// What came of it.
+struct PairResult {
+  std::vector<PiecePair> open;         // not proven
+  std::optional<LeastDistance> least;  // of those that were measured
+  bool is_uncertain = false;           // the path's margin is more than what is left: no halving tells
+};
+
+/// Which parts must keep which distance.
+class PairRules {
  public:
-  explicit Distances(const PrintSheet& sheet)
-      : sheet_(sheet), bodies_(static_cast<int>(sheet.bodies.size())), asked_(bodies_, nothing_mm) {
-    for (int b = 0; b < bodies_; ++b) {
-      if (sheet.bodies[b].arms.empty()) continue;
-      for (const model::ConvexPiece& piece : convex_pieces(sheet.bodies[b]))
-        if (!piece.is_rod) rigid_.push_back(shape_of(b, piece.corners));
-    }
-    for (int h = 0; h < hinges(); ++h) {
+  explicit PairRules(const PrintSheet& sheet)
+      : sheet_(sheet),
+        bodies_(static_cast<int>(sheet.bodies.size())),
+        asked_(sheet.bodies.size(), nothing_mm) {
+    for (std::size_t h = 0; h < sheet.hinges.size(); ++h) {
       const model::RestHinge& hinge = sheet.linkage.hinges[h];
       const double clearance = clearance_of(sheet.hinges[h]);
       hinged_[std::minmax(hinge.lower, hinge.upper)] = clearance;
+      most_asked_ = std::max(most_asked_, clearance);
       if (clearance > 0)
         for (const int b : {hinge.lower, hinge.upper}) asked_[b] = std::min(asked_[b], clearance);
     }
   }
 
-  /// In one state.
-  PathClearance measured(double theta, const model::State& state) const {
-    PathClearance least = nothing_near();
-    const std::vector<Shape> soft = soft_shapes(state);
-    std::vector<const Shape*> all;
-    for (const std::vector<Shape>* shapes : {&rigid_, &soft})
-      for (const Shape& shape : *shapes) all.push_back(&shape);
-    Eigen::Matrix3Xd centers(3, all.size());
-    double reach = 0;  // mm
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      const model::Pose pose = pose_of(*all[k], state);
-      centers.col(k) = pose.R * all[k]->center + pose.p;
-      reach = std::max(reach, 2 * all[k]->radius + 1);
-    }
-    model::NearPairs near;
-    for (const auto& [a, b] : near.find(centers, reach)) {
-      const Shape &one = *all[a], &other = *all[b];
-      if (one.part == other.part || is_own(one.part, other.part) || is_own(other.part, one.part)) continue;
-      const auto hinge = hinged_.find(std::minmax(one.part, other.part));
-      LeastDistance& known = hinge == hinged_.end() ? least.elsewhere : least.in_hinges;
-      const double asked = hinge == hinged_.end() ? asked_elsewhere(one.part, other.part) : hinge->second;
-      LeastDistance found{(centers.col(a) - centers.col(b)).norm() - one.radius - other.radius,
-                          one.part,
-                          other.part,
-                          theta,
-                          Vector3d::Zero(),
-                          asked};
-      if (!(found.spare_mm() < known.spare_mm() || found.mm < least.nearest.mm)) continue;
-      found = compared(one, other, state, found);
-      take_less(found, known);
-      take_nearer(found, least.nearest);
-    }
-    for (int h = 0; h < hinges(); ++h) compare_bore(h, theta, state, least);
-    least.flat_mm = least.nearest.mm;
-    return least;
+  /// Nothing of two parts that belong together.
+  std::optional<PartPair> pair(int a, int b) const {
+    if (a == b || is_own(a, b) || is_own(b, a)) return std::nullopt;
+    const auto hinge = hinged_.find(std::minmax(a, b));
+    if (hinge != hinged_.end()) return PartPair{a, b, true, hinge->second};
+    return PartPair{a, b, false, asked_elsewhere(a, b)};
+  }
+
+  double most_asked() const { return most_asked_; }
+
+  /// The bodies that a part goes with.
+  std::vector<int> bodies_of(int part) const {
+    if (part < bodies_) return {part};
+    const model::RestHinge& hinge = sheet_.linkage.hinges[part - bodies_];
+    return {hinge.lower, hinge.upper};
   }
 
  private:
-  int hinges() const { return static_cast<int>(sheet_.hinges.size()); }
-
-  /// Where their corners are in a state.
-  std::vector<Shape> soft_shapes(const model::State& state) const {
-    std::vector<Shape> out;
-    for (int h = 0; h < static_cast<int>(sheet_.soft.size()); ++h)
-      if (!sheet_.soft[h].points.empty())
-        out.push_back(shape_of(bodies_ + h, placed_soft(sheet_, state, h).points));
-    return out;
-  }
-
-  model::Pose pose_of(const Shape& shape, const model::State& state) const {
-    return shape.part < bodies_ ? state[shape.part] : model::Pose{};
-  }
-
   /// Whether a body is one of the two that a soft part joins.
   bool is_own(int soft, int body) const {
     if (soft < bodies_) return false;
@@ -150,23 +120,77 @@ class Distances {
     return least < nothing_mm ? least : 0;
   }
 
-  LeastDistance compared(const Shape& a, const Shape& b, const model::State& state,
-                         LeastDistance found) const {
-    btGjkEpaSolver2::sResults result;
-    const btTransform at_a = to_bullet(pose_of(a, state)), at_b = to_bullet(pose_of(b, state));
-    const btVector3 guess = at_b * to_bullet(b.center) - at_a * to_bullet(a.center);
-    const bool known_apart = btGjkEpaSolver2::Distance(a.hull.get(), at_a, b.hull.get(), at_b, guess, result);
-    if (!known_apart &&
-        !btGjkEpaSolver2::Penetration(a.hull.get(), at_a, b.hull.get(), at_b, guess, result, false))
-      result.distance = 0;  // they touch
-    found.mm = result.distance;
-    found.place = 0.5 * from_bullet(result.witnesses[0] + result.witnesses[1]);
-    return found;
+  const PrintSheet& sheet_;
+  const int bodies_;
+  double most_asked_ = 0;                         // mm
+  std::vector<double> asked_;                     // of each body, the least of its pins, mm
+  std::map<std::pair<int, int>, double> hinged_;  // clearance, mm; of blocks and films 0
+};
+
+/// The parts of a sheet in single states.
+class Distances {
+ public:
+  explicit Distances(const PrintSheet& sheet) : sheet_(sheet), parts(sheet), rules(sheet) {}
+
+  PathClearance measured(double theta, const model::State& state) const {
+    PathClearance least = nothing_near();
+    std::vector<PlacedPiece> all;
+    std::vector<double> radii;
+    Eigen::Matrix3Xd centers(3, parts.pieces.size());
+    double reach = 0;  // mm
+    for (std::size_t k = 0; k < parts.pieces.size(); ++k) {
+      all.push_back(placed(parts.pieces[k], state));
+      centers.col(k) = all.back().center();
+      radii.push_back(radius(all.back(), centers.col(k)));
+      reach = std::max(reach, 2 * radii.back() + 1);
+    }
+    model::NearPairs near;
+    for (const auto& [a, b] : near.find(centers, reach)) {
+      const auto pair = rules.pair(all[a].piece.part, all[b].piece.part);
+      if (!pair) continue;
+      LeastDistance& known = pair->is_hinged ? least.in_hinges : least.elsewhere;
+      LeastDistance found{(centers.col(a) - centers.col(b)).norm() - radii[a] - radii[b],
+                          pair->first,
+                          pair->second,
+                          theta,
+                          Vector3d::Zero(),
+                          pair->asked_mm};
+      if (!(found.spare_mm() < known.spare_mm() || found.mm < least.nearest.mm)) continue;
+      const PieceDistance there = piece_distance(all[a], all[b]);
+      found.mm = there.mm;
+      found.place = there.place;
+      take_less(found, known);
+      take_nearer(found, least.nearest);
+    }
+    compare_bores(theta, state, least);
+    least.flat_mm = least.nearest.mm;
+    return least;
   }
 
-  /// Two cylinders whose axes differ by as much as the bodies disagree about the hinge, at both ends of the eye.
-  void compare_bore(int h, double theta, const model::State& state, PathClearance& least) const {
-    if (sheet_.hinges[h].made.kind != model::HingeKind::pin) return;
+  /// Rods and bores are cylinders whose axes differ by as much as the bodies disagree about the hinge, at both ends of the eye.
+  void compare_bores(double theta, const model::State& state, PathClearance& least) const {
+    for (std::size_t h = 0; h < sheet_.hinges.size(); ++h)
+      if (sheet_.hinges[h].made.kind == model::HingeKind::pin) compare_bore(h, theta, state, least);
+  }
+
+ private:
+  static PlacedPiece placed(const PartPiece& piece, const model::State& state) {
+    PlacedPiece out{piece, {}};
+    for (const PieceEnd& end : piece.ends) out.poses.push_back(&state[end.body]);
+    return out;
+  }
+
+  /// About the middle of its ends.
+  static double radius(const PlacedPiece& at, const Vector3d& center) {
+    double most = 0;
+    for (std::size_t k = 0; k < at.poses.size(); ++k) {
+      const PieceEnd& end = at.piece.ends[k];
+      most = std::max(most, (at.poses[k]->R * end.center + at.poses[k]->p - center).norm() + end.radius);
+    }
+    return most;
+  }
+
+  void compare_bore(std::size_t h, double theta, const model::State& state, PathClearance& least) const {
     const model::RestHinge& hinge = sheet_.linkage.hinges[h];
     const model::Pose &lower = state[hinge.lower], &upper = state[hinge.upper];
     const double edge = sheet_.linkage.size.edge_mm, clearance = sheet_.hinges[h].made.clearance_mm;
@@ -187,52 +211,336 @@ class Distances {
   }
 
   const PrintSheet& sheet_;
-  const int bodies_;
-  std::vector<Shape> rigid_;
-  std::vector<double> asked_;                     // of each body, the least of its pins, mm
-  std::map<std::pair<int, int>, double> hinged_;  // clearance, mm; of blocks and films 0
+
+ public:
+  const MovingParts parts;
+  const PairRules rules;
 };
 
-/// Where parts first come too near. @param by_state of the path, some of them
-LeastDistance first_of(const PrintSheet& sheet, const Distances& distances,
-                       const std::vector<PathClearance>& by_state) {
-  std::size_t k = 0;
-  while (is_kept(by_state[k])) ++k;
-  LeastDistance first = by_state[k].least();
-  if (k == 0 || !sheet.motion) return first;
-  double kept = sheet.thetas[k - 1];
-  while (std::abs(first.theta - kept) > first_rad) {
-    const double middle = (first.theta + kept) / 2;
-    const PathClearance there = distances.measured(middle, sheet.motion(middle));
-    if (is_kept(there))
-      kept = middle;
-    else
-      first = there.least();
+/// One pair of parts over a stretch of the path.
+class PairLook {
+ public:
+  PairLook(const MovingParts& parts, const FoldInterval& interval, const PartPair& pair)
+      : parts_(parts), interval_(interval), pair_(pair) {
+    for (std::size_t k = 1; k < pair.bodies.size(); ++k) {
+      seen_.push_back(interval.seen(pair.bodies.front(), pair.bodies[k], pair.chains[k - 1]));
+      margin_ = std::max(margin_, seen_.back().margin_mm);
+    }
   }
-  return first;
-}
+
+  /// @param goal_mm that is to be proven of all their pieces   @param needed_mm which they must keep wherever they may be
+  PairResult compare(double goal_mm, double needed_mm) {
+    needed_ = needed_mm + margin_;
+    goal_ = std::max(goal_mm, needed_);
+    if (!pair_.open.empty()) {
+      for (const PiecePair& open : pair_.open) compare(open);
+      return std::move(out_);
+    }
+    for (const int a : parts_.pieces_of[pair_.first])
+      for (const int b : parts_.pieces_of[pair_.second]) compare({a, b});
+    return std::move(out_);
+  }
+
+ private:
+  const SeenBody* seen(int body) const {
+    for (std::size_t k = 1; k < pair_.bodies.size(); ++k)
+      if (pair_.bodies[k] == body) return &seen_[k - 1];
+    return nullptr;
+  }
+
+  /// As the first body sees it.
+  SweptHull swept(const PartPiece& piece) const {
+    SweptHull out;
+    for (const PieceEnd& end : piece.ends) {
+      const SeenBody* there = seen(end.body);
+      const model::Pose pose = there ? there->pose : model::Pose{};
+      out.push_back(
+          {&end.points, pose, there ? &there->motion : nullptr, pose.R * end.center + pose.p, end.radius});
+    }
+    return out;
+  }
+
+  static double gap_of_spheres(const SweptHull& a, const SweptHull& b) {
+    const auto ball = [](const SweptHull& hull) {
+      Vector3d center = Vector3d::Zero();
+      for (const model::SweptPoints& end : hull) center += end.center / static_cast<double>(hull.size());
+      double radius = 0;
+      for (const model::SweptPoints& end : hull)
+        radius = std::max(radius, (end.center - center).norm() + end.radius);
+      return std::pair(center, radius);
+    };
+    const auto [one, r] = ball(a);
+    const auto [other, q] = ball(b);
+    return (one - other).norm() - r - q;
+  }
+
+  void compare(PiecePair pair) {
+    const PartPiece &one = parts_.pieces[pair.first], &other = parts_.pieces[pair.second];
+    const SweptHull a = swept(one), b = swept(other);
+    const double h = interval_.half_width;
+    if (gap_of_spheres(a, b) - way(a) - way(b) >= goal_) return;
+    if (pair.normal != Vector3d::Zero() && least_gap(a, b, pair.normal, h) >= goal_) return;
+    const PieceDistance found = piece_distance(placed(one, a), placed(other, b));
+    note(found);
+    pair.normal = found.normal;
+    if (pair.normal != Vector3d::Zero() && least_gap(a, b, pair.normal, h) >= goal_) return;
+    const double moved = way(a) + way(b);
+    if (found.mm - moved >= goal_) return;
+    if (moved > slack_mm / 2)
+      out_.open.push_back(pair);
+    else if (!(found.mm - moved >= needed_))
+      out_.is_uncertain = true;
+    else
+      out_.open.push_back(pair);
+  }
+
+  static PlacedPiece placed(const PartPiece& piece, const SweptHull& hull) {
+    PlacedPiece out{piece, {}};
+    for (const model::SweptPoints& end : hull) out.poses.push_back(&end.pose);
+    return out;
+  }
+
+  void note(const PieceDistance& found) {
+    if (out_.least && out_.least->mm <= found.mm) return;
+    const model::Pose& eye = interval_.state[pair_.bodies.front()];
+    out_.least = {found.mm,      pair_.first, pair_.second, interval_.theta, eye.R * found.place + eye.p,
+                  pair_.asked_mm};
+  }
+
+  const MovingParts& parts_;
+  const FoldInterval& interval_;
+  const PartPair& pair_;
+  std::vector<SeenBody> seen_;
+  double margin_ = 0, goal_ = 0, needed_ = 0;
+  PairResult out_;
+};
+
+double needed_mm(double asked_mm) { return asked_mm > 0 ? asked_mm - polygon_mm : 0; }
+
+/// Goes from flat to the fold, in stretches that are halved for those pairs of which nothing is proven.
+class PathSearch {
+ public:
+  PathSearch(const PrintSheet& sheet, const Distances& distances, PathClearance& all)
+      : distances_(distances),
+        parts_(distances.parts),
+        chains_(sheet.linkage),
+        edge_(sheet.linkage.size.edge_mm),
+        all_(all) {
+    for (const PieceEnd& body : parts_.whole) reach_.push_back(body.center.norm() + body.radius);
+    for (const PartPiece& piece : parts_.pieces)
+      for (const PieceEnd& end : piece.ends)
+        reach_[end.body] = std::max(reach_[end.body], end.center.norm() + end.radius);
+    motion_ = fold_motion(sheet, reach_);
+  }
+
+  /// Where parts first come too near, to within first_rad.
+  std::optional<LeastDistance> run() {
+    double width = motion_->end();
+    for (double low = 0; low < motion_->end() && !hit_;) {
+      const double high = std::min(low + width, motion_->next(low));
+      const std::shared_ptr<const FoldInterval> whole = motion_->over(low, high);
+      std::optional<std::vector<Task>> tasks = near_pairs(*whole, low, high);
+      if (!tasks) {
+        width = (high - low) / 2;
+        continue;
+      }
+      split({{low, high}}, {whole}, std::move(*tasks));
+      low = high;
+    }
+    return hit_;
+  }
+
+ private:
+  using Stretch = std::pair<double, double>;
+
+  /// What is to be proven of a pair: that it has no less to spare than is known, and is no nearer than the nearest.
+  double goal_mm(const PartPair& pair) const {
+    const LeastDistance& known = pair.is_hinged ? all_.in_hinges : all_.elsewhere;
+    const double spare = known.first < 0 ? looked_mm : known.spare_mm();
+    if (hit_ || !(spare > 0)) return least_mm(pair);
+    const double nearest = all_.nearest.first < 0 ? looked_mm : all_.nearest.mm;
+    return std::max(needed_mm(pair.asked_mm) + spare, nearest) - slack_mm;
+  }
+
+  static double least_mm(const PartPair& pair) { return needed_mm(pair.asked_mm) - slack_mm; }
+
+  struct Ball {
+    Vector3d center = Vector3d::Zero();
+    double radius = 0;
+  };
+
+  /// Round all that a part may take up over a stretch.
+  Ball ball(int part, const FoldInterval& whole, const std::vector<model::SweptMotion>& motions) const {
+    Ball out;
+    std::vector<const PieceEnd*> ends;
+    if (part < parts_.bodies)
+      ends = {&parts_.whole[part]};
+    else
+      for (const PieceEnd& end : parts_.pieces[parts_.pieces_of[part].front()].ends) ends.push_back(&end);
+    const auto center = [&](const PieceEnd& end) -> Vector3d {
+      return whole.state[end.body].R * end.center + whole.state[end.body].p;
+    };
+    for (const PieceEnd* end : ends) out.center += center(*end) / static_cast<double>(ends.size());
+    for (const PieceEnd* end : ends)
+      out.radius = std::max(out.radius, (center(*end) - out.center).norm() + end->radius +
+                                            motions[end->body].way(center(*end), end->radius));
+    return out;
+  }
+
+  /// Nothing where parts move too far to tell neighbours.
+  std::optional<std::vector<Task>> near_pairs(const FoldInterval& whole, double low, double high) {
+    const std::vector<model::SweptMotion> motions = whole.motions();
+    const double margin = whole.margin_mm();
+    std::vector<int> parts;
+    std::vector<Ball> balls;
+    double most = 0, still = 0;
+    for (int p = 0; p < static_cast<int>(parts_.pieces_of.size()); ++p) {
+      if (parts_.pieces_of[p].empty()) continue;
+      parts.push_back(p);
+      balls.push_back(ball(p, whole, motions));
+      most = std::max(most, balls.back().radius + margin);
+    }
+    for (const PartPiece& piece : parts_.pieces)
+      for (const PieceEnd& end : piece.ends) still = std::max(still, end.center.norm() + end.radius);
+    if (!(most <= still + wander * edge_ + margin) && whole.half_width > first_rad / 2) return std::nullopt;
+    Eigen::Matrix3Xd centers(3, balls.size());
+    for (std::size_t k = 0; k < balls.size(); ++k) centers.col(k) = balls[k].center;
+    const double goal =
+        std::max({goal_mm({.is_hinged = true}), goal_mm({}), 0.0}) + distances_.rules.most_asked();
+    std::map<int, std::vector<PartPair>> by_body;
+    for (const auto& [a, b] : near_.find(centers, 2 * most + goal)) {
+      if ((centers.col(a) - centers.col(b)).norm() - balls[a].radius - balls[b].radius > goal + 2 * margin)
+        continue;
+      if (auto pair = distances_.rules.pair(parts[a], parts[b])) {
+        for (const int part : {parts[a], parts[b]})
+          for (const int body : distances_.rules.bodies_of(part))
+            if (std::find(pair->bodies.begin(), pair->bodies.end(), body) == pair->bodies.end())
+              pair->bodies.push_back(body);
+        by_body[pair->bodies.front()].push_back(std::move(*pair));
+      }
+    }
+    std::vector<Task> out;
+    for (auto& [body, pairs] : by_body) {
+      find_chains(body, pairs);
+      for (PartPair& pair : pairs) out.push_back({low, high, std::move(pair)});
+    }
+    return out;
+  }
+
+  void find_chains(int body, std::vector<PartPair>& pairs) {
+    std::set<int> missing;
+    for (const PartPair& pair : pairs)
+      for (std::size_t k = 1; k < pair.bodies.size(); ++k)
+        if (!known_chains_.contains({body, pair.bodies[k]})) missing.insert(pair.bodies[k]);
+    const std::vector<int> to(missing.begin(), missing.end());
+    if (!to.empty()) {
+      const std::vector<HingeChain>& found = chains_.find(body, to);
+      for (std::size_t k = 0; k < to.size(); ++k) known_chains_[{body, to[k]}] = found[k];
+    }
+    for (PartPair& pair : pairs)
+      for (std::size_t k = 1; k < pair.bodies.size(); ++k)
+        pair.chains.push_back(known_chains_.at({body, pair.bodies[k]}));
+  }
+
+  /// Level by level, each with what the ones before have found: so the answer is the same for any number of threads.
+  void split(std::vector<Stretch> stretches, std::vector<std::shared_ptr<const FoldInterval>> intervals,
+             std::vector<Task> tasks) {
+    while (!tasks.empty()) {
+      std::vector<PairResult> outcomes(tasks.size());
+      model::run_in_parallel(static_cast<int>(tasks.size()), 0, [&](int k) {
+        const Task& task = tasks[k];
+        const auto at = std::lower_bound(stretches.begin(), stretches.end(), Stretch{task.low, task.high});
+        outcomes[k] = PairLook(parts_, *intervals[at - stretches.begin()], task.pair)
+                          .compare(goal_mm(task.pair), least_mm(task.pair));
+      });
+      for (std::size_t k = 0; k < tasks.size(); ++k) note(tasks[k], outcomes[k]);
+      tasks = halved(std::move(tasks), outcomes);
+      stretches.clear();
+      for (const Task& task : tasks) stretches.emplace_back(task.low, task.high);
+      std::sort(stretches.begin(), stretches.end());
+      stretches.erase(std::unique(stretches.begin(), stretches.end()), stretches.end());
+      intervals.assign(stretches.size(), nullptr);
+      model::run_in_parallel(static_cast<int>(stretches.size()), 0, [&](int k) {
+        intervals[k] = motion_->over(stretches[k].first, stretches[k].second);
+      });
+    }
+  }
+
+  void note(const Task& task, const PairResult& outcome) {
+    if (!outcome.least) return;
+    const double middle = (task.low + task.high) / 2;
+    LeastDistance& known = task.pair.is_hinged ? all_.in_hinges : all_.elsewhere;
+    take_less(*outcome.least, known);
+    take_nearer(*outcome.least, all_.nearest);
+    if (!(outcome.least->spare_mm() < 0) && !outcome.is_uncertain) return;
+    if (hit_ && !(middle < hit_at_)) return;
+    hit_ = outcome.least;
+    hit_at_ = middle;
+  }
+
+  /// Those that are not proven, up to where parts come too near; there as short as is told.
+  std::vector<Task> halved(std::vector<Task> tasks, std::vector<PairResult>& outcomes) const {
+    std::vector<Task> out;
+    for (std::size_t k = 0; k < tasks.size(); ++k) {
+      if (outcomes[k].open.empty()) continue;
+      Task& task = tasks[k];
+      task.pair.open = std::move(outcomes[k].open);
+      const double middle = (task.low + task.high) / 2;
+      if (hit_ && (task.low >= hit_at_ ||
+                   std::abs(motion_->theta(middle) - motion_->theta(task.low)) < first_rad / 2))
+        continue;
+      Task right{middle, task.high, task.pair};
+      out.push_back({task.low, middle, std::move(task.pair)});
+      if (!hit_ || middle < hit_at_) out.push_back(std::move(right));
+    }
+    return out;
+  }
+
+  const Distances& distances_;
+  const MovingParts& parts_;
+  std::vector<double> reach_;  // of all that goes with each body from its rest position, mm
+  std::unique_ptr<FoldMotion> motion_;
+  model::HingeChains chains_;
+  std::map<std::pair<int, int>, HingeChain> known_chains_;
+  model::NearPairs near_;
+  const double edge_;
+  PathClearance& all_;
+  std::optional<LeastDistance> hit_;
+  double hit_at_ = 0;
+};
 
 }  // namespace
 
-double LeastDistance::spare_mm() const { return mm - (asked_mm > 0 ? asked_mm - polygon_mm : 0); }
+double LeastDistance::spare_mm() const { return mm - needed_mm(asked_mm); }
 
 PathClearance path_clearance(const PrintSheet& sheet) {
   const Distances distances(sheet);
-  std::vector<PathClearance> by_state(sheet.path.size());
-  model::run_in_parallel(static_cast<int>(sheet.path.size()), 0,
-                         [&](int k) { by_state[k] = distances.measured(sheet.thetas[k], sheet.path[k]); });
-  PathClearance all = nothing_near();
-  all.flat_mm = by_state.front().flat_mm;
-  for (const PathClearance& state : by_state) {
-    take_less(state.in_hinges, all.in_hinges);
-    take_less(state.elsewhere, all.elsewhere);
-    take_nearer(state.nearest, all.nearest);
+  PathClearance all = distances.measured(sheet.thetas.front(), sheet.path.front());
+  if (!is_kept(all)) {
+    all.first_too_near = all.least();
+    return all;
   }
-  if (!is_kept(all)) all.first_too_near = first_of(sheet, distances, by_state);
+  if (sheet.path.size() < 2) return all;
+  const PathClearance fold = distances.measured(sheet.thetas.back(), sheet.path.back());
+  take_less(fold.in_hinges, all.in_hinges);
+  take_less(fold.elsewhere, all.elsewhere);
+  take_nearer(fold.nearest, all.nearest);
+  std::optional<LeastDistance> bore;
+  for (std::size_t k = 0; k < sheet.path.size(); ++k) {
+    distances.compare_bores(sheet.thetas[k], sheet.path[k], all);
+    if (!bore && !is_kept(all) && all.least().theta == sheet.thetas[k]) bore = all.least();
+  }
+  all.first_too_near = PathSearch(sheet, distances, all).run();
+  if (is_kept(all) || all.least().spare_mm() >= 0) return all;
+  for (const LeastDistance& other : {bore.value_or(all.least()), all.least()})
+    if (!all.first_too_near || std::abs(other.theta) < std::abs(all.first_too_near->theta))
+      all.first_too_near = other;
   return all;
 }
 
-bool is_kept(const PathClearance& clearance) { return clearance.least().spare_mm() >= 0; }
+bool is_kept(const PathClearance& clearance) {
+  return !clearance.first_too_near && clearance.least().spare_mm() >= 0;
+}
 
 std::string part_name(const PrintSheet& sheet, int part) {
   const int bodies = static_cast<int>(sheet.bodies.size());

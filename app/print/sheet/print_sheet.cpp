@@ -63,6 +63,8 @@ class SheetMaker {
       sheet_.motion = [at = path.motion, edge = structure_.size().edge_mm](double theta) {
         return with_edge({at(theta)}, edge).front();
       };
+    sheet_.turns = path.turns;
+    sheet_.jumps = path.jumps;
     sheet_.is_path_exact = path.is_exact;
     sheet_.why_no_path = path.why_flat_alone;
     for (int h = 0; h < hinges(); ++h) turns_.push_back(largest_turn(h));

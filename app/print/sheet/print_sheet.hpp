@@ -30,6 +30,8 @@ struct PrintSheet {
   std::vector<model::State> path;  ///< from flat to the fold (PrintPath); flat alone where no motion is known
   std::vector<double> thetas;      ///< of the path, rad
   std::function<model::State(double)> motion = {};  ///< at a theta, rad; empty where it is not exact
+  std::vector<model::TurnLaw> turns = {};           ///< of each hinge along that motion
+  std::vector<int> jumps = {};                      ///< PrintPath::jumps
   bool is_path_exact = true;                        ///< else of the equilibrium under the design's drive
   std::string why_no_path = {};                     ///< where it is flat alone
   bool is_imported = false;                         ///< parts are as they came: nothing makes or cuts them
