@@ -54,12 +54,13 @@ struct Order {
   PrintPath path = print_path(design);
 };
 
-Attempt attempt(const Order& order, const PrintChoice& choice) {
+/// @param whether_alone without where parts come too near, which takes longer
+Attempt attempt(const Order& order, const PrintChoice& choice, bool whether_alone) {
   try {
     PrintSheet sheet = make_print_sheet(order.design, order.path, order.process, choice);
-    const PathClearance clearance = path_clearance(sheet);
+    const PathClearance clearance = path_clearance(sheet, whether_alone);
     if (is_kept(clearance)) return {PreparedPrint{{std::move(sheet), order.folded}, clearance}, ""};
-    return {std::nullopt, words(sheet, clearance)};
+    return {std::nullopt, whether_alone ? "" : words(sheet, clearance)};
   } catch (const BedTooSmall& e) {
     return {std::nullopt, e.reason(), true};
   } catch (const InvalidInput& e) {
@@ -87,11 +88,11 @@ std::vector<PrintChoice> others(const DesignFile& design, const PrintChoice& cho
 }
 
 /// By the first choice that leaves room. The reason is that of the choice itself.
-Attempt best_attempt(const Order& order, const PrintChoice& choice) {
-  Attempt first = attempt(order, choice);
+Attempt best_attempt(const Order& order, const PrintChoice& choice, bool whether_alone = false) {
+  Attempt first = attempt(order, choice, whether_alone);
   if (first.print || first.is_bed_too_small) return first;
   for (const PrintChoice& other : others(order.design, choice)) {
-    Attempt found = attempt(order, other);
+    Attempt found = attempt(order, other, true);
     if (found.print) return found;
   }
   return first;
@@ -104,7 +105,7 @@ std::optional<double> enough_mm(const Order& order, PrintChoice choice) {
   const double refused_mm = choice.edge_mm > 0 ? choice.edge_mm : size.edge_mm;
   const auto fits = [&](double steps) {
     choice.edge_mm = steps * step_mm;
-    return best_attempt(order, choice).print.has_value();
+    return best_attempt(order, choice, true).print.has_value();
   };
   double low = std::floor(refused_mm / step_mm), high = low + 1;  // steps
   while (!fits(high)) {

@@ -25,6 +25,13 @@ constexpr double slack_mm =
 constexpr double looked_mm = 1;  // mm: parts that come nearer are looked for where no others are near
 constexpr double wander = 1;     // cell edges, by which bodies may move in a stretch: keeps neighbours few
 
+constexpr int few = 4096;  // tasks: fewer are done before other threads have started
+
+/// On all cores where that is worth it.
+void run_all(int count, const std::function<void(int)>& run) {
+  model::run_in_parallel(count, count < few ? 1 : 0, run);
+}
+
 double clearance_of(const model::HingePrint& hinge) {
   return hinge.made.kind == model::HingeKind::pin ? hinge.made.clearance_mm : 0;
 }
@@ -236,62 +243,82 @@ class PairLook {
       for (const PiecePair& open : pair_.open) compare(open);
       return std::move(out_);
     }
+    if (are_apart()) return std::move(out_);
     for (const int a : parts_.pieces_of[pair_.first])
       for (const int b : parts_.pieces_of[pair_.second]) compare({a, b});
     return std::move(out_);
   }
 
  private:
+  /// A piece as the first body sees it, and a sphere round it.
+  struct SeenPiece {
+    SweptHull hull;
+    Vector3d center = Vector3d::Zero();
+    double radius = 0, way = 0;  // mm
+  };
+
   const SeenBody* seen(int body) const {
     for (std::size_t k = 1; k < pair_.bodies.size(); ++k)
       if (pair_.bodies[k] == body) return &seen_[k - 1];
     return nullptr;
   }
 
-  /// As the first body sees it.
-  SweptHull swept(const PartPiece& piece) const {
-    SweptHull out;
-    for (const PieceEnd& end : piece.ends) {
-      const SeenBody* there = seen(end.body);
+  SeenPiece see(const std::vector<const PieceEnd*>& ends) const {
+    SeenPiece out;
+    for (const PieceEnd* end : ends) {
+      const SeenBody* there = seen(end->body);
       const model::Pose pose = there ? there->pose : model::Pose{};
-      out.push_back(
-          {&end.points, pose, there ? &there->motion : nullptr, pose.R * end.center + pose.p, end.radius});
+      out.hull.push_back(
+          {&end->points, pose, there ? &there->motion : nullptr, pose.R * end->center + pose.p, end->radius});
+      out.center += out.hull.back().center / static_cast<double>(ends.size());
     }
+    for (const model::SweptPoints& end : out.hull)
+      out.radius = std::max(out.radius, (end.center - out.center).norm() + end.radius);
+    out.way = way(out.hull);
     return out;
   }
 
-  static double gap_of_spheres(const SweptHull& a, const SweptHull& b) {
-    const auto ball = [](const SweptHull& hull) {
-      Vector3d center = Vector3d::Zero();
-      for (const model::SweptPoints& end : hull) center += end.center / static_cast<double>(hull.size());
-      double radius = 0;
-      for (const model::SweptPoints& end : hull)
-        radius = std::max(radius, (end.center - center).norm() + end.radius);
-      return std::pair(center, radius);
+  /// Each once.
+  const SeenPiece& see(int piece) {
+    const auto known =
+        std::find_if(pieces_.begin(), pieces_.end(), [&](const auto& p) { return p.first == piece; });
+    if (known != pieces_.end()) return *known->second;
+    std::vector<const PieceEnd*> ends;
+    for (const PieceEnd& end : parts_.pieces[piece].ends) ends.push_back(&end);
+    return *pieces_.emplace_back(piece, std::make_unique<SeenPiece>(see(ends))).second;
+  }
+
+  static bool are_apart(const SeenPiece& a, const SeenPiece& b, double goal) {
+    return (a.center - b.center).norm() - a.radius - b.radius - a.way - b.way >= goal;
+  }
+
+  /// Whether the spheres round the two parts are.
+  bool are_apart() {
+    const auto whole = [&](int part) {
+      return part < parts_.bodies ? see(std::vector{&parts_.whole[part]})
+                                  : see(parts_.pieces_of[part].front());
     };
-    const auto [one, r] = ball(a);
-    const auto [other, q] = ball(b);
-    return (one - other).norm() - r - q;
+    return are_apart(whole(pair_.first), whole(pair_.second), goal_);
   }
 
   void compare(PiecePair pair) {
-    const PartPiece &one = parts_.pieces[pair.first], &other = parts_.pieces[pair.second];
-    const SweptHull a = swept(one), b = swept(other);
-    const double h = interval_.half_width;
-    if (gap_of_spheres(a, b) - way(a) - way(b) >= goal_) return;
-    if (pair.normal != Vector3d::Zero() && least_gap(a, b, pair.normal, h) >= goal_) return;
-    const PieceDistance found = piece_distance(placed(one, a), placed(other, b));
+    const SeenPiece &a = see(pair.first), &b = see(pair.second);
+    if (are_apart(a, b, goal_)) return;
+    const auto is_proven = [&] {
+      return pair.normal != Vector3d::Zero() &&
+             least_gap(a.hull, b.hull, pair.normal, interval_.half_width) >= goal_;
+    };
+    if (is_proven()) return;
+    const PieceDistance found =
+        piece_distance(placed(parts_.pieces[pair.first], a.hull), placed(parts_.pieces[pair.second], b.hull));
     note(found);
     pair.normal = found.normal;
-    if (pair.normal != Vector3d::Zero() && least_gap(a, b, pair.normal, h) >= goal_) return;
-    const double moved = way(a) + way(b);
-    if (found.mm - moved >= goal_) return;
-    if (moved > slack_mm / 2)
+    const double moved = a.way + b.way;
+    if (is_proven() || found.mm - moved >= goal_) return;
+    if (moved > slack_mm / 2 || found.mm - moved >= needed_)
       out_.open.push_back(pair);
-    else if (!(found.mm - moved >= needed_))
-      out_.is_uncertain = true;
     else
-      out_.open.push_back(pair);
+      out_.is_uncertain = true;
   }
 
   static PlacedPiece placed(const PartPiece& piece, const SweptHull& hull) {
@@ -311,6 +338,7 @@ class PairLook {
   const FoldInterval& interval_;
   const PartPair& pair_;
   std::vector<SeenBody> seen_;
+  std::vector<std::pair<int, std::unique_ptr<SeenPiece>>> pieces_;
   double margin_ = 0, goal_ = 0, needed_ = 0;
   PairResult out_;
 };
@@ -320,8 +348,9 @@ double needed_mm(double asked_mm) { return asked_mm > 0 ? asked_mm - polygon_mm 
 /// Goes from flat to the fold, in stretches that are halved for those pairs of which nothing is proven.
 class PathSearch {
  public:
-  PathSearch(const PrintSheet& sheet, const Distances& distances, PathClearance& all)
+  PathSearch(const PrintSheet& sheet, const Distances& distances, bool whether_alone, PathClearance& all)
       : distances_(distances),
+        whether_alone_(whether_alone),
         parts_(distances.parts),
         chains_(sheet.linkage),
         edge_(sheet.linkage.size.edge_mm),
@@ -447,22 +476,22 @@ class PathSearch {
              std::vector<Task> tasks) {
     while (!tasks.empty()) {
       std::vector<PairResult> outcomes(tasks.size());
-      model::run_in_parallel(static_cast<int>(tasks.size()), 0, [&](int k) {
+      run_all(static_cast<int>(tasks.size()), [&](int k) {
         const Task& task = tasks[k];
         const auto at = std::lower_bound(stretches.begin(), stretches.end(), Stretch{task.low, task.high});
         outcomes[k] = PairLook(parts_, *intervals[at - stretches.begin()], task.pair)
                           .compare(goal_mm(task.pair), least_mm(task.pair));
       });
       for (std::size_t k = 0; k < tasks.size(); ++k) note(tasks[k], outcomes[k]);
+      if (hit_ && whether_alone_) return;
       tasks = halved(std::move(tasks), outcomes);
       stretches.clear();
       for (const Task& task : tasks) stretches.emplace_back(task.low, task.high);
       std::sort(stretches.begin(), stretches.end());
       stretches.erase(std::unique(stretches.begin(), stretches.end()), stretches.end());
       intervals.assign(stretches.size(), nullptr);
-      model::run_in_parallel(static_cast<int>(stretches.size()), 0, [&](int k) {
-        intervals[k] = motion_->over(stretches[k].first, stretches[k].second);
-      });
+      run_all(static_cast<int>(stretches.size()),
+              [&](int k) { intervals[k] = motion_->over(stretches[k].first, stretches[k].second); });
     }
   }
 
@@ -497,6 +526,7 @@ class PathSearch {
   }
 
   const Distances& distances_;
+  const bool whether_alone_;
   const MovingParts& parts_;
   std::vector<double> reach_;  // of all that goes with each body from its rest position, mm
   std::unique_ptr<FoldMotion> motion_;
@@ -513,7 +543,7 @@ class PathSearch {
 
 double LeastDistance::spare_mm() const { return mm - needed_mm(asked_mm); }
 
-PathClearance path_clearance(const PrintSheet& sheet) {
+PathClearance path_clearance(const PrintSheet& sheet, bool whether_alone) {
   const Distances distances(sheet);
   PathClearance all = distances.measured(sheet.thetas.front(), sheet.path.front());
   if (!is_kept(all)) {
@@ -525,12 +555,13 @@ PathClearance path_clearance(const PrintSheet& sheet) {
   take_less(fold.in_hinges, all.in_hinges);
   take_less(fold.elsewhere, all.elsewhere);
   take_nearer(fold.nearest, all.nearest);
+  if (whether_alone && !is_kept(all)) return all;
   std::optional<LeastDistance> bore;
   for (std::size_t k = 0; k < sheet.path.size(); ++k) {
     distances.compare_bores(sheet.thetas[k], sheet.path[k], all);
     if (!bore && !is_kept(all) && all.least().theta == sheet.thetas[k]) bore = all.least();
   }
-  all.first_too_near = PathSearch(sheet, distances, all).run();
+  all.first_too_near = PathSearch(sheet, distances, whether_alone, all).run();
   if (is_kept(all) || all.least().spare_mm() >= 0) return all;
   for (const LeastDistance& other : {bore.value_or(all.least()), all.least()})
     if (!all.first_too_near || std::abs(other.theta) < std::abs(all.first_too_near->theta))

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "app/print/export_command.hpp"
+#include "app/print/fit.hpp"
 #include "app/print/sheet/path_clearance.hpp"
 #include "app/print/sheet/print_path.hpp"
 #include "model/base/invalid_input.hpp"
@@ -41,11 +42,22 @@ model::State between(const app::PrintPath& path, double part) {
   return out;
 }
 
+/// Without the cell edge that would do.
+std::optional<std::string> refusal(const app::DesignFile& design, const app::PrintRequest& request) {
+  const model::Process& process = *model::find_process(request.process);
+  std::optional<std::string> why;
+  for (const model::HingeKind kind : {model::HingeKind::pin, model::HingeKind::block})
+    if (request.hinge.empty() || request.hinge == to_string(kind))
+      if (why = app::why_unprepared(design, process, {.kind = kind}); !why) break;
+  return why;
+}
+
 /// Exports a design and folds the meshes that were written.
 Judged judged(const app::DesignFile& design, const app::PrintRequest& asked) {
   const Scratch scratch;
   app::PrintRequest request = asked;
   request.formats = {"glb"};
+  if (const auto why = refusal(design, request)) return {*why, {}};
   try {
     export_design(design, request, scratch / "out");
   } catch (const InvalidInput& e) {
@@ -95,36 +107,32 @@ app::DesignFile helix(int columns, double t, double beta_deg, double theta_deg, 
                    "helix");
 }
 
-std::string refusal(const app::DesignFile& design, const app::PrintRequest& request) {
-  return judged(design, request).refused;
-}
-
 /// What a helix of the issue does: exported plates were 1.1 mm in each other between two of twenty steps, and free in all of them.
 TEST(Folding, HelicesWhoseTurnsCrossBetweenTwoStepsAreRefused) {
   const auto beyond = [](const app::DesignFile& design, const app::PrintRequest& request) {
-    const std::string why = refusal(design, request);
+    const std::string why = refusal(design, request).value_or("");
     EXPECT_THAT(why, HasSubstr("from theta")) << design.theta;
     EXPECT_TRUE(why.find("run into each other") != std::string::npos ||
                 why.find("come nearer") != std::string::npos)
         << why;
   };
-  beyond(helix(24, 0.35, 35, 25.325, 3), {});
-  beyond(helix(24, 0.35, 35, 25.325, 3), {.hinge = "block"});
-  beyond(helix(24, 0.35, 35, -25.325, 3), {.hinge = "block"});
-  beyond(helix(26, 0.35, 35, 25.5, 3, 1), {.hinge = "block"});
+  beyond(helix(24, 0.35, 35, 25.325, 3), {.process = "polyjet"});
+  beyond(helix(24, 0.35, 35, 25.325, 3), {.process = "polyjet", .hinge = "block"});
+  beyond(helix(24, 0.35, -35, 25.325, 3), {.process = "sla", .hinge = "pin"});
+  beyond(helix(26, 0.35, 35, 25.5, 3, 1), {.process = "polyjet", .hinge = "block"});
 }
 
 /// The first theta of the message is that of the meshes, to 0.1 degrees.
 TEST(Folding, RefusalNamesThePartsAndWhereTheyMeet) {
   const app::DesignFile design = helix(24, 0.35, 35, 25.325, 3);
-  const std::string why = refusal(design, {.hinge = "block"});
+  const std::string why = refusal(design, {.process = "polyjet", .hinge = "block"}).value_or("");
   double theta_deg = 0;
   const auto at = why.find("from theta ");
   ASSERT_NE(at, std::string::npos) << why;
   theta_deg = std::stod(why.substr(at + 11));
   app::DesignFile before = design;
   before.theta = (theta_deg - 0.2) * radians_per_degree;
-  const Judged free = judged(before, {.hinge = "block"});
+  const Judged free = judged(before, {.process = "polyjet", .hinge = "block"});
   EXPECT_EQ(free.refused, "");
   EXPECT_LE(free.crossing.mm, allowed_mm) << free.crossing.first << free.crossing.second;
 }
