@@ -84,6 +84,30 @@ std::optional<PrintedGoal> expected_with(const Run& run, const PrintHinges& hing
   return out;
 }
 
+constexpr int states_on_the_way = 8;  // in which walls of prints are looked at
+
+/// The fold itself is held as its prints are; on the way to it hinges rest at the turns that they have there, of the closed form
+/// or, where hinges are elastic, of their path.
+std::optional<model::TouchingPrints> count_touching(const Run& run, const PrintHinges& hinges,
+                                                    const model::State& state, bool planar,
+                                                    const RunOptions& options) {
+  const model::Linkage linkage = run.structure;
+  const model::LinkageDrive none{.kind = model::LinkageDrive::Kind::none};
+  std::vector<const model::State*> frames;
+  for (const NamedState& frame : run.states)
+    if (frame.name == "frame") frames.push_back(&frame.poses);
+  const bool is_on_path = run.matter.has_value();
+  const int before = is_on_path ? static_cast<int>(frames.size()) : states_on_the_way - 1;
+  const auto way = [&](int k) -> std::optional<model::HeldState> {
+    if (k == before) return model::HeldState{state, hinges.elasticity, hinges.drive};
+    if (!is_on_path && !run.plan.exact) return std::nullopt;
+    const model::State at =
+        is_on_path ? *frames[k] : run.plan.exact.at(run.theta * (k + 1) / states_on_the_way);
+    return model::HeldState{at, set_in(hinges.elasticity, linkage, at), none};
+  };
+  return touching_prints(linkage, before + 1, way, scatter_of(run), print_options(options, planar));
+}
+
 }  // namespace
 
 int prints_of(const RunOptions& options) { return std::max(options.prints, least_prints); }
@@ -120,7 +144,9 @@ std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& dr
                                    const RunOptions& options) {
   const PrintHinges hinges = print_hinges(run, drive, state);
   std::optional<PrintedGoal> out = expected_with(run, hinges, state, points);
-  if (!out || (options.prints == 0 && run.structure.bodies() > most_bodies_to_confirm)) return out;
+  if (!out) return out;
+  out->touching = count_touching(run, hinges, state, stays_in_plane(run, points), options);
+  if (options.prints == 0 && run.structure.bodies() > most_bodies_to_confirm) return out;
   const model::PrintRuns runs =
       print_runs([&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
                  hinges.elasticity, hinges.drive, state, points, scatter_of(run), prints_of(options),

@@ -52,7 +52,8 @@ void judge_contact_of_prints(Run& run) {
   const bool has_left = run.equilibrium && run.equilibrium->path.off_closed_form;
   if (!run.printed || has_left || !run.certified->printed) return;
   const bool covered = run.certified->covers_printed(run.theta);
-  if (!run.equilibrium || !covered) run.printed->free_of_contact = covered;
+  const bool is_free = covered && !run.printed->touches_too_often();
+  if (!run.equilibrium || !is_free) run.printed->free_of_contact = is_free;
 }
 
 }  // namespace

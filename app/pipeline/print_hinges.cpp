@@ -93,4 +93,13 @@ PrintHinges print_hinges(const Run& run, const model::LinkageDrive& drive, const
   return out;
 }
 
+model::Elasticity set_in(model::Elasticity elasticity, const model::Linkage& linkage,
+                         const model::State& state) {
+  if (elasticity.each.empty()) elasticity.each.assign(linkage.hinges.size(), elasticity);
+  for (std::size_t h = 0; h < linkage.hinges.size(); ++h)
+    elasticity.each[h].law =
+        std::make_shared<model::SetHinge>(hinge_turn(linkage, state, static_cast<int>(h)));
+  return elasticity;
+}
+
 }  // namespace kinetix::app

@@ -17,4 +17,8 @@ struct PrintHinges {
 /// @param drive that holds the design   @param design its state, exact where hinges turn freely
 PrintHinges print_hinges(const Run& run, const model::LinkageDrive& drive, const model::State& design);
 
+/// The same hinges, each at rest at the turn that it has in a state of the sheet, as if it had been set there.
+model::Elasticity set_in(model::Elasticity elasticity, const model::Linkage& linkage,
+                         const model::State& state);
+
 }  // namespace kinetix::app

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -41,7 +42,9 @@ std::string prints_words(const PrintedGoal& printed, const std::string& goal) {
 }
 
 /// Of prints that keep the goal: what is known of their walls.
-const char* holding_words(const PrintedGoal& printed) {
+std::string holding_words(const PrintedGoal& printed) {
+  if (printed.touches_too_often())
+    return fmt::format("holds, but in {:.0f} % of prints walls touch", 100 * printed.touching->share());
   if (!printed.free_of_contact) return "holds, but that walls stay apart is not proven";
   return *printed.free_of_contact ? "holds" : "holds, but walls may meet";
 }
@@ -53,8 +56,8 @@ std::string verdict_words(const Run& run) {
   if (printed.holds()) return holding_words(printed);
   if (printed.runs && printed.runs->prints == 0)
     return "NOT EVERY PRINT HOLDS, and none settles in the elastic model";
-  return printed.made.p95_mm <= printed.tolerance_mm ? "NOT EVERY PRINT HOLDS, of those in the elastic model"
-                                                     : "NOT EVERY PRINT HOLDS";
+  return printed.p95_mm() <= printed.tolerance_mm ? "NOT EVERY PRINT HOLDS, of those in the elastic model"
+                                                  : "NOT EVERY PRINT HOLDS";
 }
 
 Json taken_json(const TakenHinges& taken) {
@@ -72,12 +75,24 @@ Json taken_json(const TakenHinges& taken) {
 
 /// Whether the fold lies where walls of prints are proven not to meet; nothing where it does, or nothing is proven.
 std::optional<std::string> contact_words(const Run& run) {
-  if (run.printed->free_of_contact.value_or(true)) return std::nullopt;
+  if (run.printed->free_of_contact.value_or(true) || run.certified->covers_printed(run.theta))
+    return std::nullopt;
   return fmt::format(
       "walls of prints may meet: theta {:.2f} deg lies beyond what is proven free of contact with each wall "
       "up "
       "to {:.2f} mm out of place",
       to_degrees(run.theta), run.certified->printed.growth_mm);
+}
+
+/// What printed walls do on the way to the fold, in sample prints.
+std::optional<std::string> touching_words(const PrintedGoal& printed) {
+  if (!printed.touching || printed.touching->touching == 0) return std::nullopt;
+  const int percent = static_cast<int>(std::lround(100 * printed.touching->share()));
+  return fmt::format("walls of {} of {} simulated prints ({} %) touch on the way to the fold{}",
+                     printed.touching->touching, printed.touching->prints, percent,
+                     printed.touches_too_often()
+                         ? ": leave more room between walls that end near each other, or print more precisely"
+                         : "");
 }
 
 /// Three digits, and all before the point: forces of hundreds without a power of ten.
@@ -102,9 +117,9 @@ std::string taken_words(const TakenHinges& taken) {
 std::vector<std::string> scatter_reasons(const Run& run) {
   const PrintedGoal& printed = *run.printed;
   std::vector<std::string> why;
-  if (printed.made.p95_mm > printed.tolerance_mm)
+  if (printed.p95_mm() > printed.tolerance_mm)
     why.push_back(fmt::format("95 of 100 prints stay within {:.2f} mm of {}, and {:.2f} mm are allowed",
-                              printed.made.p95_mm, run.goal->judged_against(), printed.tolerance_mm));
+                              printed.p95_mm(), run.goal->judged_against(), printed.tolerance_mm));
   if (!printed.runs) return why;
   const model::PrintRuns& runs = *printed.runs;
   if (runs.failed > 0)
@@ -153,8 +168,9 @@ Json as_made_json(const Run& run) {
                 {"tilt_deg", run.process.sd.tilt_deg},
                 {"clearance_mm", run.process.sd.clearance_mm}}},
               {"designed_mm", made.designed_mm},
-              {"rms_mm", made.rms_mm},
-              {"p95_mm", made.p95_mm},
+              {"rms_mm", run.printed->rms_mm()},
+              {"p95_mm", run.printed->p95_mm()},
+              {"first_order_rms_mm", made.rms_mm},
               {"tolerance_mm", run.printed->tolerance_mm},
               {"can_be_printed", run.printed->can_be_printed},
               {"holds", run.printed->holds()},
@@ -164,6 +180,11 @@ Json as_made_json(const Run& run) {
               {"sources", sources},
               {"places", places}};
   if (const auto& is_free = run.printed->free_of_contact) out["free_of_contact"] = *is_free;
+  out["touching_share"] = nullptr;
+  if (const auto& touching = run.printed->touching) {
+    out["touching_share"] = touching->share();
+    out["touching_prints"] = touching->prints;
+  }
   if (run.printed->taken) out["taken"] = taken_json(*run.printed->taken);
   if (const auto& tight = run.printed->without_play)
     out["play"] = {{"clearance_mm", loosest_pin(run)->clearance_mm},
@@ -188,6 +209,7 @@ std::vector<std::string> as_made_reasons(const Run& run) {
 std::vector<std::string> scatter_warnings(const Run& run) {
   std::vector<std::string> all = scatter_reasons(run);
   if (auto contact = contact_words(run)) all.push_back(std::move(*contact));
+  if (run.printed->touches_too_often()) all.push_back(*touching_words(*run.printed));
   if (run.printed->runs && !run.printed->is_confirmed())
     all.push_back(prints_words(*run.printed, run.goal->judged_against()));
   return all;
@@ -197,10 +219,13 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
   if (!run.printed) return {};
   const model::AsMade& made = run.printed->made;
   std::vector<SummaryLine> lines = {
-      {"as made", fmt::format("printed by {}: {:.2f} mm off {} (rms over points of the sheet; {:.2f} "
-                              "mm as designed), 95 of 100 prints within {:.2f} mm; {:.2f} mm are allowed: {}",
-                              run.process.name, made.rms_mm, run.goal->judged_against(), made.designed_mm,
-                              made.p95_mm, run.printed->tolerance_mm, verdict_words(run))}};
+      {"as made",
+       fmt::format("printed by {}: {:.2f} mm off {} (rms over points of the sheet; {:.2f} "
+                   "mm as designed), 95 of 100 prints within {:.2f} mm; {:.2f} mm are allowed: {}",
+                   run.process.name, run.printed->rms_mm(), run.goal->judged_against(), made.designed_mm,
+                   run.printed->p95_mm(), run.printed->tolerance_mm, verdict_words(run))}};
+  if (const auto touching = touching_words(*run.printed); touching && !run.printed->touches_too_often())
+    lines.push_back({"", *touching});  // else it is a warning
   if (const auto places = sources_by_place(run); !places.empty())
     lines.push_back({"", fmt::format("{} of {}: {} of what errors do", plural_words[places[0].parameter],
                                      places[0].place, share_words(places[0].share))});

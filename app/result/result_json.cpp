@@ -124,8 +124,8 @@ Json metrics_json(const Run& run) {
   if (run.equilibrium)
     metrics["stretch_max_mm"] = run.equilibrium->path.gaps.max * run.structure.size().edge_mm;
   if (run.printed) {
-    metrics["as_made_rms_mm"] = run.printed->made.rms_mm;
-    metrics["as_made_p95_mm"] = run.printed->made.p95_mm;
+    metrics["as_made_rms_mm"] = run.printed->rms_mm();
+    metrics["as_made_p95_mm"] = run.printed->p95_mm();
   }
   if (const auto worst = worst_strain(run)) {
     metrics["strain_max"] = worst->strain;

@@ -97,6 +97,25 @@ class Adjoint {
     return out;
   }
 
+  /// What `force` (by all coordinates), which a change of all hinges calls up, does to the state.
+  VectorXd change(VectorXd force, const Eigen::Matrix4Xd& changes) const {
+    const DofMap& dofs = system_.dofs();
+    const int h = system_.driven_hinge();
+    if (h < 0) return dofs.extend(-solve_by_rate(dofs.restrict(force), Side::plain));
+    // The turn of the driven hinge stays: a . x + (its own change by the hinge's parameters) = 0.
+    const RestHinge& hinge = system_.hinges()[h];
+    const auto rates = [&](const Vector12& twists) {
+      return turn_gradients(hinge, state_[hinge.lower], state_[hinge.upper], twists);
+    };
+    const double held = -system_.load(state_, theta_), own = rates(Vector12::Zero()).turn.dot(changes.col(h));
+    for (int k = 0; k < 12; ++k)
+      force[6 * (k < 6 ? hinge.lower : hinge.upper) + k % 6] +=
+          held * rates(Vector12::Unit(k)).along.dot(changes.col(h));
+    const VectorXd a = dofs.restrict(system_.driven_gradient(state_)), driven = tangent_.solve(a),
+                   free = -tangent_.solve(dofs.restrict(force));
+    return dofs.extend(free - (a.dot(free) + own) / a.dot(driven) * driven);
+  }
+
   Vector12 twists_of(int h) const {
     const RestHinge& hinge = system_.hinges()[h];
     return pair(hinge.lower, hinge.upper);
@@ -197,14 +216,16 @@ class Adjoint {
     return sum;
   }
 
-  /// By the transpose of the derivative of the gradient. That is the Hessian, but for a half held body whose
+  enum class Side { transposed, plain };
+
+  /// By the derivative of the gradient, or its transpose. That is the Hessian, but for a half held body whose
   /// held turn meets a moment: there half the moment's cross product comes in, which is antisymmetric.
-  VectorXd transposed_solve(const VectorXd& rhs) const {
+  VectorXd solve_by_rate(const VectorXd& rhs, Side side) const {
     const VectorXd plain = tangent_.solve(rhs);
     const HalfHeld held = half_held(system_.dofs());
     if (held.body < 0) return plain;
     const auto [i, j] = held.free;
-    const double k = 0.5 * cross_matrix(moment_on(held.body))(i, j);
+    const double k = (side == Side::transposed ? 0.5 : -0.5) * cross_matrix(moment_on(held.body))(i, j);
     const auto& unknown = system_.dofs().unknown[held.body];
     const Eigen::Vector2i at(unknown[i], unknown[j]);
     const VectorXd first = tangent_.solve(VectorXd::Unit(rhs.size(), at[0])),
@@ -224,7 +245,7 @@ class Adjoint {
       for (const int body : system_.gripped()[1]) pressed[6 * body + coordinate] = load;
       by_state -= tangent_.multiply_all(pressed);
     }
-    const VectorXd unknowns = transposed_solve(dofs.restrict(by_state));
+    const VectorXd unknowns = solve_by_rate(dofs.restrict(by_state), Side::transposed);
     const VectorXd moved = system_.place_rate(theta_);
     lambda_ = dofs.extend(unknowns);
     by_theta_ = by_state.dot(moved) - lambda_.dot(tangent_.multiply_all(moved));
@@ -301,6 +322,18 @@ DesignSensitivity DesignSensitivities::of(const VectorXd& by_state) const {
   adjoint.add_contacts(out.hinges);
   adjoint.add_drive(out.hinges);
   return out;
+}
+
+VectorXd DesignSensitivities::change(const Eigen::Matrix4Xd& changes) const {
+  const Table& t = *table_;
+  VectorXd force = VectorXd::Zero(t.system.dofs().coordinates());
+  for (int h = 0; h < static_cast<int>(t.forces.size()); ++h) {
+    const RestHinge& hinge = t.system.hinges()[h];
+    const Vector12 on = t.forces[h].transpose() * changes.col(h);
+    force.segment<6>(6 * hinge.lower) += on.head<6>();
+    force.segment<6>(6 * hinge.upper) += on.tail<6>();
+  }
+  return Adjoint(t.system, t.state, t.theta, t.tangent, t.contacts).change(std::move(force), changes);
 }
 
 Sensitivity sensitivity(const ElasticSystem& system, const Elasticity& elasticity, const State& state,

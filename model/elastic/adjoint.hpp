@@ -64,6 +64,11 @@ class DesignSensitivities {
   /// @param by_state derivatives of the function by all coordinates: 6 a body, turn (rad) then shift (cell edges)
   DesignSensitivity of(const Eigen::VectorXd& by_state) const;
 
+  /// Change of the state where all hinges change, to first order: 6 coordinates per body, turn (rad) then shift (cell edges).
+  /// Theta of the drive stays. @param changes column h: of t (fraction), alpha, beta (rad) and offset (cell edges) of hinge h
+  /// @pre no contacts, and a drive that pulls no cord
+  Eigen::VectorXd change(const Eigen::Matrix4Xd& changes) const;
+
  private:
   struct Table;
   std::unique_ptr<Table> table_;

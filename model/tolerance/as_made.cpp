@@ -91,7 +91,7 @@ AsMade as_made(const ElasticSystem& system, const State& state, double theta, co
 
   const VectorXd deviations = points.deviations();
   const double along_deviations = deviations.isZero(0) ? 0 : row(deviations).squaredNorm();
-  const auto count = static_cast<double>(points.size());
+  const double count = points.count();
   const double mean = (deviations.squaredNorm() + moments.trace) / count,
                variance = (2 * moments.trace_of_square + 4 * along_deviations) / (count * count);
   AsMade out;

@@ -13,6 +13,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 ObservedPoints::ObservedPoints(const std::vector<ObservedPoint>& points, bool aligned) : points_(points) {
+  for (const ObservedPoint& p : points) count_ += 1.0 / p.directions;
   if (!aligned) return;
   MatrixXd rigid(size(), 6);
   Vector3d middle = Vector3d::Zero();
@@ -30,7 +31,7 @@ VectorXd ObservedPoints::deviations() const {
   return out;
 }
 
-double ObservedPoints::rms_mm() const { return deviations().norm() / std::sqrt(static_cast<double>(size())); }
+double ObservedPoints::rms_mm() const { return deviations().norm() / std::sqrt(count_); }
 
 VectorXd ObservedPoints::by_state(const VectorXd& mixture, std::size_t bodies, double edge_mm) const {
   const VectorXd weights = without_motion(mixture);

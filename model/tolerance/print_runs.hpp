@@ -12,6 +12,8 @@ struct PrintRuns {
   int failed = 0;     ///< all others, those among them whose walls overlap as built
   double rms_mm = 0;  ///< root of the mean square over those that settled; NaN where none did
   double p95_mm = 0;  ///< 95 of 100 of them keep it: kept() of these do
+  double first_order_rms_mm =
+      0;  ///< of the same prints, as first order has each of them; NaN where it has none
 
   /// Of 20 prints 19, and not what 95 of 100 others would be: the fewest that are that part of them or more.
   int kept() const { return (19 * prints + 19) / 20; }

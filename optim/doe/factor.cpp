@@ -121,4 +121,11 @@ double level_value(const Factor& factor, std::int64_t k) {
       factor.distribution);
 }
 
+double even_level_value(const Factor& factor, std::int64_t k) {
+  if (!std::holds_alternative<NormalSpread>(factor.distribution)) return level_value(factor, k);
+  const std::int64_t last = factor.levels - 1;
+  return std::lerp(level_value(factor, 0), level_value(factor, last),
+                   static_cast<double>(k) / static_cast<double>(last));
+}
+
 }  // namespace kinetix::optim

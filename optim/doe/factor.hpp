@@ -49,4 +49,8 @@ std::int64_t level_count(const Factor& factor);
 /// as many parts of the same probability; of a list, value k. @param k 0 to level_count - 1
 double level_value(const Factor& factor, std::int64_t k);
 
+/// The same with steps of one size: of a normal distribution, level_count values evenly spaced between its first and its last
+/// level, since steps between its medians differ.
+double even_level_value(const Factor& factor, std::int64_t k);
+
 }  // namespace kinetix::optim

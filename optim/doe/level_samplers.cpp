@@ -76,9 +76,11 @@ class Morris final : public Sampler {
  public:
   Morris(SharedFactors factors, const SamplingOptions& options)
       : factors_(std::move(factors)), trajectories_(options.samples), seed_(options.seed) {
-    for (const Factor& factor : *factors_)
+    for (const Factor& factor : *factors_) {
       if (level_count(factor) < 2)
         throw InvalidInput(fmt::format("factor {}: one value, must be two or more for morris", factor.name));
+      check_steps(factor);
+    }
   }
 
   std::uint64_t size() const override { return saturating_product(trajectories_, factors_->size() + 1); }
@@ -90,11 +92,22 @@ class Morris final : public Sampler {
       const std::int64_t levels = level_count(factor);
       const std::uint64_t draw = random_bits(seed_, RandomStream::trajectory_start, trajectory, j);
       const auto start = static_cast<std::int64_t>(draw % static_cast<std::uint64_t>(levels));
-      values[j] = level_value(factor, turn(j) < row ? moved(start, levels) : start);
+      values[j] = even_level_value(factor, turn(j) < row ? moved(start, levels) : start);
     }
   }
 
  private:
+  /// Where rounding leaves nothing of a step, its effect is not known. Lists hold no value twice.
+  static void check_steps(const Factor& factor) {
+    const std::int64_t levels = level_count(factor), last = levels - 1;
+    for (const std::int64_t level : {std::int64_t{0}, last})
+      if (even_level_value(factor, level) == even_level_value(factor, moved(level, levels)))
+        throw InvalidInput(fmt::format(
+            "factor {}: too narrow for steps of morris: rounding makes its levels equal. Give it a "
+            "larger range or sd",
+            factor.name));
+  }
+
   SharedFactors factors_;
   std::uint64_t trajectories_, seed_;
 };

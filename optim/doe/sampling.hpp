@@ -26,8 +26,8 @@ enum class SamplingMethod {
   /// (also where the level is the base's value): 1 + sum of levels rows.
   one_at_a_time,
   /// Elementary effects: `samples` trajectories of d + 1 rows. A trajectory starts at random levels and moves
-  /// one factor after the other, in random order, by half its levels (Morris, Technometrics 33, 161, 1991).
-  /// Takes an even number of levels to visit all alike. 10 to 50 trajectories are usual.
+  /// one factor after the other, in random order, by half its levels (Morris, Technometrics 33, 161, 1991), all steps of a
+  /// factor of one size (even_level_value). Takes an even number of levels to visit all alike. 10 to 50 trajectories are usual.
   morris,
   /// For Sobol's indices: `samples` is the base N, and there are N (d + 2) rows: for each n, row A, the d
   /// rows A with one factor of B, and row B; A and B are two halves of one Sobol sequence in 2 d dimensions

@@ -176,11 +176,11 @@ Json optimiser_json(const DisplayOutcome& display) {
 }  // namespace
 
 bool PrintedDisplay::is_confirmed() const {
-  constexpr double near = 0.3;   // of the contrast: 20 prints know it to some 5 %
+  constexpr double near = 0.3;   // of the contrast
   constexpr double lost = 0.05;  // of the prints: those beyond what 95 of 100 keep
   if (prints + failed == 0) return true;
   return failed <= lost * (prints + failed) &&
-         std::abs(seen.contrast - expected.contrast) <= near * std::abs(expected.contrast);
+         std::abs(seen.contrast - first_order_contrast) <= near * std::abs(first_order_contrast);
 }
 
 std::string DisplayOutcome::solver() const {

@@ -49,9 +49,11 @@ struct PanelLoads {
 
 /// What prints of a panel show.
 struct PrintedDisplay {
-  optim::AsMadeDisplay expected;  ///< to first order
-  optim::AsMadeDisplay seen;      ///< in prints that were brought to their equilibrium
-  int prints = 0, failed = 0;     ///< of those: that settled near the design, and that did not
+  optim::AsMadeDisplay
+      expected;  ///< to first order, corrected where the prints that were looked at differ from it
+  optim::AsMadeDisplay seen;        ///< in prints that were brought to their equilibrium
+  double first_order_contrast = 0;  ///< of the same prints, as first order has each of them
+  int prints = 0, failed = 0;       ///< of those: that settled near the design, and that did not
   std::vector<std::string> why =
       {};  ///< prints do not show the picture as it was asked for; empty where they do
 

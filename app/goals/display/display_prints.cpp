@@ -9,6 +9,7 @@
 #include "app/pipeline/as_made.hpp"
 #include "app/result/made_hinges.hpp"
 #include "model/elastic/newton.hpp"
+#include "targets/display/display_score.hpp"
 #include "targets/display/panel_levels.hpp"
 
 namespace kinetix::app {
@@ -47,15 +48,65 @@ std::optional<MatrixXd> derivatives(const DisplayFile& file, const Run& run,
   return out;
 }
 
-/// Contrast and auc of prints, one after the other.
-void add_prints(const DisplayFile& file, const Run& run, const model::HingeScatter& scatter,
-                const model::State& state, const RunOptions& options, PrintedDisplay& out) {
+/// Readings of prints as first order has them.
+struct FirstOrderPanel {
+  std::vector<double> levels, readings;  ///< by cell; those of the design
+  MatrixXd by_errors;                    ///< readings by each error, one standard deviation each
+
+  targets::DisplayScore score(const Eigen::Matrix4Xd& errors, const model::HingeScatter& scatter) const {
+    const Eigen::Matrix4Xd sd = scatter.by_hinge(errors.cols());
+    const VectorXd by_sd = (sd.array() > 0).select(errors.array() / sd.array().max(1e-300), 0).reshaped();
+    const VectorXd change = by_errors * by_sd;
+    std::vector<double> print = readings;
+    for (std::size_t k = 0; k < print.size(); ++k) print[k] += change[static_cast<Eigen::Index>(k)];
+    return targets::display_score(print, levels);
+  }
+};
+
+/// Contrasts and auc of some prints.
+struct PrintScores {
   std::vector<double> contrasts;
-  double auc = 0;
-  const auto seen = [&](const model::State&, const model::State& print, const Eigen::Matrix4Xd& errors) {
-    const targets::DisplayScore score = read_panel(file, printed_sheet(run.structure, errors), print).score;
+  double auc = 0;  ///< sum
+
+  void add(const targets::DisplayScore& score) {
     contrasts.push_back(score.contrast);
     auc += score.auc;
+  }
+  double mean() const {
+    double sum = 0;
+    for (const double contrast : contrasts) sum += contrast;
+    return sum / static_cast<double>(contrasts.size());
+  }
+  double sd() const {
+    double squares = 0;
+    for (const double contrast : contrasts) squares += (contrast - mean()) * (contrast - mean());
+    return std::sqrt(squares / static_cast<double>(contrasts.size()));
+  }
+};
+
+// Of the contrast: prints that differ by less from what first order has of them say that first order will do.
+constexpr double first_order_will_do = 0.05;
+
+/// What is expected to first order, moved by how far prints differ from what first order has of the same prints.
+void correct_expected(const PrintScores& seen, const PrintScores& first_order,
+                      optim::AsMadeDisplay& expected) {
+  const double more = seen.mean() - first_order.mean(), below = expected.contrast - expected.contrast_p05;
+  if (!(std::abs(more) > first_order_will_do * std::abs(first_order.mean()))) return;
+  const auto count = static_cast<double>(seen.contrasts.size());
+  expected.contrast += more;
+  expected.contrast_p05 =
+      expected.contrast - below * (first_order.sd() > 0 ? seen.sd() / first_order.sd() : 1);
+  expected.auc = std::clamp(expected.auc + (seen.auc - first_order.auc) / count, 0.0, 1.0);
+}
+
+/// Contrast and auc of prints, one after the other.
+void add_prints(const DisplayFile& file, const Run& run, const model::HingeScatter& scatter,
+                const model::State& state, const FirstOrderPanel& panel, const RunOptions& options,
+                PrintedDisplay& out) {
+  PrintScores scores, first_order;
+  const auto seen = [&](const model::State&, const model::State& print, const Eigen::Matrix4Xd& errors) {
+    scores.add(read_panel(file, printed_sheet(run.structure, errors), print).score);
+    first_order.add(panel.score(errors, scatter));
   };
   model::AsMadeOptions as_in_the_model = print_options(options, true);
   as_in_the_model.contact = true;
@@ -63,12 +114,14 @@ void add_prints(const DisplayFile& file, const Run& run, const model::HingeScatt
       visit_prints([&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
                    run.equilibrium->elasticity, run.equilibrium->drive, state, scatter, prints_of(options),
                    as_in_the_model, seen);
-  out.prints = static_cast<int>(contrasts.size());
-  if (contrasts.empty()) return;
-  std::sort(contrasts.begin(), contrasts.end());
-  for (const double contrast : contrasts) out.seen.contrast += contrast / out.prints;
-  out.seen.contrast_p05 = contrasts[static_cast<std::size_t>(0.05 * (out.prints - 1))];
-  out.seen.auc = auc / out.prints;
+  out.prints = static_cast<int>(scores.contrasts.size());
+  if (scores.contrasts.empty()) return;
+  out.seen.contrast = scores.mean();
+  out.first_order_contrast = first_order.mean();
+  out.seen.auc = scores.auc / out.prints;
+  correct_expected(scores, first_order, out.expected);
+  std::sort(scores.contrasts.begin(), scores.contrasts.end());
+  out.seen.contrast_p05 = scores.contrasts[static_cast<std::size_t>(0.05 * (out.prints - 1))];
 }
 
 /// Why prints of the panel are not judged; empty where they are.
@@ -117,9 +170,10 @@ std::optional<PrintedDisplay> display_prints(const DisplayFile& file, Run& run, 
     run.prints_unknown = "the panel's equilibrium is not stable";
     return std::nullopt;
   }
+  const FirstOrderPanel panel{levels, read_panel(file, run.structure, state).channel, *by};
   PrintedDisplay out;
-  out.expected = optim::as_made_display(read_panel(file, run.structure, state).channel, levels, *by);
-  add_prints(file, run, scatter, state, options, out);
+  out.expected = optim::as_made_display(panel.readings, levels, panel.by_errors);
+  add_prints(file, run, scatter, state, panel, options, out);
   out.why = reasons(file, run, out);
   return out;
 }

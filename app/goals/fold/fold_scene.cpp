@@ -176,15 +176,12 @@ class FoldScene final : public Scene {
     double sides = 0;  // cells
     for (const model::CellRectangle& face : net.layout.faces)
       sides += (face.width + face.height) / 2.0 / static_cast<double>(net.layout.faces.size());
-    const double weight = std::sqrt(3.0);  // the rms is that of vertices in space, not of their coordinates
     Judged out{{}, file_.shape_tolerance * sides * sheet.size().edge_mm * std::cos(net.theta)};
     for (const targets::IdealPoint& v :
          ideal_vertices(net.net, net.layout, *sheet.squares(), state, net.theta))
       for (int k = 0; k < 3; ++k)
-        out.points.push_back({{v.body},
-                              state[v.body].p,
-                              weight * Eigen::Vector3d::Unit(k),
-                              weight * (state[v.body].p - v.place)[k]});
+        out.points.push_back(
+            {{v.body}, state[v.body].p, Eigen::Vector3d::Unit(k), (state[v.body].p - v.place)[k], 3});
     return out;
   }
 

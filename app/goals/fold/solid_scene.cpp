@@ -96,12 +96,11 @@ class SolidScene final : public Scene {
                                const model::State& state) const override {
     const optim::SolidDesign& design = outcome_of<SolidOutcome>(run).design;
     if (!design.folds || !is_finite(state)) return std::nullopt;
-    const double weight = std::sqrt(3.0);  // the rms is that of vertices in space, not of their coordinates
     Judged out{{}, file_.shape_tolerance * design.net.edge * sheet.size().edge_mm * std::cos(design.theta)};
     for (const auto& [body, place] : ideal_places(design.net, state, design.theta))
       for (int k = 0; k < 3; ++k)
         out.points.push_back(
-            {{body}, state[body].p, weight * Eigen::Vector3d::Unit(k), weight * (state[body].p - place)[k]});
+            {{body}, state[body].p, Eigen::Vector3d::Unit(k), (state[body].p - place)[k], 3});
     return out;
   }
 

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
+
 #include "app/goals/space_curve/space_curve_kind.hpp"
 #include "app/goals/space_curve/space_curve_outcome.hpp"
 #include "app/pipeline/exact_state.hpp"
@@ -17,6 +19,9 @@ constexpr double seconds_of_96 = 0.3;
 
 // Measured: simulated s in which the ends of a strip that is folded by its middle come to rest, a column.
 constexpr double settle_seconds_a_column = 0.06;
+
+// Part of the goal's length to either side of a point over which its direction there is taken.
+constexpr double direction_reach = 1e-3;
 
 /// @param who the state is of that results show
 std::vector<std::string> all_violations(const SpaceCurveOutcome& outcome, const std::string& who) {
@@ -101,16 +106,17 @@ class SpaceCurveScene final : public Scene {
     const targets::SpaceCurve goal(space_error(midline, file_.wanted, outcome.place).goal_mm);
     const std::vector<std::vector<int>> columns = body_columns(sheet);
     Judged out{{}, file_.shape_tolerance * file_.wanted.diagonal()};
+    const Eigen::Matrix3d back = motion.R.transpose();
     for (std::size_t k = 0; k < midline.size(); ++k) {
-      const Eigen::Vector3d off = midline[k] - goal.at(goal.nearest(midline[k]));
-      const Eigen::Vector3d place = motion.R.transpose() * (midline[k] - motion.p);
-      // Across y and in the plane of the turns: two observations a column.
-      const Eigen::Vector3d y = Eigen::Vector3d::UnitY();
-      const Eigen::Vector3d flat = off - off.y() * y;
-      const Eigen::Vector3d n =
-          flat.norm() > 0 ? Eigen::Vector3d(flat.normalized()) : Eigen::Vector3d::UnitZ();
-      out.points.push_back({columns[k], place, motion.R.transpose() * n, off.dot(n)});
-      out.points.push_back({columns[k], place, motion.R.transpose() * y, off.y()});
+      const double s = goal.nearest(midline[k]);
+      const Eigen::Vector3d place = back * (midline[k] - motion.p), off = midline[k] - goal.at(s);
+      // Both square to the goal: what moves along it comes no further off.
+      const Eigen::Vector3d along = goal.direction(s, direction_reach * file_.wanted.length());
+      const Eigen::Vector3d square = off - off.dot(along) * along;
+      const Eigen::Vector3d away =
+          square.norm() > 0 ? Eigen::Vector3d(square.normalized()) : along.unitOrthogonal();
+      out.points.push_back({columns[k], place, back * away, off.dot(away), 2});
+      out.points.push_back({columns[k], place, back * along.cross(away), 0, 2});
     }
     return out;
   }

@@ -137,7 +137,7 @@ function readAsMade(raw) {
   if (!raw || finite(raw.p95_mm) === null) return null;
   const sources = list(raw.sources).filter((source) => finite(source?.share) !== null);
   return {process: String(raw.process), rms: raw.rms_mm, designed: raw.designed_mm, p95: raw.p95_mm, tolerance: raw.tolerance_mm, holds: raw.holds === true,
-    mayTouch: raw.free_of_contact === false, isUnproven: raw.free_of_contact === null,
+    touching: finite(raw.touching_share), mayTouch: raw.free_of_contact === false, isUnproven: raw.free_of_contact === null,
     canBePrinted: raw.can_be_printed !== false, confirmed: raw.confirmed !== false, prints: dictionary(raw.prints), play: someDictionary(raw.play), taken: someDictionary(raw.taken), sources,
     places: list(raw.places).filter((place) => finite(place?.share) !== null)};
 }

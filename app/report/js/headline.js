@@ -40,6 +40,12 @@ const CONTACT_WORDS = " Walls of prints may meet on the way: its fold lies beyon
 
 const UNPROVEN_WORDS = " That walls of prints stay apart on the way is not proven.";
 
+/** What walls of prints do on the way to the fold: a sentence, or nothing. */
+function contactWords({touching, mayTouch, isUnproven}) {
+  if (touching > 0) return ` Walls touch on the way to the fold in ${percent(touching)} of simulated prints.`;
+  return mayTouch ? CONTACT_WORDS : isUnproven ? UNPROVEN_WORDS : "";
+}
+
 /** What prints come to, where that is known: a sentence. */
 function asMadeWords({asMade}) {
   if (!asMade) return null;
@@ -51,7 +57,7 @@ function asMadeWords({asMade}) {
   return `Printed by ${asMade.process}, it ends up ${millimetres(asMade.rms)} from the goal (rms over points of the sheet and over ` +
       `prints${designed}); 95 of 100 prints stay within ${millimetres(asMade.p95)}, and ${millimetres(asMade.tolerance)} are allowed.` + there + most +
       (asMade.play ? ` Without the play of its pins it would be ${millimetres(asMade.play.rms_without_mm)}, and ${millimetres(asMade.play.p95_without_mm)}.` : "") +
-      takenWords(asMade.taken) + (asMade.mayTouch ? CONTACT_WORDS : asMade.isUnproven ? UNPROVEN_WORDS : "") + (asMade.confirmed ? "" : " That is to first order, and does not hold here: " + printsWords(asMade.prints));
+      takenWords(asMade.taken) + contactWords(asMade) + (asMade.confirmed ? "" : " That is to first order, and does not hold here: " + printsWords(asMade.prints));
 }
 
 /** What elastic hinges make of a goal that was met exactly: a sentence. */

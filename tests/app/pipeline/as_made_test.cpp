@@ -274,6 +274,64 @@ TEST(AsMadeResult, SaysWhetherWallsOfPrintsMayMeet) {
   }
 }
 
+// Errors add up along a ring, so that its ends miss each other by much more than a hinge is off.
+TEST(AsMadeResult, ReportsTheShareOfPrintsThatTouch) {
+  const Scratch scratch;
+  const auto ring = [&](double gap_mm, const std::string& process) {
+    std::string points;
+    constexpr double radius_mm = 60, pi = 3.14159265358979;
+    for (int k = 0; k <= 120; ++k) {
+      const double angle = (2 * pi - gap_mm / radius_mm) * k / 120;
+      points += fmt::format("{}[{:.6f}, {:.6f}]", k ? ", " : "", radius_mm * std::cos(angle),
+                            radius_mm * std::sin(angle));
+    }
+    return found(scratch,
+                 "target: {kind: curve, points: [" + points +
+                     "]}\nstructure: {cells: [48, 1], cell_mm: 9, wall_mm: {thickness: 0.8, height: 5}}\n"
+                     "process: " +
+                     process + "\n");
+  };
+  double before = 1;
+  for (const double gap_mm : {2.2, 4.0, 20.0}) {
+    const Found one = ring(gap_mm, "sla");
+    const Json& made = one.result["as_made"];
+    const double share = made["touching_share"];
+    EXPECT_LT(share, before) << "wider gaps, fewer that touch";
+    EXPECT_GE(made["touching_prints"], 100);
+    const bool is_free = share <= 0.05;
+    EXPECT_EQ(one.result["certified"]["covers_theta_printed"], true) << "of each wall by itself";
+    EXPECT_EQ(made["free_of_contact"], is_free);
+    EXPECT_EQ(one.out.find("of prints walls touch") == std::string::npos, is_free) << one.out;
+    EXPECT_EQ(one.out.find("simulated prints") == std::string::npos, share == 0) << one.out;
+    before = share;
+  }
+  EXPECT_LT(before, 0.02);
+  EXPECT_LT(ring(2.2, "polyjet").result["as_made"]["touching_share"],
+            ring(2.2, "fdm").result["as_made"]["touching_share"])
+      << "finer prints, fewer that touch";
+}
+
+// To first order such a panel shows its letter worse than its prints do.
+TEST(AsMadeResult, ADrivenDisplayIsExpectedToShowWhatItsPrintsShow) {
+  const Scratch scratch;
+  for (const std::string& rows : {"[\"00000\", \"01110\", \"00100\", \"00100\", \"00000\"]"s,
+                                  "[\"000000\", \"011110\", \"010010\", \"011110\", \"000000\"]"s}) {
+    const Json result = found(scratch, "target: {kind: display, rows: " + rows + "}\ndrive: {kind: hinge}\n",
+                              " --monte-carlo 100")
+                            .result;
+    const Json& printed = result["display"]["printed"];
+    const double expected = printed["expected"]["contrast"], seen = printed["prints"]["contrast"],
+                 expected_95 = printed["expected"]["contrast_p05"],
+                 seen_95 = printed["prints"]["contrast_p05"];
+    EXPECT_EQ(printed["failed"], 0);
+    EXPECT_NEAR(expected, seen, 0.1 * seen) << rows;
+    EXPECT_NEAR(expected_95, seen_95, 0.15 * seen_95) << rows;
+    if (seen_95 > 3.3) {
+      EXPECT_EQ(printed["holds"], true) << printed.dump();
+    }
+  }
+}
+
 // Two numbers of one design: between curves, and at points of the sheet.
 TEST(AsMadeResult, NamesTheDesignsOwnDistanceBesideThatOfPrints) {
   const Scratch scratch;

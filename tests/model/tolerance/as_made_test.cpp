@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "model/base/rotation_vector.hpp"
 #include "model/lattice/square/lines.hpp"
 #include "model/matter/process.hpp"
 #include "tests/support/elastic_equilibrium.hpp"
@@ -133,6 +134,58 @@ TEST(AsMade, CountsPlayAsManyLoosePrintsDo) {
   }
   EXPECT_NEAR(made.rms_mm, std::sqrt(squares), 0.05 * made.rms_mm);
   EXPECT_GT(made.rms_mm, 1.5 * made.designed_mm) << "play counts";
+}
+
+// A point that is seen in three directions square to each other is one point: its distance is that in space.
+TEST(AsMade, CountsPointsAndNotTheirDirections) {
+  const Equilibrium b = bent(4, 3);
+  const HingeScatter scatter{0.004, 0.003, 0.004, 0.002};
+  for (int directions = 1; directions <= 3; ++directions) {
+    const Eigen::Matrix3d axes = rotation_of(Vector3d(0.3, 0.5, -0.4));
+    std::vector<ObservedPoint> points;
+    for (int k = 0; k < static_cast<int>(b.state.size()); ++k)
+      for (int d = 0; d < directions; ++d)
+        points.push_back({{k}, b.state[k].p, axes.col(d), 0.01 * (d + 1), directions});
+    AsMadeOptions options;
+    options.aligned = false;
+    const AsMade made = of_equilibrium(b, points, scatter, options);
+    EXPECT_NEAR(made.designed_mm,
+                0.01 * std::sqrt(directions * (directions + 1) * (2 * directions + 1) / 6.0), 1e-12);
+    std::mt19937 random(3);
+    constexpr int prints = 400;  // the mean of squares is then known to about 5 %
+    double squares = 0;
+    for (int k = 0; k < prints; ++k) {
+      const Equilibrium print = changed(b, printed(b, scatter, random));
+      ASSERT_TRUE(print.found);
+      for (std::size_t body = 0; body < b.state.size(); ++body) {
+        Vector3d off = axes.transpose() * (print.state[body].p - b.state[body].p) + 0.01 * Vector3d(1, 2, 3);
+        off.tail(3 - directions).setZero();
+        squares += off.squaredNorm() / static_cast<double>(prints * b.state.size());
+      }
+    }
+    EXPECT_NEAR(made.rms_mm, std::sqrt(squares), 0.06 * made.rms_mm) << directions;
+  }
+}
+
+// Both are derivatives of one state: of a function of it by all errors, and of the state along some errors.
+TEST(AsMade, ChangesOfTheStateAgreeWithTheAdjoint) {
+  for (const bool planar : {false, true})
+    for (const bool plates : {false, true}) {
+      const Equilibrium b = random_equilibrium({5, planar, plates, false});
+      ElasticSystem system(b.structure, b.elasticity, b.drive.on(b.structure), planar, true);
+      system.set_multiplier(b.multiplier);
+      TangentStiffness tangent(system.dofs());
+      system.linearise(b.state, b.theta, tangent);
+      ASSERT_TRUE(tangent.factorise(0));
+      const DesignSensitivities by_design(system, b.state, b.theta, tangent);
+      const Eigen::Matrix4Xd errors = Eigen::Matrix4Xd::Random(4, b.structure.hinges.size());
+      VectorXd change = by_design.change(errors);
+      for (Eigen::Index k = 0; k < change.size(); k += 5) {
+        const DesignSensitivity of = by_design.of(VectorXd::Unit(change.size(), k));
+        EXPECT_NEAR(change[k], of.hinges.cwiseProduct(errors).sum(), 1e-6 * change.norm())
+            << planar << plates << k;
+      }
+    }
 }
 
 TEST(AsMade, MixturesStandForAllPoints) {

@@ -38,6 +38,22 @@ TEST(MorrisEffects, OfALinearFunctionAreExact) {
   }
 }
 
+// Of a square, a step of h from x has the slope 2 x + h: by steps of one size, effects of either side of the mean balance.
+TEST(MorrisEffects, OfASquareOfANormalFactorBalance) {
+  for (const int levels : {4, 6, 8, 10}) {
+    const Factor factor{"x", NormalSpread{0, 1}, levels};
+    const SamplePlan plan = trajectories({factor}, 4000);
+    const auto square = [](const std::vector<double>& x) { return x[0] * x[0]; };
+    const MorrisEffect effect = morris_effects(testing::table(plan), testing::responses(plan, square))[0];
+    // Levels below the middle are stepped up from, those above it down: slopes x + x' are those of the middle of a step.
+    const double span = 2 * level_value(factor, levels - 1), apart = span / (levels - 1);
+    double squares = 0;
+    for (int k = 0; k < levels / 2; ++k) squares += std::pow((2 * k - levels / 2 + 1) * apart * span, 2);
+    EXPECT_NEAR(effect.mu.value, 0, 0.06 * span * span) << levels;
+    EXPECT_NEAR(effect.sigma.value, std::sqrt(squares / (levels / 2)), 0.03 * effect.sigma.value) << levels;
+  }
+}
+
 /// On levels 0, 1/3, 2/3, 1 the effect of x in x (y - 1/2) is y - 1/2 of the level.
 TEST(MorrisEffects, OfAProductHaveTheLevelsMoments) {
   const SamplePlan plan = trajectories({{"x", UniformRange{0, 1}}, {"y", UniformRange{0, 1}}}, 4000);

@@ -241,6 +241,30 @@ TEST(Morris, StaysOnTheLevelsForAnyNumberOfThem) {
   }
 }
 
+// Medians of parts of the same probability lie closer in the middle of a normal distribution than at its ends.
+TEST(Morris, StepsOfNormalFactorsAreEqual) {
+  for (int levels = 2; levels < 12; ++levels)
+    for (const NormalSpread& spread : {NormalSpread{0, 1}, NormalSpread{30, 0.2}, NormalSpread{-5, 3, -6, 20},
+                                       NormalSpread{1, 2, 0.5, 9}}) {
+      const Factor factor{"x", spread, levels};
+      const SamplePlan plan({factor, {"y", UniformRange{0, 1}}}, options(SamplingMethod::morris, 100));
+      const double ends = level_value(factor, levels - 1) - level_value(factor, 0);
+      for (std::uint64_t r = 0; r < 100; ++r) {
+        const double step = std::abs(plan.sample(3 * r + 2)[0] - plan.sample(3 * r)[0]);
+        EXPECT_NEAR(step, ends * (levels / 2) / (levels - 1), 1e-12 * spread.sd) << levels;
+      }
+    }
+}
+
+TEST(Morris, RefusesFactorsThatRoundingMakesConstant) {
+  for (const NormalSpread& spread :
+       {NormalSpread{1e6, 1e-12}, NormalSpread{1, 1e-17}, NormalSpread{-3e8, 1e-9}}) {
+    const Factor factor{"narrow", spread};
+    EXPECT_THAT([&] { SamplePlan({factor}, options(SamplingMethod::morris, 10)); },
+                ThrowsMessage<InvalidInput>(HasSubstr("factor narrow: too narrow")));
+  }
+}
+
 TEST(Saltelli, RowsOfABaseAreAThenAWithOneFactorOfBThenB) {
   const SamplePlan plan(several_factors(), options(SamplingMethod::saltelli, 16));
   for (std::uint64_t n = 0; n < 16; ++n) {

@@ -228,7 +228,7 @@ function printsTable(display) {
   const row = (name, made) => ({cells: [name, figures(made?.contrast, 2), figures(made?.contrast_p05 ?? made?.contrast_p95, 2), figures(made?.auc, 3)]});
   return html("div", {class: "scroll"},
               table(["prints", "contrast, mean", "contrast that 95 of 100 keep", "AUC"],
-                    [row("expected, to first order", expected), row(`${display.printed.count} looked at in the elastic model`, prints)],
+                    [row("expected", expected), row(`${display.printed.count} looked at in the elastic model`, prints)],
                     display.printed.confirmed === false ? "What prints show: first order is far from them" : "What prints show"));
 }
 

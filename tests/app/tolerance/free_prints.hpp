@@ -1,0 +1,160 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "model/linkage/state.hpp"
+#include "model/matter/made_hinge.hpp"
+#include "model/sheet/sheet.hpp"
+
+/// Prints with errors by another way than model/tolerance and model/elastic: their own random numbers, the energy of
+/// docs/hinges.md section 1 written as a sum of squares in mm and rad, and Gauss and Newton's method with differences.
+namespace kinetix::testing {
+
+/// Standard deviations from hinge to hinge.
+struct FreeErrors {
+  double place_mm = 0, tilt = 0;  ///< along the wall; of beta, rad
+};
+
+/// A sheet whose hinges sit and lean otherwise.
+inline model::Sheet with_errors(model::Sheet sheet, const FreeErrors& sd, std::mt19937_64& random) {
+  std::normal_distribution<double> normal(0, 1);
+  for (int h = 0; h < sheet.hinges(); ++h) {
+    const model::HingedWall wall = sheet.wall(h);
+    const double length_mm = (sheet.rest_position(wall.upper) - sheet.rest_position(wall.lower)).norm();
+    sheet.hinge(h).t += sd.place_mm / length_mm * normal(random);
+    sheet.hinge(h).beta += sd.tilt * normal(random);
+  }
+  return sheet;
+}
+
+/// Energy of blocks that rest at turns of their own, and of springs beside them.
+class FreeSheet {
+ public:
+  /// @param k in its own frame, of every hinge   @param rests by hinge, rad
+  FreeSheet(model::Linkage linkage, const model::HingeStiffness& k, double reach_mm,
+            std::vector<double> rests)
+      : linkage_(std::move(linkage)),
+        root_(std::sqrt(k.axial), std::sqrt(k.shear), std::sqrt(k.along)),
+        rock_(std::sqrt(k.rock.value_or(k.axial * reach_mm * reach_mm))),
+        twist_(std::sqrt(k.twist.value_or(k.shear * reach_mm * reach_mm))),
+        turn_(std::sqrt(k.turn)),
+        rests_(std::move(rests)) {}
+
+  /// The same that springs turn as well. @param k N mm/rad   @param rests by hinge, rad
+  void add_springs(double k, std::vector<double> rests) {
+    spring_ = std::sqrt(k);
+    spring_rests_ = std::move(rests);
+  }
+
+  static double turn_of(const model::RestHinge& hinge, const model::Pose& lower, const model::Pose& upper) {
+    const Eigen::Quaterniond q(Eigen::Matrix3d(lower.R.transpose() * upper.R));
+    const double sign = q.w() < 0 ? -1 : 1;
+    return 2 * std::atan2(sign * q.vec().dot(hinge.axis), sign * q.w());
+  }
+
+  std::vector<double> turns(const model::State& state) const {
+    std::vector<double> out;
+    for (const model::RestHinge& hinge : linkage_.hinges)
+      out.push_back(turn_of(hinge, state[hinge.lower], state[hinge.upper]));
+    return out;
+  }
+
+  /// The nearest state in which no step lowers the energy any more. @param planar turns about z, and shifts across it, alone
+  /// @return whether it came to rest
+  bool settle(model::State& state, bool planar) const {
+    for (int round = 0; round < 40; ++round) {
+      const double step = improve(state, planar);
+      if (!std::isfinite(step)) return false;
+      if (step < 1e-7) return true;
+    }
+    return false;
+  }
+
+ private:
+  using Residuals = Eigen::Matrix<double, 8, 1>;
+  using Twist = Eigen::Matrix<double, 6, 1>;
+
+  static model::Pose moved(const model::Pose& pose, const Twist& by) {
+    const Eigen::Vector3d turn = by.head<3>();
+    const double angle = turn.norm();
+    model::Pose out = pose;
+    out.p += by.tail<3>();
+    if (angle > 0) out.R = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() * pose.R;
+    return out;
+  }
+
+  Residuals residuals(std::size_t h, const model::Pose& lower, const model::Pose& upper) const {
+    const model::RestHinge& hinge = linkage_.hinges[h];
+    const double edge = linkage_.size.edge_mm;
+    const Eigen::Vector3d wall = (hinge.edge - hinge.edge.dot(hinge.axis) * hinge.axis).normalized();
+    const Eigen::Vector3d c = ((lower.R + upper.R) * hinge.axis).normalized(),
+                          n = c.cross(Eigen::Vector3d((lower.R + upper.R) * wall)).normalized(),
+                          a = n.cross(c);
+    const Eigen::Vector3d gap =
+        upper.p + upper.R * (edge * hinge.upper_arm) - lower.p - lower.R * (edge * hinge.lower_arm);
+    const Eigen::Vector3d lean = (upper.R - lower.R) * hinge.axis;
+    const double turn = turn_of(hinge, lower, upper);
+    Residuals out;
+    out << root_[0] * a.dot(gap), root_[1] * n.dot(gap), root_[2] * c.dot(gap), rock_ * a.dot(lean),
+        twist_ * n.dot(lean), twist_ * c.dot(lean), turn_ * (turn - rests_[h]),
+        spring_ > 0 ? spring_ * (turn - spring_rests_[h]) : 0;
+    return out;
+  }
+
+  /// @return the largest entry of the step, mm or rad
+  double improve(model::State& state, bool planar) const {
+    const int bodies = static_cast<int>(state.size()), held = bodies / 2;
+    std::vector<Eigen::Triplet<double>> entries;
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(6 * bodies);
+    constexpr double d = 1e-6;
+    for (std::size_t h = 0; h < linkage_.hinges.size(); ++h) {
+      const int both[] = {linkage_.hinges[h].lower, linkage_.hinges[h].upper};
+      const Residuals at = residuals(h, state[both[0]], state[both[1]]);
+      Eigen::Matrix<double, 8, 12> J;
+      for (int k = 0; k < 12; ++k) {
+        const Twist by = d * Twist::Unit(k % 6);
+        const auto moved_by = [&](const Twist& t) {
+          return k < 6 ? residuals(h, moved(state[both[0]], t), state[both[1]])
+                       : residuals(h, state[both[0]], moved(state[both[1]], t));
+        };
+        J.col(k) = (moved_by(by) - moved_by(-by)) / (2 * d);
+      }
+      const Eigen::Matrix<double, 12, 12> hessian = J.transpose() * J;
+      const Eigen::Matrix<double, 12, 1> slope = J.transpose() * at;
+      for (int r = 0; r < 12; ++r) {
+        gradient[6 * both[r / 6] + r % 6] += slope[r];
+        for (int c = 0; c < 12; ++c)
+          entries.emplace_back(6 * both[r / 6] + r % 6, 6 * both[c / 6] + c % 6, hessian(r, c));
+      }
+    }
+    const auto is_held = [&](Eigen::Index k) {
+      const Eigen::Index own = k % 6;
+      return k / 6 == held || (planar && (own < 2 || own == 5));
+    };
+    std::erase_if(entries, [&](const auto& e) { return is_held(e.row()) || is_held(e.col()); });
+    for (Eigen::Index k = 0; k < gradient.size(); ++k) {
+      if (!is_held(k)) continue;
+      gradient[k] = 0;
+      entries.emplace_back(k, k, 1);
+    }
+    Eigen::SparseMatrix<double> hessian(gradient.size(), gradient.size());
+    hessian.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(hessian);
+    if (factor.info() != Eigen::Success) return std::nan("");
+    const Eigen::VectorXd step = -factor.solve(gradient);
+    for (int b = 0; b < bodies; ++b) state[b] = moved(state[b], step.segment<6>(6 * b));
+    return step.cwiseAbs().maxCoeff();
+  }
+
+  model::Linkage linkage_;
+  Eigen::Vector3d root_;
+  double rock_, twist_, turn_, spring_ = 0;
+  std::vector<double> rests_, spring_rests_;
+};
+
+}  // namespace kinetix::testing
