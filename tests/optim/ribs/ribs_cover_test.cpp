@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double edge = 10;  // mm
+constexpr double edge = 10;  // mm, of a cell: distances below it count as near
 
 /// A flat strip along y, its middle on the z axis, and the plane below it.
 struct Strip {

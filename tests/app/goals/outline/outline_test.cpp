@@ -100,10 +100,13 @@ std::vector<Eigen::Vector2d> round_points(int count, const std::function<double(
   return out;
 }
 
+// mm: outlines whose lattices can lie in two, one and four ways.
 const std::vector<Eigen::Vector2d> ellipse =
     round_points(80, [](double a) { return 1 / std::hypot(std::cos(a) / 60, std::sin(a) / 40); });
+// mm: one axis of symmetry.
 const std::vector<Eigen::Vector2d> pear =
     round_points(60, [](double a) { return 50 + 12 * std::cos(a) + 6 * std::cos(2 * a); });
+// mm: four axes of symmetry.
 const std::vector<Eigen::Vector2d> clover =
     round_points(64, [](double a) { return 50 + 8 * std::cos(4 * a); });
 const std::string gently_pressed =

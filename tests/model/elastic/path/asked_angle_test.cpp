@@ -21,7 +21,9 @@ using namespace testing;
 using ::testing::IsEmpty;
 using Stop = EquilibriumPath::Stop;
 
-constexpr double same = 1e-6;  // rad
+// rad: events are located to a thousandth of it.
+constexpr double same = 1e-6;
+// N/mm, N mm/rad, mm: the twist unit of the cases, with the usual stiffness.
 const Elasticity hinges{.k_point = 1000, .k_turn = 0.1, .reach_mm = 1.8};
 
 EquilibriumPathOptions steps_of_a_run() {
