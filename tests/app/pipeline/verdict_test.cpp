@@ -113,7 +113,7 @@ TEST(Verdict, OfASheetThatExportWritesNamesItsHinges) {
   const Scratch scratch;
   const std::string curve =
       "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [30, 12], [60, 16], [90, 12], [120, 0]]}\n";
-  for (const std::string& more :
+  for (const char* more :
        {"structure: {cells: [12, 1]}\n", "structure: {cells: [12, 1], cell_mm: 20}\n",
         "structure: {cells: [12, 1]}\nhinge: {kind: block, material: tango, gap_mm: 1.5}\n"}) {
     const std::string out = scratch / "out", print = scratch / "print";
@@ -129,14 +129,15 @@ TEST(Verdict, OfASheetThatExportWritesNamesItsHinges) {
 // Displays of two lattices and a panel of rubber whose drives stop on their way.
 TEST(Verdict, AGoalIsNotMetWhereTheDriveNeverArrives) {
   const Scratch scratch;
-  for (const std::string& more :
+  for (const char* more :
        {"target: {kind: display, glyph: H}\nstructure: {lattice: honeycomb, cells: [8, 8]}\n",
         "target: {kind: display, glyph: L}\nstructure: {lattice: honeycomb, cells: [8, 8]}\n",
         "target: {kind: display, rows: [\"0000\", \"0110\", \"0110\", \"0000\"]}\n"
         "structure: {cell_mm: 10, wall_mm: {thickness: 2.6, height: 6}}\ndrive: {compression: 0.3}\n",
         "target: {kind: display, rows: [\"0000\", \"0100\", \"0110\", \"0000\"]}\n"
         "structure: {cell_mm: 10, wall_mm: {thickness: 2.6, height: 6}}\ndrive: {compression: 0.35}\n"}) {
-    const Judged found = judged(scratch.write("in.yaml", "kinetix: 1\n" + more), scratch / "out");
+    const Judged found =
+        judged(scratch.write("in.yaml", std::string("kinetix: 1\n") + more), scratch / "out");
     ASSERT_EQ(found.verdict()["reaches"], false) << more << found.verdict().dump(1);
     EXPECT_EQ(found.verdict()["met"], false) << more;
     EXPECT_EQ(found.result["metrics"]["met"], false) << more;
