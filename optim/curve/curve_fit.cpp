@@ -38,7 +38,10 @@ CurveFit::CurveFit(const targets::Curve& goal, BendTies ties, double cell_mm, An
 }
 
 model::ExactDesign<double> CurveFit::design(const Eigen::VectorXd& x, int rows) const {
-  auto design = model::ExactDesign<double>::basic(ties_.columns(), rows);
+  // Not basic(), which refuses the chain without rows that the search folds.
+  const auto columns = static_cast<std::size_t>(ties_.columns());
+  model::ExactDesign<double> design{std::vector<double>(columns, 0.0), std::vector<double>(columns, 0.5),
+                                    std::vector<double>(static_cast<std::size_t>(rows), 0.5), 0, 0};
   for (int c = 0; c < ties_.columns(); ++c) design.beta[c] = ties_.sign[c] * std::atan(x[ties_.variable[c]]);
   design.theta = theta(x);
   return design;
