@@ -36,8 +36,8 @@ PanelLoads panel_loads(const DisplayFile& file, const model::Sheet& basic, optim
   model::Sheet panel = basic;
   place_hinges(view, panel);
   const model::LinkageDrive drive = drive_on(panel, view);
-  const model::EquilibriumPath path = trace_equilibrium({panel, drive, exact_motion(panel)}, elasticity,
-                                                        path_of_run(true));
+  const model::EquilibriumPath path =
+      trace_equilibrium({panel, drive, exact_motion(panel)}, elasticity, path_of_run(true));
   PanelLoads loads;
   loads.hinges = hinge_loads(path, drive, panel, file.hinge);
   loads.compression = view.turn ? NAN : view.plates.compression;

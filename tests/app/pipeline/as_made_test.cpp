@@ -302,7 +302,8 @@ TEST(AsMadeResult, ReportsTheShareOfPrintsThatTouch) {
     EXPECT_EQ(one.result["certified"]["covers_theta_printed"], true) << "of each wall by itself";
     EXPECT_EQ(made["free_of_contact"], is_free);
     EXPECT_EQ(one.out.find("of prints walls touch") == std::string::npos, is_free) << one.out;
-    EXPECT_EQ(one.result["verdict"]["problems"].dump().find("simulated prints") == std::string::npos, is_free);
+    EXPECT_EQ(one.result["verdict"]["problems"].dump().find("simulated prints") == std::string::npos,
+              is_free);
     before = share;
   }
   EXPECT_LT(before, 0.02);

@@ -213,7 +213,7 @@ TEST(SeenTopology, TellsDotsThatMeltFromDotsThatStandApart) {
   at(1, 4) = at(1, 5);  // a dot runs into the letter
   EXPECT_EQ(seen_topology(dots, light), (Topology{2, 0}));
   light = dim;
-  at(2, 5) = at(1, 5) = 0.67;  // a dot is not seen
+  at(2, 5) = at(1, 5) = 0.66;  // a dot is not seen
   EXPECT_EQ(seen_topology(dots, light), (Topology{2, 0}));
   light = dim;
   at(3, 5) = 0.70;  // brighter than the rest, and yet darker than the dots
