@@ -155,7 +155,7 @@ nlohmann::ordered_json assembly_result(const AssemblyRun& run) {
 }
 
 std::string assembly_summary(const AssemblyRun& run) {
-  const Verdict verdict = verdict_of(run);
+  const RunVerdict verdict = verdict_of(run);
   std::string out = fmt::format("{}: {}\n", run.file.name, headline(verdict));
   const auto line = [&](const std::string& label, const std::string& text) {
     out += fmt::format("  {:<10} {}\n", label, text);

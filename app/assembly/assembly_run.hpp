@@ -47,7 +47,7 @@ AssemblyRun run_assembly(AssemblyFile file, Model model, std::optional<double> t
 model::Elasticity elasticity_of(const model::Assembly& assembly);
 
 /// The verdict on a run of bodies: `met` of those that are pulled to poses, within AssemblyFile::pull_tolerance.
-Verdict verdict_of(const AssemblyRun& run);
+RunVerdict verdict_of(const AssemblyRun& run);
 
 /// How far the closed states go, in a sentence.
 std::string closure_words(const AssemblyRun& run);

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "app/assembly/assembly_run.hpp"
-#include "app/result/equilibrium_summary.hpp"
+#include "app/run/drive_end.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -66,13 +66,13 @@ std::vector<std::string> agreement_reasons(const AssemblyRun& run) {
 
 }  // namespace
 
-Verdict verdict_of(const AssemblyRun& run) {
-  Verdict out;
+RunVerdict verdict_of(const AssemblyRun& run) {
+  RunVerdict out;
   const std::string hinges = kinds_of(run.file.assembly);
   const std::vector<std::string> drive = drive_reasons(run);
-  if (run.file.poses) out.set(&Verdict::met, drive, hinges);
-  if (run.verification) out.set(&Verdict::agrees, agreement_reasons(run), hinges);
-  out.set(&Verdict::reaches, drive, hinges);
+  if (run.file.poses) out.set(&RunVerdict::met, drive, hinges);
+  if (run.verification) out.set(&RunVerdict::agrees, agreement_reasons(run), hinges);
+  out.set(&RunVerdict::reaches, drive, hinges);
   return out;
 }
 

@@ -7,7 +7,7 @@
 #include "app/pipeline/matter.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/pipeline/verify.hpp"
-#include "app/result/equilibrium_summary.hpp"
+#include "app/run/drive_end.hpp"
 #include "app/run/run_hinges.hpp"
 #include "app/run/stopwatch.hpp"
 #include "model/base/parallel_runs.hpp"

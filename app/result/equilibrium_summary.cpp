@@ -98,25 +98,7 @@ std::string stable_text(const model::StableStates& stable) {
   return text;
 }
 
-std::string side_words(const Equilibrium& equilibrium, double theta) {
-  return fmt::format("folded to theta {:.2f} deg, where {:.2f} was asked for", to_degrees(theta),
-                     to_degrees(equilibrium.drive.theta()));
-}
-
 }  // namespace
-
-std::string in_words(model::EquilibriumPath::Stop stop) {
-  return stop == model::EquilibriumPath::Stop::overstretched ? "hinge overstretched" : to_string(stop);
-}
-
-std::string missed_words(const Equilibrium& equilibrium, double theta) {
-  if (equilibrium.reached()) return "other side: " + side_words(equilibrium, theta);
-  return in_words(equilibrium.path.stop) + ": " + equilibrium.path.why;
-}
-
-std::string drive_stop_reason(const Equilibrium& equilibrium) {
-  return "the drive stops on its way, " + in_words(equilibrium.path.stop) + ": " + equilibrium.path.why;
-}
 
 std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
   const Equilibrium& equilibrium = *run.equilibrium;
@@ -128,7 +110,7 @@ std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
                                drive_text(equilibrium, last) +
                                (equilibrium.reached() ? ": the drive reached its goal" : "")});
   if (equilibrium.is_on_the_other_side(run.theta))
-    lines.push_back({"OTHER SIDE", side_words(equilibrium, run.theta)});
+    lines.push_back({"OTHER SIDE", describe_other_side(equilibrium, run.theta)});
   if (!equilibrium.drive.heats_springs()) lines.push_back({"effort", "at most " + effort_text(equilibrium)});
   if (equilibrium.drive.press && equilibrium.reached()) lines.push_back({"plates", press_text(equilibrium)});
   lines.push_back({"energy", energy_text(path)});

@@ -41,7 +41,7 @@ std::string physics_lines(const Run& run) {
 }  // namespace
 
 std::string summary(const Run& run) {
-  const Verdict verdict = verdict_of(run);
+  const RunVerdict verdict = verdict_of(run);
   std::string text = fmt::format("{}: {}\n", run.name, headline(verdict));
   for (const auto& [label, words] : problem_lines(verdict)) text += line(label, words);
   text += line("sheet", fmt::format("{} bodies, {} hinges", run.structure.bodies(), run.structure.hinges()));

@@ -7,15 +7,15 @@
 #include <nlohmann/json.hpp>
 
 #include "app/result/as_made_json.hpp"
-#include "app/result/equilibrium_summary.hpp"
 #include "app/result/made_hinges.hpp"
 #include "app/run/contact_reason.hpp"
+#include "app/run/drive_end.hpp"
 #include "app/run/run_hinges.hpp"
 
 namespace kinetix::app {
 namespace {
 
-using Flag = std::optional<bool> Verdict::*;
+using Flag = std::optional<bool> RunVerdict::*;
 using Reasons = std::vector<std::string>;
 
 struct NamedFlag {
@@ -23,10 +23,10 @@ struct NamedFlag {
   Flag flag;
 };
 
-constexpr NamedFlag flags[] = {{"met", &Verdict::met},
-                               {"agrees", &Verdict::agrees},
-                               {"printable", &Verdict::printable},
-                               {"reaches", &Verdict::reaches}};
+constexpr NamedFlag flags[] = {{"met", &RunVerdict::met},
+                               {"agrees", &RunVerdict::agrees},
+                               {"printable", &RunVerdict::printable},
+                               {"reaches", &RunVerdict::reaches}};
 
 const char* flag_name(Flag flag) {
   return std::find_if(std::begin(flags), std::end(flags), [&](const NamedFlag& f) { return f.flag == flag; })
@@ -82,13 +82,13 @@ std::optional<Reasons> drive_reasons(const Run& run) {
   return why;
 }
 
-void warn_all(Verdict& verdict, const Reasons& texts) {
+void warn_all(RunVerdict& verdict, const Reasons& texts) {
   for (const std::string& text : texts) verdict.warn(text);
 }
 
 /// What other parts of the run found and what changes no flag. New warnings are added here, those of a kind of goal in its
 /// GoalOutcome::warnings().
-void add_warnings(const Run& run, Verdict& verdict) {
+void add_warnings(const Run& run, RunVerdict& verdict) {
   if (run.stopped) verdict.warn("stopped before its end: this is the best so far");
   if (run.plan.is_floppy())
     verdict.warn(fmt::format("the sheet has {} degrees of freedom: one drive does not hold it",
@@ -110,7 +110,7 @@ const char* level_word(Problem::Level level) { return level == Problem::Level::e
 
 }  // namespace
 
-void Verdict::set(Flag flag, const Reasons& reasons, const std::string& hinge) {
+void RunVerdict::set(Flag flag, const Reasons& reasons, const std::string& hinge) {
   this->*flag = reasons.empty();
   hinges.emplace_back(flag_name(flag), hinge);
   for (const std::string& text : reasons) {
@@ -120,43 +120,43 @@ void Verdict::set(Flag flag, const Reasons& reasons, const std::string& hinge) {
   }
 }
 
-void Verdict::warn(const std::string& text) {
+void RunVerdict::warn(const std::string& text) {
   const auto same = [&](const Problem& p) { return p.text == text; };
   if (std::none_of(problems.begin(), problems.end(), same))
     problems.push_back({Problem::Level::warning, text});
 }
 
-bool Verdict::has_errors() const {
+bool RunVerdict::has_errors() const {
   return std::any_of(problems.begin(), problems.end(),
                      [](const Problem& p) { return p.level == Problem::Level::error; });
 }
 
-std::string Verdict::reasons() const {
+std::string RunVerdict::reasons() const {
   std::string out;
   for (const Problem& p : problems)
     if (p.level == Problem::Level::error) out += (out.empty() ? "" : "; ") + p.text;
   return out;
 }
 
-Verdict verdict_of(const Run& run) {
-  Verdict out;
+RunVerdict verdict_of(const Run& run) {
+  RunVerdict out;
   const std::string hinges = hinges_of_model(run);
-  if (run.goal) out.set(&Verdict::met, run.goal->violations, hinges);
-  if (run.verification) out.set(&Verdict::agrees, agreement_reasons(run), hinges);
-  if (run.print) out.set(&Verdict::printable, print_reasons(run), run.print->hinges);
-  if (const auto why = drive_reasons(run)) out.set(&Verdict::reaches, *why, hinges);
+  if (run.goal) out.set(&RunVerdict::met, run.goal->violations, hinges);
+  if (run.verification) out.set(&RunVerdict::agrees, agreement_reasons(run), hinges);
+  if (run.print) out.set(&RunVerdict::printable, print_reasons(run), run.print->hinges);
+  if (const auto why = drive_reasons(run)) out.set(&RunVerdict::reaches, *why, hinges);
   add_warnings(run, out);
   return out;
 }
 
-ExitCode exit_code(const Verdict& verdict) {
+ExitCode exit_code(const RunVerdict& verdict) {
   const auto is_false = [&](Flag flag) { return !(verdict.*flag).value_or(true); };
-  if (is_false(&Verdict::met) || is_false(&Verdict::printable) || is_false(&Verdict::reaches))
+  if (is_false(&RunVerdict::met) || is_false(&RunVerdict::printable) || is_false(&RunVerdict::reaches))
     return target_missed;
-  return is_false(&Verdict::agrees) ? physics_disagrees : done;
+  return is_false(&RunVerdict::agrees) ? physics_disagrees : done;
 }
 
-nlohmann::ordered_json verdict_json(const Verdict& verdict) {
+nlohmann::ordered_json verdict_json(const RunVerdict& verdict) {
   using Json = nlohmann::ordered_json;
   Json out, hinges = Json::object(), problems = Json::array();
   for (const NamedFlag& f : flags) out[f.name] = flag_json(verdict.*f.flag);
@@ -168,23 +168,23 @@ nlohmann::ordered_json verdict_json(const Verdict& verdict) {
   return out;
 }
 
-std::string headline(const Verdict& verdict) {
+std::string headline(const RunVerdict& verdict) {
   Reasons parts;
   const auto add = [&](Flag flag, const std::string& yes, const std::string& no) {
     if (verdict.*flag) parts.push_back(*(verdict.*flag) ? yes : no);
   };
-  add(&Verdict::met, "goal met", "goal missed");
+  add(&RunVerdict::met, "goal met", "goal missed");
   const auto kind = std::find_if(verdict.hinges.begin(), verdict.hinges.end(),
                                  [](const auto& hinge) { return hinge.first == "printable"; });
   const std::string with = kind != verdict.hinges.end() ? kind->second : "";
-  add(&Verdict::printable, "printable with " + with + " hinges", "not printable");
+  add(&RunVerdict::printable, "printable with " + with + " hinges", "not printable");
   if (!verdict.met || !verdict.reaches.value_or(true))
-    add(&Verdict::reaches, "reached by its drive", "not reached by its drive");
-  add(&Verdict::agrees, "simulation agrees", "simulation disagrees");
+    add(&RunVerdict::reaches, "reached by its drive", "not reached by its drive");
+  add(&RunVerdict::agrees, "simulation agrees", "simulation disagrees");
   return parts.empty() ? "not judged" : fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::vector<SummaryLine> problem_lines(const Verdict& verdict) {
+std::vector<SummaryLine> problem_lines(const RunVerdict& verdict) {
   std::vector<SummaryLine> lines;
   for (const Problem& p : verdict.problems) lines.push_back({level_word(p.level), p.text});
   return lines;

@@ -21,7 +21,7 @@ struct Problem {
 
 /// The answers of a run. Exit code, console, report, studio, sweeps and Python read them and judge nothing themselves.
 /// A flag is empty where the run did not ask. There is an error in `problems` if and only if a flag is false.
-struct Verdict {
+struct RunVerdict {
   std::optional<bool> met;        ///< the design meets its goal in the state that counts
   std::optional<bool> agrees;     ///< the simulation agrees with the model
   std::optional<bool> printable;  ///< `export` without options would write it
@@ -31,7 +31,7 @@ struct Verdict {
   std::vector<Problem> problems;  ///< errors first
 
   /// Sets a flag: true where nothing speaks against it, else false with an error for each reason.
-  void set(std::optional<bool> Verdict::*flag, const std::vector<std::string>& reasons,
+  void set(std::optional<bool> RunVerdict::*flag, const std::vector<std::string>& reasons,
            const std::string& hinge);
   /// Adds what a person should know and what leaves the exit code.
   void warn(const std::string& text);
@@ -43,18 +43,18 @@ struct Verdict {
 
 /// The verdict on a search or a forward run of a sheet. What speaks against a goal comes from GoalOutcome::violations and
 /// GoalOutcome::warnings(), all else from the parts of the run.
-Verdict verdict_of(const Run& run);
+RunVerdict verdict_of(const Run& run);
 
 /// 0: no flag is false; 3: met, printable or reaches is; 4: agrees alone is.
-ExitCode exit_code(const Verdict& verdict);
+ExitCode exit_code(const RunVerdict& verdict);
 
 /// `verdict` of result.json.
-nlohmann::ordered_json verdict_json(const Verdict& verdict);
+nlohmann::ordered_json verdict_json(const RunVerdict& verdict);
 
 /// In a few words: "goal met, printable with pins, simulation agrees".
-std::string headline(const Verdict& verdict);
+std::string headline(const RunVerdict& verdict);
 
 /// Lines of a summary: each problem, under its level.
-std::vector<SummaryLine> problem_lines(const Verdict& verdict);
+std::vector<SummaryLine> problem_lines(const RunVerdict& verdict);
 
 }  // namespace kinetix::app

@@ -12,8 +12,9 @@ struct PointGrid {
   int columns = 0, rows = 0;  ///< of the quadrilaterals between them, >= 1
   std::vector<Eigen::Vector3d> points;
 
+  int points_per_row() const { return columns + 1; }
   const Eigen::Vector3d& at(int i, int j) const {
-    return points[static_cast<std::size_t>(j) * (columns + 1) + i];
+    return points[static_cast<std::size_t>(j) * points_per_row() + i];
   }
 };
 

@@ -52,7 +52,7 @@ struct PrintedDisplay {
   optim::AsMadeDisplay
       expected;  ///< to first order, corrected where the prints that were looked at differ from it
   optim::AsMadeDisplay seen;        ///< in prints that were brought to their equilibrium
-  double first_order_contrast = 0;  ///< of the same prints, as first order has each of them
+  double first_order_contrast = 0;  ///< dimensionless, of the same prints, as first order has each of them
   int prints = 0, failed = 0;       ///< of those: that settled near the design, and that did not
   std::vector<std::string> why =
       {};  ///< prints do not show the picture as it was asked for; empty where they do

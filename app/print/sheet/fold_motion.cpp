@@ -63,7 +63,7 @@ double largest_distance(const Pose& a, const Pose& b, double reach) {
 
 // ---- by the laws of the hinges
 
-class LawfulInterval : public FoldInterval {
+class LawfulInterval : public MotionInterval {
  public:
   LawfulInterval(const model::LinkageMotion& linkage, const model::ExactMotion& exact, double sign,
                  double low, double high, const model::LawDeviation& deviation)
@@ -89,7 +89,7 @@ class LawfulInterval : public FoldInterval {
   const model::LawDeviation& deviation_;
 };
 
-class LawfulMotion : public FoldMotion {
+class LawfulMotion : public PrintMotion {
  public:
   explicit LawfulMotion(const PrintSheet& sheet)
       : linkage_(sheet.linkage, sheet.turns),
@@ -115,7 +115,7 @@ class LawfulMotion : public FoldMotion {
   double end() const override { return end_; }
   double next(double from) const override { return std::min(from + widest_rad, end_); }
   double theta(double at) const override { return sign_ * at; }
-  std::unique_ptr<FoldInterval> over(double low, double high) const override {
+  std::unique_ptr<MotionInterval> over(double low, double high) const override {
     return std::make_unique<LawfulInterval>(linkage_, exact_, sign_, low, high, deviation_);
   }
 
@@ -159,7 +159,7 @@ struct Samples {
   }
 };
 
-class SampledInterval : public FoldInterval {
+class SampledInterval : public MotionInterval {
  public:
   SampledInterval(const Samples& samples, double low, double high)
       : samples_(samples),
@@ -201,7 +201,7 @@ class SampledInterval : public FoldInterval {
   const double part_;
 };
 
-class SampledMotion : public FoldMotion {
+class SampledMotion : public PrintMotion {
  public:
   SampledMotion(const PrintSheet& sheet, const std::vector<double>& reach) : samples_{{}, {}, {}, reach} {
     const int steps = sheet.motion ? finer : 1;
@@ -223,7 +223,7 @@ class SampledMotion : public FoldMotion {
     const auto k = std::min(static_cast<std::size_t>(at), samples_.thetas.size() - 2);
     return samples_.thetas[k] + (at - static_cast<double>(k)) * (samples_.thetas[k + 1] - samples_.thetas[k]);
   }
-  std::unique_ptr<FoldInterval> over(double low, double high) const override {
+  std::unique_ptr<MotionInterval> over(double low, double high) const override {
     return std::make_unique<SampledInterval>(samples_, low, high);
   }
 
@@ -233,7 +233,7 @@ class SampledMotion : public FoldMotion {
 
 }  // namespace
 
-std::unique_ptr<FoldMotion> fold_motion(const PrintSheet& sheet, const std::vector<double>& reach) {
+std::unique_ptr<PrintMotion> fold_motion(const PrintSheet& sheet, const std::vector<double>& reach) {
   if (sheet.motion && sheet.turns.size() == sheet.linkage.hinges.size()) {
     auto lawful = std::make_unique<LawfulMotion>(sheet);
     if (lawful->is_lawful()) return lawful;

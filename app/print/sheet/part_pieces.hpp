@@ -45,8 +45,8 @@ struct PlacedPiece {
 
 /// The nearest points of two pieces; where they are in each other, the deepest.
 struct PieceDistance {
-  double mm = 0;                                    ///< negative: how deep
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< between them
+  double mm = 0;                                    ///< mm, negative: how deep
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< mm, between them
   Eigen::Vector3d normal =
       Eigen::Vector3d::Zero();  ///< unit vector from the first to the second; 0: they touch
 };

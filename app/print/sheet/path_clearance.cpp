@@ -227,7 +227,7 @@ class Distances {
 /// One pair of parts over a stretch of the path.
 class PairLook {
  public:
-  PairLook(const MovingParts& parts, const FoldInterval& interval, const PartPair& pair)
+  PairLook(const MovingParts& parts, const MotionInterval& interval, const PartPair& pair)
       : parts_(parts), interval_(interval), pair_(pair) {
     for (std::size_t k = 1; k < pair.bodies.size(); ++k) {
       seen_.push_back(interval.seen(pair.bodies.front(), pair.bodies[k], pair.chains[k - 1]));
@@ -335,7 +335,7 @@ class PairLook {
   }
 
   const MovingParts& parts_;
-  const FoldInterval& interval_;
+  const MotionInterval& interval_;
   const PartPair& pair_;
   std::vector<SeenBody> seen_;
   std::vector<std::pair<int, std::unique_ptr<SeenPiece>>> pieces_;
@@ -367,7 +367,7 @@ class PathSearch {
     double width = motion_->end();
     for (double low = 0; low < motion_->end() && !hit_;) {
       const double high = std::min(low + width, motion_->next(low));
-      const std::shared_ptr<const FoldInterval> whole = motion_->over(low, high);
+      const std::shared_ptr<const MotionInterval> whole = motion_->over(low, high);
       std::optional<std::vector<Task>> tasks = near_pairs(*whole, low, high);
       if (!tasks) {
         width = (high - low) / 2;
@@ -399,7 +399,7 @@ class PathSearch {
   };
 
   /// Round all that a part may take up over a stretch.
-  Ball ball(int part, const FoldInterval& whole, const std::vector<model::SweptMotion>& motions) const {
+  Ball ball(int part, const MotionInterval& whole, const std::vector<model::SweptMotion>& motions) const {
     Ball out;
     std::vector<const PieceEnd*> ends;
     if (part < parts_.bodies)
@@ -417,7 +417,7 @@ class PathSearch {
   }
 
   /// Nothing where parts move too far to tell neighbours.
-  std::optional<std::vector<Task>> near_pairs(const FoldInterval& whole, double low, double high) {
+  std::optional<std::vector<Task>> near_pairs(const MotionInterval& whole, double low, double high) {
     const std::vector<model::SweptMotion> motions = whole.motions();
     const double margin = whole.margin_mm();
     std::vector<int> parts;
@@ -472,7 +472,7 @@ class PathSearch {
   }
 
   /// Level by level, each with what the ones before have found: so the answer is the same for any number of threads.
-  void split(std::vector<Stretch> stretches, std::vector<std::shared_ptr<const FoldInterval>> intervals,
+  void split(std::vector<Stretch> stretches, std::vector<std::shared_ptr<const MotionInterval>> intervals,
              std::vector<Task> tasks) {
     while (!tasks.empty()) {
       std::vector<PairResult> outcomes(tasks.size());
@@ -529,7 +529,7 @@ class PathSearch {
   const bool whether_alone_;
   const MovingParts& parts_;
   std::vector<double> reach_;  // of all that goes with each body from its rest position, mm
-  std::unique_ptr<FoldMotion> motion_;
+  std::unique_ptr<PrintMotion> motion_;
   model::HingeChains chains_;
   std::map<std::pair<int, int>, HingeChain> known_chains_;
   model::NearPairs near_;

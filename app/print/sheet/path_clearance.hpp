@@ -35,7 +35,7 @@ struct PathClearance {
 
 /// Distances of the solids' convex pieces (Gilbert, Johnson and Keerthi's method, Bullet's in double precision) from flat to the
 /// fold, flat and folded and wherever between it takes to prove that no two parts come nearer than what is returned, but for
-/// 0.005 mm (model::least_gap, FoldMotion). A rod and its bore are compared by their axes, as both are round. Two bodies that
+/// 0.005 mm (model::least_gap, PrintMotion). A rod and its bore are compared by their axes, as both are round. Two bodies that
 /// share a pin must keep its clearance, two others the least of the pins at either; where neither has one, and of blocks and
 /// films, they may not run into each other. A block or film is the convex hull of its two ends; its own two bodies do not count.
 /// @param whether_alone to stop as soon as two parts come too near anywhere: then first_too_near need not be the first

@@ -38,7 +38,7 @@ std::unique_ptr<Evaluator> make_evaluator(const SweepPlan& plan) {
   return std::make_unique<DesignEvaluator>(plan);
 }
 
-void take_verdict(const Verdict& verdict, SampleRow& row) {
+void take_verdict(const RunVerdict& verdict, SampleRow& row) {
   const ExitCode code = exit_code(verdict);
   row.status = code == target_missed       ? SampleStatus::missed
                : code == physics_disagrees ? SampleStatus::disagrees

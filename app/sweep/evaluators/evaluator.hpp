@@ -24,7 +24,7 @@ std::unique_ptr<Evaluator> make_evaluator(const SweepPlan& plan);
 using EvaluatorMaker = std::function<std::unique_ptr<Evaluator>(const SweepPlan&)>;
 
 /// The row's status and, unless it is ok, its reason.
-void take_verdict(const Verdict& verdict, SampleRow& row);
+void take_verdict(const RunVerdict& verdict, SampleRow& row);
 
 /// Sample number `sample` of the plan. What it throws becomes its reason.
 SampleRow run_sample(const SweepPlan& plan, Evaluator& evaluator, std::int64_t sample) noexcept;

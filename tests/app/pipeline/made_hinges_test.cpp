@@ -27,7 +27,7 @@ struct Simulated {
   std::string out, design;
 };
 
-Simulated verified(const std::string& text, int code = 0) {
+Simulated verified_design(const std::string& text, int code = 0) {
   const Scratch scratch;
   const std::string file = scratch.write("made.yaml", text);
   const Outcome run = kinetix_opt("verify " + file + " --quiet -o " + (scratch / "out").string());
@@ -53,7 +53,7 @@ TEST(MadeHinges, FoldAPanelWithTheStiffnessOfTheirShape) {
                                .gap_mm = 1,
                                .thickness_mm = 1,
                                .height_mm = 6};
-  const Simulated s = verified(design_with("kind: block, material: tango, gap_mm: 1"));
+  const Simulated s = verified_design(design_with("kind: block, material: tango, gap_mm: 1"));
   const model::HingeStiffness k = stiffness(block);
   EXPECT_EQ(k_of(s.result, 0), k);
   EXPECT_DOUBLE_EQ(s.result["structure"]["hinges"][0]["reach_mm"], std::sqrt(3.0));
@@ -73,7 +73,7 @@ TEST(MadeHinges, OfEveryKindAgreeWithThePhysicsRun) {
                             "k: {axial: 6.7, shear: 1.1, along: 1.6, turn: 0.33}, reach_mm: 1.73",
                             "k: {axial: 6.7, shear: 1.1, along: 1.6, turn: 0.33, rock: 18, twist: 5}"}) {
     SCOPED_TRACE(hinge);
-    const Simulated s = verified(design_with(hinge));
+    const Simulated s = verified_design(design_with(hinge));
     EXPECT_TRUE(s.result["metrics"]["verified"]);
     EXPECT_TRUE(s.result["structure"]["hinges"][0].contains("k"));
   }
@@ -81,8 +81,8 @@ TEST(MadeHinges, OfEveryKindAgreeWithThePhysicsRun) {
 
 TEST(MadeHinges, OfSingleWallsAreWrittenBesideTheOthers) {
   const std::string film = "{kind: film, material: pp, gap_mm: 3, thickness_mm: 0.4}";
-  const Simulated s =
-      verified(design_with("kind: pin, diameter_mm: 2", "[{wall: [[0, 0], [1, 0]], hinge: " + film + "}]"));
+  const Simulated s = verified_design(
+      design_with("kind: pin, diameter_mm: 2", "[{wall: [[0, 0], [1, 0]], hinge: " + film + "}]"));
   EXPECT_THAT(s.design, HasSubstr("kind: film, material: pp, gap_mm: 3"));
   std::vector<double> turns;
   for (const Json& hinge : s.result["structure"]["hinges"]) turns.push_back(hinge["k"]["turn"]);
@@ -118,7 +118,7 @@ TEST(MadeHinges, OfAllWallsLeaveNothingOfWhatOthersWouldBe) {
 
 TEST(MadeHinges, SayWhatTheyCannotBear) {
   const Simulated s =
-      verified(design_with("kind: film, material: pa12, gap_mm: 1, thickness_mm: 0.4", "[]", 30), 3);
+      verified_design(design_with("kind: film, material: pa12, gap_mm: 1, thickness_mm: 0.4", "[]", 30), 3);
   EXPECT_THAT(s.out, HasSubstr("\n  error      the hinge of wall "));
   EXPECT_EQ(s.result["verdict"]["reaches"], false);
   EXPECT_THAT(s.out, HasSubstr("its material bears 0.04"));
@@ -126,7 +126,7 @@ TEST(MadeHinges, SayWhatTheyCannotBear) {
   EXPECT_EQ(s.result["metrics"]["strain_allowed"], 0.04);
   EXPECT_EQ(s.result["made_problems"][0]["kind"], "strained");
   const Simulated corners =
-      verified(design_with("kind: film, material: tango, gap_mm: 0.4, thickness_mm: 0.1", "[]", 30));
+      verified_design(design_with("kind: film, material: tango, gap_mm: 0.4, thickness_mm: 0.1", "[]", 30));
   EXPECT_THAT(corners.out, HasSubstr("\n  warning    corners of the two halves of wall "));
   EXPECT_THAT(corners.out, HasSubstr("43.6 deg"));  // 2 atan(0.4 / 1)
 }
@@ -134,8 +134,8 @@ TEST(MadeHinges, SayWhatTheyCannotBear) {
 /// A block of rubber-like plastic opens far and bears it; the film beside it is strained less and comes nearer to its limit.
 TEST(MadeHinges, AreStrainedBesideWhatTheirOwnMaterialBears) {
   const std::string film = "{kind: film, material: pa12, gap_mm: 3, thickness_mm: 0.4}";
-  const Simulated s = verified(design_with("kind: block, material: tpu95a, gap_mm: 1.5",
-                                           "[{wall: [[0, 0], [1, 0]], hinge: " + film + "}]"));
+  const Simulated s = verified_design(design_with("kind: block, material: tpu95a, gap_mm: 1.5",
+                                                  "[{wall: [[0, 0], [1, 0]], hinge: " + film + "}]"));
   const model::MadeHinge made{.kind = model::HingeKind::film,
                               .material = *model::find_material("pa12"),
                               .gap_mm = 3,

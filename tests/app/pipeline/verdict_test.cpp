@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using VerdictJson = nlohmann::json;
-using app::Verdict;
+using app::RunVerdict;
 
 constexpr const char* flag_names[] = {"met", "agrees", "printable", "reaches"};
 
@@ -58,13 +58,13 @@ std::string errors_of(const VerdictJson& verdict) {
 }
 
 TEST(Verdict, HasAnErrorWhereAFlagIsFalseAndNowhereElse) {
-  Verdict verdict;
-  verdict.set(&Verdict::met, {}, "pin");
+  RunVerdict verdict;
+  verdict.set(&RunVerdict::met, {}, "pin");
   EXPECT_EQ(verdict.met, true);
   verdict.warn("walls may touch");
   EXPECT_FALSE(verdict.has_errors());
   EXPECT_EQ(exit_code(verdict), app::done);
-  verdict.set(&Verdict::reaches, {"locked"}, "pin");
+  verdict.set(&RunVerdict::reaches, {"locked"}, "pin");
   EXPECT_EQ(verdict.reaches, false);
   EXPECT_TRUE(verdict.has_errors());
   EXPECT_EQ(verdict.reasons(), "locked");
@@ -76,12 +76,12 @@ TEST(Verdict, ThreeGoesBeforeFourAndWhatWasNotAskedCountsForNothing) {
     for (const auto& agrees : {none, yes, no})
       for (const auto& printable : {none, yes, no})
         for (const auto& reaches : {none, yes, no}) {
-          const Verdict verdict{.met = met,
-                                .agrees = agrees,
-                                .printable = printable,
-                                .reaches = reaches,
-                                .hinges = {},
-                                .problems = {}};
+          const RunVerdict verdict{.met = met,
+                                   .agrees = agrees,
+                                   .printable = printable,
+                                   .reaches = reaches,
+                                   .hinges = {},
+                                   .problems = {}};
           const int expected = met == no || printable == no || reaches == no ? 3 : agrees == no ? 4 : 0;
           EXPECT_EQ(exit_code(verdict), expected);
         }

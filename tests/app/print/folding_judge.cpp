@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 using Json = nlohmann::json;
 using Model = fcl::BVHModel<fcl::OBBRSSd>;
 
-constexpr int block_corners = 8;
+constexpr int block_corners = 8;  // of the box that takes the place of a hinge's solid
 
 /// Points that go with bodies, and the triangles between them.
 struct Part {

@@ -20,8 +20,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr double step_rad = 0.01 * radians_per_degree;
-constexpr double allowed_mm = 0.01;
+constexpr double step_rad =
+    0.01 * radians_per_degree;       // rad: parts move by less than a micrometre per mm in a step
+constexpr double allowed_mm = 0.01;  // mm: files hold floats, and no printer knows less
 
 struct Judged {
   std::string refused;  // empty: it was exported
