@@ -126,16 +126,14 @@ TEST(Verdict, OfASheetThatExportWritesNamesItsHinges) {
   }
 }
 
-// Displays of two lattices and a panel of rubber whose drives stop on their way.
+// Panels of honeycomb whose walls lock them on the way.
 TEST(Verdict, AGoalIsNotMetWhereTheDriveNeverArrives) {
   const Scratch scratch;
   for (const char* more :
        {"target: {kind: display, glyph: H}\nstructure: {lattice: honeycomb, cells: [8, 8]}\n",
         "target: {kind: display, glyph: L}\nstructure: {lattice: honeycomb, cells: [8, 8]}\n",
-        "target: {kind: display, rows: [\"0000\", \"0110\", \"0110\", \"0000\"]}\n"
-        "structure: {cell_mm: 10, wall_mm: {thickness: 2.6, height: 6}}\ndrive: {compression: 0.3}\n",
-        "target: {kind: display, rows: [\"0000\", \"0100\", \"0110\", \"0000\"]}\n"
-        "structure: {cell_mm: 10, wall_mm: {thickness: 2.6, height: 6}}\ndrive: {compression: 0.35}\n"}) {
+        "target: {kind: display, glyph: T}\nstructure: {lattice: honeycomb, cells: [7, 7]}\n",
+        "target: {kind: display, glyph: E}\nstructure: {lattice: honeycomb, cells: [8, 7]}\n"}) {
     const Judged found =
         judged(scratch.write("in.yaml", std::string("kinetix: 1\n") + more), scratch / "out");
     ASSERT_EQ(found.verdict()["reaches"], false) << more << found.verdict().dump(1);
@@ -164,18 +162,19 @@ TEST(Verdict, OfForwardRunsAsksNothingOfPrints) {
   EXPECT_EQ(beyond.verdict()["reaches"], false);
 }
 
-// A block strained by more than its material bears, in an exact and in an elastic state.
+// A film strained by more than its material bears, in an exact and in an elastic state.
 TEST(Verdict, OfAStrainBeyondTheMaterialsIsThatTheDriveDoesNotReach) {
   const Scratch scratch;
-  const std::string design = scratch.write("design.yaml",
-                                           "kinetix: 1\nstructure: {cells: [4, 2], cell_mm: 20}\n"
-                                           "design: {theta_deg: 30}\n"
-                                           "hinge: {kind: block, material: tpu95a, gap_mm: 0.5}\n");
+  const std::string design =
+      scratch.write("design.yaml",
+                    "kinetix: 1\nstructure: {cells: [4, 2], cell_mm: 20}\n"
+                    "design: {theta_deg: 30}\n"
+                    "hinge: {kind: film, material: pa12, gap_mm: 1, thickness_mm: 0.4}\n");
   for (const char* model : {"exact", "equilibrium"}) {
     const Judged found = judged("simulate " + design + " --model " + model, scratch / model);
     EXPECT_EQ(found.run.code, 3) << model;
     EXPECT_EQ(found.verdict()["reaches"], false) << model;
-    EXPECT_EQ(found.verdict()["hinges"]["reaches"], "block");
+    EXPECT_EQ(found.verdict()["hinges"]["reaches"], "film");
     EXPECT_THAT(errors_of(found.verdict()), HasSubstr("strained")) << model;
   }
 }
