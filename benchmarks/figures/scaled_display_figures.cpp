@@ -208,7 +208,7 @@ struct CapitalRead {
 CapitalRead read_capital(const std::string& text) {
   const app::Run run = shown(targets::glyph_goal(text, side, side), 0.08, false);
   const auto seen = [&](const model::State& state) {
-    return testing::read_capitals(app::far_view(run.structure, state, as_ink));
+    return testing::read_capitals(app::far_view(run.structure, state, testing::as_ink));
   };
   return {seen(run.states.front().poses), seen(rest_state(run.structure))};
 }
