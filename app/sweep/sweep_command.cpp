@@ -47,6 +47,7 @@ Tally tally(const SweepTable& table) {
 /// What this call did, for its summary.
 struct Work {
   std::int64_t before = 0, computed = 0;
+  std::int64_t damaged = 0;  ///< rows of the tables that were there
   double seconds = 0;
   int ranks = 1, threads = 1;
 };
@@ -64,6 +65,7 @@ Json summary_json(const SweepPlan& plan, const Tally& counts, const Work& work, 
           {"disagrees", counts.disagrees},
           {"failed", counts.failed},
           {"computed", work.computed},
+          {"damaged", work.damaged},
           {"seconds", work.seconds},
           {"ranks", work.ranks},
           {"threads", work.threads},
@@ -86,6 +88,9 @@ std::string summary_text(const SweepPlan& plan, const Tally& counts, const Work&
   line("samples", ended);
   if (counts.first_failed >= 0) line("failed", fmt::format("first {}: {}", counts.first_failed, counts.why));
   if (work.before > 0) line("resumed", fmt::format("{} samples were already computed", work.before));
+  if (work.damaged > 0)
+    line("damaged", fmt::format("{} of the table; their samples were computed again",
+                                targets::counted(static_cast<std::size_t>(work.damaged), "row")));
   line("run",
        fmt::format("{} in {}, {:.3g} a second, {} {} of {} {}", work.computed, duration_text(work.seconds),
                    static_cast<double>(work.computed) / std::max(work.seconds, 1e-9), work.ranks,
@@ -121,16 +126,16 @@ class Lead {
         part_(share.empty() ? Share{} : read_share(share)),
         folder_(folder_of(options, plan_, share.empty() ? nullptr : &part_)),
         identity_(identify(plan_)),
-        shares_(share.empty() ? shares_in(folder_.path(), plan_, identity_) : std::vector<std::string>()),
+        shares_(share.empty() ? shares_in(folder_.path(), plan_, identity_) : std::vector<ShareTable>()),
         table_(folder_.path(), plan_, identity_, options.resume) {
     folder_.keep();
-    for (const std::string& other : shares_) take_over(other, table_, plan_, identity_);
+    for (const ShareTable& other : shares_) take_over(other.folder, table_, plan_, identity_);
   }
 
   std::string fingerprint() const { return app::fingerprint(identity_); }
 
   int run() {
-    Work work{.before = table_.count(), .ranks = ranks_.size()};
+    Work work{.before = table_.count(), .damaged = warn_of_damage(), .ranks = ranks_.size()};
     work.threads = threads_of(plan_, ranks_, options_.threads);
     {
       Console console(options_.quiet);
@@ -150,6 +155,23 @@ class Lead {
   }
 
  private:
+  /// @return how many rows are damaged, those of shares as well
+  std::int64_t warn_of_damage() const {
+    Console console(options_.quiet);
+    std::int64_t all = 0;
+    std::vector<ShareTable> tables = shares_;
+    tables.push_back({folder_.path(), table_.damaged()});
+    for (const auto& [folder, damaged] : tables) {
+      if (damaged > 0)
+        console.warning(
+            fmt::format("warning: {}/sweep.sqlite: {} damaged: checksum or factors do not fit; "
+                        "the samples are computed again",
+                        folder, targets::counted(static_cast<std::size_t>(damaged), "row")));
+      all += damaged;
+    }
+    return all;
+  }
+
   void write_files() const {
     write_csv(folder_.path(), table_, plan_, identity_);
     const Json analysed = sweep_json(plan_, identity_, table_);
@@ -183,7 +205,7 @@ class Lead {
   Share part_;
   OutputFolder folder_;
   SweepIdentity identity_;
-  std::vector<std::string> shares_;  // folders
+  std::vector<ShareTable> shares_;
   SweepTable table_;
 };
 

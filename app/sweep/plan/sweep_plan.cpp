@@ -10,6 +10,7 @@
 #include "app/goals/registry.hpp"
 #include "app/sweep/plan/sample_maker.hpp"
 #include "model/sheet/sheet_motion.hpp"
+#include "targets/document/hidden_quotes.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {
@@ -116,7 +117,7 @@ void add_factor(Columns& columns, const SweepBase& base, targets::DocumentEditor
 
 void check_names(const Columns& columns) {
   for (std::size_t k = 0; k < columns.factors.size(); ++k)
-    for (const char* reserved : {"sample", "status", "reason"})
+    for (const char* reserved : {"sample", "status", "reason", "row_sha256"})
       if (targets::lower_case(columns.factors[k].name) == reserved)
         throw columns.nodes[k].error("a column of the table is called so already; give another `name`");
   for (std::size_t k = 0; k < columns.factors.size(); ++k)
@@ -301,6 +302,17 @@ void check_exact(const SweepPlan& plan) {
     throw plan.doe.root.error(why + "; use `model: equilibrium` or `bullet`, which need no exact family");
 }
 
+SweepBase read_base_of(const DoeFile& doe) {
+  const targets::HiddenQuotes hidden(doe.base, doe.root.folder());
+  return read_base(doe.base);
+}
+
+Target read_goal_of(const DoeFile& doe) {
+  if (!doe.goal) return {};
+  const targets::HiddenQuotes hidden(*doe.goal, doe.root.folder());
+  return read_goal(*doe.goal);
+}
+
 }  // namespace
 
 bool SweepPlan::edits_document() const {
@@ -310,7 +322,7 @@ bool SweepPlan::edits_document() const {
 
 SweepPlan make_sweep_plan(const std::string& file, std::optional<std::uint64_t> seed) {
   DoeFile doe = read_doe(file);
-  SweepBase base = read_base(doe.base);
+  SweepBase base = read_base_of(doe);
   check_model(doe, base);
   refuse_for_targets(doe, base);
   check_bodies(doe, base);
@@ -320,7 +332,7 @@ SweepPlan make_sweep_plan(const std::string& file, std::optional<std::uint64_t> 
   check_count(doe, columns.factors.size(), doe.responses.size());
   check_names(columns);
   check_edits(doe, columns, base, document);
-  Target goal = doe.goal ? read_goal(*doe.goal) : Target{};
+  Target goal = read_goal_of(doe);
   std::vector<Metric> responses = find_responses(doe, base, goal);
   check_columns(doe, columns, responses);
   check_moved(doe, columns, document, responses);

@@ -28,8 +28,9 @@ std::optional<std::int64_t> whole(std::string_view text) {
 
 bool is_share(const fs::path& folder) {
   const std::string name = folder.filename().string();
+  std::error_code failure;
   return name.starts_with("share-") && name.find("-of-") != std::string::npos &&
-         fs::exists(folder / "sweep.sqlite");
+         fs::exists(folder / "sweep.sqlite", failure);
 }
 
 }  // namespace
@@ -46,13 +47,14 @@ Share read_share(const std::string& text) {
   return {*number - 1, *count};
 }
 
-std::vector<std::string> shares_in(const std::string& folder, const SweepPlan& plan,
-                                   const SweepIdentity& identity) {
-  std::vector<std::string> shares;
+std::vector<ShareTable> shares_in(const std::string& folder, const SweepPlan& plan,
+                                  const SweepIdentity& identity) {
+  std::vector<ShareTable> shares;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (is_share(entry.path())) shares.push_back(entry.path().string());
-  std::sort(shares.begin(), shares.end());
-  for (const std::string& share : shares) SweepTable(share, plan, identity, true);
+    if (is_share(entry.path())) shares.push_back({entry.path().string()});
+  std::sort(shares.begin(), shares.end(),
+            [](const ShareTable& a, const ShareTable& b) { return a.folder < b.folder; });
+  for (ShareTable& share : shares) share.damaged = SweepTable(share.folder, plan, identity, true).damaged();
   return shares;
 }
 

@@ -22,10 +22,16 @@ struct Share {
 /// @param text K/N, K from 1 to N @throws InvalidInput
 Share read_share(const std::string& text);
 
+/// The table of a share: its folder, and how many of its rows are damaged and not taken over.
+struct ShareTable {
+  std::string folder;
+  std::int64_t damaged = 0;
+};
+
 /// The folders FOLDER/share-K-of-N with tables, in a fixed order.
 /// @throws InvalidInput where a share is still being computed, or is of another sweep
-std::vector<std::string> shares_in(const std::string& folder, const SweepPlan& plan,
-                                   const SweepIdentity& identity);
+std::vector<ShareTable> shares_in(const std::string& folder, const SweepPlan& plan,
+                                  const SweepIdentity& identity);
 
 /// Adds to the table of a sweep what that of a share has and it has not. @throws InvalidInput likewise
 void take_over(const std::string& share, SweepTable& table, const SweepPlan& plan,

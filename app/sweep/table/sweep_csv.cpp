@@ -29,24 +29,24 @@ std::string header(const SweepPlan& plan, const SweepIdentity& identity) {
   return text + ",status,reason\n";
 }
 
-void append(std::string& text, const SampleRow& row) {
+}  // namespace
+
+std::string csv_line(const SampleRow& row) {
+  std::string text = std::to_string(row.sample);
   const auto add = [&](double value) {
     text += "," + (std::isfinite(value) ? targets::shortest_text(value) : "");
   };
-  text += std::to_string(row.sample);
   for (const double value : row.factors) add(value);
   for (const double value : row.responses) add(value);
-  text += "," + to_string(row.status) + "," + field(row.reason) + "\n";
+  return text + "," + to_string(row.status) + "," + field(row.reason);
 }
-
-}  // namespace
 
 void write_csv(const std::string& folder, const SweepTable& table, const SweepPlan& plan,
                const SweepIdentity& identity) {
   write_file(folder + "/samples.csv", [&](const FileSink& sink) {
     std::string text = header(plan, identity);
     table.read([&](const SampleRow& row) {
-      append(text, row);
+      text += csv_line(row) + "\n";
       if (text.size() < piece_bytes) return;
       sink(text);
       text.clear();

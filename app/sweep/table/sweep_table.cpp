@@ -9,6 +9,9 @@
 #include <cmath>
 #include <limits>
 
+#include "app/io/sha256.hpp"
+#include "app/sweep/table/sweep_csv.hpp"
+
 namespace kinetix::app {
 namespace {
 
@@ -52,16 +55,30 @@ std::string quoted(const std::string& name) {
   return text + "\"";
 }
 
-std::string columns_of(const SweepPlan& plan) {
+std::string value_columns(const SweepPlan& plan) {
   std::string text = "sample INTEGER PRIMARY KEY";
   for (const optim::Factor& factor : plan.samples.factors()) text += ", " + quoted(factor.name) + " REAL";
   for (const Metric& metric : plan.responses) text += ", " + quoted(metric.name) + " REAL";
   return text + ", status TEXT NOT NULL, reason TEXT NOT NULL";
 }
 
-/// How the tables were made. Whatever else is called so in a file (a view, columns that are computed) could run for ever.
-std::string samples_sql(const SweepPlan& plan) { return "CREATE TABLE samples(" + columns_of(plan) + ")"; }
+// How the tables were made. Whatever else is called so in a file (a view, columns that are computed) could run for ever.
+std::string samples_sql(const SweepPlan& plan) {
+  return "CREATE TABLE samples(" + value_columns(plan) + ", row_sha256 TEXT NOT NULL)";
+}
+std::string samples_sql_without_checksum(const SweepPlan& plan) {
+  return "CREATE TABLE samples(" + value_columns(plan) + ")";
+}
 const std::string meta_sql = "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)";
+
+std::string checksum(const SampleRow& row) { return sha256(csv_line(row)).substr(0, 16); }
+
+/// A row as it comes back: SQLite keeps neither the sign of 0 nor what is not finite.
+SampleRow storable(SampleRow row) {
+  for (std::vector<double>* values : {&row.factors, &row.responses})
+    for (double& value : *values) value = std::isfinite(value) ? value + 0.0 : std::nan("");
+  return row;
+}
 
 SampleStatus status_of(const std::string& word) {
   for (const auto status : {SampleStatus::ok, SampleStatus::missed, SampleStatus::disagrees})
@@ -103,17 +120,17 @@ SweepTable::SweepTable(const std::string& folder, const SweepPlan& plan, const S
     const bool is_there = Statement(database_, "SELECT 1 FROM sqlite_master WHERE name = 'meta'").step();
     if (is_there) check_made("meta", meta_sql);
     if (is_there) check(identity);
-    if (is_there) check_made("samples", samples_sql(plan));
-    if (is_there) find_done(plan.size());
-    if (count_ > 0 && !resume)
+    if (is_there) check_samples(plan);
+    if (is_there) find_done(plan);
+    if (count_ + damaged_ > 0 && !resume)
       throw InvalidInput(fmt::format("already exists, with {} of {} samples; continue with --resume, or give "
                                      "another -o",
                                      count_, plan.size()),
                          {file_});
     if (!is_there) create(plan, identity);
     std::string places = "?";
-    for (std::size_t k = 0; k < factors_ + responses_ + 2; ++k) places += ",?";
-    const std::string sql = "INSERT INTO samples VALUES(" + places + ")";
+    for (std::size_t k = 0; k < factors_ + responses_ + 3; ++k) places += ",?";
+    const std::string sql = "INSERT OR REPLACE INTO samples VALUES(" + places + ")";
     if (sqlite3_prepare_v2(database_, sql.c_str(), -1, &insert_, nullptr) != SQLITE_OK) fail();
   } catch (...) {
     sqlite3_close(database_);
@@ -134,7 +151,7 @@ void SweepTable::fail() const {
                                    sqlite3_errmsg(database_), count_),
                        {file_});
   if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT)
-    throw InvalidInput("is not the table of a sweep", {file_});
+    throw InvalidInput("is not the table of a sweep, or is damaged; remove it, or give another -o", {file_});
   throw InvalidInput(sqlite3_errmsg(database_), {file_});
 }
 
@@ -172,19 +189,31 @@ void SweepTable::check(const SweepIdentity& identity) const {
                        {file_});
 }
 
-void SweepTable::find_done(std::int64_t samples) {
-  done_.assign(static_cast<std::size_t>(samples), false);
-  Statement all(database_, "SELECT sample FROM samples");
-  while (all && all.step()) {
-    const std::int64_t sample = all.integer(0);
-    if (sample < 0 || sample >= samples) throw InvalidInput("holds samples that this sweep has not", {file_});
-    done_[static_cast<std::size_t>(sample)] = true;
-    ++count_;
-  }
-  if (!all.ended()) fail();
+void SweepTable::check_samples(const SweepPlan& plan) const {
+  Statement made(database_, "SELECT 1 FROM sqlite_master WHERE name = 'samples' AND sql = ?");
+  made.bind(1, samples_sql_without_checksum(plan));
+  if (made.step())
+    throw InvalidInput(
+        "was written by an earlier version, without a checksum per row, and damage to it cannot be seen; "
+        "compute the sweep into another -o",
+        {file_});
+  check_made("samples", samples_sql(plan));
 }
 
-void SweepTable::insert(const SampleRow& row) {
+void SweepTable::find_done(const SweepPlan& plan) {
+  done_.assign(static_cast<std::size_t>(plan.size()), false);
+  each_row([&](const SampleRow& row, bool is_whole) {
+    if (is_whole && row.factors == plan.samples.sample(static_cast<std::uint64_t>(row.sample))) {
+      done_[static_cast<std::size_t>(row.sample)] = true;
+      ++count_;
+    } else {
+      ++damaged_;
+    }
+  });
+}
+
+void SweepTable::insert(const SampleRow& given) {
+  const SampleRow row = storable(given);
   sqlite3_reset(insert_);
   int place = 1;
   const auto bind = [&](double value) {
@@ -201,6 +230,7 @@ void SweepTable::insert(const SampleRow& row) {
   for (const double value : row.responses) bind(value);
   bind_text(to_string(row.status));
   bind_text(row.reason);
+  bind_text(checksum(row));
   if (sqlite3_step(insert_) != SQLITE_DONE) fail();
 }
 
@@ -213,21 +243,44 @@ void SweepTable::add(const std::vector<SampleRow>& rows) {
   count_ += static_cast<std::int64_t>(rows.size());
 }
 
-void SweepTable::read(const std::function<void(const SampleRow&)>& see) const {
+void SweepTable::each_row(const std::function<void(const SampleRow&, bool is_whole)>& see) const {
   Statement all(database_, "SELECT * FROM samples ORDER BY sample");
   SampleRow row;
   row.factors.resize(factors_);
   row.responses.resize(responses_);
+  std::int64_t next = 0;
   while (all && all.step()) {
     int column = 0;
     row.sample = all.integer(column++);
+    if (row.sample < next || row.sample >= static_cast<std::int64_t>(done_.size()))
+      throw InvalidInput(
+          "is damaged: it holds samples that this sweep has not; remove it, or give another -o", {file_});
+    next = row.sample + 1;
     for (double& value : row.factors) value = all.number(column++);
     for (double& value : row.responses) value = all.number(column++);
     row.status = status_of(all.text(column++));
-    row.reason = all.text(column);
-    see(row);
+    row.reason = all.text(column++);
+    see(row, checksum(row) == all.text(column));
   }
   if (!all.ended()) fail();
+}
+
+void SweepTable::read(const std::function<void(const SampleRow&)>& see) const {
+  std::int64_t seen = 0;
+  each_row([&](const SampleRow& row, bool is_whole) {
+    if (!done_[static_cast<std::size_t>(row.sample)]) return;
+    if (!is_whole)
+      throw InvalidInput(
+          fmt::format("is damaged: the row of sample {} was changed meanwhile; continue with --resume",
+                      row.sample),
+          {file_});
+    ++seen;
+    see(row);
+  });
+  if (seen != count_)
+    throw InvalidInput(fmt::format("is damaged: {} of {} rows were lost meanwhile; continue with --resume",
+                                   count_ - seen, count_),
+                       {file_});
 }
 
 }  // namespace kinetix::app

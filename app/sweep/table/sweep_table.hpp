@@ -16,16 +16,17 @@ namespace kinetix::app {
 /// The table of a sweep, FOLDER/sweep.sqlite (SQLite 3, write-ahead log):
 ///
 ///     samples(sample INTEGER PRIMARY KEY, <one REAL a factor>, <one REAL a response>,
-///             status TEXT, reason TEXT)
+///             status TEXT, reason TEXT, row_sha256 TEXT)
 ///     meta(key TEXT PRIMARY KEY, value TEXT)          -- SweepIdentity
 ///
 /// Columns are called as the factors and responses are. A number that there is not is NULL. One writer;
-/// others may read at any time.
+/// others may read at any time. row_sha256: the first 16 hexadecimal digits of SHA-256 of the row's line in samples.csv. A row
+/// that does not fit it, or whose factors are not those of the plan, is damaged: it counts as not computed.
 class SweepTable {
  public:
   /// Opens the table of this sweep, or makes it. The folder stays locked while this lives.
   /// @throws InvalidInput where another program writes there, where a table with samples is there already and `resume`
-  /// is not asked for, where it belongs to another sweep, and where the file system says no
+  /// is not asked for, where it belongs to another sweep or has no checksums, and where the file system says no
   SweepTable(const std::string& folder, const SweepPlan& plan, const SweepIdentity& identity, bool resume);
   ~SweepTable();
   SweepTable(const SweepTable&) = delete;
@@ -34,11 +35,14 @@ class SweepTable {
   /// Which samples are there.
   const std::vector<bool>& done() const { return done_; }
   std::int64_t count() const { return count_; }
+  /// How many rows were damaged when it was opened. New rows of these samples take their places.
+  std::int64_t damaged() const { return damaged_; }
 
   /// Adds rows, all or none, on the disk when this returns. @throws InvalidInput where the disk is full
   void add(const std::vector<SampleRow>& rows);
 
-  /// Every row in the order of samples.
+  /// Every row in the order of samples, but those that are damaged and not computed again.
+  /// @throws InvalidInput where a row has been damaged since it was opened
   void read(const std::function<void(const SampleRow&)>& see) const;
 
  private:
@@ -47,7 +51,9 @@ class SweepTable {
   void create(const SweepPlan& plan, const SweepIdentity& identity);
   void check_made(const std::string& table, const std::string& sql) const;
   void check(const SweepIdentity& identity) const;
-  void find_done(std::int64_t samples);
+  void check_samples(const SweepPlan& plan) const;
+  void find_done(const SweepPlan& plan);
+  void each_row(const std::function<void(const SampleRow&, bool is_whole)>& see) const;
   void insert(const SampleRow& row);
   void run(const std::string& sql) const;
   [[noreturn]] void fail() const;
@@ -58,7 +64,7 @@ class SweepTable {
   sqlite3_stmt* insert_ = nullptr;
   std::size_t factors_ = 0, responses_ = 0;
   std::vector<bool> done_;
-  std::int64_t count_ = 0;
+  std::int64_t count_ = 0, damaged_ = 0;
 };
 
 }  // namespace kinetix::app

@@ -1,56 +1,15 @@
 #include "app/sweep/workers/work_message.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
-#include <stdexcept>
 #include <utility>
+
+#include "app/io/bytes.hpp"
 
 namespace kinetix::app {
 namespace {
 
-template <class Value>
-void put(std::string& bytes, const Value& value) {
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
-template <class Value>
-void put_all(std::string& bytes, const Value* values, std::size_t count) {
-  put(bytes, count);
-  bytes.append(reinterpret_cast<const char*>(values), count * sizeof(Value));
-}
-
-class Reader {
- public:
-  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
-
-  template <class Value>
-  Value get() {
-    Value value;
-    std::memcpy(&value, take(sizeof value), sizeof value);
-    return value;
-  }
-
-  template <class Container>
-  Container get_all() {
-    Container values(get<std::size_t>(), typename Container::value_type{});
-    const std::size_t size = values.size() * sizeof(typename Container::value_type);
-    if (const char* from = take(size); size > 0) std::memcpy(values.data(), from, size);
-    return values;
-  }
-
- private:
-  const char* take(std::size_t size) {
-    if (size > bytes_.size()) throw std::runtime_error("a message of a sweep was cut short");
-    const char* at = bytes_.data();
-    bytes_.remove_prefix(size);
-    return at;
-  }
-
-  std::string_view bytes_;
-};
-
-void put(std::string& bytes, const SampleRow& row) {
+void put_row(std::string& bytes, const SampleRow& row) {
   put(bytes, row.sample);
   put_all(bytes, row.factors.data(), row.factors.size());
   put_all(bytes, row.responses.data(), row.responses.size());
@@ -58,7 +17,7 @@ void put(std::string& bytes, const SampleRow& row) {
   put_all(bytes, row.reason.data(), row.reason.size());
 }
 
-SampleRow get_row(Reader& reader) {
+SampleRow get_row(ByteReader& reader) {
   SampleRow row;
   row.sample = reader.get<std::int64_t>();
   row.factors = reader.get_all<std::vector<double>>();
@@ -75,7 +34,7 @@ std::string to_bytes(const WorkRequest& request) {
   put(bytes, request.wanted);
   put_all(bytes, request.farewell.data(), request.farewell.size());
   put(bytes, request.rows.size());
-  for (const SampleRow& row : request.rows) put(bytes, row);
+  for (const SampleRow& row : request.rows) put_row(bytes, row);
   return bytes;
 }
 
@@ -86,7 +45,7 @@ std::string to_bytes(const std::vector<std::int64_t>& samples) {
 }
 
 WorkRequest read_request(std::string_view bytes) {
-  Reader reader(bytes);
+  ByteReader reader(bytes);
   WorkRequest request;
   request.wanted = reader.get<std::size_t>();
   request.farewell = reader.get_all<std::string>();
@@ -96,7 +55,7 @@ WorkRequest read_request(std::string_view bytes) {
 }
 
 std::vector<std::int64_t> read_samples(std::string_view bytes) {
-  return Reader(bytes).get_all<std::vector<std::int64_t>>();
+  return ByteReader(bytes).get_all<std::vector<std::int64_t>>();
 }
 
 void work_for(const SweepPlan& plan, int threads,

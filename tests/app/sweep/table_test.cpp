@@ -190,6 +190,135 @@ int change_table(const Scratch& scratch, const std::string& sql) {
   return std::system(("/usr/bin/python3 " + script + " " + (scratch / "out/sweep.sqlite").string()).c_str());
 }
 
+const std::string grid = sweep_of(
+    "{kind: factorial}", "  - {path: design.theta_deg, range: [5, 40], levels: 12}\n", "end_mm, turn_deg");
+
+/// The sweep goes on in a table that something has changed. @return what it said; samples.csv must be as before
+Outcome expect_same_rows(const Scratch& scratch, const std::string& before, const std::string& arguments) {
+  const Outcome run = run_sweep_in(scratch, grid, arguments + " --json");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(text_of(scratch / "out/samples.csv"), before);
+  return run;
+}
+
+TEST(SweepTable, ComputesDamagedRowsAgainAndSaysSo) {
+  const Scratch scratch;
+  ASSERT_EQ(run_sweep_in(scratch, grid).code, 0);
+  const std::string before = text_of(scratch / "out/samples.csv"),
+                    table = text_of(scratch / "out/sweep.sqlite");
+  const std::string swaps =
+      "CREATE TABLE t AS SELECT * FROM samples WHERE sample IN (2, 3); UPDATE samples SET end_mm = (SELECT "
+      "end_mm FROM t "
+      "WHERE t.sample = 5 - samples.sample) WHERE sample IN (2, 3); DROP TABLE t";
+  const std::pair<std::string, int> changes[] = {
+      {"UPDATE samples SET end_mm = end_mm + 1 WHERE sample = 4", 1},
+      {"UPDATE samples SET \"design.theta_deg\" = 6 WHERE sample = 0", 1},
+      {"UPDATE samples SET end_mm = NULL WHERE sample IN (1, 2, 3)", 3},
+      {"UPDATE samples SET status = \"failed\" WHERE sample = 11", 1},
+      {"UPDATE samples SET reason = \"x\" WHERE sample > 5", 6},
+      {"UPDATE samples SET row_sha256 = \"0123456789abcdef\"", 12},
+      {"DELETE FROM samples WHERE sample = 7; UPDATE samples SET sample = 7 WHERE sample = 8", 1},
+      {swaps, 2}};
+  for (const auto& [sql, rows] : changes) {
+    scratch.write("out/sweep.sqlite", table);
+    ASSERT_EQ(change_table(scratch, sql), 0) << sql;
+    const Outcome run = expect_same_rows(scratch, before, "--resume");
+    EXPECT_EQ(Json::parse(run.out)["damaged"], rows) << sql;
+    EXPECT_THAT(run.err,
+                HasSubstr(fmt::format("warning: {}/sweep.sqlite: {} row", (scratch / "out").string(), rows)))
+        << sql;
+    EXPECT_EQ(Json::parse(expect_same_rows(scratch, before, "--resume").out)["damaged"], 0) << sql;
+  }
+}
+
+/// Its checksum fits, but its factor is another than the plan's.
+TEST(SweepTable, ComparesFactorsWithThePlan) {
+  const Scratch scratch;
+  ASSERT_EQ(run_sweep_in(scratch, grid).code, 0);
+  const std::string before = text_of(scratch / "out/samples.csv");
+  std::string line;
+  std::istringstream lines(before);
+  while (std::getline(lines, line) && !line.starts_with("0,5,")) continue;
+  const std::string forged = "0,6," + line.substr(4);
+  const std::string hash = "import hashlib; print(hashlib.sha256(b\"" + forged + "\").hexdigest()[:16])";
+  ASSERT_EQ(std::system(("/usr/bin/python3 -c '" + hash + "' >" + (scratch / "hash").string()).c_str()), 0);
+  ASSERT_EQ(change_table(scratch, "UPDATE samples SET \"design.theta_deg\" = 6, row_sha256 = \"" +
+                                      text_of(scratch / "hash").substr(0, 16) + "\" WHERE sample = 0"),
+            0);
+  EXPECT_EQ(Json::parse(expect_same_rows(scratch, before, "--resume").out)["damaged"], 1);
+}
+
+TEST(SweepTable, WithAnyBitFlippedGivesTheSameNumbersOrIsRefused) {
+  const Scratch scratch;
+  ASSERT_EQ(run_sweep_in(scratch, grid).code, 0);
+  const std::string before = text_of(scratch / "out/samples.csv"),
+                    table = text_of(scratch / "out/sweep.sqlite");
+  const std::size_t rows = table.find("ok", table.size() / 2);  // SQLite fills a page from its end
+  ASSERT_NE(rows, std::string::npos);
+  int damaged = 0;
+  for (std::size_t k = 0; k < 24; ++k) {
+    std::string other = table;
+    other[other.size() - 1 - 31 * k] ^= static_cast<char>(1 << k % 8);
+    scratch.write("out/sweep.sqlite", other);
+    const Outcome run = run_sweep_in(scratch, grid, "--resume --json");
+    if (run.code == 0)
+      EXPECT_EQ(text_of(scratch / "out/samples.csv"), before) << k;
+    else
+      EXPECT_EQ(run.code, 2) << run.err;
+    damaged += run.code == 2 || Json::parse(run.out)["damaged"] > 0;
+  }
+  EXPECT_GT(damaged, 5);
+}
+
+TEST(SweepTable, DamagedRowsOfSharesAreNotTakenOver) {
+  const Scratch scratch;
+  ASSERT_EQ(run_sweep_in(scratch, grid).code, 0);
+  const std::string before = text_of(scratch / "out/samples.csv");
+  fs::remove_all(scratch / "out");
+  for (const char* share : {"--share 1/2", "--share 2/2"})
+    ASSERT_EQ(run_sweep_in(scratch, grid, share).code, 0);
+  fs::rename(scratch / "out/share-2-of-2/sweep.sqlite", scratch / "out/sweep.sqlite");
+  ASSERT_EQ(change_table(scratch, "UPDATE samples SET end_mm = end_mm * 2 WHERE sample IN (3, 5)"), 0);
+  fs::rename(scratch / "out/sweep.sqlite", scratch / "out/share-2-of-2/sweep.sqlite");
+  const Outcome run = expect_same_rows(scratch, before, "");
+  EXPECT_EQ(Json::parse(run.out)["damaged"], 2);
+  EXPECT_EQ(Json::parse(run.out)["computed"], 2);
+  EXPECT_THAT(run.err, HasSubstr("share-2-of-2/sweep.sqlite: 2 rows damaged"));
+}
+
+TEST(SweepTable, DamagedRowsAreComputedAgainByRanks) {
+  const Scratch scratch;
+  ASSERT_EQ(run_sweep_in(scratch, grid).code, 0);
+  const std::string before = text_of(scratch / "out/samples.csv");
+  ASSERT_EQ(change_table(scratch, "UPDATE samples SET turn_deg = 0 WHERE sample IN (3, 5)"), 0);
+  const std::string log = scratch / "log";
+  ASSERT_EQ(std::system((ranks(2) + " " + KINETIX_OPT + " sweep " + (scratch / "doe.yaml").string() +
+                         " --resume -o " + (scratch / "out").string() + " >" + log + " 2>&1 </dev/null")
+                            .c_str()),
+            0);
+  EXPECT_EQ(text_of(scratch / "out/samples.csv"), before);
+  EXPECT_THAT(text_of(log), HasSubstr("sweep.sqlite: 2 rows damaged"));
+}
+
+TEST(SweepTable, AllOfWhoseRowsAreDamagedStillNeedsResume) {
+  const Scratch scratch;
+  ASSERT_EQ(run_sweep_in(scratch, grid).code, 0);
+  ASSERT_EQ(change_table(scratch, "UPDATE samples SET end_mm = 0"), 0);
+  const Outcome run = run_sweep_in(scratch, grid);
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("continue with --resume"));
+}
+
+TEST(SweepTable, OfAnEarlierVersionWithoutChecksumsIsRefused) {
+  const Scratch scratch;
+  ASSERT_EQ(run_sweep_in(scratch, grid).code, 0);
+  ASSERT_EQ(change_table(scratch, "ALTER TABLE samples DROP COLUMN row_sha256"), 0);
+  const Outcome run = run_sweep_in(scratch, grid, "--resume");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err,
+              HasSubstr("sweep.sqlite: was written by an earlier version, without a checksum per row"));
+}
+
 /// What a sweep leaves that is stopped before its first sample has nothing to lose.
 TEST(SweepTable, WithoutASampleIsTakenWithoutResume) {
   const Scratch scratch;
