@@ -9,6 +9,7 @@
 # make format: lay out every source as .clang-format says.
 # make compilers: the same numbers by GCC and clang, -O0 and -O3, on a dozen targets.
 # make fuzz: the readers under libFuzzer, FUZZ_SECONDS each; make fuzz-program: FUZZ_RUNS runs of the whole program.
+# make soak: SOAK_FILES damaged files of every kind that is read, through the program under the address sanitizer.
 # make docs: write docs/formats.md and the schemas anew from the tables of keys.
 JOBS ?= $(shell nproc)
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
@@ -16,9 +17,11 @@ PROGRAM_PACKAGES := build/.installed/program
 # Seconds of each fuzzer, and runs of the whole program.
 FUZZ_SECONDS ?= 600
 FUZZ_RUNS ?= 100000
+# Damaged files of each kind.
+SOAK_FILES ?= 1000
 ALL_PACKAGES := $(patsubst packages/%.txt,build/.installed/%,$(wildcard packages/*.txt))
 
-.PHONY: demo program python package install test faults dev asan tsan sanitize coverage compilers fuzz fuzz-program bench bench-quick format docs packages clean mutants
+.PHONY: demo program python package install test faults dev asan tsan sanitize coverage compilers fuzz fuzz-program soak bench bench-quick format docs packages clean mutants
 
 demo: program
 	build/release/bin/kinetix-opt targets/shapes/helmet_rib.yaml -o results/helmet_rib
@@ -82,6 +85,11 @@ fuzz-program: $(ALL_PACKAGES)
 	cmake --preset dev
 	cmake --build --preset dev -j $(JOBS) --target kinetix-forked-runs
 	tests/fuzz/whole_program.py build/dev/bin/kinetix-forked-runs $(FUZZ_RUNS) --keep build/fuzz/found
+
+soak: $(ALL_PACKAGES)
+	cmake --preset asan
+	cmake --build --preset asan -j $(JOBS) --target kinetix-opt
+	tests/fuzz/soak.py build/asan/bin/kinetix-opt $(SOAK_FILES) --jobs $(JOBS) --keep build/asan/soak
 
 bench: $(ALL_PACKAGES)
 	cmake --preset release
