@@ -92,6 +92,21 @@ function(kinetix_module name)
     "$<INSTALL_INTERFACE:-Wl,-rpath,$<INSTALL_PREFIX>/${CMAKE_INSTALL_LIBDIR}/kinetix/modules>")
 endfunction()
 
+# kinetix_reader(name OF room SOURCES ... LIBRARIES ...): a program kinetix-NAME beside the modules, which reads a foreign format by a
+# library that damaged files crash (app/io/reader_program.hpp).
+function(kinetix_reader name)
+  cmake_parse_arguments(READER "" "OF" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(kinetix-${name} ${READER_SOURCES})
+  set_target_properties(kinetix-${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${KINETIX_MODULES} SKIP_BUILD_RPATH ON)
+  target_include_directories(kinetix-${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(kinetix-${name} PRIVATE Eigen3::Eigen ${READER_LIBRARIES})
+  if(NOT KINETIX_FUZZ)
+    target_link_libraries(kinetix-${name} PRIVATE kinetix_flags)
+  endif()
+  install(TARGETS kinetix-${name} RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/kinetix/modules)
+  add_dependencies(kinetix_${READER_OF} kinetix-${name})
+endfunction()
+
 # kinetix_join(target EXCEPT ... TOGETHER ...): compiles the sources of each folder of a target (of two levels) as one, since
 # most of their time goes into the same headers and templates: all but those that match the regex EXCEPT. Folders that match
 # one of the regexes TOGETHER are one, with all below them. So no two sources that are joined may give the same name to

@@ -12,6 +12,7 @@
 #include "model/assembly/direction_across.hpp"
 #include "model/assembly/shells.hpp"
 #include "model/base/angle.hpp"
+#include "targets/document/hidden_quotes.hpp"
 #include "targets/mesh/mesh_file.hpp"
 
 namespace kinetix::app {
@@ -152,8 +153,9 @@ Vector3d read_direction(const targets::Node& node) {
 
 model::Polyhedron read_shell(const targets::Node& node) {
   const std::string file = node.text("path of an STL, OBJ or PLY file");
-  const targets::TriangleMesh mesh =
-      targets::read_mesh((node.folder().empty() ? "" : node.folder() + "/") + file);
+  const std::string path = (node.folder().empty() ? "" : node.folder() + "/") + file;
+  const targets::HiddenQuotes hidden(path, node.folder());
+  const targets::TriangleMesh mesh = targets::read_mesh(path);
   model::Polyhedron solid{mesh.vertices, mesh.triangles};
   const std::string defect = model::shell_defect(solid);
   if (!defect.empty()) throw node.error("`" + file + "` " + defect);

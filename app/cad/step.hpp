@@ -8,7 +8,7 @@
 
 namespace kinetix::app::cad {
 
-// OpenCASCADE, which writes and reads STEP, takes longer to load than many a run of the program: it stands in a module of
+// OpenCASCADE, which writes STEP, takes longer to load than many a run of the program: it stands in a module of
 // its own, kinetix-cad.so, loaded by the first call.
 
 /// Loads that module now. @throws std::runtime_error where it is missing
@@ -18,8 +18,10 @@ void load();
 /// @throws std::runtime_error where the module is missing, or where pieces of a shape are no solid together
 std::string step_text(const Product& product);
 
-/// All solids of a STEP file, in mm; of its assemblies at their places.
-/// @throws std::runtime_error where the module is missing, or with what is wrong with the file
+/// All solids of a STEP file, in mm; of its assemblies at their places. Read by kinetix-read-step, a process of its own
+/// (app/io/reader_program.hpp): one flipped bit in six crashes OpenCASCADE, which uses null handles before it checks them.
+/// @throws InvalidInput without a place for a file that is damaged or too large
+/// @throws std::runtime_error where kinetix-read-step is missing
 std::vector<FoundSolid> solids_of_step(const std::string& file);
 
 }  // namespace kinetix::app::cad

@@ -3,13 +3,13 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <cstring>
 #include <iostream>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "app/console/command_options.hpp"
+#include "app/console/printable_text.hpp"
 #include "app/io/atomic_file.hpp"
 
 namespace kinetix::app {
@@ -19,10 +19,14 @@ using Json = nlohmann::ordered_json;
 
 constexpr char no_memory[] = "there is not enough memory";
 
-/// Without a stream: these take memory.
+/// Without a stream: these take memory. Words may hold file names, whose control characters must not reach a terminal.
 void write_line(const char* words) noexcept {
-  for (const char* part : {words, "\n"})
-    if (write(STDERR_FILENO, part, std::strlen(part)) < 0) return;
+  for (; *words != '\0'; ++words) {
+    const auto byte = static_cast<unsigned char>(*words);
+    const char shown = byte < 0x20 || byte >= 0x7f ? '?' : *words;
+    if (write(STDERR_FILENO, &shown, 1) < 0) return;
+  }
+  if (write(STDERR_FILENO, "\n", 1) < 0) return;
 }
 
 void print(const Json& error) {
@@ -33,7 +37,7 @@ void print(const Json& error) {
 }  // namespace
 
 void report_error(const InvalidInput& error, int exit_code, bool as_json) {
-  std::cerr << error.what() << "\n";
+  std::cerr << printable_line(error.what()) << "\n";
   if (!as_json) return;
   const Place& place = error.place();
   Json json = {{"exit_code", exit_code}, {"message", error.what()}, {"reason", error.reason()}};

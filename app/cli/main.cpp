@@ -15,6 +15,7 @@
 #include "app/assembly/assembly_export.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/error_report.hpp"
+#include "app/console/printable_text.hpp"
 #include "app/files/design_file.hpp"
 #include "app/imports/import_command.hpp"
 #include "app/io/atomic_file.hpp"
@@ -376,6 +377,7 @@ extern "C" [[noreturn]] void exit(int code) noexcept {
 
 int main(int argc, char** argv) {
   const bool as_json = asks_for_json(argc, argv);
+  const kinetix::app::PrintableStreams printable;
   try {
     keep_stack();
     keep_memory();

@@ -9,6 +9,7 @@
 #include <new>
 
 #include "app/console/duration_text.hpp"
+#include "app/console/printable_text.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -134,14 +135,14 @@ void Console::stage(const std::string& name, double done, const std::string& not
 void Console::error(const std::string& message) {
   const std::lock_guard lock(mutex_);
   clear_line();
-  log().error("{}", message);
+  log().error("{}", printable(message));
 }
 
 void Console::warning(const std::string& message) {
   if (quiet_) return;
   const std::lock_guard lock(mutex_);
   clear_line();
-  log().warn("{}", message);
+  log().warn("{}", printable(message));
 }
 
 Progress Console::progress() {

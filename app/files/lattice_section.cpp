@@ -10,6 +10,7 @@
 #include "model/lattice/planar/closed_rim.hpp"
 #include "model/lattice/planar/lattice_cut.hpp"
 #include "model/lattice/planar/lattices/registry.hpp"
+#include "targets/document/hidden_quotes.hpp"
 #include "targets/drawing/read_drawing.hpp"
 
 namespace kinetix::app {
@@ -150,6 +151,7 @@ model::Sheet read_origami(const targets::Section& structure) {
   const std::filesystem::path file = std::filesystem::path(path.folder()) / path.text("path of a FOLD file");
   double tilt = default_tilt;
   if (const auto node = structure.optional("tilt_deg")) tilt = node->angle(pattern_tilts);
+  const targets::HiddenQuotes hidden(file.string(), path.folder());
   const OrigamiFile pattern = read_origami_file(file.string());
   const model::QuadMesh mesh = tilted(pattern, tilt);
   double edge_mm = default_cell_mm;

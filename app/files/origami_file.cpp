@@ -13,7 +13,10 @@
 #include "model/base/invalid_input.hpp"
 #include "model/base/polygon.hpp"
 #include "model/lattice/origami/march.hpp"
+#include "targets/document/document.hpp"
+#include "targets/document/json_depth.hpp"
 #include "targets/document/text_file.hpp"
+#include "targets/document/wording.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -61,10 +64,12 @@ Json with_inherited(const Json& root, std::size_t number, std::size_t deep = 0) 
   const Json& frame = number == 0 ? root : frames[number - 1];
   if (number == 0 || frame.value("frame_inherit", Json(false)) != Json(true)) return frame;
   const Json parent = frame.value("frame_parent", Json(0));
-  if (!parent.is_number_unsigned() || parent.get<std::size_t>() > frames.size() || deep > frames.size() ||
+  if (!parent.is_number_unsigned() || parent.get<std::size_t>() > frames.size() ||
+      deep > targets::max_document_depth ||
       (parent != 0 && !frames[parent.get<std::size_t>() - 1].is_object()))
     throw InvalidInput("frame " + std::to_string(number) +
-                       " inherits from one that is not there, or from itself");
+                       " inherits from one that is not there, or from itself, or over more than " +
+                       std::to_string(targets::max_document_depth) + " others");
   Json whole = with_inherited(root, parent.get<std::size_t>(), deep + 1);
   whole.update(frame);
   return whole;
@@ -92,8 +97,8 @@ std::optional<double> unit_of(const Json& frame) {
   const std::string word = found->is_string() ? found->get<std::string>() : found->dump();
   if (word == "unit") return std::nullopt;
   if (const auto unit = known.find(word); unit != known.end()) return unit->second;
-  throw InvalidInput("the unit `" + word.substr(0, 20) +
-                     "` (frame_unit) is not read; allowed: unit, mm, cm, m, in, pt");
+  throw InvalidInput("the unit " + targets::in_ticks(word) +
+                     " (frame_unit) is not read; allowed: unit, mm, cm, m, in, pt");
 }
 
 Vector2d point_of(const Json& at, std::size_t v) {
@@ -384,10 +389,19 @@ class Reading {
   std::vector<double> rising_, level_;
 };
 
+Place place_at(const std::string& text, std::size_t position, const std::string& file) {
+  const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(position), '\n');
+  return {file, static_cast<int>(lines) + 1, targets::column_of(text, position)};
+}
+
 }  // namespace
 
 OrigamiFile parse_origami(const std::string& text, const std::string& file) {
   try {
+    if (const auto at = targets::find_too_deep(text))
+      throw InvalidInput("is nested too deep; give a FOLD file of at most " +
+                             std::to_string(targets::max_document_depth) + " lists in one another",
+                         place_at(text, *at, file));
     const Json root = Json::parse(text);
     const Json frame = frame_of(root);
     const Pattern pattern = read_pattern(frame);
@@ -396,10 +410,8 @@ OrigamiFile parse_origami(const std::string& text, const std::string& file) {
     out.unit_mm = unit_of(frame);
     return out;
   } catch (const Json::parse_error& e) {
-    const std::size_t at = std::min(text.size(), e.byte);
-    const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1;
     throw InvalidInput("is not JSON, as a FOLD file must be",
-                       {file, static_cast<int>(line), targets::column_of(text, at)});
+                       place_at(text, std::min(text.size(), e.byte), file));
   } catch (const Json::out_of_range&) {
     throw InvalidInput("holds a number that is beyond what a number can hold", {file});
   } catch (const InvalidInput& e) {

@@ -6,6 +6,7 @@
 
 #include "app/imports/model_file.hpp"
 #include "model/base/invalid_input.hpp"
+#include "targets/document/json_depth.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -15,7 +16,6 @@ using Eigen::Affine3d;
 
 constexpr double metre_mm = 1000;                 // mm: glTF is in metres
 constexpr std::size_t max_json_bytes = 16 << 20;  // 16 MiB: numbers are in the buffer, all else is short
-constexpr int max_json_depth = 64;                // lists and maps in one another: glTF needs about six
 constexpr int max_node_depth = 256;               // nodes in nodes: limbs of figures are some twenty deep
 constexpr std::size_t max_placed_nodes =
     100'000;  // of a scene: a model of that many parts is none that folds
@@ -105,11 +105,8 @@ class GlbModel {
   }
 
   void parse(std::string_view json) {
-    const auto keep = [this](int depth, PlainJson::parse_event_t, const PlainJson&) {
-      if (depth > max_json_depth) damaged("its JSON has lists in one another, over 64 deep");
-      return true;
-    };
-    root_ = PlainJson::parse(json.begin(), json.end(), keep, false);
+    if (targets::find_too_deep(json)) damaged("its JSON has lists in one another, over 64 deep");
+    root_ = PlainJson::parse(json.begin(), json.end(), nullptr, false);
     if (!root_.is_object()) damaged("its JSON cannot be read");
   }
 

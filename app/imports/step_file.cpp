@@ -16,8 +16,8 @@ ModelFile read_step(const std::string& file) {
       out.meshes.push_back({std::move(solid.name),
                             std::move(solid.colour),
                             {std::move(solid.points), std::move(solid.triangles)}});
-  } catch (const std::runtime_error& e) {
-    throw InvalidInput(e.what(), {file});
+  } catch (const InvalidInput& e) {
+    throw InvalidInput(e.reason(), {file});
   }
   if (out.meshes.empty()) throw InvalidInput("has no solids; give a STEP file of solid bodies", {file});
   return out;

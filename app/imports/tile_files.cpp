@@ -128,14 +128,18 @@ void check_target(const model::TileSheet& sheet, const std::string& file) {
 
 }  // namespace
 
-bool is_tile_folder(const std::string& path) { return fs::is_regular_file(fs::path(path) / "vertices.txt"); }
+bool is_tile_folder(const std::string& path) {
+  std::error_code failure;  // of a name that no file can have: reading it says so
+  return fs::is_regular_file(fs::path(path) / "vertices.txt", failure);
+}
 
 model::TileSheet read_tiles(const std::string& folder) {
   const auto path = [&](const char* name) { return (fs::path(folder) / name).string(); };
   model::TileSheet out;
   out.tiles = read_corners(path("vertices.txt"));
   out.joints = read_joints(path("constraints.txt"));
-  if (!fs::exists(path("target.txt"))) return out;
+  std::error_code failure;
+  if (!fs::exists(path("target.txt"), failure)) return out;
   out.target = read_corners(path("target.txt"));
   check_target(out, path("target.txt"));
   return out;

@@ -255,8 +255,11 @@ void FileSet::commit() {
 
 OutputFolder::OutputFolder(const std::string& path) : path_(path) {
   if (path.empty()) throw InvalidInput("the output folder has no name");
-  for (fs::path p = fs::absolute(path);
-       !p.empty() && !fs::exists(fs::symlink_status(p)) && p != p.parent_path(); p = p.parent_path())
+  std::error_code error, unknown;  // of a name that no folder can have: make() says so
+  fs::path p = fs::absolute(path, error);
+  if (error) throw InvalidInput("cannot create this output folder: " + error.message(), {path});
+  for (; !p.empty() && !fs::exists(fs::symlink_status(p, unknown)) && p != p.parent_path();
+       p = p.parent_path())
     if (p.has_filename()) created_.push_back(p);
   {
     const NoInterrupts until_chained;

@@ -6,6 +6,7 @@
 #include "app/io/atomic_file.hpp"
 #include "app/report/report.hpp"
 #include "app/result/same_sheet.hpp"
+#include "targets/document/json_depth.hpp"
 #include "targets/document/text_file.hpp"
 
 namespace kinetix::app {
@@ -24,7 +25,9 @@ std::string tell_report(const std::string& design_file, const DesignFile& design
   std::error_code none;
   if (!fs::exists(file, none)) return {};
   const std::string page = targets::read_text_file(file.string(), largest_report);
-  Json data = Json::parse(data_of_report(page), nullptr, false);
+  const std::string text = data_of_report(page);
+  if (targets::find_too_deep(text)) return {};
+  Json data = Json::parse(text, nullptr, false);
   if (!is_of_sheet(data, design, digits_of_reports)) return {};
   data["print"] = print;
   FileSet files(folder.string());

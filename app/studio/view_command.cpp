@@ -53,11 +53,7 @@ Source opened_file(const std::string& file) {
 
 Source opened_source(const std::string& source) {
   if (source.empty()) return Opened{studio::template_design("panel"), "", "", 0, 0};
-  if (!fs::is_directory(source)) return opened_file(design_at(source));
-  const fs::path inside = fs::path(source) / "design.yaml";
-  if (fs::exists(inside)) return opened_file(inside.string());
-  throw InvalidInput(source +
-                     ": no design.yaml in this folder; give a design, a target, or the folder of a result");
+  return opened_file(design_at(source));
 }
 
 /// Null where nothing is edited, or nothing can be kept.

@@ -11,4 +11,8 @@ namespace kinetix::model {
 /// @throws std::runtime_error where there is no such module or it is of another version
 void* module_function(const std::string& module, const char* function);
 
+/// Path of a file that is installed beside the modules: a program that is started instead of loaded.
+/// @throws std::runtime_error where there is no such file
+std::string module_file(const std::string& name);
+
 }  // namespace kinetix::model

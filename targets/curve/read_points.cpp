@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "targets/document/hidden_quotes.hpp"
 #include "targets/document/text_file.hpp"
 #include "targets/document/wording.hpp"
 
@@ -198,6 +199,7 @@ Rows read_rows(const Node& points, const Axes& axes, std::size_t most) {
   if (points.kind() != Node::Kind::scalar) return read_inline(points, axes, most);
   const std::string name = points.text("the path of a CSV file");
   const std::string file = (std::filesystem::path(points.folder()) / name).string();
+  const HiddenQuotes hidden(file, points.folder());
   try {
     return CsvReader(file, axes, most).read();
   } catch (const InvalidInput& e) {

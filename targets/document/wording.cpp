@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <numeric>
 #include <vector>
+
+#include "targets/document/hidden_quotes.hpp"
 
 namespace kinetix::targets {
 namespace {
@@ -12,6 +15,19 @@ constexpr std::size_t longest_quote = 40;  // bytes: keeps a message on a line o
 
 // After the underline of a key, and what one may write instead.
 constexpr std::string_view units[] = {"mm", "deg", "rad", "mpa", "s"};
+
+thread_local bool quotes_are_hidden = false;
+
+/// Also through links. Of what cannot be resolved: no.
+bool is_inside(const std::string& file, const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::error_code failure;
+  const fs::path inner = fs::weakly_canonical(file, failure);
+  if (failure) return false;
+  const fs::path outer = fs::weakly_canonical(folder.empty() ? "." : folder, failure);
+  if (failure) return false;
+  return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+}
 
 /// `theta` for `theta_deg`: a unit forgotten or added is as near as one wrong letter.
 bool differs_by_suffix(std::string_view a, std::string_view b) {
@@ -44,7 +60,15 @@ std::string lower_case(std::string_view text) {
   return out;
 }
 
+HiddenQuotes::HiddenQuotes(const std::string& file, const std::string& folder) : before_(quotes_are_hidden) {
+  quotes_are_hidden = before_ || !is_inside(file, folder);
+}
+
+HiddenQuotes::~HiddenQuotes() { quotes_are_hidden = before_; }
+
 std::string in_ticks(std::string_view text) {
+  if (quotes_are_hidden)
+    return "`...` (not quoted, as the file is outside of the folder of the one that names it)";
   std::size_t length = std::min(text.size(), longest_quote);
   while (length > 0 && length < text.size() && continues_character(text[length])) --length;
   std::string out = "`" + std::string(text.substr(0, length)) + (length < text.size() ? "...`" : "`");

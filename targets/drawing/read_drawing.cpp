@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "targets/document/hidden_quotes.hpp"
 #include "targets/document/text_file.hpp"
 
 namespace kinetix::targets {
@@ -124,6 +125,7 @@ model::PlanarGraph read_drawing(const Node& path) {
   const std::string ending = lower_case(file.extension().string());
   if (ending != ".dxf" && ending != ".svg")
     throw path.error("is not a drawing that can be read; allowed: a file that ends in .dxf or .svg");
+  const HiddenQuotes hidden(file.string(), path.folder());
   try {
     const std::string text = read_bytes(file.string(), max_drawing_bytes);
     const Drawing drawing = ending == ".dxf" ? parse_dxf(text) : parse_svg(text);

@@ -9,6 +9,7 @@
 
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
+#include "targets/document/wording.hpp"
 #include "targets/drawing/drawing.hpp"
 
 namespace kinetix::targets {
@@ -56,7 +57,7 @@ class Scanner {
     double value = 0;
     const auto [end, error] = std::from_chars(text_.data(), text_.data() + text_.size(), value);
     if (error != std::errc() || !std::isfinite(value))
-      throw InvalidInput("has `" + std::string(text_.substr(0, 20)) + "` where a number belongs");
+      throw InvalidInput("has " + in_ticks(text_.substr(0, 20)) + " where a number belongs");
     text_.remove_prefix(static_cast<std::size_t>(end - text_.data()));
     return value;
   }
@@ -179,7 +180,7 @@ class Reader {
     const double value = scan.number();
     scan.word("px");
     if (!scan.at_end())
-      throw InvalidInput("has the length `" + std::string(text) + "`; allowed: user units, without a unit");
+      throw InvalidInput("has the length " + in_ticks(text) + "; allowed: user units, without a unit");
     return value;
   }
 
@@ -257,7 +258,7 @@ std::optional<double> length_mm(const pugi::xml_attribute& attribute) {
   if (unit == "in") return 25.4 * value;
   if (unit == "pt") return 25.4 / 72 * value;
   if (unit.empty() || unit == "px") return pixel_mm * value;
-  throw InvalidInput("has a size in `" + std::string(unit) + "`; allowed: mm, cm, in, pt, px");
+  throw InvalidInput("has a size in " + in_ticks(unit) + "; allowed: mm, cm, in, pt, px");
 }
 
 /// From user units to mm, y upwards.

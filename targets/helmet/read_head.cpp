@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "targets/curve/read_curve.hpp"
+#include "targets/document/hidden_quotes.hpp"
 #include "targets/helmet/length_units.hpp"
 #include "targets/mesh/mesh_file.hpp"
 
@@ -16,8 +17,10 @@ const Bounds coordinate = from_to(-max_coordinate_mm, max_coordinate_mm, "mm");
 // What the key `units` may say.
 TriangleMesh read_mesh_of(const Node& mesh) {
   const std::string name = mesh.text("the path of an OBJ, STL or PLY file");
+  const std::string file = (std::filesystem::path(mesh.folder()) / name).string();
+  const HiddenQuotes hidden(file, mesh.folder());
   try {
-    return read_mesh((std::filesystem::path(mesh.folder()) / name).string());
+    return read_mesh(file);
   } catch (const InvalidInput& e) {
     throw mesh.error(e.what());
   }

@@ -5,6 +5,7 @@
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/curve/read_points.hpp"
+#include "targets/document/hidden_quotes.hpp"
 #include "targets/helmet/head_pose.hpp"
 #include "targets/helmet/length_units.hpp"
 #include "targets/mesh/mesh_file.hpp"
@@ -44,8 +45,9 @@ TriangleMesh read_mesh_in_mm(const Section& target, const Node& mesh) {
   LengthUnit unit = LengthUnit::mm;
   target.read("units", unit, length_units);
   const std::string name = mesh.text("the path of an OBJ, STL or PLY file");
-  return mesh.located(
-      [&] { return in_mm(read_mesh((std::filesystem::path(mesh.folder()) / name).string()), unit); });
+  const std::string file = (std::filesystem::path(mesh.folder()) / name).string();
+  const HiddenQuotes hidden(file, mesh.folder());
+  return mesh.located([&] { return in_mm(read_mesh(file), unit); });
 }
 
 SurfacePatch read_mesh_surface(const Section& target, const Node& node) {

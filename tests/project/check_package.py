@@ -17,7 +17,7 @@ build, source, scratch = (pathlib.Path(folder).resolve() for folder in sys.argv[
 # documentation, examples, targets.
 DOC = "share/doc/kinetix"
 PROMISED = ["bin/kinetix-opt", "share/man/man1/kinetix-opt.1*", "share/bash-completion/completions/kinetix-opt",
-            "share/kinetix/target.schema.json", "lib/libkinetix_model.a", "lib/kinetix/modules/kinetix-cad.so", "lib/kinetix/modules/kinetix-mesh.so", "include/kinetix/kinetix.hpp",
+            "share/kinetix/target.schema.json", "lib/libkinetix_model.a", "lib/kinetix/modules/kinetix-cad.so", "lib/kinetix/modules/kinetix-read-step", "lib/kinetix/modules/kinetix-mesh.so", "include/kinetix/kinetix.hpp",
             "lib/cmake/kinetix/kinetix-config.cmake", f"{DOC}/README.md", f"{DOC}/docs/formats.md",
             f"{DOC}/examples/fit_curve.cpp", "share/kinetix/targets/shapes/helmet_rib.csv"]
 

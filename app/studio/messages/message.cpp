@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "model/base/invalid_input.hpp"
+#include "targets/document/document.hpp"
+#include "targets/document/json_depth.hpp"
 
 namespace kinetix::app::studio {
 namespace {
@@ -39,10 +41,16 @@ const nlohmann::json& list_of(const nlohmann::json& value, const char* key) {
   return value;
 }
 
+nlohmann::json parsed(std::string_view text) {
+  if (targets::find_too_deep(text))
+    throw InvalidInput("the command is nested too deep; send at most " +
+                       std::to_string(targets::max_document_depth) + " lists and maps in one another");
+  return nlohmann::json::parse(text.begin(), text.end(), nullptr, false);
+}
+
 }  // namespace
 
-Message::Message(std::string_view text)
-    : body_(nlohmann::json::parse(text.begin(), text.end(), nullptr, false)) {
+Message::Message(std::string_view text) : body_(parsed(text)) {
   if (body_.is_discarded() || !body_.is_object()) throw InvalidInput("a command is a JSON object");
   type_ = this->text("type");
   if (has("id")) id_ = number("id", 1, 1e15);

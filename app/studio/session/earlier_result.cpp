@@ -8,6 +8,7 @@
 #include "app/result/same_sheet.hpp"
 #include "app/studio/messages/plain_number.hpp"
 #include "model/base/angle.hpp"
+#include "targets/document/json_depth.hpp"
 #include "targets/document/text_file.hpp"
 
 namespace kinetix::app::studio {
@@ -85,7 +86,9 @@ Json read(const fs::path& file) {
   std::error_code none;
   if (!fs::exists(file, none)) return nullptr;
   try {
-    return Json::parse(targets::read_text_file(file.string(), largest_result), nullptr, false);
+    const std::string text = targets::read_text_file(file.string(), largest_result);
+    if (targets::find_too_deep(text)) return nullptr;
+    return Json::parse(text, nullptr, false);
   } catch (const InvalidInput&) {
     return nullptr;
   }

@@ -160,6 +160,48 @@ TEST(OrigamiFile, FramesInheritFromTheirParents) {
   expect_refused(file("", "\"frame_inherit\": true, \"frame_parent\": 7, "), "frame 1 inherits from one");
 }
 
+TEST(OrigamiFile, IsRefusedWhereItIsNestedTooDeep) {
+  const auto nested = [](int depth, const std::string& open, const std::string& close) {
+    std::string text;
+    for (int k = 0; k < depth; ++k) text += open;
+    text += "1";
+    for (int k = 0; k < depth; ++k) text += close;
+    return text;
+  };
+  const std::string too_deep = "is nested too deep; give a FOLD file of at most 64 lists in one another";
+  for (const int depth : {64, 100'000, 1'000'000}) {  // and one for the file itself
+    expect_refused("{\"a\": " + nested(depth, "[", "]") + "}", too_deep);
+    expect_refused("{\"a\": " + nested(depth, "{\"a\": ", "}") + "}", too_deep);
+    expect_refused("{\"a\": " + nested(depth / 2, "[{\"a\": ", "}]") + "}", too_deep);
+    expect_refused("{\"a\": " + std::string(static_cast<std::size_t>(depth), '['), too_deep);
+  }
+  expect_refused("{\"a\": " + nested(63, "[", "]") + "}", "it has no `vertices_coords`");
+  const std::string good = fold_text(mesh_of(3, 3, 2), 9), version = "\"file_spec\": 1.1";
+  EXPECT_NO_THROW(parse_origami(
+      replaced(good, version, version + ", \"file_title\": \"\\\"" + std::string(100'000, '[') + "\""),
+      "a.fold"));
+  try {
+    parse_origami("{\"a\":\n" + nested(70, "[", "]") + "}", "a.fold");
+    ADD_FAILURE() << "not refused";
+  } catch (const InvalidInput& e) {
+    EXPECT_EQ(e.place().line, 2);
+    EXPECT_EQ(e.place().column, 64);
+  }
+}
+
+/// Each is the parent of the next.
+TEST(OrigamiFile, IsRefusedWhereFramesInheritOverTooMany) {
+  const auto chain = [](int length) {
+    std::string frames;
+    for (int k = length; k > 0; --k)
+      frames += fmt::format("{}{{\"frame_inherit\": true, \"frame_parent\": {}}}", frames.empty() ? "" : ", ",
+                            k == 1 ? 0 : length - k + 2);
+    return "{\"file_frames\": [" + frames + "]}";
+  };
+  expect_refused(chain(20), "it has no `vertices_coords`");
+  for (const int length : {100, 100'000}) expect_refused(chain(length), "or over more than 64 others");
+}
+
 // Four triangles in a ring round vertex 4 are refused as triangles; five quadrilaterals by the vertex between them.
 TEST(OrigamiFile, NamesAnInnerVertexOfAnotherDegree) {
   std::string points = "[0, 0]", faces, edges;

@@ -44,6 +44,16 @@ TEST(StudioMessage, HoldsFilesAsBase64) {
     EXPECT_THROW(from_base64(wrong), InvalidInput) << wrong;
 }
 
+TEST(StudioMessage, IsRefusedWhereItIsNestedTooDeep) {
+  const auto nested = [](std::size_t depth) {
+    return R"({"type": "x", "n": )" + std::string(depth, '[') + std::string(depth, ']') + "}";
+  };
+  EXPECT_NO_THROW(Message(nested(63)));
+  for (const std::size_t depth : {64u, 100'000u, 700'000u})
+    EXPECT_THROW(Message(nested(depth)), InvalidInput);
+  EXPECT_THROW(Message(std::string(100'000, '{')), InvalidInput);
+}
+
 TEST(StudioFrame, HoldsTenNumbersAndSevenABody) {
   app::studio::Frame frame;
   frame.revision = 3;

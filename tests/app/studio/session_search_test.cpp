@@ -180,6 +180,10 @@ TEST_F(Studio, KnowsNoGoalOfADesignThatWasChangedSince) {
     std::ofstream(beside) << other;
     EXPECT_TRUE(app::studio::earlier_result(path, app::read_design(path)).is_null()) << odd;
   }
+  std::string deep = known.dump();
+  deep.insert(deep.size() - 1, ", \"deep\": " + std::string(200'000, '[') + std::string(200'000, ']'));
+  std::ofstream(beside) << deep;
+  EXPECT_TRUE(app::studio::earlier_result(path, app::read_design(path)).is_null()) << "nested too deep";
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+// kinetix-read-step CPU_S BYTES FILE: all solids of a STEP file as solid_bytes.hpp writes them, by OpenCASCADE. It is started by
+// app/cad/step.cpp and may crash.
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
 #include <Message.hxx>
@@ -6,6 +8,7 @@
 #include <Quantity_Color.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <Standard_Failure.hxx>
+#include <Standard_OutOfMemory.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
@@ -17,11 +20,21 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <new>
 #include <stdexcept>
 
-#include "app/cad/step_module.hpp"
+#include "app/cad/solid_bytes.hpp"
+#include "app/io/reader_program.hpp"
 
 namespace kinetix::app::cad {
 namespace {
@@ -84,9 +97,6 @@ class StepModel {
     shapes_ = XCAFDoc_DocumentTool::ShapeTool(document_->Main());
     colours_ = XCAFDoc_DocumentTool::ColorTool(document_->Main());
   }
-  ~StepModel() { XCAFApp_Application::GetApplication()->Close(document_); }
-  StepModel(const StepModel&) = delete;
-  StepModel& operator=(const StepModel&) = delete;
 
   std::vector<FoundSolid> read() {
     TDF_LabelSequence roots;
@@ -151,14 +161,66 @@ class StepModel {
   std::vector<FoundSolid> out_;
 };
 
+/// What the library itself prints must not stand among the bytes. @return where these go
+int take_output() {
+  const int out = dup(STDOUT_FILENO), nowhere = open("/dev/null", O_WRONLY);
+  dup2(nowhere, STDOUT_FILENO);
+  Message::DefaultMessenger()->ChangePrinters().Clear();
+  return out;
+}
+
+/// The hard limit of the system stays: at that of the processor SIGKILL comes, which does not say why.
+void limit(__rlimit_resource resource, rlim_t most) {
+  rlimit now{};
+  getrlimit(resource, &now);
+  now.rlim_cur = std::min(most, now.rlim_max);
+  setrlimit(resource, &now);
+}
+
+/// It ends with the program that started it, which answers Ctrl-C.
+void set_limits(const char* cpu_s, const char* bytes) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  std::signal(SIGINT, SIG_IGN);
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_CPU, std::strtoul(cpu_s, nullptr, 10));
+#ifndef __SANITIZE_ADDRESS__  // it reserves far more addresses than there is memory
+  limit(RLIMIT_AS, std::strtoul(bytes, nullptr, 10));
+#else
+  static_cast<void>(bytes);
+#endif
+}
+
+bool write_all(int to, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(to, bytes.data(), bytes.size());
+    if (count <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
 }  // namespace
 }  // namespace kinetix::app::cad
 
-void kinetix_read_step(const std::string& file, std::vector<kinetix::app::cad::FoundSolid>& solids) {
-  Message::DefaultMessenger()->ChangePrinters().Clear();  // it would write to stdout
+/// Ends by _exit, with the model still there: destructors of what was read from a damaged file may crash as well.
+int main(int argc, char** argv) {
+  if (argc != 4) return 1;
+  using namespace kinetix::app;
+  const auto end = [](ReaderEnd how) { _exit(static_cast<int>(how)); };
+  cad::set_limits(argv[1], argv[2]);
+  const int out = cad::take_output();
   try {
-    solids = kinetix::app::cad::StepModel(file).read();
+    if (!cad::write_all(out, cad::to_bytes((new cad::StepModel(argv[3]))->read()))) abort();
+    end(ReaderEnd::done);
+  } catch (const std::bad_alloc&) {
+    end(ReaderEnd::out_of_memory);
+  } catch (const Standard_OutOfMemory&) {
+    end(ReaderEnd::out_of_memory);
   } catch (const Standard_Failure& e) {
-    throw std::runtime_error(std::string("is damaged: ") + e.GetMessageString());
+    cad::write_all(out, std::string("is damaged: ") + e.GetMessageString());
+    end(ReaderEnd::refused);
+  } catch (const std::exception& e) {
+    cad::write_all(out, e.what());
+    end(ReaderEnd::refused);
   }
 }
