@@ -78,7 +78,7 @@ TEST(StepLength, BeforeTheGoalDoesNotDependOnIt) {
 
 TEST(StepLength, LandsOnTheGoalAtTheFurthest) {
   const StepLength length(usual, -0.5);
-  EXPECT_EQ(length.landing(-0.1, 0.02).theta, -0.12);
+  EXPECT_NEAR(length.landing(-0.1, 0.02).theta, -0.12, 1e-15);
   EXPECT_EQ(length.landing(-0.49, 0.02).theta, -0.5);
   EXPECT_TRUE(length.landing(-0.49, 0.02).to_goal);
   EXPECT_TRUE(length.landing(-0.1, 0.02).is_short);
