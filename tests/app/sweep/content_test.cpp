@@ -22,7 +22,7 @@ Json simulated(const Scratch& scratch, const std::string& design, const std::str
   const std::string out = scratch / "single";
   const Outcome run =
       kinetix_opt("simulate " + scratch.write("single.yaml", design) + " --model " + model + " -o " + out);
-  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(run.code == 0 || run.code == 3) << run.err;  // of walls that meet, too
   return Json::parse(text_of(out + "/result.json"));
 }
 
