@@ -97,7 +97,8 @@ Capital capital(char c, optim::Channel channel) {
   const auto& physics = run.verification->physics;
   out.restless = physics.residual_motion > 0;
   out.read = testing::read_capitals(app::far_view(run.structure, physics.state, testing::as_ink));
-  out.read_before = testing::read_capitals(app::far_view(run.structure, rest_state(run.structure), testing::as_ink));
+  out.read_before =
+      testing::read_capitals(app::far_view(run.structure, rest_state(run.structure), testing::as_ink));
   return out;
 }
 

@@ -13,6 +13,7 @@
 #include "model/base/parallel_runs.hpp"
 #include "targets/display/image_goal.hpp"
 #include "tests/support/qr_reader.hpp"
+#include "tests/support/recogniser.hpp"
 
 namespace kinetix::bench {
 namespace {

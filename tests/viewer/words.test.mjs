@@ -78,7 +78,7 @@ test("the line of status is of the design that is shown", () => inStudio("", asy
   await until(page, () => document.getElementById("status").textContent === "now it moves exactly");
   await page.click("#undo");
   await until(page, () => document.getElementById("status").textContent === "" && !document.getElementById("nearest").hidden);
-  await page.focus("#map svg");
+  await page.$eval("#map svg", (picture) => picture.focus());
   await page.keyboard.press("Enter");
   await until(page, () => /taken away/.test(document.getElementById("status").textContent));
   await page.click("#undo");

@@ -43,13 +43,24 @@ model::State between(const app::PrintPath& path, double part) {
   return out;
 }
 
-/// Without the cell edge that would do.
+app::PrintRequest request_of(const std::string& process, const std::string& hinge = "") {
+  app::PrintRequest request;
+  request.process = process;
+  request.hinge = hinge;
+  return request;
+}
+
+/// Why no print is prepared; nothing where one is.
 std::optional<std::string> refusal(const app::DesignFile& design, const app::PrintRequest& request) {
   const model::Process& process = *model::find_process(request.process);
   std::optional<std::string> why;
   for (const model::HingeKind kind : {model::HingeKind::pin, model::HingeKind::block})
-    if (request.hinge.empty() || request.hinge == to_string(kind))
-      if (why = app::why_unprepared(design, process, {.kind = kind}); !why) break;
+    if (request.hinge.empty() || request.hinge == to_string(kind)) try {
+        prepared(design, process, {.kind = kind}, false);
+        return std::nullopt;
+      } catch (const InvalidInput& e) {
+        why = e.what();
+      }
   return why;
 }
 
@@ -117,23 +128,23 @@ TEST(Folding, HelicesWhoseTurnsCrossBetweenTwoStepsAreRefused) {
                 why.find("come nearer") != std::string::npos)
         << why;
   };
-  beyond(helix(24, 0.35, 35, 25.325, 3), {.process = "polyjet"});
-  beyond(helix(24, 0.35, 35, 25.325, 3), {.process = "polyjet", .hinge = "block"});
-  beyond(helix(24, 0.35, -35, 25.325, 3), {.process = "sla", .hinge = "pin"});
-  beyond(helix(26, 0.35, 35, 25.5, 3, 1), {.process = "polyjet", .hinge = "block"});
+  beyond(helix(24, 0.35, 35, 25.325, 3), request_of("polyjet"));
+  beyond(helix(24, 0.35, 35, 25.325, 3), request_of("polyjet", "block"));
+  beyond(helix(24, 0.35, -35, 25.325, 3), request_of("sla", "pin"));
+  beyond(helix(26, 0.35, 35, 25.5, 3, 1), request_of("polyjet", "block"));
 }
 
 /// The first theta of the message is that of the meshes, to 0.1 degrees.
 TEST(Folding, RefusalNamesThePartsAndWhereTheyMeet) {
   const app::DesignFile design = helix(24, 0.35, 35, 25.325, 3);
-  const std::string why = refusal(design, {.process = "polyjet", .hinge = "block"}).value_or("");
+  const std::string why = refusal(design, request_of("polyjet", "block")).value_or("");
   double theta_deg = 0;
   const auto at = why.find("from theta ");
   ASSERT_NE(at, std::string::npos) << why;
   theta_deg = std::stod(why.substr(at + 11));
   app::DesignFile before = design;
   before.theta = (theta_deg - 0.2) * radians_per_degree;
-  const Judged free = judged(before, {.process = "polyjet", .hinge = "block"});
+  const Judged free = judged(before, request_of("polyjet", "block"));
   EXPECT_EQ(free.refused, "");
   EXPECT_LE(free.crossing.mm, allowed_mm) << free.crossing.first << free.crossing.second;
 }
@@ -198,7 +209,8 @@ TEST(Folding, NoExportOfRandomSheetsCrosses) {
   for (int k = one ? count - 1 : 0; k < count; ++k) {
     std::mt19937 random(1000 + k);
     const app::DesignFile design = random_sheet(random, k);
-    const app::PrintRequest request{.process = processes[random() % 4], .hinge = hinges[random() % 3]};
+    const std::string process = processes[random() % 4];
+    const app::PrintRequest request = request_of(process, hinges[random() % 3]);
     const Judged found = judged(design, request);
     if (many || one)
       std::cout << k << ": theta " << design.theta / radians_per_degree << ", " << request.process << ", "
@@ -224,7 +236,8 @@ TEST(Folding, NoExportOfRandomSheetsCrosses) {
 TEST(Folding, JudgeSeesWhatTheExporterIsNotAskedAbout) {
   const Scratch scratch;
   const app::DesignFile design = read(panel, "panel");
-  app::PrintRequest request{.formats = {"glb"}, .process = "polyjet", .hinge = "block"};
+  app::PrintRequest request = request_of("polyjet", "block");
+  request.formats = {"glb"};
   ASSERT_NO_THROW(export_design(design, request, scratch / "out"));
   const model::ExactMotion exact = exact_motion(design.structure);
   const Crossing beyond = fold_and_compare(

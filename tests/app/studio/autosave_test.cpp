@@ -93,7 +93,7 @@ TEST_F(KilledStudio, KnowsThatATemplateIsOfNoFile) {
 TEST_F(KilledStudio, HasTheResultOfItsSearch) {
   const std::string target =
       "kinetix: 1\nname: arc\ntarget: {kind: curve, points: [[0, 0], [30, 5], [60, 18], [90, 40]]}\n"
-      "structure: {cells: [10, 1], cell_mm: 10}\ntolerance: {shape: 0.5}\n";
+      "structure: {cells: [10, 1], cell_mm: 10}\n";
   json found;
   {
     OpenStudio studio(opened());

@@ -198,10 +198,9 @@ TEST_F(Studio, SavesTheDesignWhereverTheSliderStands) {
 }
 
 TEST_F(Studio, SavesADriveThatEndsWhereItIsShown) {
-  app::DesignFile pressed = file;
+  app::DesignFile pressed = app::studio::template_design("panel");
   pressed.drive.emplace();
-  pressed.drive->axis = model::Axis::x;
-  pressed.drive->compression = 0.1;
+  pressed.drive->compression = 0.3;
   OpenStudio one{pressed};
   Client page{one.port()};
   ASSERT_TRUE(page.open(one.token));
