@@ -87,14 +87,14 @@ TEST(Verdict, ThreeGoesBeforeFourAndWhatWasNotAskedCountsForNothing) {
         }
 }
 
-// Three kinds of goals whose sheets `export` refuses, and what was meant to be printed by another process.
+// Three kinds of goals whose sheets `export` refuses, and walls thinner than the process prints.
 TEST(Verdict, OfASheetThatExportRefusesIsThree) {
   const Scratch scratch;
   const std::string shapes = KINETIX_SOURCE "/targets/shapes/";
   const std::string thin = scratch.write(
       "thin.yaml",
       "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [30, 12], [60, 16], [90, 12], [120, 0]]}\n"
-      "structure: {cells: [12, 1], wall_mm: {thickness: 0.4, height: 6}}\nprocess: fdm\n");
+      "structure: {cells: [12, 1], wall_mm: {thickness: 0.4, height: 6}}\n");
   for (const std::string& file :
        {shapes + "turned_s.yaml", shapes + "disc.yaml", shapes + "handle.yaml", thin}) {
     const std::string out = scratch / fs::path(file).stem().string(), print = out + "_print";
