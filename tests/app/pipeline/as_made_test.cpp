@@ -27,11 +27,11 @@ struct Printed {
   std::string out;
 };
 
-Printed printed(const Scratch& scratch, const std::string& process) {
+Printed printed(const Scratch& scratch, const std::string& process, int code = 0) {
   const std::string folder = scratch / "out";
   const Outcome run =
       kinetix_opt(scratch.write("arc.yaml", made_arc + process) + " -o " + folder + " --no-verify");
-  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_EQ(run.code, code) << run.out << run.err;
   return {Json::parse(text_of(folder + "/result.json")), run.out};
 }
 
@@ -154,8 +154,10 @@ TEST(AsMadeResult, SaysWhatPlayAdds) {
   const Scratch scratch;
   const auto of = [&](const std::string& hinge, const std::string& sd) {
     const Printed one =
-        printed(scratch, "drive: {kind: shape_memory, k_turn: 5}\nhinge: {kind: pin, diameter_mm: 1.5" +
-                             hinge + "}\nprocess: {sd: {" + sd + "}}\n");
+        printed(scratch,
+                "drive: {kind: shape_memory, k_turn: 5}\nhinge: {kind: pin, diameter_mm: 1.5" + hinge +
+                    "}\nprocess: {sd: {" + sd + "}}\n",
+                3);  // its knuckles run into each other on the way
     EXPECT_EQ(schema_errors(one.result), "");
     return one;
   };
@@ -270,7 +272,7 @@ TEST(AsMadeResult, SaysWhetherWallsOfPrintsMayMeet) {
     EXPECT_EQ(one.result["as_made"]["free_of_contact"], is_free) << one.out;
     EXPECT_EQ(one.result["certified"]["covers_theta_printed"], is_free);
     EXPECT_EQ(one.out.find("walls of prints may meet: theta") == std::string::npos, is_free) << one.out;
-    EXPECT_EQ(one.out.find(": holds, but walls may meet") == std::string::npos, is_free) << one.out;
+    EXPECT_EQ(one.out.find("of prints walls touch") == std::string::npos, is_free) << one.out;
   }
 }
 
@@ -299,7 +301,6 @@ TEST(AsMadeResult, ReportsTheShareOfPrintsThatTouch) {
     EXPECT_LT(share, before) << "wider gaps, fewer that touch";
     EXPECT_GE(made["touching_prints"], 100);
     const bool is_free = share <= 0.05;
-    EXPECT_EQ(one.result["certified"]["covers_theta_printed"], true) << "of each wall by itself";
     EXPECT_EQ(made["free_of_contact"], is_free);
     EXPECT_EQ(one.out.find("of prints walls touch") == std::string::npos, is_free) << one.out;
     EXPECT_EQ(one.result["verdict"]["problems"].dump().find("simulated prints") == std::string::npos,
@@ -307,9 +308,6 @@ TEST(AsMadeResult, ReportsTheShareOfPrintsThatTouch) {
     before = share;
   }
   EXPECT_LT(before, 0.02);
-  EXPECT_LT(ring(2.2, "polyjet").result["as_made"]["touching_share"],
-            ring(2.2, "fdm").result["as_made"]["touching_share"])
-      << "finer prints, fewer that touch";
 }
 
 // To first order such a panel shows its letter worse than its prints do.
