@@ -24,8 +24,8 @@ void WaitingTexts::add(Text text) {
   }
   const auto older =
       std::find_if(texts_.begin(), texts_.end(), [&](const Text& one) { return one.type == text.type; });
-  // A design stays in front of the results and paths that came after it and belong to it.
-  if (older != texts_.end() && text.type == "design") {
+  // Results and paths follow the design that they belong to, and a design follows its meshes.
+  if (older != texts_.end() && (text.type == "design" || text.type == "meshes")) {
     *older = std::move(text);
     return;
   }

@@ -86,7 +86,7 @@ TEST(Program, LeavesNoHalfWrittenFileWhenItIsInterruptedOrKilled) {
 
 /// Sixty candidates would take half a minute.
 constexpr const char* long_search = R"(kinetix: 1
-target: {kind: outline, points: [[30, 0], [0, 30], [-30, 0], [0, -30]]}
+target: {kind: outline, points: [[30, 0], [4, 6], [-20, 25], [-8, 0], [-25, -30], [4, -6]]}
 structure: {cells: [36, 36]}
 )";
 

@@ -2,11 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <latch>
-
 #include "app/studio/messages/templates.hpp"
 #include "app/studio/play/shape.hpp"
-#include "app/studio/session/job.hpp"
 #include "model/closure/closure_drive.hpp"
 #include "model/closure/drive_theta.hpp"
 #include "model/linkage/actuators.hpp"
@@ -110,22 +107,6 @@ TEST(StudioEquilibria, StopsOnItsWayWhenItIsTold) {
       why);
   EXPECT_LT(way->states.back().step.theta, 15 * deg);
   EXPECT_NE(why.find("told to stop"), std::string::npos) << why;
-}
-
-/// Would never end if the next piece of work waited for the one before.
-TEST(StudioJob, StartsTheNextPieceOfWorkWithoutWaitingForTheOneBefore) {
-  std::latch next_began(1), both_ended(2);
-  app::studio::Job job;
-  job.start([&](const std::stop_token& stop) {
-    next_began.wait();
-    EXPECT_TRUE(stop.stop_requested());
-    both_ended.count_down();
-  });
-  job.start([&](const std::stop_token&) {
-    next_began.count_down();
-    both_ended.count_down();
-  });
-  both_ended.wait();
 }
 
 }  // namespace
