@@ -17,12 +17,13 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr int cone_variables = 6;   // two turns of the axis, two shifts of it, half angle, radius
+constexpr int cone_variables = 6;   // two turns of the axis, two shifts of it, radius, half angle
 constexpr int cone_directions = 8;  // of the axis in the points' plane, from which the search starts
 constexpr int least_points =
     16;  // a side of the whole grid: fits then have as many points as a picture shows
 // Of the points' size: radius to start from where they hardly bend.
 constexpr double flat_radius = 20;
+constexpr double no_cone = 1e-6;  // sine of a half angle: the tip is then a million sizes away
 
 /// The frame in which points lie about a plane: x and y in it, the origin in their middle, of size 1.
 std::vector<Vector3d> levelled(const std::vector<Vector3d>& points, double& size) {
@@ -40,14 +41,19 @@ std::vector<Vector3d> levelled(const std::vector<Vector3d>& points, double& size
 /// Distances of points from a cone near to a cylinder to start from.
 class ConeProblem final : public LeastSquaresProblem {
  public:
-  ConeProblem(const std::vector<Vector3d>& points, const Vector3d& axis, double radius)
-      : points_(points), axis_(axis), across_(Vector3d::UnitZ().cross(axis)), radius_(radius) {
+  /// @param widens whether it may be a cone; else it is a cylinder
+  ConeProblem(const std::vector<Vector3d>& points, const Vector3d& axis, double radius, bool widens)
+      : points_(points),
+        axis_(axis),
+        across_(Vector3d::UnitZ().cross(axis)),
+        radius_(radius),
+        widens_(widens) {
     constexpr double none = std::numeric_limits<double>::infinity();
-    lower_ = VectorXd::Constant(cone_variables, -none);
-    upper_ = VectorXd::Constant(cone_variables, none);
+    lower_ = VectorXd::Constant(variables(), -none);
+    upper_ = VectorXd::Constant(variables(), none);
   }
 
-  int variables() const override { return cone_variables; }
+  int variables() const override { return widens_ ? cone_variables : cone_variables - 1; }
   int residuals() const override { return static_cast<int>(points_.size()); }
   const VectorXd& lower() const override { return lower_; }
   const VectorXd& upper() const override { return upper_; }
@@ -55,28 +61,55 @@ class ConeProblem final : public LeastSquaresProblem {
   bool evaluate(const VectorXd& x, VectorXd& r, Eigen::MatrixXd* J) const override {
     using Dual = ceres::Jet<double, cone_variables>;
     Dual at[cone_variables];
-    for (int k = 0; k < cone_variables; ++k) at[k] = Dual(x[k], k);
-    const Eigen::Matrix<Dual, 3, 1> a =
-        (axis_.cast<Dual>() + at[0] * across_.cast<Dual>() + at[1] * Vector3d::UnitZ().cast<Dual>())
-            .normalized();
-    const Eigen::Matrix<Dual, 3, 1> b =
-        at[2] * across_.cast<Dual>() + (Dual(-radius_) + at[3]) * Vector3d::UnitZ().cast<Dual>();
-    const double side = radius_ < 0 ? -1 : 1;  // the points lie above or below the axis
+    for (int k = 0; k < variables(); ++k) at[k] = Dual(x[k], k);
+    const Vector<Dual> a = axis_at(at), b = place_at(at);
     r.resize(residuals());
-    if (J) J->resize(residuals(), cone_variables);
+    if (J) J->resize(residuals(), variables());
     for (int k = 0; k < residuals(); ++k) {
-      const Eigen::Matrix<Dual, 3, 1> w = points_[k].cast<Dual>() - b;
-      const Dual d = cos(at[4]) * w.cross(a).norm() - sin(at[4]) * w.dot(a) - (Dual(side * radius_) + at[5]);
+      const Vector<Dual> w = points_[k].cast<Dual>() - b;
+      const Dual d = cos(at[5]) * w.cross(a).norm() - sin(at[5]) * w.dot(a) - radius_at(at);
       r[k] = d.a;
-      if (J) J->row(k) = d.v.transpose();
+      if (J) J->row(k) = d.v.head(variables()).transpose();
     }
     return r.allFinite() && (!J || J->allFinite());
   }
 
+  /// Whether the tip of the cone lies over the points, where a sheet that bends one way cannot have one: then they do not lie
+  /// within half a turn as seen from it, in their plane.
+  bool has_tip_inside(const VectorXd& x) const {
+    const double sine = widens_ ? std::sin(x[5]) : 0;
+    if (std::abs(sine) < no_cone) return false;
+    const Vector3d tip = place_at(x.data()) - radius_at(x.data()) / sine * axis_at(x.data());
+    std::vector<double> angles;
+    for (const Vector3d& p : points_) angles.push_back(std::atan2(p.y() - tip.y(), p.x() - tip.x()));
+    std::sort(angles.begin(), angles.end());
+    double gap = angles.front() + 2 * pi - angles.back();
+    for (std::size_t k = 1; k < angles.size(); ++k) gap = std::max(gap, angles[k] - angles[k - 1]);
+    return !(gap > pi);
+  }
+
  private:
+  template <class T>
+  using Vector = Eigen::Matrix<T, 3, 1>;
+
+  template <class T>
+  Vector<T> axis_at(const T* x) const {
+    return (axis_.cast<T>() + x[0] * across_.cast<T>() + x[1] * Vector3d::UnitZ().cast<T>()).normalized();
+  }
+  template <class T>
+  Vector<T> place_at(const T* x) const {
+    return x[2] * across_.cast<T>() + (T(-radius_) + x[3]) * Vector3d::UnitZ().cast<T>();
+  }
+  /// About that place; the points lie above or below it.
+  template <class T>
+  T radius_at(const T* x) const {
+    return T(std::abs(radius_)) + x[4];
+  }
+
   const std::vector<Vector3d>& points_;
   Vector3d axis_, across_;
   double radius_;
+  bool widens_;
   VectorXd lower_, upper_;
 };
 
@@ -134,9 +167,11 @@ double rms_from_best_cone(const std::vector<Vector3d>& points) {
   for (int k = 0; k < cone_directions; ++k) {
     const double angle = pi * k / cone_directions;
     const Vector3d axis(std::cos(angle), std::sin(angle), 0);
-    const ConeProblem problem(level, axis, radius_across(level, axis));
-    const SolveResult found = solve(problem, VectorXd::Zero(cone_variables), options);
-    least = std::min(least, found.residual_norm);
+    for (const bool widens : {false, true}) {
+      const ConeProblem problem(level, axis, radius_across(level, axis), widens);
+      const SolveResult found = solve(problem, VectorXd::Zero(problem.variables()), options);
+      if (!problem.has_tip_inside(found.x)) least = std::min(least, found.residual_norm);
+    }
   }
   return least * size / std::sqrt(static_cast<double>(points.size()));
 }

@@ -18,7 +18,7 @@ std::vector<Eigen::Vector3d> points_below(const targets::SurfacePatch& surface,
 
 /// Least rms distance of points from any cylinder or cone, mm: what a sheet of paper that bends one way can do. A cone of axis a
 /// through b, of half angle w and radius r about b: d = cos w |(p - b) x a| - sin w (p - b) . a - r, a cylinder where w
-/// is 0. By least squares from eight directions of a. @pre at least 7 points, not all on one line
+/// is 0. Cones whose tip lies over the points do not count: a tip is curved both ways. By least squares from eight directions of a. @pre at least 7 points, not all on one line
 double rms_from_best_cone(const std::vector<Eigen::Vector3d>& points);
 
 }  // namespace kinetix::optim

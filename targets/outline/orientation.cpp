@@ -1,6 +1,7 @@
 #include "targets/outline/orientation.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -17,6 +18,8 @@ constexpr int most_folds = 6;  // of a rotational symmetry that still has a dire
 // Of the moment of |z|^n: below, an outline is as good as unchanged by turning, as a disc of 24 points is.
 constexpr double vanishing = 1e-3;
 constexpr double same_reach = 1e-9;  // of the moment of |z|^3: rounding
+constexpr double aside =
+    0.3;  // rad: first points that lie between two directions of a shape seldom lie so far off
 
 /// Moments of the area within an outline about its middle, mm^(n + 2).
 struct AreaMoments {
@@ -56,18 +59,35 @@ AreaMoments moments_of(const Outline& outline) {
 
 std::optional<double> direction_of(const Outline& outline) {
   const AreaMoments moments = moments_of(outline);
+  const Vector2d first = outline.points().front() - outline.middle();
+  const Complex from_middle(first.x(), first.y());
   for (int n = 2; n <= most_folds; ++n) {
     if (!(std::abs(moments.of_power[n]) > vanishing * std::abs(moments.of_size[n]))) continue;
-    const double first = std::arg(moments.of_power[n]) / n;
-    double best = first, most = -INFINITY;
+    double best = 0, most = -INFINITY, nearest = -INFINITY;
     for (int k = 0; k < n; ++k) {
-      const double angle = first + 2 * pi * k / n;
+      const double angle = (std::arg(moments.of_power[n]) + 2 * pi * k) / n;
       const double far = (moments.lopsided * std::polar(1.0, -angle)).real();
-      if (far > most + same_reach * moments.of_size[3]) best = angle, most = far;
+      const double near = (from_middle * std::polar(1.0, aside - angle)).real();
+      const double same = same_reach * moments.of_size[3];
+      if (far < most - same || (far <= most + same && near <= nearest)) continue;
+      best = angle, most = far, nearest = near;
     }
     return std::remainder(best, 2 * pi);
   }
   return std::nullopt;
+}
+
+double smallest_diagonal(const Outline& outline) {
+  const auto diagonal = [&](double angle) {
+    const Eigen::Rotation2Dd turn(angle);
+    Eigen::AlignedBox2d box;
+    for (const Vector2d& p : outline.points()) box.extend(turn * p);
+    return box.sizes().norm();
+  };
+  const std::optional<double> direction = direction_of(outline);
+  if (!direction) return diagonal(0);
+  // Those of a quarter of a turn more are the same boxes.
+  return std::min(diagonal(-*direction), diagonal(pi / 4 - *direction));
 }
 
 Outline turned(const Outline& outline, double angle) {

@@ -6,6 +6,7 @@
 
 #include "targets/curve/polyline_checks.hpp"
 #include "targets/curve/polyline_closest_point.hpp"
+#include "targets/outline/orientation.hpp"
 
 namespace kinetix::targets {
 namespace {
@@ -31,17 +32,14 @@ Outline::Outline(std::vector<Vector2d> points) : points_(std::move(points)) {
     loop.push_back(points_.front());
   }
   area_ = std::abs(twice) / 2;
-  Vector2d low = points_[0], high = points_[0];
   arc_.push_back(0);
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const Vector2d &a = loop[k], &b = loop[k + 1];
     arc_.push_back(arc_.back() + (b - a).norm());
     middle_ += cross_product(a - loop[0], b - loop[0]) * ((a - loop[0]) + (b - loop[0]));
-    low = low.cwiseMin(a);
-    high = high.cwiseMax(a);
   }
   middle_ = loop[0] + middle_ / (6 * area_);
-  diagonal_ = (high - low).norm();
+  diagonal_ = smallest_diagonal(*this);
 }
 
 Vector2d Outline::at(double s) const {

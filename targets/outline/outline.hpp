@@ -15,9 +15,9 @@ class Outline {
 
   /// Each once.
   const std::vector<Eigen::Vector2d>& points() const { return points_; }
-  double perimeter() const { return arc_.back(); }           ///< mm
-  double area() const { return area_; }                      ///< mm2
-  double diagonal() const { return diagonal_; }              ///< of the axis-aligned bounding box, mm
+  double perimeter() const { return arc_.back(); }  ///< mm
+  double area() const { return area_; }             ///< mm2
+  double diagonal() const { return diagonal_; }     ///< of its smaller bounding box (smallest_diagonal), mm
   const Eigen::Vector2d& middle() const { return middle_; }  ///< of its area
 
   /// Point at arc length s, mm, from its first point; s is taken round and round.

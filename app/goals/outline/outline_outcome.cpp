@@ -58,7 +58,7 @@ void OutlineOutcome::add_sections(const Run& run, Json& result) const {
                   {"rim", rim},
                   {"size", size(edge)},
                   {"lattice_deg", -to_degrees(turn)},
-                  {"diagonal_mm", size(edge) * laid.diagonal()},
+                  {"diagonal_mm", size(edge) * file.folded.diagonal()},
                   {"exact", error_json(design.error)},
                   {"offset_mm", design.offset * edge},
                   {"turn", design.shift},
@@ -105,7 +105,7 @@ std::vector<SummaryLine> OutlineOutcome::summary_lines(const Run& run) const {
       {"outline",
        fmt::format("rim {:.2f} % of the diagonal off the outline (rms, {:.3f} mm), area {:.1f} % "
                    "shared, {}: {}",
-                   100 * error().rms, error().rms * size(edge) * laid.diagonal(), 100 * error().iou,
+                   100 * error().rms, error().rms * size(edge) * file.folded.diagonal(), 100 * error().iou,
                    size_words(size(edge)), verdict(app::violations(file, error(), "").empty()))});
   if (file.flat)
     lines.push_back(

@@ -13,8 +13,7 @@ class OutlineOutcome final : public GoalOutcome {
   explicit OutlineOutcome(OutlineFile asked) : file(std::move(asked)) {}
 
   OutlineFile file;
-  targets::Outline laid = file.folded;  ///< the outline, turned as it lies on the panel
-  double turn = 0;                      ///< by which, rad
+  double turn = 0;  ///< of the outline as it lies on the lattice from where it was drawn, rad
   optim::OutlineDesign design;
   int cuts = 0;                                  ///< of the lattice that were tried
   std::vector<int> rim;                          ///< bodies round the outside, counter-clockwise

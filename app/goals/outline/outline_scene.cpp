@@ -5,7 +5,6 @@
 #include "app/pipeline/exact_state.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/sheet/sheet_motion.hpp"
-#include "targets/outline/orientation.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -14,12 +13,12 @@ model::Pose turned_about_z(double angle) {
   return {Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix(), Eigen::Vector3d::Zero()};
 }
 
-/// Of a state anywhere in space, laid over the exact one, as on the lattice: diagonals do not depend on the drawing.
+/// Of a state anywhere in space, laid over the exact one.
 targets::OutlineError error_of(const OutlineOutcome& outline, const model::State& state, double edge_mm) {
-  const model::State on_lattice = moved(aligned(state, outline.exact), turned_about_z(outline.turn));
+  const model::State placed = aligned(state, outline.exact);
   std::vector<Eigen::Vector2d> rim;
-  for (const int body : outline.rim) rim.push_back(on_lattice[body].p.head<2>());
-  return outline_error(targets::turned(targets::Outline(outline.placed(edge_mm)), outline.turn), rim);
+  for (const int body : outline.rim) rim.push_back(placed[body].p.head<2>());
+  return outline_error(targets::Outline(outline.placed(edge_mm)), rim);
 }
 
 /// Families lay a sheet down each in their own place, and the search has the outline as it lies on the lattice: the outline
@@ -74,7 +73,6 @@ class OutlineScene final : public Scene {
     outline->design = std::move(found.design);
     outline->cuts = found.cuts;
     outline->turn = found.turn;
-    outline->laid = targets::turned(file_.folded, found.turn);
     outline->rim = outer_rim(outline->design.panel.graph).vertices;
     outline->violations = all_violations(file_, *outline, "model");
     run.structure = std::move(found.sheet);
@@ -111,8 +109,7 @@ class OutlineScene final : public Scene {
     const targets::Outline goal(outline.placed(run.structure.size().edge_mm));
     const model::Pose motion = motion_onto(state, outline.exact);
     const model::State placed = moved(state, motion);
-    Judged out{{},
-               file_.shape_tolerance * outline.size(run.structure.size().edge_mm) * outline.laid.diagonal()};
+    Judged out{{}, file_.shape_tolerance * goal.diagonal()};
     for (const int body : outline.rim) {
       const Eigen::Vector3d& place = placed[body].p;
       const targets::Outline::Nearest at = goal.nearest(place.head<2>());

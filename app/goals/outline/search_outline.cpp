@@ -1,5 +1,6 @@
 #include "app/goals/outline/search_outline.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,7 +26,8 @@ constexpr double same_size = 1e-3;      // ratio: walls and offsets in mm are th
 constexpr std::size_t most_cuts = 12;   // that are fitted: as many as one way to lay the outline has
 constexpr double as_drawn = 1e-9;       // rad: an outline that lies so on the lattice is not turned at all
 constexpr double as_good = 0.01;        // ratio of misses: mirror images differ by less
-constexpr double same_miss = 1e-9;      // ratio: cuts that are turned into each other
+constexpr double same_miss =
+    1e-6;  // of cuts that are turned into each other: their order is then the same, however drawn
 
 /// Of the panel that these cells make, mm, as long as nothing is known but areas.
 double edge_of(const OutlineFile& file, const Cells& cells) {
@@ -171,9 +173,10 @@ class OutlineSearch {
         lays.push_back({turn, std::move(cells)});
     if (lays.size() > most_cuts || file_.columns * file_.rows > most_tried_cells) {
       measure_at_rest(file_.folded, lays);
+      for (Lay& lay : lays) lay.miss = std::round(lay.miss / same_miss) * same_miss;
       std::stable_sort(lays.begin(), lays.end(), [](const Lay& a, const Lay& b) { return a.miss < b.miss; });
       const auto is_same = [](const Lay& a, const Lay& b) {
-        return a.cells.size() == b.cells.size() && std::abs(a.miss - b.miss) <= same_miss * b.miss;
+        return a.cells.size() == b.cells.size() && a.miss == b.miss;
       };
       lays.erase(std::unique(lays.begin(), lays.end(), is_same), lays.end());
       lays.resize(

@@ -96,6 +96,24 @@ SurfaceDesign layered(const targets::SurfacePatch& patch, int facets, double lay
   return out;
 }
 
+// A cone with its tip in the middle is four times nearer to a cap than any cylinder.
+TEST(BestCone, HasNoTipOverThePoints) {
+  const targets::SurfacePatch cap = targets::cap_patch(100, 40 * radians_per_degree);
+  const double usual = rms_from_best_cone(on_patch(cap));
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> part(-1, 1);
+  for (int trial = 0; trial < 5; ++trial) {
+    targets::PointGrid grid{8, 8, {}};
+    for (int j = 0; j <= 8; ++j)
+      for (int i = 0; i <= 8; ++i) {
+        const double x = 12.5 * (i - 4) + 3 * part(random), y = 12.5 * (j - 4) + 3 * part(random);
+        grid.points.emplace_back(x, y, cap.height({x, y}).z + (i % 2 ? 4 : -4));
+      }
+    EXPECT_NEAR(rms_from_best_cone(points_below(cap, grid)), usual, 0.15 * usual);
+  }
+  EXPECT_LE(rms_from_best_cone(cone(0.6, 5, 60, 0.5, 2.5)), 0.07);  // its tip just outside
+}
+
 TEST(MiddleOf, AZigzagSheetIsTheSurfaceBetweenItsLayers) {
   for (const targets::SurfacePatch& patch : {targets::cap_patch(100, 0.7), targets::saddle_patch(100, 0.2)}) {
     const targets::PointGrid middle = middle_of(layered(patch, 8, 3));

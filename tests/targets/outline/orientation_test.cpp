@@ -43,7 +43,7 @@ TEST(DirectionOf, AnOutlineTurnsWithItAllRound) {
                                           {{0, 0}, {40, 0}, {40, 40}, {0, 40}},
                                           {{0, 0}, {50, 0}, {20, 10}},
                                           {{0, 0}, {20, 0}, {20, 10}, {10, 10}, {10, 20}, {0, 20}}};
-  const double periods[] = {2 * pi, pi / 2, 2 * pi, pi};  // the last is its own mirror image across its axis
+  const double periods[] = {2 * pi, pi / 2, 2 * pi, 2 * pi};
   for (int shape = 0; shape < 4; ++shape) {
     const Outline outline(shapes[shape]);
     const double first = direction_of(outline).value();
@@ -56,6 +56,14 @@ TEST(DirectionOf, AnOutlineTurnsWithItAllRound) {
 TEST(DirectionOf, AnEllipseIsItsLongAxisAndASquareItsDiagonal) {
   EXPECT_LE(apart(direction_of(wavy(2, 0.1, 0.4)).value(), 0.4, pi), 1e-6);
   EXPECT_LE(apart(direction_of(Outline({{0, 0}, {9, 0}, {9, 9}, {0, 9}})).value(), pi / 4, pi / 2), 1e-12);
+}
+
+TEST(SmallestDiagonal, IsThatOfTheBoxAsDrawnSquareAndTurnsWithIt) {
+  const Outline rectangle({{0, 0}, {60, 0}, {60, 40}, {0, 40}}), square({{0, 0}, {30, 0}, {30, 30}, {0, 30}});
+  for (const double angle : {0.0, 0.3, pi / 4, 2.0}) {
+    EXPECT_NEAR(turned(rectangle, angle).diagonal(), std::hypot(60, 40), 1e-9);
+    EXPECT_NEAR(turned(square, angle).diagonal(), std::hypot(30, 30), 1e-9);
+  }
 }
 
 TEST(Turned, KeepsAreaAndPerimeter) {

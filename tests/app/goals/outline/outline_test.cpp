@@ -284,7 +284,7 @@ TEST(Outline, IsTheSameForAnyNumberOfThreads) {
 TEST(Outline, SaysWhatHoldsARimBack) {
   app::Run run = run_of(target(ring(100, 120, 40), "structure: {cells: [6, 6]}\n"), false);
   EXPECT_FALSE(run.goal->met());
-  EXPECT_THAT(run.goal->violations.front(), HasSubstr("off the outline"));
+  EXPECT_THAT(run.goal->violations.front(), HasSubstr("of the area is shared"));
   std::string lines;
   for (const auto& [label, words] : run.goal->summary_lines(run)) lines += label + ": " + words + "\n";
   EXPECT_THAT(lines, HasSubstr("of the walls have the largest offset"));

@@ -49,7 +49,7 @@ TEST(SurfaceGoal, FoldsASheetOntoASaddle) {
 TEST(SurfaceGoal, LaysRibsOverAClosedMesh) {
   const testing::TemporaryFolder folder;
   folder.write("ball.obj", testing::obj_text(testing::ellipsoid({60, 40, 40})));
-  const Target target = read(folder, ", mesh: ball.obj, ribs: 4");
+  const Target target = read(folder, ", mesh: ball.obj, ribs: 4", "tolerance: {covered_share: 0.2}\n");
   const auto run = run_scene(*target.goal, {});
   const auto& outcome = outcome_of<RibsOutcome>(run);
   EXPECT_TRUE(outcome.met());
