@@ -72,7 +72,8 @@ targets::KeyTable tolerance_keys(const SurfaceFile& usual) {
       {"curvature_share", value::number(share), targets::by_default(usual.curvature_tolerance),
        "of a sheet: least of [curvature_share](#curvature_share), where the surface curves both ways by more "
        "than 0.1 sr"},
-      {"covered_share", value::number(share), targets::by_default(usual_covered_share),
+      {"covered_share", value::number(share),
+       targets::otherwise(targets::shortest_text(usual_covered_share) + " with `target.ribs`"),
        "of ribs: least of [covered_share](#covered_share)"},
       {"verify", value::number(targets::part_of_one), targets::by_default(usual.verify_tolerance),
        "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
