@@ -253,8 +253,7 @@ TEST(SweepTable, WithAnyBitFlippedGivesTheSameNumbersOrIsRefused) {
   ASSERT_EQ(run_sweep_in(scratch, grid).code, 0);
   const std::string before = text_of(scratch / "out/samples.csv"),
                     table = text_of(scratch / "out/sweep.sqlite");
-  const std::size_t rows = table.find("ok", table.size() / 2);  // SQLite fills a page from its end
-  ASSERT_NE(rows, std::string::npos);
+  ASSERT_GT(table.size(), 31u * 24);  // SQLite fills a page from its end
   int damaged = 0;
   for (std::size_t k = 0; k < 24; ++k) {
     std::string other = table;
