@@ -166,10 +166,12 @@ struct Fitted {
 };
 
 /// Pins where they fit, else blocks. @param choice whose kind does not count
-Fitted fitted(const Order& order, PrintChoice choice) {
+/// @param tells_no_pins with the reason where blocks take the place of pins, which takes longer
+Fitted fitted(const Order& order, PrintChoice choice, bool tells_no_pins) {
   choice.kind = model::HingeKind::pin;
-  Fitted out{choice, best_attempt(order, choice)};
-  if (out.attempt.print || !leaves_hinges_open(order.design)) return out;
+  const bool are_open = leaves_hinges_open(order.design);
+  Fitted out{choice, best_attempt(order, choice, are_open && !tells_no_pins)};
+  if (out.attempt.print || !are_open) return out;
   choice.kind = model::HingeKind::block;
   out = {choice, best_attempt(order, choice), std::move(out.attempt.reason)};
   if (!out.attempt.print)
@@ -215,7 +217,7 @@ PreparedPrint prepared(const DesignFile& design, const model::Process& process, 
 PreparedPrint prepared_as_fits(const DesignFile& design, const model::Process& process, PrintChoice choice,
                                bool folded) {
   const Order order{design, process, folded};
-  Fitted found = fitted(order, choice);
+  Fitted found = fitted(order, choice, true);
   if (!found.attempt.print) refuse(order, found.attempt, found.choice);
   if (found.choice.kind == model::HingeKind::block)
     found.attempt.print->job.sheet.warnings.push_back("hinges are blocks, as pins do not fit: " +
@@ -224,7 +226,7 @@ PreparedPrint prepared_as_fits(const DesignFile& design, const model::Process& p
 }
 
 PrintAnswer answer_as_fits(const DesignFile& design, const model::Process& process) {
-  const Fitted found = fitted({design, process, false}, {});
+  const Fitted found = fitted({design, process, false}, {}, false);
   if (!found.attempt.print) return {false, named_kinds(design, found.choice.kind), found.attempt.reason};
   return {true, named_kinds(found.attempt.print->job.sheet)};
 }
