@@ -15,6 +15,7 @@ PathTracer::PathTracer(const DrivenLinkage& driven, const Elasticity& elasticity
       check_(system_, options.longest_jump),
       length_(options, driven.drive.theta()),
       record_(system_, closed_form_, head_, options, frame),
+      retrace_(driven, elasticity, options),
       stop_(options.stop) {}
 
 EquilibriumPath PathTracer::run() {
@@ -35,8 +36,9 @@ bool PathTracer::advance(const NextStep& next) {
   const State prediction = head_.predicted(next.theta);
   Trial trial = solver_.find(next, head_, prediction);
   record_.count(trial.iterations);
-  const StepFaults faults = check_.faults(head_.state(), prediction, trial);
-  if (const auto permitted = check_.permitted(next, record_.last(), trial, faults)) {
+  StepFaults faults = check_.faults(head_.state(), prediction, trial);
+  auto permitted = check_.permitted(next, record_.last(), trial, faults);
+  if (permitted && look_back(next, trial, multiplier, *permitted, faults)) {
     take(std::move(trial), *permitted, faults.jump);
     return true;
   }
@@ -44,6 +46,17 @@ bool PathTracer::advance(const NextStep& next) {
   system_.elastic.set_multiplier(multiplier);
   head_.restore_tangent();
   return false;
+}
+
+bool PathTracer::look_back(const NextStep& next, const Trial& trial, double multiplier,
+                           PermittedStep& permitted, StepFaults& faults) {
+  const bool left_flat = head_.theta() == 0 && system_.leaves_flat_to_a_side();
+  if (left_flat || !(permitted.snapped || trial.descent || trial.newton.met_negative)) return true;
+  const Retrace::Finding found = retrace_.back({trial.state, trial.theta, system_.elastic.multiplier()},
+                                               {head_.state(), head_.theta(), multiplier});
+  faults.mirrored = found == Retrace::Finding::mirrored;
+  if (found != Retrace::Finding::unknown) permitted.snapped = found == Retrace::Finding::lossy;
+  return !faults.mirrored && (!permitted.snapped || next.is_short);
 }
 
 void PathTracer::take(Trial trial, const PermittedStep& permitted, double jump) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/elastic/path/path_record.hpp"
+#include "model/elastic/path/retrace.hpp"
 #include "model/elastic/path/step_check.hpp"
 #include "model/elastic/path/step_length.hpp"
 #include "model/elastic/path/step_solver.hpp"
@@ -21,6 +22,10 @@ class PathTracer {
  private:
   /// One step. @return whether it was taken
   bool advance(const NextStep& next);
+  /// Goes back from where a step jumped, left a branch or met a state that is no minimum: it snapped if the way back ends in
+  /// another state of other energy. @param multiplier of the head   @return whether the step may still be taken
+  bool look_back(const NextStep& next, const Trial& trial, double multiplier, PermittedStep& permitted,
+                 StepFaults& faults);
   void take(Trial trial, const PermittedStep& permitted, double jump);
   void refuse(const NextStep& next, const Trial& trial, const StepFaults& faults);
 
@@ -31,6 +36,7 @@ class PathTracer {
   const StepCheck check_;
   StepLength length_;
   PathRecord record_;
+  Retrace retrace_;
   std::stop_token stop_;
   Refusal refusal_;  ///< of the last step that was not taken
 };

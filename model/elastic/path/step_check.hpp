@@ -20,7 +20,7 @@ struct StepFaults {
 /// A step that may be taken.
 struct PermittedStep {
   EquilibriumStep step;
-  bool snapped = false;  ///< to another state at nearly the same drive
+  bool snapped = false;  ///< to another state at nearly the same drive, and some energy is lost
 };
 
 /// Whether a path may step to a trial state.
