@@ -220,10 +220,16 @@ TEST_F(Studio, OutlivesASaveIntoAPlaceThatIsGone) {
 }
 
 TEST_F(Studio, RefusesASheetThatNoPageCanShow) {
-  client.send(
-      R"({"type": "open", "yaml": "kinetix: 1\nstructure: {cells: [600, 600]}\ndesign: {theta_deg: 0}\n"})");
-  EXPECT_THAT(client.text("error")["message"].get<std::string>(), ::testing::HasSubstr("361201 bodies"));
-  EXPECT_FALSE(client.ask({{"type", "release"}}).closed);
+  app::DesignFile large = file;
+  large.structure.squares()->bodies.resize(app::studio::most_bodies);
+  EXPECT_NO_THROW(app::studio::require_showable(large));
+  large.structure.squares()->bodies.resize(app::studio::most_bodies + 1);
+  try {
+    app::studio::require_showable(large);
+    ADD_FAILURE() << "it is opened";
+  } catch (const InvalidInput& e) {
+    EXPECT_THAT(e.what(), ::testing::HasSubstr("300001 bodies"));
+  }
 }
 
 TEST_F(Studio, ForgetsTheOldestStepsOfLargeSheets) {
