@@ -34,7 +34,7 @@ constexpr targets::Word<JointWord> joint_words[] = {
 const targets::Bounds turn_bounds = targets::between(-180, 180, "degrees");
 // Of distances from the middle: to nothing, or a hundred times as far.
 const targets::Bounds expand_bounds = targets::from_to(0.01, 100);
-// Of distances from poses.
+// Cell edges, rms distances from poses.
 const targets::Bounds pull_bounds = targets::from_to(1e-9, 100, "cell edges");
 // Of a confidence, dimensionless.
 const targets::Bounds share = targets::from_to(0, 1);

@@ -4,12 +4,13 @@
 #include <set>
 
 #include "app/assembly/assembly_run.hpp"
+#include "app/pipeline/verify.hpp"
 #include "app/run/drive_end.hpp"
 
 namespace kinetix::app {
 namespace {
 
-// Of the way to the poses: the play that files leave by rounding moves bodies by up to 3 % of it, mechanisms by all of it.
+// Part of the way to the poses: rounding of files lets bodies move by up to 3 % of it, mechanisms by all of it.
 constexpr double least_way = 0.05;
 
 std::string kinds_of(const model::Assembly& assembly) {
@@ -28,7 +29,7 @@ double way_of(const AssemblyRun& run) {
   return most;
 }
 
-/// Why the bodies do not come to the poses that they are pulled to.
+/// Reasons why the bodies do not reach the poses that they are pulled to.
 std::vector<std::string> pull_reasons(const AssemblyRun& run) {
   const double allowed = run.file.pull_tolerance;
   const model::Deployment& pull = *run.deployment;
@@ -46,7 +47,7 @@ std::vector<std::string> pull_reasons(const AssemblyRun& run) {
 std::vector<std::string> drive_reasons(const AssemblyRun& run) {
   if (run.model == Model::equilibrium) {
     if (run.equilibrium->stop == model::EquilibriumPath::Stop::reached) return {};
-    return {"the drive stops on its way, " + in_words(run.equilibrium->stop) + ": " + run.equilibrium->why};
+    return {drive_stop_reason(*run.equilibrium)};
   }
   if (!run.motion.reached) return {closure_words(run)};
   if (run.file.poses) return pull_reasons(run);
@@ -58,8 +59,7 @@ std::vector<std::string> drive_reasons(const AssemblyRun& run) {
 std::vector<std::string> agreement_reasons(const AssemblyRun& run) {
   const Verification& v = *run.verification;
   if (v.agrees) return {};
-  if (v.physics.status != sim::PhysicsResult::Status::settled)
-    return {fmt::format("the simulation failed, {}: {}", to_string(v.physics.status), v.physics.why)};
+  if (!is_settled(v)) return {failed_simulation_reason(v)};
   return {fmt::format("the simulation ends {:.3g} cell edges (rms) from the closed state; {:g} are allowed",
                       v.distance.rms, GoalSettings::usual_verify)};
 }

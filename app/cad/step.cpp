@@ -11,7 +11,7 @@
 namespace kinetix::app::cad {
 namespace {
 
-// Of the processor, s: files of this program take 1 s a MiB, and damaged ones that crash do so at once.
+// Seconds of the processor: files of this program take 1 s a MiB, and damaged ones that crash do so at once.
 constexpr unsigned long least_s = 20, s_per_mebibyte = 10;
 constexpr unsigned long most_bytes = 4ul << 30;  // bytes, 4 GiB: of addresses, the libraries' among them
 

@@ -18,7 +18,7 @@ void load();
 /// @throws std::runtime_error where the module is missing, or where pieces of a shape are no solid together
 std::string step_text(const Product& product);
 
-/// All solids of a STEP file, in mm; of its assemblies at their places. Read by kinetix-read-step, a process of its own
+/// All solids of a STEP file, in mm; of its assemblies at their places. Read by kinetix-read-step, a separate process
 /// (app/io/reader_program.hpp): one flipped bit in six crashes OpenCASCADE, which uses null handles before it checks them.
 /// @throws InvalidInput without a place for a file that is damaged or too large
 /// @throws std::runtime_error where kinetix-read-step is missing

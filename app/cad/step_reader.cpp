@@ -161,7 +161,7 @@ class StepModel {
   std::vector<FoundSolid> out_;
 };
 
-/// What the library itself prints must not stand among the bytes. @return where these go
+/// Keeps what the library prints out of the bytes. @return where the bytes go
 int take_output() {
   const int out = dup(STDOUT_FILENO), nowhere = open("/dev/null", O_WRONLY);
   dup2(nowhere, STDOUT_FILENO);

@@ -70,7 +70,6 @@ nlohmann::ordered_json json_of(const Forecast& f) {
 }
 
 std::optional<CheckedContact> contact_of(const DesignFile& design, const Scene& scene) {
-  if (design.structure.bodies() > most_bodies_for_contact) return std::nullopt;
   const model::ExactMotion exact = exact_motion(design.structure);
   if (!exact || scene.model() == Model::equilibrium) return std::nullopt;
   Run sheet;
@@ -120,12 +119,10 @@ CheckedFile check_file(const std::string& file) {
   if (is_assembly(root)) return {file, "design", read_assembly(root).name};
   const DesignFile design = read_design(root);
   const auto scene = make_scene(design, Model::bullet);
-  CheckedFile out{.file = file,
-                  .kind = "design",
-                  .name = scene->name(),
-                  .forecast = scene->forecast(),
-                  .contact = contact_of(design, *scene)};
-  if (design.structure.bodies() > most_bodies_for_contact)
+  CheckedFile out{.file = file, .kind = "design", .name = scene->name(), .forecast = scene->forecast()};
+  if (design.structure.bodies() <= most_bodies_for_contact)
+    out.contact = contact_of(design, *scene);
+  else
     out.forecast->notes.push_back(fmt::format(
         "the collision-free range is computed here for up to {} bodies; `simulate` needs {} for it",
         most_bodies_for_contact, about(contact_seconds(design.structure))));

@@ -10,7 +10,7 @@ namespace kinetix::app {
 /// line end as \uXXXX, as JSON has them, and bytes that are not UTF-8 as \xXX. File names may hold them.
 std::string printable(std::string_view text);
 
-/// The same without line ends: for messages of one line.
+/// Makes a text printable on one line: line ends become \n as well.
 std::string printable_line(std::string_view text);
 
 /// Makes what std::cout and std::cerr print printable while it lives.

@@ -17,7 +17,6 @@
 #include <random>
 #include <utility>
 
-#include "app/io/end_of_writing.hpp"
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::app {
@@ -42,7 +41,7 @@ class Part;
 Part* newest_part = nullptr;
 OutputFolder* newest_folder = nullptr;
 
-/// Of the chains, and of files that come to their places together. The signal handler does not ask for it: only a program
+/// Guards the chains, and files that are put into their places together. The signal handler does not lock it: only a program
 /// that has handed signals to others writes from several threads.
 std::mutex chains;
 

@@ -28,6 +28,10 @@ void remove_parts_when_interrupted();
 /// What that handler removes, at any other end of the program. Safe in a signal handler.
 extern "C" void remove_unfinished();
 
+/// Removes the same while other threads write: no file of theirs is put into its place after that, and the program must end.
+/// For programs that write from several threads, and so handle interrupts themselves.
+void remove_unfinished_of_others();
+
 /// Files of one folder that come all together or not at all. What was added and not committed leaves no
 /// trace.
 class FileSet {

@@ -77,7 +77,7 @@ void check(Run& run, const Scene& scene, const std::optional<PhysicsTask>& task,
 /// A goal counts in the state that its drive leads to: where the drive stops on its way there is none.
 void judge_drive(Run& run) {
   if (run.goal && !run.matter && run.equilibrium && !run.equilibrium->reached())
-    run.goal->violations.push_back(drive_stop_reason(*run.equilibrium));
+    run.goal->violations.push_back(drive_stop_reason(run.equilibrium->path));
 }
 
 /// However well the shape is kept: what tears does not keep it. After the physics run, which judges the shape alone.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/pipeline/verify.hpp"
 #include "app/result/as_made_json.hpp"
 #include "app/result/made_hinges.hpp"
 #include "app/run/contact_reason.hpp"
@@ -46,8 +47,7 @@ std::string hinges_of_model(const Run& run) {
 Reasons agreement_reasons(const Run& run) {
   const Verification& v = *run.verification;
   if (v.agrees) return {};
-  if (v.physics.status != sim::PhysicsResult::Status::settled)
-    return {fmt::format("the simulation failed, {}: {}", to_string(v.physics.status), v.physics.why)};
+  if (!is_settled(v)) return {failed_simulation_reason(v)};
   Reasons why = run.goal ? run.goal->physics_violations : Reasons{};
   if (v.compared && !(v.distance.rms <= run.verify_tolerance)) {
     const double edge_mm = run.structure.size().edge_mm;
@@ -70,7 +70,7 @@ std::optional<Reasons> drive_reasons(const Run& run) {
   if (run.matter && !run.equilibrium)
     return Reasons{"elastic hinges find no equilibrium: " + run.matter->why};
   if (run.equilibrium) {
-    if (!run.equilibrium->reached()) why.push_back(drive_stop_reason(*run.equilibrium));
+    if (!run.equilibrium->reached()) why.push_back(drive_stop_reason(run.equilibrium->path));
     if (run.is_on_the_other_side()) why.push_back(missed_words(*run.equilibrium, run.theta));
   } else if (run.plan.model != Model::exact || run.states.empty()) {
     return std::nullopt;
@@ -98,7 +98,7 @@ void add_warnings(const Run& run, RunVerdict& verdict) {
   if (!run.goal) return;
   if (!run.goal->met()) warn_all(verdict, run.goal->physics_violations);
   warn_all(verdict, run.goal->warnings(run));
-  if (!run.prints_unknown.empty()) verdict.warn("what prints come to is not known: " + run.prints_unknown);
+  if (!run.prints_unknown.empty()) verdict.warn("print tolerance is not known: " + run.prints_unknown);
   if (run.printed) warn_all(verdict, scatter_warnings(run));
 }
 
@@ -136,6 +136,10 @@ std::string RunVerdict::reasons() const {
   for (const Problem& p : problems)
     if (p.level == Problem::Level::error) out += (out.empty() ? "" : "; ") + p.text;
   return out;
+}
+
+std::string failed_simulation_reason(const Verification& v) {
+  return fmt::format("the simulation failed, {}: {}", to_string(v.physics.status), v.physics.why);
 }
 
 RunVerdict verdict_of(const Run& run) {

@@ -45,6 +45,9 @@ struct RunVerdict {
 /// GoalOutcome::warnings(), all else from the parts of the run.
 RunVerdict verdict_of(const Run& run);
 
+/// That a simulation failed, and why, one sentence. @pre it did not settle
+std::string failed_simulation_reason(const Verification& verification);
+
 /// 0: no flag is false; 3: met, printable or reaches is; 4: agrees alone is.
 ExitCode exit_code(const RunVerdict& verdict);
 

@@ -5,6 +5,7 @@
 #include "model/base/angle.hpp"
 
 namespace kinetix::app {
+
 std::string describe_other_side(const Equilibrium& equilibrium, double theta) {
   return fmt::format("folded to theta {:.2f} deg, where {:.2f} was asked for", to_degrees(theta),
                      to_degrees(equilibrium.drive.theta()));
@@ -19,8 +20,8 @@ std::string missed_words(const Equilibrium& equilibrium, double theta) {
   return in_words(equilibrium.path.stop) + ": " + equilibrium.path.why;
 }
 
-std::string drive_stop_reason(const Equilibrium& equilibrium) {
-  return "the drive stops on its way, " + in_words(equilibrium.path.stop) + ": " + equilibrium.path.why;
+std::string drive_stop_reason(const model::EquilibriumPath& path) {
+  return "the drive stops on its way, " + in_words(path.stop) + ": " + path.why;
 }
 
 }  // namespace kinetix::app

@@ -17,6 +17,6 @@ std::string describe_other_side(const Equilibrium& equilibrium, double theta);
 std::string missed_words(const Equilibrium& equilibrium, double theta);
 
 /// That the drive stops on its way, and why, one sentence. @pre it did
-std::string drive_stop_reason(const Equilibrium& equilibrium);
+std::string drive_stop_reason(const model::EquilibriumPath& path);
 
 }  // namespace kinetix::app

@@ -11,7 +11,7 @@
 #include "app/assembly/assembly_file.hpp"
 #include "app/console/open_report.hpp"
 #include "app/goals/read_target.hpp"
-#include "app/io/end_of_writing.hpp"
+#include "app/io/atomic_file.hpp"
 #include "app/studio/assembly/assembly_session.hpp"
 #include "app/studio/messages/templates.hpp"
 #include "app/studio/server.hpp"

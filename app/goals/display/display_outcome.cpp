@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -15,16 +16,21 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json score_json(const DisplayReading& reading) {
+/// Transmittance of letter and rest; nothing for pictures of grey levels.
+std::optional<std::array<double, 2>> light_of(const DisplayOutcome& display, const DisplayReading& reading) {
+  if (display.channel != optim::Channel::light || !display.goal.is_binary()) return reading.light;
+  return std::array{reading.score.letter, reading.score.rest};
+}
+
+Json score_json(const DisplayOutcome& display, const DisplayReading& reading) {
   Json out = {{"auc", reading.score.auc},       {"contrast", reading.score.contrast},
               {"letter", reading.score.letter}, {"rest", reading.score.rest},
               {"rank", reading.rank},           {"cells", reading.channel}};
-  if (reading.light) out["light"] = {{"letter", (*reading.light)[0]}, {"rest", (*reading.light)[1]}};
+  if (const auto light = light_of(display, reading))
+    out["light"] = {{"letter", (*light)[0]}, {"rest", (*light)[1]}};
   if (reading.seen) out["seen"] = {{"parts", reading.seen->components}, {"holes", reading.seen->holes}};
   return out;
 }
-
-double light_ratio(const DisplayReading& reading) { return (*reading.light)[0] / (*reading.light)[1]; }
 
 std::string in_words(const DisplayOutcome& display, const DisplayReading& r) {
   if (!display.goal.is_binary())
@@ -33,9 +39,9 @@ std::string in_words(const DisplayOutcome& display, const DisplayReading& r) {
   if (display.channel != optim::Channel::light)
     text += fmt::format("{} of letter and rest {:.3f} and {:.3f}, ", to_string(display.channel),
                         r.score.letter, r.score.rest);
-  if (!r.light) return text;
-  return text + fmt::format("light of letter and rest {:.3f} and {:.3f}, ratio {:.2f}", (*r.light)[0],
-                            (*r.light)[1], light_ratio(r));
+  const auto light = light_of(display, r).value_or(std::array<double, 2>{NAN, NAN});
+  return text + fmt::format("light of letter and rest {:.3f} and {:.3f}, ratio {:.2f}", light[0], light[1],
+                            light[0] / light[1]);
 }
 
 Json starts_json(const optim::DisplayDesign& design) {
@@ -137,8 +143,8 @@ Json display_json(const DisplayOutcome& display, const model::Sheet& panel) {
   Json out = {{"channel", to_string(display.channel)}};
   add_drive(display.design.view, out);
   out["levels"] = levels_of(display.goal, panel);
-  out["before"] = score_json(display.before);
-  out["after"] = score_json(display.after);
+  out["before"] = score_json(display, display.before);
+  out["after"] = score_json(display, display.after);
   out["stretch_max"] = display.design.view.stretch;
   out["starts"] = starts_json(display.design);
   out["reasons"] = display.violations;
@@ -149,13 +155,13 @@ Json display_json(const DisplayOutcome& display, const model::Sheet& panel) {
                      {"walls_meet", !scaled->clear},
                      {"strained", display.design.refined},
                      {"rounds", scaled->rounds},
-                     {"exact", score_json(display.exact)}};
+                     {"exact", score_json(display, display.exact)}};
   if (display.printed) out["printed"] = printed_json(*display.printed);
   if (display.loads) out["loads"] = loads_json(*display.loads);
   if (display.unlimited) out["unlimited"] = loads_json(*display.unlimited);
   const char* load = display.design.view.turn ? "load_Nmm" : "load_N";
   if (!display.front.empty()) out["front"] = front_json(display.front, load, panel.size().edge_mm);
-  if (display.physics) out["physics"] = score_json(*display.physics);
+  if (display.physics) out["physics"] = score_json(display, *display.physics);
   if (const auto needed = display.needed()) {
     out["needed_cells"] = *needed;
     out["needed_for"] = display.goal.whole ? "contrast" : "strokes";
@@ -204,10 +210,10 @@ void DisplayOutcome::add_metrics(Json& metrics) const {
   metrics["auc_rest"] = before.score.auc;
   metrics["contrast_rest"] = before.score.contrast;
   metrics["stretch_max"] = design.view.stretch;
-  if (after.light) {
-    metrics["light_letter"] = (*after.light)[0];
-    metrics["light_rest"] = (*after.light)[1];
-    metrics["light_ratio"] = light_ratio(after);
+  if (const auto light = light_of(*this, after)) {
+    metrics["light_letter"] = (*light)[0];
+    metrics["light_rest"] = (*light)[1];
+    metrics["light_ratio"] = (*light)[0] / (*light)[1];
   }
   metrics["met"] = met();
   if (!physics) return;

@@ -19,7 +19,8 @@ struct DisplayReading {
   std::vector<double> channel;  ///< of each cell, in its unit (optim::Channel)
   targets::DisplayScore score;
   double rank = 0;  ///< rank correlation of channel and levels, [-1, 1]
-  /// Mean transmittance of letter and rest, blurred as from a distance, fractions of the lamp's light; of binary pictures.
+  /// Mean transmittance of letter and rest, blurred as from a distance, fractions of the lamp's light; of binary pictures
+  /// that are read by another channel.
   std::optional<std::array<double, 2>> light = {};
   std::optional<targets::Topology> seen = {};  ///< parts and holes of letters that can be told apart
 };

@@ -9,7 +9,8 @@
 namespace kinetix::app {
 
 /// Pictures of a run's panel: before.svg and .png, after, hinges (the map of t), physics where there is a
-/// settled run, afar_before.png and afar_after.png (far_view) in true luminance, the same with `_enhanced` and stretched contrast, and the motion as frames/00.png and on.
+/// settled run, afar_before.png and afar_after.png (far_view) in true luminance, the same with `_enhanced` and stretched
+/// contrast, and the motion as frames/00.png and on.
 std::vector<NamedContent> display_pictures(const Run& run);
 
 /// How the panel of a goal is to be seen from a distance: the further away the more cells it has, and against its

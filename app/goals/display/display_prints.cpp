@@ -84,10 +84,10 @@ struct PrintScores {
   }
 };
 
-// Of the contrast: prints that differ by less from what first order has of them say that first order will do.
+// Share of the contrast by which prints may differ from their first-order estimate without correcting it.
 constexpr double first_order_will_do = 0.05;
 
-/// What is expected to first order, moved by how far prints differ from what first order has of the same prints.
+/// Corrects the first-order estimate by how far prints differ from the estimate of the same prints.
 void correct_expected(const PrintScores& seen, const PrintScores& first_order,
                       optim::AsMadeDisplay& expected) {
   const double more = seen.mean() - first_order.mean(), below = expected.contrast - expected.contrast_p05;

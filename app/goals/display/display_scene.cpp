@@ -37,7 +37,7 @@ std::string lost_strokes(const targets::DisplayGoal& goal) {
                             (*goal.needed)[1]);
 }
 
-/// Empty where all parts of letters can be told apart, and where the picture is no text.
+/// Describes which parts of letters cannot be told apart; empty if all can, or if the picture is not text.
 std::string describe_melting(const targets::DisplayGoal& goal, const DisplayReading& reading) {
   const targets::Topology drawn = topology(goal);
   if (!reading.seen || *reading.seen == drawn) return "";
@@ -144,7 +144,7 @@ constexpr double seconds_a_cell = 2e-4, seconds_a_cell_stretched = 0.07;
 // s, of the path from flat: 0.92 s for 32 x 32 cells, 51 s for 100 x 100.
 constexpr double path_seconds_of_1024 = 0.92, path_exponent = 1.76;
 
-/// Where the path was stopped before its end, the state that the search knows of its design takes the place of the path's.
+/// Shows the state that the search knows of its design, in place of a path that was stopped before its end.
 void take_state_of_search(const optim::DisplayDesign& design, Run& run) {
   if (!design.view.at_equilibrium || design.view.state.empty()) return;
   NamedState& shown = run.states.front();
@@ -214,8 +214,8 @@ class DisplayScene final : public Scene {
       run.plan.why.push_back(fmt::format(
           "no physics run: {} bodies would take hours; `verify` makes one of design.yaml all the same",
           run.structure.bodies()));
-    display.before = read_panel(file_, run.structure, rest_state(run.structure));
-    display.after = read_panel(file_, run.structure, run.states.front().poses);
+    display.before = read_shown_panel(file_, run.structure, rest_state(run.structure));
+    display.after = read_shown_panel(file_, run.structure, run.states.front().poses);
     display.design.view.stretch = run.states.front().gaps.max;
   }
 
@@ -247,7 +247,7 @@ class DisplayScene final : public Scene {
 
   void judge_physics(Run& run) const override {
     auto& display = outcome_of<DisplayOutcome>(run);
-    display.physics = read_panel(file_, run.structure, run.verification->physics.state);
+    display.physics = read_shown_panel(file_, run.structure, run.verification->physics.state);
     display.physics_violations =
         violations(file_, display.physics->score, display.physics->rank, "physics run");
     if (const std::string melted = describe_melting(display.goal, *display.physics); !melted.empty())

@@ -75,13 +75,6 @@ void place_hinges(const optim::DisplayView& view, model::Sheet& panel) {
   }
 }
 
-targets::DisplayScore light_score(const model::Sheet& panel, const model::State& state,
-                                  const std::vector<double>& levels) {
-  std::vector<double> light = channel_values(optim::Channel::light, panel, state);
-  light.resize(levels.size());
-  return targets::display_score(light, levels);
-}
-
 DisplayReading read_panel(const DisplayFile& file, const model::Sheet& panel, const model::State& state) {
   const std::vector<double> levels = levels_of(file.goal, panel);
   DisplayReading out;
@@ -89,10 +82,17 @@ DisplayReading read_panel(const DisplayFile& file, const model::Sheet& panel, co
   out.channel.resize(levels.size());
   out.score = targets::display_score(out.channel, levels);
   out.rank = targets::rank_correlation(out.channel, levels);
-  if (file.goal.is_binary()) {
-    const targets::DisplayScore light =
-        file.channel == optim::Channel::light ? out.score : light_score(panel, state, levels);
-    out.light = {light.letter, light.rest};
+  return out;
+}
+
+DisplayReading read_shown_panel(const DisplayFile& file, const model::Sheet& panel,
+                                const model::State& state) {
+  DisplayReading out = read_panel(file, panel, state);
+  if (file.goal.is_binary() && file.channel != optim::Channel::light) {
+    std::vector<double> light = channel_values(optim::Channel::light, panel, state);
+    light.resize(out.channel.size());
+    const targets::DisplayScore score = targets::display_score(light, levels_of(file.goal, panel));
+    out.light = {score.letter, score.rest};
   }
   if (file.goal.is_text) out.seen = seen_topology(file.goal, in_order_of_goal(file.goal, panel, out.channel));
   return out;

@@ -32,8 +32,11 @@ void refine_panel(const DisplayFile& file, const targets::DisplayGoal& goal, con
 /// Puts the hinges of a panel where a search left them.
 void place_hinges(const optim::DisplayView& view, model::Sheet& panel);
 
-/// What a state of the file's panel shows.
+/// Reads a state of the file's panel by its channel.
 DisplayReading read_panel(const DisplayFile& file, const model::Sheet& panel, const model::State& state);
+/// Reads a state that is reported: also its light, and which parts of letters can be told apart.
+DisplayReading read_shown_panel(const DisplayFile& file, const model::Sheet& panel,
+                                const model::State& state);
 /// What moves a panel that was found, by its bodies and hinges.
 model::LinkageDrive drive_on(const model::Sheet& panel, const optim::DisplayView& view);
 

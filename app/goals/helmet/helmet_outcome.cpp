@@ -49,7 +49,7 @@ Json head_lines(const targets::Head& head) {
   return out;
 }
 
-/// What of these lines, above the rim, no rib is near to.
+/// Parts of the lines above the rim that no rib is near to.
 Json bare_lines(const HelmetOutcome& helmet) {
   Json out = Json::array();
   for (std::vector<Eigen::Vector3d>& curve : head_curves_of(helmet.head)) {

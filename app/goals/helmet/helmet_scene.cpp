@@ -52,7 +52,7 @@ std::vector<std::string> violations(const HelmetFile& file, const optim::RibsErr
   return why;
 }
 
-/// What is bare of the head, where the file has a least share.
+/// Reports a head that is covered less than the file requires.
 std::vector<std::string> bare(const HelmetFile& file, const optim::RibsCover& cover) {
   if (!file.covered_share || cover.share >= *file.covered_share) return {};
   return {

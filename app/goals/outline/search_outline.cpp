@@ -143,7 +143,7 @@ class OutlineSearch {
     return fit_outline(panel, folded_, flat_ ? &*flat_ : nullptr, options, run_.progress);
   }
 
-  /// Of the flat outline: as the rectangle comes nearest to it, before anything moves.
+  /// Turns the flat outline as the rectangle comes nearest to it, before anything moves.
   double turn_of_flat() const {
     std::vector<Lay> lays;
     for (const double turn : turns_of(*file_.flat, 4))
@@ -152,7 +152,7 @@ class OutlineSearch {
     return best_of(lays).turn;
   }
 
-  /// Of a whole rectangle: each way is fitted at the largest theta alone, very large panels not at all.
+  /// Chooses the turn of a whole rectangle: each way is fitted at the largest theta alone, very large panels not at all.
   Lay best_turn() const {
     std::vector<Lay> lays;
     for (const double turn : turns_of(file_.folded, flat_ ? 8 : 4))

@@ -53,7 +53,7 @@ Json lines_json(const targets::RibbedSurface& surface) {
   return out;
 }
 
-/// What of these lines no rib is near to.
+/// Parts of the lines that no rib is near to.
 Json bare_lines_json(const targets::RibbedSurface& surface, const optim::RibsReach& reach) {
   Json out = Json::array();
   for (const std::vector<Vector3d>& line : lines_of(surface))

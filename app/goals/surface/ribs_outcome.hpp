@@ -32,7 +32,7 @@ class RibsOutcome final : public GoalOutcome {
 /// @param who of "model", "physics run", ...
 std::vector<std::string> violations(const RibsFile& file, const SurfaceWay& way, const std::string& who);
 
-/// What is bare of the surface, in a sentence, empty within the tolerance.
+/// Describes a surface that is covered too little, in a sentence; empty within the tolerance.
 std::vector<std::string> violations(const RibsFile& file, const optim::RibsCover& cover);
 
 }  // namespace kinetix::app

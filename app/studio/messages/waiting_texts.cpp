@@ -22,14 +22,16 @@ void WaitingTexts::add(Text text) {
     texts_.push_back(std::move(text));
     return;
   }
-  const auto older =
-      std::find_if(texts_.begin(), texts_.end(), [&](const Text& one) { return one.type == text.type; });
+  const auto first = [this](std::string_view type) {
+    return std::find_if(texts_.begin(), texts_.end(), [&](const Text& one) { return one.type == type; });
+  };
+  const auto older = first(text.type);
   // Results and paths follow the design that they belong to, and a design follows its meshes.
   if (older != texts_.end() && (text.type == "design" || text.type == "meshes")) {
     *older = std::move(text);
     return;
   }
-  texts_.push_back(std::move(text));
+  texts_.insert(text.type == "meshes" ? first("design") : texts_.end(), std::move(text));
   if (older != texts_.end()) texts_.erase(older);
 }
 

@@ -24,7 +24,7 @@ TEST(WaitingTexts, HoldTheNewestOfWhatDescribesThePresent) {
     for (const char* type : {"design", "state", "path", "result", "progress", "hello", "meshes"})
       texts.add(text(type, type + std::to_string(k)));
   EXPECT_EQ(texts.counted_bytes(), 0u);
-  EXPECT_EQ(all_of(texts), "design999 meshes999 state999 path999 result999 progress999 hello999 ");
+  EXPECT_EQ(all_of(texts), "meshes999 design999 state999 path999 result999 progress999 hello999 ");
 }
 
 TEST(WaitingTexts, HoldEveryAnswerInItsOrderAndCountItsBytes) {
