@@ -76,6 +76,7 @@ class Newton {
       const TruncatedStep truncated = conjugate_gradients(tangent_, gradient_);
       const bool negative = truncated.outcome == TruncatedStep::Outcome::negative;
       if (negative && only_convex) return false;
+      result_.met_negative = result_.met_negative || negative;
       if (truncated.outcome != TruncatedStep::Outcome::slow && try_step(truncated.step, negative, false))
         return true;
     }
@@ -85,6 +86,7 @@ class Newton {
     for (double shift = start; shift <= most_shift; shift *= 10) {
       if (!attempt(shift)) continue;
       shift_ = shift;
+      result_.met_negative = true;
       return true;
     }
     return false;

@@ -65,6 +65,8 @@ Branch::Start Branch::leave(double theta, const State& from, TangentStiffness& t
   return along_lowest_mode(theta, from, tangent, false);
 }
 
+double Branch::side_of(const VectorXd& along) const { return side_of_drive(system_, along, side_); }
+
 Branch::Start Branch::onto_closed_form(double theta, const State& exact, TangentStiffness& tangent) const {
   const State equilibrium = relaxed(system_, theta, exact, tangent);
   system_.linearise(equilibrium, theta, tangent);

@@ -32,6 +32,9 @@ class Branch {
   /// `side`. @param tangent of `from`, just linearised; afterwards of no use
   Start leave(double theta, const State& from, TangentStiffness& tangent) const;
 
+  /// 1 where `along`, twists of all bodies, leads to the side that leave() takes, -1 where it leads to the other one.
+  double side_of(const Eigen::VectorXd& along) const;
+
  private:
   Start onto_closed_form(double theta, const State& exact, TangentStiffness& tangent) const;
   /// @param is_folded the sign of the drive is taken: `side` decides

@@ -59,7 +59,7 @@ struct EquilibriumStep {
 struct PathEvent {
   enum class Kind {
     bifurcation,  ///< the equilibrium turned unstable, and a branch was chosen
-    snap,         ///< the structure jumped to another state at (nearly) the same drive
+    snap,  ///< it jumped to another state at (nearly) the same drive and lost energy: the way back is another
     limit_point,  ///< the load reached a maximum or a minimum
     contact,      ///< walls began to touch
     release,      ///< the last of them parted

@@ -70,10 +70,11 @@ void PathEvents::see(const EquilibriumStep& before, const EquilibriumStep& after
   if (arrival.descent) {
     if (arrival.on_closed_form) off_ = {};
     if (arrival.descent == Descent::off_closed_form) off_ = {at.theta, true};
-    happened(Kind::bifurcation, "the equilibrium turned unstable: left along the " +
-                                    words(*arrival.descent, arrival.on_closed_form));
-  }
-  if (arrival.snapped) happened(Kind::snap, "jumped to another state at nearly the same drive");
+    happened(
+        arrival.snapped ? Kind::snap : Kind::bifurcation,
+        "the equilibrium turned unstable: left along the " + words(*arrival.descent, arrival.on_closed_form));
+  } else if (arrival.snapped)
+    happened(Kind::snap, "jumped to another state at nearly the same drive");
   if (auto words = departure(after, state, arrival)) happened(Kind::departure, std::move(*words));
   if (before.contacts == 0 && after.contacts > 0) happened(Kind::contact, system_.touching_words(state));
   if (before.contacts > 0 && after.contacts == 0)

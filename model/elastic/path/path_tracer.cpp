@@ -22,6 +22,7 @@ PathTracer::PathTracer(const DrivenLinkage& driven, const Elasticity& elasticity
       check_(system_, options.longest_jump),
       length_(options, driven.drive.theta()),
       record_(system_, closed_form_, head_, options, frame),
+      retrace_(driven, elasticity, options),
       stop_(options.stop),
       at_(record_.last()),
       options_(options) {}
@@ -73,8 +74,9 @@ bool PathTracer::is_plain(const Attempt& attempt) const {
   if (!attempt.permitted) return false;
   // Flat is left to a side by whatever step comes first.
   if (head_.is_flat() && system_.leaves_flat_to_a_side()) return true;
+  const NewtonResult& newton = attempt.trial.newton;
   const bool turned_unstable =
-      attempt.trial.descent || (attempt.next.locates && !attempt.trial.newton.stable);
+      attempt.trial.descent || (attempt.next.locates && (newton.met_negative || !newton.stable));
   return !turned_unstable && !attempt.permitted->snapped && !attempt.permitted->touches &&
          !attempt.permitted->bends && !record_.would_happen(at_, attempt.permitted->step);
 }
@@ -85,8 +87,8 @@ PathTracer::Outcome PathTracer::take_event(Attempt event) {
   if (at_.theta != record_.last().theta) record_.add(at_, {{}, false, head_.on_closed_form()});
   const double multiplier = system_.elastic.multiplier();
   Attempt behind = attempt(event.next);
-  const bool stays =
-      behind.permitted && !behind.permitted->snapped && behind.trial.newton.stable && !behind.trial.descent;
+  const bool stays = behind.permitted && !behind.permitted->snapped && behind.trial.newton.stable &&
+                     !behind.trial.newton.met_negative && !behind.trial.descent;
   if (stays) {
     take(std::move(behind));
     return Outcome::taken;
@@ -120,13 +122,7 @@ PathTracer::Outcome PathTracer::land(bool located) {
   for (double length = options_.longest_step_touching;; length /= 2) {
     const double multiplier = system_.elastic.multiplier();
     Attempt landed = attempt(length_.landing(head_.theta(), std::max(length, options_.least_step)));
-    if (landed.permitted) {
-      PermittedStep& step = *landed.permitted;
-      if (located && !landed.trial.descent) {
-        step.snapped = check_.loses_energy(at_, step.step);
-        // It left an equilibrium that turned unstable without stopping there.
-        if (!step.snapped && step.bends) landed.trial.descent = Branch::Descent::lowest_mode;
-      }
+    if (landed.permitted && (head_.is_flat() || look_back(landed, located, multiplier))) {
       take(std::move(landed), located);
       return Outcome::taken;
     }
@@ -134,6 +130,19 @@ PathTracer::Outcome PathTracer::land(bool located) {
     go_back(multiplier);
     if (length <= options_.least_step) return Outcome::ended;
   }
+}
+
+bool PathTracer::look_back(Attempt& landed, bool located, double multiplier) {
+  Trial& trial = landed.trial;
+  PermittedStep& step = *landed.permitted;
+  if (located && !trial.descent) step.snapped = check_.loses_energy(at_, step.step);
+  const Retrace::Finding found = retrace_.back({trial.state, trial.theta, system_.elastic.multiplier()},
+                                               {head_.state(), head_.theta(), multiplier});
+  if (found != Retrace::Finding::unknown) step.snapped = found == Retrace::Finding::lossy;
+  // It left an equilibrium that turned unstable without stopping there.
+  if (located && !step.snapped && step.bends && !trial.descent) trial.descent = Branch::Descent::lowest_mode;
+  landed.faults.mirrored = found == Retrace::Finding::mirrored;
+  return !landed.faults.mirrored;
 }
 
 void PathTracer::take(Attempt taken, bool located) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/elastic/path/path_record.hpp"
+#include "model/elastic/path/retrace.hpp"
 #include "model/elastic/path/step_check.hpp"
 #include "model/elastic/path/step_length.hpp"
 #include "model/elastic/path/step_solver.hpp"
@@ -41,6 +42,9 @@ class PathTracer {
   Attempt locate(Attempt event);
   /// Tries short steps from a head that no plain step leaves.
   Outcome land(bool located);
+  /// Goes back from behind a jump: it is a snap if the way back ends in another state of other energy.
+  /// @param located as of Arrival   @param multiplier of the head   @return false where it leads to the side that was not asked for
+  bool look_back(Attempt& landed, bool located, double multiplier);
   /// @param located as of Arrival
   void take(Attempt attempt, bool located = false);
   void refuse(const Attempt& attempt);
@@ -54,6 +58,7 @@ class PathTracer {
   const StepCheck check_;
   StepLength length_;
   PathRecord record_;
+  Retrace retrace_;
   std::stop_token stop_;
   Refusal refusal_;     ///< of the last step that was not taken
   EquilibriumStep at_;  ///< of the head

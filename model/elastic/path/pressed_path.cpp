@@ -114,7 +114,8 @@ EquilibriumPath settled_again(const DrivenLinkage& now, const Elasticity& elasti
 /// Since when a path is off its closed form.
 OffClosedForm off_closed_form(const EquilibriumPath& path) {
   const auto left_unstable = [&](const PathEvent& event) {
-    return event.kind == PathEvent::Kind::bifurcation && event.at.theta == path.off_closed_form_since;
+    const bool left = event.kind == PathEvent::Kind::bifurcation || event.kind == PathEvent::Kind::snap;
+    return left && event.at.theta == path.off_closed_form_since;
   };
   return {path.off_closed_form_since, std::any_of(path.events.begin(), path.events.end(), left_unstable)};
 }

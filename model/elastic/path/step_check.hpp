@@ -20,7 +20,7 @@ struct StepFaults {
 /// A step that may be taken.
 struct PermittedStep {
   EquilibriumStep step;
-  bool snapped = false;  ///< to another state at nearly the same drive
+  bool snapped = false;  ///< to another state at nearly the same drive, and some energy is lost
   bool touches = false;  ///< walls begin to touch or the last of them part
   bool bends = false;    ///< the load does not go on as it did
 };

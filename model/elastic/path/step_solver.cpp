@@ -1,14 +1,18 @@
 #include "model/elastic/path/step_solver.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "model/closure/closure_drive.hpp"
 #include "model/elastic/path/drive_load.hpp"
 
 namespace kinetix::model {
 namespace {
 
 using Descent = Branch::Descent;
+using Eigen::VectorXd;
 
 constexpr double rough_step =
     2e-3;  // rad, cell edges: before the goal, a step this short leaves about its square
@@ -20,19 +24,40 @@ constexpr double careful_from = 0.01;
 constexpr int careful_iterations = 15;  // of Newton's method, for such a step
 // Of Newton's method, for the shortest step of springs: they hold no place, so that a snap goes as far as a release does.
 constexpr int snap_iterations = 400;
+// Of the energy: two branches behind a bifurcation that differ by no more are each other's image.
+constexpr double same_depth = 1e-7;
+constexpr double equally_far = 2;    // times the nearer one of two branches: a path is on neither yet
+constexpr double same_state = 1e-3;  // rad of a hinge, cell edges
 constexpr int most_saddles = 5;  // left in a row at one theta: after more, there is no equilibrium to take
+
+/// Twists, rad and cell edges, that take each body from one state to another.
+VectorXd twists_between(const Linkage& structure, const State& from, const State& to) {
+  VectorXd twists(6 * static_cast<Eigen::Index>(from.size()));
+  for (std::size_t b = 0; b < from.size(); ++b) {
+    const Eigen::AngleAxisd turn(Eigen::Matrix3d(to[b].R * from[b].R.transpose()));
+    twists.segment<6>(6 * static_cast<Eigen::Index>(b)) << turn.angle() * turn.axis(),
+        (to[b].p - from[b].p) / structure.size.edge_mm;
+  }
+  return twists;
+}
 
 }  // namespace
 
 Trial StepSolver::find(const NextStep& next, const PathHead& head, State prediction) {
   Trial trial;
   trial.theta = next.theta;
-  trial.state = std::move(prediction);
+  trial.state = prediction;
   const bool left_flat = head.theta() == 0 && turns_softly(system_.elastic) && leave_head(next, head, trial);
   if (!left_flat) search(first_options(next), head.has_tangent(), trial);
-  if (!next.locates) leave_saddles(next, trial);
+  if (next.locates) {
+    trial.mirrored = is_mirrored(trial);
+    return trial;
+  }
+  choose_side(head, prediction, trial);
+  leave_saddles(next, trial);
+  if (trial.descent && !head.is_flat()) polish(trial);
   trial.mirrored = is_mirrored(trial);
-  if (trial.mirrored && !next.locates && leave_head(next, head, trial)) trial.mirrored = is_mirrored(trial);
+  if (trial.mirrored && leave_head(next, head, trial)) trial.mirrored = is_mirrored(trial);
   return trial;
 }
 
@@ -79,6 +104,63 @@ bool StepSolver::leave_head(const NextStep& next, const PathHead& head, Trial& t
   trial.state = std::move(start.state);
   search(newton_options(next, true), false, trial);
   return true;
+}
+
+void StepSolver::choose_side(const PathHead& head, const State& prediction, Trial& trial) {
+  if (!trial.newton.converged || trial.descent) return;
+  const Linkage& structure = system_.elastic.structure();
+  if (!trial.newton.met_negative &&
+      !(turn_distance(structure, prediction, trial.state) > options_.longest_jump))
+    return;
+  if (!polish(trial)) return;
+  State from = head.state();
+  system_.elastic.place(trial.theta, from);
+  const VectorXd off = twists_between(structure, from, trial.state);
+  if (!(system_.elastic.length(from, off) > same_state)) return;
+  const double multiplier = system_.elastic.multiplier();
+  Trial twin = trial;
+  State mirrored = system_.elastic.retract(from, -off);
+  system_.elastic.place(trial.theta, mirrored);
+  bool takes_twin = false;
+  if (search_from(std::move(mirrored), twin) && are_twins(trial, twin)) {
+    const double to_trial = turn_distance(structure, head.state(), trial.state),
+                 to_twin = turn_distance(structure, head.state(), twin.state);
+    const bool begins_here = std::max(to_trial, to_twin) <= equally_far * std::min(to_trial, to_twin);
+    if (begins_here) trial.descent = Descent::lowest_mode;
+    takes_twin = begins_here ? branch_.side_of(twists_between(structure, twin.state, trial.state)) < 0
+                             : to_twin < to_trial;
+  }
+  if (takes_twin) {
+    trial.state = std::move(twin.state);
+    trial.newton = twin.newton;
+    return;
+  }
+  system_.elastic.set_multiplier(multiplier);
+  search_from(trial.state, trial);
+}
+
+bool StepSolver::polish(Trial& trial) {
+  if (!trial.newton.converged) return false;
+  const Trial rough = trial;
+  const double multiplier = system_.elastic.multiplier();
+  if (search_from(trial.state, trial) || trial.newton.converged) return trial.newton.stable;
+  trial = rough;
+  system_.elastic.set_multiplier(multiplier);
+  system_.elastic.linearise(trial.state, trial.theta, system_.tangent);
+  return trial.newton.stable && system_.tangent.factorise(0);
+}
+
+bool StepSolver::search_from(State start, Trial& trial) {
+  trial.state = std::move(start);
+  search(options_.newton, false, trial);
+  return trial.newton.converged && trial.newton.stable;
+}
+
+bool StepSolver::are_twins(const Trial& one, const Trial& other) const {
+  const ElasticSystem& elastic = system_.elastic;
+  if (!(turn_distance(elastic.structure(), one.state, other.state) > same_state)) return false;
+  const double energy = elastic.stored_energy(one.state, one.theta);
+  return std::abs(energy - elastic.stored_energy(other.state, other.theta)) <= same_depth * energy;
 }
 
 void StepSolver::leave_saddles(const NextStep& next, Trial& trial) {

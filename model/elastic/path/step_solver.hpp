@@ -15,8 +15,8 @@ class StepSolver {
         branch_(system.elastic, closed_form, options.side),
         options_(options) {}
 
-  /// From a prediction by Newton's method; where that ends in an equilibrium that is no minimum, down from
-  /// it, and where it ends on the side that was not asked for, down from the last state of the path. The
+  /// From a prediction by Newton's method; behind a bifurcation into two like branches on that of the drive's side; where the
+  /// search ends in an equilibrium that is no minimum, down from it, and where it ends on the side that was not asked for, down from the last state of the path. The
   /// system's tangent is then that of the trial, if that is stable.
   Trial find(const NextStep& next, const PathHead& head, State prediction);
 
@@ -31,6 +31,16 @@ class StepSolver {
   /// bears no load that counts beside rounding where hinges turn softly, and hardly any elsewhere: minimising
   /// the energy from there may leave the side to chance. @return whether that state was unstable, and left
   bool leave_head(const NextStep& next, const PathHead& head, Trial& trial);
+  /// Behind a bifurcation whose two branches are each other's image, as those of a flat sheet that buckles, a search ends on
+  /// either one by chance. A path that comes from between them takes the branch to the drive's side, a descent; a path on
+  /// one of them stays there.
+  void choose_side(const PathHead& head, const State& prediction, Trial& trial);
+  /// Finds the equilibrium to the last digit, where Newton's method comes so far. @return whether it is stable
+  bool polish(Trial& trial);
+  /// To the last digit. @return whether it ended in a stable equilibrium
+  bool search_from(State start, Trial& trial);
+  /// Whether two minima at one theta are different states of the same energy.
+  bool are_twins(const Trial& one, const Trial& other) const;
   /// From an equilibrium that is no minimum down to one that is, over further saddles if need be; where that
   /// fails, there is no equilibrium to take. It stays where its lowest mode is neutral.
   void leave_saddles(const NextStep& next, Trial& trial);

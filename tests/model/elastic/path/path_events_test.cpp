@@ -70,7 +70,7 @@ TEST_F(EventsOfASheet, TellWhereWallsBeginToTouchAndPart) {
 TEST_F(EventsOfASheet, TellAlongWhatAnUnstableEquilibriumWasLeft) {
   see(step_at(0, 0, 0), step_at(1, 1, 0), {Descent::closed_form, false, true});
   see(step_at(1, 1, 0), step_at(2, 1, 0), {Descent::lowest_mode, true, false});
-  EXPECT_THAT(kinds(), ElementsAre(Kind::bifurcation, Kind::bifurcation, Kind::snap));
+  EXPECT_THAT(kinds(), ElementsAre(Kind::bifurcation, Kind::snap));
   EXPECT_THAT(events_.events()[0].what, HasSubstr("left along the exact mode"));
   EXPECT_THAT(events_.events()[1].what, HasSubstr("left along the lowest mode"));
   EXPECT_TRUE(std::isnan(events_.off_closed_form().since));
