@@ -102,4 +102,11 @@ std::string schema_errors(const Json& document, const std::string& name) {
   return text;
 }
 
+std::string false_flags(const Json& result) {
+  std::string flags;
+  for (const auto& [name, flag] : result["verdict"].items())
+    if (flag == false) flags += (flags.empty() ? "" : ", ") + name;
+  return flags;
+}
+
 }  // namespace kinetix::testing

@@ -10,4 +10,7 @@ namespace kinetix::testing {
 /// @param schema result, sweep, print...: which of app/schema
 std::string schema_errors(const nlohmann::json& document, const std::string& schema = "result");
 
+/// The flags of a result's verdict that are false, with a comma between them.
+std::string false_flags(const nlohmann::json& result);
+
 }  // namespace kinetix::testing

@@ -220,13 +220,18 @@ inline std::string to_string(const EquilibriumCase& c) {
 
 inline Equilibrium random_equilibrium(const EquilibriumCase& c) {
   std::mt19937 random(c.seed);
-  model::Structure s = random_panel(3, 2, random, c.planar);
-  for (std::size_t k = 0; k < s.hinges.size(); ++k) {
-    model::HingeParameters& p = s.hinges[k].parameters;
-    p.t = 0.5 + (p.t - 0.5) / 2;
-    p.offset = (c.touching ? 0.01 : 0.05) * std::cos(static_cast<double>(k));
-  }
-  if (c.touching) s.size.thickness_mm = 4.8;
+  const auto draw = [&] {
+    model::Structure s = random_panel(3, 2, random, c.planar);
+    for (std::size_t k = 0; k < s.hinges.size(); ++k) {
+      model::HingeParameters& p = s.hinges[k].parameters;
+      p.t = 0.5 + (p.t - 0.5) / 2;
+      p.offset = (c.touching ? 0.01 : 0.05) * std::cos(static_cast<double>(k));
+    }
+    if (c.touching) s.size.thickness_mm = 4.8;
+    return s;
+  };
+  model::Structure s = draw();
+  while (model::WallContact(s).overlap_at_rest()) s = draw();
   const double theta = c.touching ? 0.45 : 0.35;
   const model::Drive drive =
       c.plates ? plates_drive(model::Axis::y, theta) : hinge_drive({{1, 1}, model::Axis::x}, theta);

@@ -3,20 +3,23 @@
 #include <random>
 
 #include "model/closure/closure.hpp"
+#include "model/contact/wall_contact.hpp"
 #include "model/lattice/square/structure.hpp"
 
 namespace kinetix::testing {
 
-/// A panel with hinges anywhere: t in 0.2..0.8, alpha within 0.4 rad of upright, beta up to 0.5 rad.
+/// A panel with hinges anywhere: t in 0.2..0.8, alpha within 0.4 rad of upright, beta up to 0.5 rad; flat, no walls overlap.
 inline model::Structure random_panel(int columns, int rows, std::mt19937& random, bool planar = false) {
   std::uniform_real_distribution<double> unit(-1, 1);
   model::Structure s = make_structure(model::rectangle(columns, rows), {10, 0.8, 6});
-  for (model::Hinge& hinge : s.hinges) {
-    hinge.parameters.t = 0.5 + 0.3 * unit(random);
-    if (planar) continue;
-    hinge.parameters.alpha = pi / 2 + 0.4 * unit(random);
-    hinge.parameters.beta = 0.5 * unit(random);
-  }
+  do {
+    for (model::Hinge& hinge : s.hinges) {
+      hinge.parameters.t = 0.5 + 0.3 * unit(random);
+      if (planar) continue;
+      hinge.parameters.alpha = pi / 2 + 0.4 * unit(random);
+      hinge.parameters.beta = 0.5 * unit(random);
+    }
+  } while (model::WallContact(s).overlap_at_rest());
   return s;
 }
 

@@ -49,7 +49,7 @@ double side_of_drive(const ElasticSystem& system, const VectorXd& mode, int side
   double with = 0, size = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     with += bodies[b].first_turn().dot(mode.segment<3>(6 * b));
-    size += std::abs(mode[6 * b + 2]);
+    size += mode.segment<3>(6 * b).norm();
   }
   if (std::abs(with) > checkerboard * size && size > 0)
     return std::copysign(1.0, with * system.drive().theta());

@@ -29,15 +29,16 @@ State PathHead::predicted(double theta) {
   else
     elastic.place(theta, state);
   if (!on_closed_form_) return state;
-  const std::optional<State> exact = closed_form_.at(theta);
-  if (!exact || !is_ahead(*exact, theta)) return state;
-  return elastic.energy(*exact, theta) < elastic.energy(state, theta) ? *exact : state;
+  const std::optional<State> exact = closed_form_ahead(theta);
+  return exact && elastic.energy(*exact, theta) < elastic.energy(state, theta) ? *exact : state;
 }
 
-/// On the same branch of the closed form: a cord, say, may be as long again at quite another fold.
-bool PathHead::is_ahead(const State& exact, double theta) const {
-  return turn_distance(system_.elastic.structure(), state_, exact) <=
-         most_turn * std::abs(theta - theta_) + ClosedForm::near;
+std::optional<State> PathHead::closed_form_ahead(double theta) const {
+  std::optional<State> exact = closed_form_.at(theta);
+  if (!exact) return {};
+  const double turn = turn_distance(system_.elastic.structure(), state_, *exact);
+  if (!(turn <= most_turn * std::abs(theta - theta_) + ClosedForm::near)) return {};
+  return exact;
 }
 
 void PathHead::move_to(Trial trial, bool snapped) {

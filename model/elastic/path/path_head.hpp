@@ -24,6 +24,8 @@ class PathHead {
   State predicted(double theta);
   /// Of the last prediction, 1 or 2.
   int prediction_order() const { return predictor_.order(); }
+  /// On the path's branch of it, if there is one: a cord, say, may be as long again at quite another fold.
+  std::optional<State> closed_form_ahead(double theta) const;
 
   /// @param snapped to another state: what is known of the path's direction is lost, as by a descent
   void move_to(Trial trial, bool snapped);
@@ -31,8 +33,6 @@ class PathHead {
   void restore_tangent();
 
  private:
-  bool is_ahead(const State& exact, double theta) const;
-
   MeasuredSystem& system_;
   const ClosedForm& closed_form_;
   Predictor predictor_;

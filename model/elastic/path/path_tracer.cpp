@@ -40,14 +40,23 @@ EquilibriumPath PathTracer::run() {
 }
 
 PathTracer::Outcome PathTracer::advance(const NextStep& next) {
-  const double multiplier = system_.elastic.multiplier();
+  double multiplier = system_.elastic.multiplier();
   Attempt first = attempt(next);
+  if (next.is_short && !is_plain(first)) {
+    go_back(multiplier);
+    if (settle_head()) {
+      multiplier = system_.elastic.multiplier();
+      first = attempt(next);
+    }
+  }
   if (is_plain(first)) {
     take(std::move(first));
     return Outcome::taken;
   }
   go_back(multiplier);
-  if (next.is_short) return take_event(std::move(first));
+  // Newton's method that comes to no end is no event yet: a shorter step may do.
+  const bool may_be_event = first.trial.newton.converged || next.is_shortest;
+  if (next.is_short && may_be_event) return take_event(std::move(first));
   if (next.to_goal) {
     // What a longer path would do here.
     Attempt beyond = attempt(length_.next_beyond(head_.theta()));
@@ -56,6 +65,25 @@ PathTracer::Outcome PathTracer::advance(const NextStep& next) {
   }
   refuse(first);
   return Outcome::refused;
+}
+
+bool PathTracer::settle_head() {
+  if (is_settled_ || head_.is_flat()) return false;
+  is_settled_ = true;
+  const double multiplier = system_.elastic.multiplier();
+  NextStep here;
+  here.theta = head_.theta();
+  here.locates = here.is_short = true;
+  Trial settled = solver_.find(here, head_, head_.state());
+  record_.count(settled.iterations);
+  const NewtonResult& newton = settled.newton;
+  if (!newton.converged || !newton.stable || newton.met_negative) {
+    go_back(multiplier);
+    return false;
+  }
+  at_ = system_.measured(settled.state, settled.theta, true);
+  head_.move_to(std::move(settled), false);
+  return true;
 }
 
 PathTracer::Attempt PathTracer::attempt(const NextStep& next) {
@@ -76,7 +104,7 @@ bool PathTracer::is_plain(const Attempt& attempt) const {
   if (head_.is_flat() && system_.leaves_flat_to_a_side()) return true;
   const NewtonResult& newton = attempt.trial.newton;
   const bool turned_unstable =
-      attempt.trial.descent || (attempt.next.locates && (newton.met_negative || !newton.stable));
+      attempt.trial.descent || newton.met_negative || (attempt.next.locates && !newton.stable);
   return !turned_unstable && !attempt.permitted->snapped && !attempt.permitted->touches &&
          !attempt.permitted->bends && !record_.would_happen(at_, attempt.permitted->step);
 }
@@ -152,6 +180,7 @@ void PathTracer::take(Attempt taken, bool located) {
   const double growth = new_branch ? 1 : length_.growth(taken.faults.jump, taken.order);
   head_.move_to(std::move(taken.trial), permitted.snapped);
   at_ = permitted.step;
+  is_settled_ = false;
   record_.add(permitted.step, {descent, permitted.snapped, head_.on_closed_form(), located});
   length_.change(growth, permitted.step.contacts > 0);
 }

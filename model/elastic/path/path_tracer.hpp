@@ -34,6 +34,9 @@ class PathTracer {
 
   Outcome advance(const NextStep& next);
   Attempt attempt(const NextStep& next);
+  /// Finds the equilibrium of a head of rough states to the last digit: what is seen behind it may be its error.
+  /// @return whether the head has moved
+  bool settle_head();
   /// Whether a step may be taken and nothing happens on it that has a place of its own on the path.
   bool is_plain(const Attempt& attempt) const;
   /// Moves the head to just before what happens on a short step, and takes the step behind it.
@@ -62,6 +65,7 @@ class PathTracer {
   std::stop_token stop_;
   Refusal refusal_;     ///< of the last step that was not taken
   EquilibriumStep at_;  ///< of the head
+  bool is_settled_ = true;  ///< the head is an equilibrium to the last digit, not to what steps before the goal ask for
   const EquilibriumPathOptions& options_;
 };
 

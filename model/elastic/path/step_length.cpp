@@ -27,7 +27,7 @@ NextStep StepLength::next_beyond(double from) const { return to(from + std::copy
 NextStep StepLength::landing(double from, double length) const {
   const double left = std::abs(goal_ - from);
   NextStep step = to(length >= left ? goal_ : from + std::copysign(length, goal_), from);
-  step.is_short = true;
+  step.is_short = step.leaves = true;
   step.is_shortest = length <= options_.least_step;
   return step;
 }

@@ -22,7 +22,8 @@ constexpr double strayed = 2;  // times longest_jump: so far from a prediction l
 // Rad: longer steps must start convex and end soon; if not, halving is cheaper.
 constexpr double careful_from = 0.01;
 constexpr int careful_iterations = 15;  // of Newton's method, for such a step
-// Of Newton's method, for the shortest step of springs: they hold no place, so that a snap goes as far as a release does.
+// Of Newton's method, for the shortest step: of springs, which hold no place, a snap goes as far as a release does, and
+// floppy sheets have valleys that bend.
 constexpr int snap_iterations = 400;
 // Of the energy: two branches behind a bifurcation that differ by no more are each other's image.
 constexpr double same_depth = 1e-7;
@@ -49,11 +50,12 @@ Trial StepSolver::find(const NextStep& next, const PathHead& head, State predict
   trial.state = prediction;
   const bool left_flat = head.theta() == 0 && turns_softly(system_.elastic) && leave_head(next, head, trial);
   if (!left_flat) search(first_options(next), head.has_tangent(), trial);
+  if (!trial.newton.converged) search_from_closed_form(next, head, trial);
   if (next.locates) {
     trial.mirrored = is_mirrored(trial);
     return trial;
   }
-  choose_side(head, prediction, trial);
+  choose_side(next, head, prediction, trial);
   leave_saddles(next, trial);
   if (trial.descent && !head.is_flat()) polish(trial);
   trial.mirrored = is_mirrored(trial);
@@ -65,7 +67,7 @@ Trial StepSolver::find(const NextStep& next, const PathHead& head, State predict
 NewtonOptions StepSolver::newton_options(const NextStep& next, bool may_stray) const {
   NewtonOptions options = options_.newton;
   if (!may_stray) options.most_moved = strayed * options_.longest_jump;
-  if (next.is_shortest && system_.elastic.drive().heats_springs())
+  if (next.is_shortest)
     options.max_iterations = std::max(options.max_iterations, snap_iterations);
   if (next.to_goal || next.locates) return options;
   options.step_tolerance = std::max(options.step_tolerance, rough_step);
@@ -87,6 +89,13 @@ void StepSolver::search(const NewtonOptions& options, bool factorised, Trial& tr
   trial.iterations += trial.newton.iterations;
 }
 
+void StepSolver::search_from_closed_form(const NextStep& next, const PathHead& head, Trial& trial) {
+  std::optional<State> exact = head.on_closed_form() ? head.closed_form_ahead(next.theta) : std::nullopt;
+  if (!exact) return;
+  trial.state = std::move(*exact);
+  search(first_options(next), false, trial);
+}
+
 bool StepSolver::is_mirrored(const Trial& trial) const {
   return trial.newton.converged && closed_form_.is_mirrored(trial.state, trial.theta);
 }
@@ -106,10 +115,11 @@ bool StepSolver::leave_head(const NextStep& next, const PathHead& head, Trial& t
   return true;
 }
 
-void StepSolver::choose_side(const PathHead& head, const State& prediction, Trial& trial) {
-  if (!trial.newton.converged || trial.descent) return;
+void StepSolver::choose_side(const NextStep& next, const PathHead& head, const State& prediction,
+                             Trial& trial) {
+  if (!trial.newton.converged || trial.descent || (head.is_flat() && system_.leaves_flat_to_a_side())) return;
   const Linkage& structure = system_.elastic.structure();
-  if (!trial.newton.met_negative &&
+  if (!next.leaves && !trial.newton.met_negative &&
       !(turn_distance(structure, prediction, trial.state) > options_.longest_jump))
     return;
   if (!polish(trial)) return;

@@ -31,10 +31,12 @@ class StepSolver {
   /// bears no load that counts beside rounding where hinges turn softly, and hardly any elsewhere: minimising
   /// the energy from there may leave the side to chance. @return whether that state was unstable, and left
   bool leave_head(const NextStep& next, const PathHead& head, Trial& trial);
+  /// A second time, where the first search came to no end: a floppy sheet has valleys along which one creeps.
+  void search_from_closed_form(const NextStep& next, const PathHead& head, Trial& trial);
   /// Behind a bifurcation whose two branches are each other's image, as those of a flat sheet that buckles, a search ends on
   /// either one by chance. A path that comes from between them takes the branch to the drive's side, a descent; a path on
   /// one of them stays there.
-  void choose_side(const PathHead& head, const State& prediction, Trial& trial);
+  void choose_side(const NextStep& next, const PathHead& head, const State& prediction, Trial& trial);
   /// Finds the equilibrium to the last digit, where Newton's method comes so far. @return whether it is stable
   bool polish(Trial& trial);
   /// To the last digit. @return whether it ended in a stable equilibrium

@@ -81,10 +81,9 @@ TEST(PaperGrids, UncrossableGridTouchesWhereTheClosedFormDoesAndLocks) {
     const PathEvent* contact = first_event(path, Kind::contact);
     const PathEvent* lock = first_event(path, Kind::lock);
     ASSERT_TRUE(contact && lock);
-    EXPECT_LE(std::abs(contact->since), limit);
-    EXPECT_GE(std::abs(contact->at.theta), limit);
+    EXPECT_NEAR(std::abs(contact->at.theta), limit, 5e-4);
     EXPECT_LE(std::abs(lock->at.theta), limit + 1 * radians_per_degree);
-    EXPECT_GE(std::abs(lock->at.load), 50 * std::abs(driven(s, sign * limit, 1e-3).steps.back().load));
+    EXPECT_GE(std::abs(path.steps.back().load), 50 * std::abs(driven(s, sign * limit, 1e-3).steps.back().load));
     EXPECT_NE(lock->what.find("walls carry the drive"), std::string::npos);
   }
 }
