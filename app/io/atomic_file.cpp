@@ -17,6 +17,8 @@
 #include <random>
 #include <utility>
 
+#include "app/io/held_signals.hpp"
+#include "app/io/lock_file.hpp"
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::app {
@@ -32,9 +34,6 @@ std::string folder_of(const fs::path& file) {
 constexpr const char* part_mark = ".kinetix-part-";  // in the names of parts, after that of the file
 constexpr std::chrono::hours old_part{24};           // far more than any run takes to write its files
 
-constexpr int interrupts[] = {SIGINT, SIGTERM, SIGHUP,
-                              SIGPIPE};  // signals by which a program is asked to end
-
 class Part;
 
 /// Chains of the parts and of the new folders that are there, for the signal handler.
@@ -48,29 +47,12 @@ std::mutex chains;
 /// The thread that handles signals.
 pthread_t writer;
 
-/// Holds the signals back while it lives: no part may exist that the handler does not know.
-class NoInterrupts {
- public:
-  NoInterrupts() {
-    sigset_t signals;
-    sigemptyset(&signals);
-    for (const int signal_number : interrupts) sigaddset(&signals, signal_number);
-    pthread_sigmask(SIG_BLOCK, &signals, &before_);
-  }
-  ~NoInterrupts() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
-  NoInterrupts(const NoInterrupts&) = delete;
-  NoInterrupts& operator=(const NoInterrupts&) = delete;
-
- private:
-  sigset_t before_;
-};
-
 /// A file under a temporary name. What has that name in the end goes: the part itself, or the file that it
 /// replaced.
 class Part {
  public:
   explicit Part(fs::path file) : file_(std::move(file)) {
-    const NoInterrupts until_chained;
+    const HeldSignals until_chained;
     for (int attempt = 0; attempt < 100 && descriptor_ < 0; ++attempt) {
       path_ = file_.parent_path() /
               fmt::format(".{}{}{:06x}", file_.filename().string(), part_mark, random_() & 0xffffff);
@@ -85,7 +67,7 @@ class Part {
   }
 
   ~Part() {
-    const NoInterrupts until_unchained;
+    const HeldSignals until_unchained;
     const std::lock_guard lock(chains);
     if (descriptor_ >= 0) close(descriptor_);
     remove();
@@ -184,7 +166,7 @@ void remove_old_parts(const fs::path& folder) {
 }
 
 void put_all_in_place(std::deque<Part>& parts) {
-  const NoInterrupts until_all_are_there;
+  const HeldSignals until_all_are_there;
   const std::lock_guard lock(chains);
   std::size_t count = 0;
   try {
@@ -200,6 +182,7 @@ void put_all_in_place(std::deque<Part>& parts) {
 extern "C" void remove_unfinished() {
   for (const Part* part = newest_part; part != nullptr; part = part->older()) part->remove();
   OutputFolder::remove_all_created();
+  LockFile::remove_all();
 }
 
 void remove_unfinished_of_others() {
@@ -221,7 +204,7 @@ void write_file(const std::string& file, const std::function<void(const FileSink
   Part part{fs::path(file)};
   produce([&](std::string_view piece) { part.write(piece); });
   part.finish();
-  const NoInterrupts until_it_is_there;
+  const HeldSignals until_it_is_there;
   const std::lock_guard lock(chains);
   part.put_in_place();
   part.flush_folder();
@@ -261,7 +244,7 @@ OutputFolder::OutputFolder(const std::string& path) : path_(path) {
        p = p.parent_path())
     if (p.has_filename()) created_.push_back(p);
   {
-    const NoInterrupts until_chained;
+    const HeldSignals until_chained;
     const std::lock_guard lock(chains);
     older_ = std::exchange(newest_folder, this);
   }
@@ -287,13 +270,13 @@ void OutputFolder::make() {
 }
 
 void OutputFolder::keep() {
-  const NoInterrupts until_kept;
+  const HeldSignals until_kept;
   const std::lock_guard lock(chains);
   leave_chain();
 }
 
 void OutputFolder::remove_created() {
-  const NoInterrupts until_removed;
+  const HeldSignals until_removed;
   const std::lock_guard lock(chains);
   for (const std::string& folder : created_) rmdir(folder.c_str());
   leave_chain();

@@ -180,20 +180,28 @@ def signals(judge, long):
     return None
 
 
-def view(judge):
-    """The studio ends at each signal, and where nobody reads its line."""
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        place = judge.kitchen.place("view")
-        heard = []
+def end_view(judge, place, number):
+    """Starts the studio in a place and ends it by a signal. @return its end"""
+    heard = []
 
-        def when_it_listens(process):
-            heard.append(process.stdout.readline())
-            process.send_signal(number)
-        line = [str(judge.kitchen.program), "view", str(judge.kitchen.inputs / "design.yaml"), "--no-open"]
-        end = run(line, place, clean_environment(place / "home", place / "tmp"), during=when_it_listens)
-        judge.end(f"view, {signal.Signals(number).name}", end, {0, -number})
-        if not heard[0].startswith("http://127.0.0.1:"):
-            judge.fault("view", f"says {heard}", end)
+    def when_it_listens(process):
+        heard.append(process.stdout.readline())
+        process.send_signal(number)
+    line = [str(judge.kitchen.program), "view", str(judge.kitchen.inputs / "design.yaml"), "--no-open"]
+    end = run(line, place, clean_environment(place / "home", place / "tmp"), during=when_it_listens)
+    judge.end(f"view, {signal.Signals(number).name}", end, {0, -number})
+    if not heard[0].startswith("http://127.0.0.1:"):
+        judge.fault("view", f"says {heard}", end)
+    return end
+
+
+def view(judge):
+    """The studio ends at each signal, and where nobody reads its line. Its lock may outlive SIGKILL, until the next studio ends."""
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL):
+        place = judge.kitchen.place("view")
+        end = end_view(judge, place, number)
+        if number == signal.SIGKILL:
+            end = end_view(judge, place, signal.SIGTERM)
         if contents(place):
             judge.fault("view", f"leaves {list(contents(place))}", end)
 

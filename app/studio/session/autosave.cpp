@@ -1,9 +1,6 @@
 #include "app/studio/session/autosave.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <cstdlib>
 
@@ -61,29 +58,12 @@ Autosave::Autosave(const fs::path& state, const std::string& source) {
     throw InvalidInput("this folder cannot be made, so that designs are not kept", {state.string()});
   fs::permissions(state, fs::perms::owner_all, failure);
   const std::string name = place_name(source);
-  for (int k = 1; k <= most_places; ++k)
-    if (lock(state / (k == 1 ? name : fmt::format("{}_{}", name, k)))) return;
-  throw InvalidInput("no place can be made in this folder, so that designs are not kept", {state.string()});
-}
-
-Autosave::~Autosave() {
-  std::error_code ignored;
-  if (!fs::exists(folder_, ignored)) fs::remove(folder_.string() + ".lock", ignored);
-  close(lock_);
-}
-
-/// @return whether the place is ours
-bool Autosave::lock(const fs::path& folder) {
-  const std::string file = folder.string() + ".lock";
-  const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-  if (descriptor < 0) return false;
-  if (flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-    close(descriptor);
-    return false;
+  for (int k = 1; k <= most_places; ++k) {
+    folder_ = state / (k == 1 ? name : fmt::format("{}_{}", name, k));
+    lock_ = LockFile::acquire(folder_.string() + ".lock");
+    if (lock_) return;
   }
-  folder_ = folder;
-  lock_ = descriptor;
-  return true;
+  throw InvalidInput("no place can be made in this folder, so that designs are not kept", {state.string()});
 }
 
 std::optional<KeptDesign> Autosave::kept() const {

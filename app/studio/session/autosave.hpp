@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "app/files/design_file.hpp"
+#include "app/io/lock_file.hpp"
 
 namespace kinetix::app::studio {
 
@@ -25,9 +27,6 @@ class Autosave {
   /// @param state the folder of all places   @param source what the studio was started with, an absolute path
   /// @throws InvalidInput where there can be none
   Autosave(const std::filesystem::path& state, const std::string& source);
-  ~Autosave();
-  Autosave(const Autosave&) = delete;
-  Autosave& operator=(const Autosave&) = delete;
 
   const std::filesystem::path& folder() const { return folder_; }
   /// What a studio that was killed left; nothing where there is none, or it cannot be read.
@@ -41,10 +40,8 @@ class Autosave {
   std::string put_aside();
 
  private:
-  bool lock(const std::filesystem::path& folder);
-
   std::filesystem::path folder_;
-  int lock_ = -1;  ///< of a file beside the folder: gone with the program, however that ends
+  std::unique_ptr<LockFile> lock_;  ///< beside the folder
   std::mutex mutex_;
   bool has_ended_ = false;
 };
