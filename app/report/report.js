@@ -60,8 +60,9 @@ function build(data) {
   drawAll();
 }
 
-/** Paper is white whatever the screen's colours are. */
+/** Paper is white whatever the screen's colours are, and shows every warning. */
 function prepareForPaper(printing) {
+  for (const warnings of document.querySelectorAll(".warnings")) warnings.open = printing;
   if (printing)
     document.documentElement.dataset.theme = "light";
   else

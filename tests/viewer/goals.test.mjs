@@ -166,9 +166,9 @@ async function found(name, use) {
 test("a goal that the physics run does not confirm is no good news", async () => {
   const place = path.join(home, "unconfirmed"), file = path.join(place, "result.json");
   await run(path.join(SHAPES, "helmet_rib.yaml"), "--no-verify", "-o", place);
-  for (const [verified, words, kind] of [[true, "Met: what was found before", "good"], [false, "Met, but the physics run does not confirm it: what was found before", "bad"]]) {
+  for (const [agrees, words, kind] of [[true, "Met: what was found before", "good"], [false, "Met, but the physics run does not confirm it: what was found before", "bad"]]) {
     const result = JSON.parse(readFileSync(file));
-    writeFileSync(file, JSON.stringify({...result, metrics: {...result.metrics, verified}}));
+    writeFileSync(file, JSON.stringify({...result, verdict: {...result.verdict, agrees}}));
     await inStudio(place, async (page) => {
       await page.waitForFunction(() => !document.getElementById("found").hidden, {timeout: 10000});
       assert.deepEqual(await page.$eval("#found_title", ({textContent, className}) => [textContent, className]), [words, kind]);

@@ -199,10 +199,13 @@ function firstShots(data) {
       flat ? figure((width) => drawShot(flat, folded, width, wider()), "Flat, as it is printed") : null);
 }
 
-/** What speaks against it, a sentence each. */
+/** Problems, a sentence each: all errors, and warnings that fold away where there are several problems. */
 function problemLines({verdict: {errors, warnings}}) {
   const line = (level) => (text) => html("p", {class: "why"}, `${level}: ${text}`);
-  return [...errors.map(line("Error")), ...warnings.map(line("Warning"))];
+  const lines = warnings.map(line("Warning"));
+  if (errors.length + lines.length > 1 && lines.length)
+    return [...errors.map(line("Error")), html("details", {class: "warnings"}, html("summary", {}, count(lines.length, "warning", "warnings")), lines)];
+  return [...errors.map(line("Error")), ...lines];
 }
 
 function firstScreen(data) {
