@@ -41,6 +41,7 @@ model::EquilibriumPathOptions steps_of(const DesignFile& design, int steps) {
   options.side = design.side;
   options.longest_step = std::clamp(std::abs(design.theta) / steps, options.least_step, options.longest_step);
   options.first_step = std::min(options.first_step, options.longest_step);
+  options.longest_step_touching = std::min(options.longest_step_touching, options.longest_step);
   return options;
 }
 
