@@ -300,10 +300,11 @@ std::vector<Json> files_of(const std::string& list) {
             sweep(R"({"path": "a", "values": [1]})")};
   if (list == "assembly") {
     const Json still = two_bodies();
-    Json soft = still, driven = still;
+    Json soft = still, driven = still, pulled = still;
     soft["structure"]["hinges"][0]["k"] = {{"axial", 3}, {"shear", 1}, {"along", 2}, {"turn", 0.1}};
     driven["drive"] = {{"angle_deg", 10}};
-    return {still, soft, driven};
+    pulled["drive"]["poses"] = Json::parse("[[5, 5, 5, 1, 0, 0, 0], [17, 5, 5, 1, 0, 0, 0]]");
+    return {still, soft, driven, pulled};
   }
   if (list == "hinges")
     return {Json{{"kinetix", 1}, {"hinges", Json::parse(R"([{"hinge": "a", "axis": [0, 0, 1]}])")}},

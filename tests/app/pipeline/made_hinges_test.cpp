@@ -135,7 +135,8 @@ TEST(MadeHinges, SayWhatTheyCannotBear) {
 TEST(MadeHinges, AreStrainedBesideWhatTheirOwnMaterialBears) {
   const std::string film = "{kind: film, material: pa12, gap_mm: 3, thickness_mm: 0.4}";
   const Simulated s = verified_design(design_with("kind: block, material: tpu95a, gap_mm: 1.5",
-                                                  "[{wall: [[0, 0], [1, 0]], hinge: " + film + "}]"));
+                                                  "[{wall: [[0, 0], [1, 0]], hinge: " + film + "}]"),
+                                      3);
   const model::MadeHinge made{.kind = model::HingeKind::film,
                               .material = *model::find_material("pa12"),
                               .gap_mm = 3,
@@ -144,6 +145,11 @@ TEST(MadeHinges, AreStrainedBesideWhatTheirOwnMaterialBears) {
   EXPECT_EQ(s.result["metrics"]["strain_allowed"], 0.04);
   // Its walls turn against each other by 2 theta, 40 deg, or a little less.
   EXPECT_NEAR(s.result["metrics"]["strain_max"], strain(made, 40 * radians_per_degree), 0.01);
+  const Json& verdict = s.result["verdict"];
+  EXPECT_EQ(verdict["reaches"], false);
+  EXPECT_EQ(verdict["agrees"], true);
+  EXPECT_EQ(verdict["problems"].size(), 1u) << "its strain alone";
+  EXPECT_THAT(verdict["problems"][0]["text"].get<std::string>(), HasSubstr("its material bears 0.04"));
 }
 
 TEST(MadeHinges, AreRefusedTooFarOffTheirWall) {

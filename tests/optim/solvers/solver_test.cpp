@@ -289,14 +289,16 @@ TEST(MultiStart, AStartWithoutMemoryEndsTheSearch) {
   EXPECT_THROW(multi_start(Valley(), starts, two), std::bad_alloc);
 }
 
-TEST(MultiStart, TakesAnyNumberOfThreads) {
+TEST(MultiStart, TakesMoreThreadsThanStartsAndRefusesWhatIsNoNumberOfThreads) {
   MultiStartOptions options;
   options.starts = 2;
-  options.threads = 10'000'000;
+  options.threads = 1024;
   const StartMaker start = [](int, std::uint64_t) { return Eigen::Vector2d(-1.2, 1); };
   EXPECT_LE(multi_start(Valley(), start, options).best_run().residual_norm, 1e-3);
-  options.threads = -1;
-  EXPECT_THROW(multi_start(Valley(), start, options), InvalidInput);
+  for (const int threads : {-1, 1025, 10'000'000}) {
+    options.threads = threads;
+    EXPECT_THROW(multi_start(Valley(), start, options), InvalidInput) << threads;
+  }
 }
 
 }  // namespace

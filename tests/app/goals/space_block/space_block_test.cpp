@@ -53,8 +53,9 @@ TEST(SpaceBlockResult, WhoseOwnCellsMissItsSizeAsksForOtherCells) {
 // Gussets of its sides stand out beyond the rotors, from which its lengths are measured.
 TEST(SpaceBlockTarget, IsForetoldAsLargeAsItsDesignIs) {
   const Scratch scratch;
-  const std::string file = scratch.write(
-      "block.yaml", "kinetix: 1\ntarget: {kind: space_block, factor: 0.85}\nstructure: {cells: [1, 1, 1]}\n");
+  const std::string file = scratch.write("block.yaml",
+                                         "kinetix: 1\ntarget: {kind: space_block, factor: 0.85}\nstructure: "
+                                         "{cells: [1, 1, 1], wall_mm: {thickness: 0.8, height: 3}}\n");
   ASSERT_EQ(kinetix_opt(file + " --no-verify -o " + std::string(scratch / "out")).code, 0);
   const auto folded = [](const std::string& what) {
     const Json told = Json::parse(kinetix_opt("check --json " + what).out);

@@ -43,7 +43,9 @@ TEST(SpaceCurveResult, OfElasticHingesIsThatOfTheirEquilibrium) {
   ASSERT_EQ(run.code, 0) << run.out << run.err;
   const Json result = Json::parse(text_of(scratch / "out/result.json"));
   EXPECT_EQ(schema_errors(result), "");
-  EXPECT_LT(result["matter"]["after_mm"], 0.5 * result["matter"]["before_mm"].get<double>());
+  // Straight columns are off a curve with rigid hinges as well: no tilts make up for that.
+  const auto matter = [&](const char* key) { return result["matter"][key].get<double>(); };
+  EXPECT_LT(matter("after_mm") - matter("exact_mm"), 0.5 * (matter("before_mm") - matter("exact_mm")));
   EXPECT_LE(result["metrics"]["shape_rms"], 0.01);
   EXPECT_NEAR(result["metrics"]["shape_rms_physics"], result["metrics"]["shape_rms"], 1e-6);
 
