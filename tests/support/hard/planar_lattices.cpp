@@ -211,10 +211,11 @@ void add_soft_hinges(HardCases& cases) {
            return follow_softly([&](double ratio) { return driven_to(s, drive, ratio); }, 30 * deg);
          }});
     if (plates)
-      cases.push_back({text("%s, hinge to theta = 30 deg, stiffness ratio 1e6", panel.name),
-                       "work is energy to 1e-3; told where it leaves the closed form, with less energy than that, or "
-                       "ended with a reason",
-                       [s = panel.structure] { return follow_one_wall(s, 30 * deg); }});
+      cases.push_back(
+          {text("%s, hinge to theta = 30 deg, stiffness ratio 1e6", panel.name),
+           "work is energy to 1e-3; told where it leaves the closed form, with less energy than that, or "
+           "ended with a reason",
+           [s = panel.structure] { return follow_one_wall(s, 30 * deg); }});
   }
 }
 
