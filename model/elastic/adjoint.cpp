@@ -154,7 +154,7 @@ class Adjoint {
     double sum = 0;
     for (const Contact& c : contacts_) {
       const Vector12 lambda = pair(walls.body(c.plate), walls.body(c.other));
-      Eigen::Vector4d by_design = -walls.derivatives(c, k, state_).transpose() * lambda;
+      ContactModel::ByTwoHinges by_design = -walls.derivatives(c, k, state_).transpose() * lambda;
       sum -= walls.stiffness_rate(c, state_).dot(lambda);
       if (energy_ != 0) {
         const double unit = energy_ * walls.energy({c}, 1);
@@ -162,10 +162,8 @@ class Adjoint {
         sum += unit;
       }
       const int own = ContactModel::hinge(c.plate), other = ContactModel::hinge(c.other);
-      out(0, own) += by_design[0];
-      out(2, own) += by_design[1];
-      out(0, other) += by_design[2];
-      out(2, other) += by_design[3];
+      out.col(own).head<3>() += by_design.head<3>();
+      out.col(other).head<3>() += by_design.tail<3>();
     }
     return sum;
   }

@@ -22,11 +22,11 @@ struct NewtonOptions {
 
 struct NewtonResult {
   bool converged = false;
-  bool stable = false;  ///< the tangent of the last state is positive definite
+  bool stable = false;        ///< the tangent of the last state is positive definite
   bool met_negative = false;  ///< that of a state on the way was not
-  double force = 0;     ///< largest entry of the gradient by the unknowns, k_point edge^2
-  double moved = 0;     ///< lengths of all steps, those by an old factor left out, rad or cell edges
-  int iterations = 0;   ///< each with a tangent of its own
+  double force = 0;           ///< largest entry of the gradient by the unknowns, k_point edge^2
+  double moved = 0;           ///< lengths of all steps, those by an old factor left out, rad or cell edges
+  int iterations = 0;         ///< each with a tangent of its own
 };
 
 /// Minimises the energy of a system at fold parameter theta, rad, from `state`, in which what the drive grips

@@ -230,8 +230,13 @@ inline Equilibrium random_equilibrium(const EquilibriumCase& c) {
     if (c.touching) s.size.thickness_mm = 4.8;
     return s;
   };
+  // Those that differences move their hinges to are apart, too.
+  const auto overlaps = [](model::Structure s) {
+    s.size.thickness_mm *= 1.02;
+    return model::WallContact(s).overlap_at_rest().has_value();
+  };
   model::Structure s = draw();
-  while (model::WallContact(s).overlap_at_rest()) s = draw();
+  while (overlaps(s)) s = draw();
   const double theta = c.touching ? 0.45 : 0.35;
   const model::Drive drive =
       c.plates ? plates_drive(model::Axis::y, theta) : hinge_drive({{1, 1}, model::Axis::x}, theta);

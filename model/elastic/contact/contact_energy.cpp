@@ -34,37 +34,44 @@ double ContactModel::energy(const std::vector<Contact>& contacts, double stiffne
   return sum;
 }
 
-Eigen::Vector4d ContactModel::gap_gradient(const PointGap& g, const Contact& c, const State& state) const {
+ContactModel::ByTwoHinges ContactModel::gap_gradient(const PointGap& g, const Contact& c,
+                                                     const State& state) const {
   const ContactPlate& plate = all().plates[c.plate];
   const ContactPlate& box = all().plates[c.other];
   const ContactPoint& point = all().points[c.point];
-  const Matrix3d& R = state[plate.body].R;
-  return {plate.sign * point.part * plate.length_rate_at(point.high) * g.n.dot(R * plate.edge),
-          g.n.dot(R * plate.place_rate(point)), -box.sign * ContactPlates::face_offset_rate(box, c.face),
-          g.m.dot(state[box.body].R * box.face_normal_rate(c.face))};
+  const Matrix3d &R = state[plate.body].R, &frame = state[box.body].R;
+  ByTwoHinges out;
+  out << plate.sign * g.n.dot(R * plate.place_length_rate(point)), g.n.dot(R * plate.place_alpha_rate(point)),
+      g.n.dot(R * plate.place_rate(point)), -box.sign * ContactPlates::face_offset_rate(box, c.face),
+      g.m.dot(frame * box.face_normal_alpha_rate(c.face)) -
+          ContactPlates::face_offset_alpha_rate(box, c.face),
+      g.m.dot(frame * box.face_normal_rate(c.face));
+  return out;
 }
 
-Eigen::Vector4d ContactModel::depth_gradient(const Contact& c, const State& state) const {
+ContactModel::ByTwoHinges ContactModel::depth_gradient(const Contact& c, const State& state) const {
   return -gap_gradient(gap(c, state), c, state);
 }
 
-Eigen::Matrix<double, 12, 4> ContactModel::derivatives(const Contact& c, double stiffness,
+Eigen::Matrix<double, 12, 6> ContactModel::derivatives(const Contact& c, double stiffness,
                                                        const State& state) const {
   const PointGap g = gap(c, state);
   const ContactPlate& plate = all().plates[c.plate];
   const ContactPlate& box = all().plates[c.other];
   const ContactPoint& point = all().points[c.point];
-  const Matrix3d& R = state[plate.body].R;
-  const Vector3d by_t = plate.sign * point.part * plate.length_rate_at(point.high) * (R * plate.edge),
-                 by_beta = R * plate.place_rate(point);
-  const Vector3d normal_by_beta = state[box.body].R * box.face_normal_rate(c.face);
+  const Matrix3d &R = state[plate.body].R, &frame = state[box.body].R;
   const Vector3d none = Vector3d::Zero();
-  const Eigen::Vector4d value = gap_gradient(g, c, state);
-  Eigen::Matrix<double, 12, 4> out;
-  out.col(0) = g.gradient_change(none, by_t, by_t);
-  out.col(1) = g.gradient_change(none, by_beta, by_beta);
-  out.col(2).setZero();
-  out.col(3) = g.gradient_change(normal_by_beta, none, none);
+  const auto by_point = [&](const Vector3d& moved) -> Vector12 {
+    return g.gradient_change(none, R * moved, R * moved);
+  };
+  const auto by_normal = [&](const Vector3d& turned) -> Vector12 {
+    return g.gradient_change(frame * turned, none, none);
+  };
+  Eigen::Matrix<double, 12, 6> out;
+  out << by_point(plate.sign * plate.place_length_rate(point)), by_point(plate.place_alpha_rate(point)),
+      by_point(plate.place_rate(point)), Vector12::Zero(), by_normal(box.face_normal_alpha_rate(c.face)),
+      by_normal(box.face_normal_rate(c.face));
+  const ByTwoHinges value = gap_gradient(g, c, state);
   return weight_ * stiffness * (g.value * out + g.gradient() * value.transpose());
 }
 

@@ -32,19 +32,20 @@ class ContactModel {
   Element element(const Contact& contact, double stiffness, const State& state) const;
   double energy(const std::vector<Contact>& contacts, double stiffness) const;
 
-  /// How the gradient of a contact's energy changes with t and beta of the two hinges: columns t, beta of
-  /// contact.plate's hinge, then of contact.other's.
-  Eigen::Matrix<double, 12, 4> derivatives(const Contact& contact, double stiffness,
+  /// By t, alpha and beta of contact.plate's hinge, then of contact.other's.
+  using ByTwoHinges = Eigen::Matrix<double, 6, 1>;
+  /// How the gradient of a contact's energy changes: a column each.
+  Eigen::Matrix<double, 12, 6> derivatives(const Contact& contact, double stiffness,
                                            const State& state) const;
   /// And with the stiffness.
   Vector12 stiffness_rate(const Contact& contact, const State& state) const;
-  /// Derivative of depth by the same four.
-  Eigen::Vector4d depth_gradient(const Contact& contact, const State& state) const;
+  /// Derivative of depth.
+  ByTwoHinges depth_gradient(const Contact& contact, const State& state) const;
 
  private:
   const ContactPlates& all() const { return search_.all(); }
   PointGap gap(const Contact& contact, const State& state) const;
-  Eigen::Vector4d gap_gradient(const PointGap& gap, const Contact& contact, const State& state) const;
+  ByTwoHinges gap_gradient(const PointGap& gap, const Contact& contact, const State& state) const;
 
   ContactSearch search_;
   double weight_;  ///< of a point, against those along the same wall tip edge

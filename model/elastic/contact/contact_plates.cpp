@@ -43,6 +43,8 @@ ContactPlate contact_plate(const Plate& half_wall) {
   plate.sign = half_wall.length_t;
   plate.length = half_wall.length;
   plate.slant = half_wall.slant;
+  // It is cot(alpha) of the half wall that t is the length of, and its opposite of the other one.
+  plate.slant_rate = -std::copysign(1 + plate.slant * plate.slant, half_wall.length_t);
   plate.edge = half_wall.edge;
   plate.up = half_wall.up;
   plate.up_rate = half_wall.up_beta;
@@ -85,8 +87,22 @@ Vector3d ContactPlate::face_normal_rate(Face face) const {
   return -up_rate;
 }
 
+Vector3d ContactPlate::face_normal_alpha_rate(Face face) const {
+  if (face != Face::wall_tip_end) return Vector3d::Zero();
+  const double slope = end_slope();
+  return -slant_rate * (up + slant * edge) / (slope * slope * slope);
+}
+
 Vector3d ContactPlate::place(const ContactPoint& point) const {
   return point.part * length_at(point.high) * edge + point.across * normal + point.high * up;
+}
+
+Vector3d ContactPlate::place_length_rate(const ContactPoint& point) const {
+  return point.part * length_rate_at(point.high) * edge;
+}
+
+Vector3d ContactPlate::place_alpha_rate(const ContactPoint& point) const {
+  return slant_rate * point.high * place_length_rate(point);
 }
 
 Vector3d ContactPlate::place_rate(const ContactPoint& point) const {

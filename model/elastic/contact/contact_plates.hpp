@@ -26,7 +26,8 @@ struct ContactPlate {
   Eigen::Vector3d up_rate, normal_rate;
   double sign = 1;  ///< of d(length)/dt, 1 or -1
   double length = 0;
-  double slant = 0;  ///< Plate::slant
+  double slant = 0;       ///< Plate::slant
+  double slant_rate = 0;  ///< its derivative by alpha of its hinge, per rad
 
   /// Length from the vertex to the tip at a height above the middle, not below 0, and its derivative by `length`.
   double length_at(double high) const { return std::max(0.0, length + slant * high); }
@@ -37,8 +38,12 @@ struct ContactPlate {
   double end_slope() const { return std::hypot(1, slant); }
   Eigen::Vector3d face_normal(Face face) const;  ///< outward
   Eigen::Vector3d face_normal_rate(Face face) const;
-  /// In its body's frame, cell edges, and the derivative by beta.
+  /// The derivative of face_normal() by alpha, per rad.
+  Eigen::Vector3d face_normal_alpha_rate(Face face) const;
+  /// In its body's frame, cell edges, and the derivatives by `length`, alpha and beta.
   Eigen::Vector3d place(const ContactPoint& point) const;
+  Eigen::Vector3d place_length_rate(const ContactPoint& point) const;
+  Eigen::Vector3d place_alpha_rate(const ContactPoint& point) const;
   Eigen::Vector3d place_rate(const ContactPoint& point) const;
 };
 
@@ -57,9 +62,15 @@ struct ContactPlates {
   double reach() const;
   /// Of a face's plane from the vertex, along its normal, cell edges.
   double face_offset(const ContactPlate& plate, Face face) const;
-  /// Its derivative by the length of the plate.
+  /// Its derivatives by the length of the plate and by alpha of its hinge.
   static double face_offset_rate(const ContactPlate& plate, Face face) {
     return face == Face::wall_tip_end ? 1 / plate.end_slope() : 0;
+  }
+  static double face_offset_alpha_rate(const ContactPlate& plate, Face face) {
+    const double slope = plate.end_slope();
+    return face == Face::wall_tip_end
+               ? -plate.length * plate.slant * plate.slant_rate / (slope * slope * slope)
+               : 0;
   }
 };
 

@@ -65,7 +65,8 @@ class PathTracer {
   std::stop_token stop_;
   Refusal refusal_;     ///< of the last step that was not taken
   EquilibriumStep at_;  ///< of the head
-  bool is_settled_ = true;  ///< the head is an equilibrium to the last digit, not to what steps before the goal ask for
+  bool is_settled_ =
+      true;  ///< the head is an equilibrium to the last digit, not to what steps before the goal ask for
   const EquilibriumPathOptions& options_;
 };
 

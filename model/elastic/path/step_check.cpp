@@ -12,7 +12,8 @@ constexpr double bent_load = 0.01;      // of the work of a step: loads between 
 constexpr double bent_stiffness = 0.1;  // of the change of the load on a step, likewise of its derivative
 constexpr double least_step =
     1e-4;  // rad of theta: over less, derivatives are not those at the ends of the step
-constexpr double load_noise = 1e-3;         // of a load: so much less tells of no event, nor do rough states before the goal
+constexpr double load_noise =
+    1e-3;  // of a load: so much less tells of no event, nor do rough states before the goal
 constexpr double difference_noise = 1e-13;  // of the energy and of k_point edge^2: rounding of a difference
 
 bool changes_contact(const EquilibriumStep& before, const EquilibriumStep& after) {

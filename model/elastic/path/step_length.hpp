@@ -12,7 +12,8 @@ struct NextStep {
   bool is_short = false;     ///< so short that a jump to another state is taken, and walls may begin to touch
   bool is_shortest = false;  ///< no shorter one will be tried
   bool locates = false;      ///< looks for where something happens: the step is not taken if anything does
-  bool leaves = false;  ///< where something happens: the tangent there may be as good as singular, and lead anywhere
+  bool leaves =
+      false;  ///< where something happens: the tangent there may be as good as singular, and lead anywhere
 };
 
 /// Steps of theta that adapt to how well they are predicted. They do not depend on the goal, except the last one, which ends there.

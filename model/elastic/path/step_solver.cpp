@@ -67,8 +67,7 @@ Trial StepSolver::find(const NextStep& next, const PathHead& head, State predict
 NewtonOptions StepSolver::newton_options(const NextStep& next, bool may_stray) const {
   NewtonOptions options = options_.newton;
   if (!may_stray) options.most_moved = strayed * options_.longest_jump;
-  if (next.is_shortest)
-    options.max_iterations = std::max(options.max_iterations, snap_iterations);
+  if (next.is_shortest) options.max_iterations = std::max(options.max_iterations, snap_iterations);
   if (next.to_goal || next.locates) return options;
   options.step_tolerance = std::max(options.step_tolerance, rough_step);
   options.energy_tolerance = level;

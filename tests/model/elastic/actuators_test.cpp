@@ -150,7 +150,7 @@ TEST(ShapeMemory, FoldsToTheSideOfItsAngle) {
     const LinkageDrive drive = shape_memory_drive(s, {}, 5, angle);
     return mean_theta(s, trace_equilibrium({s, drive, exact_motion(s)}, {}).state);
   };
-  EXPECT_NEAR(folded(-0.6), -folded(0.6), 1e-12);
+  EXPECT_NEAR(folded(-0.6), -folded(0.6), NewtonOptions{}.step_tolerance);
   EXPECT_GT(folded(0.6), 0.29);
 }
 

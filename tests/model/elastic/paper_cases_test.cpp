@@ -83,7 +83,8 @@ TEST(PaperGrids, UncrossableGridTouchesWhereTheClosedFormDoesAndLocks) {
     ASSERT_TRUE(contact && lock);
     EXPECT_NEAR(std::abs(contact->at.theta), limit, 5e-4);
     EXPECT_LE(std::abs(lock->at.theta), limit + 1 * radians_per_degree);
-    EXPECT_GE(std::abs(path.steps.back().load), 50 * std::abs(driven(s, sign * limit, 1e-3).steps.back().load));
+    EXPECT_GE(std::abs(path.steps.back().load),
+              50 * std::abs(driven(s, sign * limit, 1e-3).steps.back().load));
     EXPECT_NE(lock->what.find("walls carry the drive"), std::string::npos);
   }
 }

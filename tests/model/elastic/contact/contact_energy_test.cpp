@@ -84,12 +84,13 @@ TEST(ContactEnergy, GradientAndHessianMatchCentralDifferences) {
   });
 }
 
-/// t and beta of the two hinges of a contact changed by q.
+/// t, alpha and beta of the two hinges of a contact changed by q.
 Structure redesigned(Structure s, const Contact& c, const VectorXd& q) {
   for (const int k : {0, 1}) {
     HingeParameters& p = s.hinges[ContactModel::hinge(k == 0 ? c.plate : c.other)].parameters;
-    p.t += q[2 * k];
-    p.beta += q[2 * k + 1];
+    p.t += q[3 * k];
+    p.alpha += q[3 * k + 1];
+    p.beta += q[3 * k + 2];
   }
   return s;
 }
@@ -103,11 +104,11 @@ TEST(ContactEnergy, RatesByTheTwoHingesMatchCentralDifferences) {
       const double depth = c.depth * std::sqrt(e.energy / walls.energy({c}, stiffness));
       return (VectorXd(13) << depth, e.gradient).finished();
     };
-    Eigen::Matrix<double, 13, 4> derivatives;
+    Eigen::Matrix<double, 13, 6> derivatives;
     derivatives << walls.depth_gradient(c, panel.state).transpose(),
         walls.derivatives(c, stiffness, panel.state);
     const double step = std::min(1e-3, c.depth / 10);
-    expect_jacobian(depth_and_gradient, VectorXd::Zero(4), derivatives, 1e-7, step);
+    expect_jacobian(depth_and_gradient, VectorXd::Zero(6), derivatives, 1e-7, step);
   });
 }
 

@@ -183,7 +183,7 @@ TEST(EquilibriumPath, HasASnapWhereTheWayBackIsAnotherAndNoOtherEventThere) {
       snaps += event.kind == Kind::snap;
       if (!is_another) continue;
       EXPECT_EQ(*is_another, with_snap) << "seed " << seed << ": " << to_string(event.kind) << " at theta "
-                                          << event.at.theta << ", " << event.what;
+                                        << event.at.theta << ", " << event.what;
     }
   }
   EXPECT_GE(events, sheets_to_retrace() / 2);
