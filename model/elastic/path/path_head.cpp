@@ -21,13 +21,15 @@ PathHead::PathHead(MeasuredSystem& system, const ClosedForm& closed_form)
   on_closed_form_ = !is_left_by_bifurcation && closed_form_.is_near(state_, theta_);
 }
 
+State PathHead::carried(double theta) const {
+  State state = state_;
+  system_.elastic.place(theta, state);
+  return state;
+}
+
 State PathHead::predicted(double theta) {
   const ElasticSystem& elastic = system_.elastic;
-  State state = state_;
-  if (has_tangent_)
-    state = predictor_.predict(state_, theta_, theta, system_.tangent);
-  else
-    elastic.place(theta, state);
+  State state = has_tangent_ ? predictor_.predict(state_, theta_, theta, system_.tangent) : carried(theta);
   if (!on_closed_form_) return state;
   const std::optional<State> exact = closed_form_ahead(theta);
   return exact && elastic.energy(*exact, theta) < elastic.energy(state, theta) ? *exact : state;

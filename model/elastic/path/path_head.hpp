@@ -22,6 +22,8 @@ class PathHead {
 
   /// Along the tangent, or the closed form while the path keeps to it: that leads through singular points.
   State predicted(double theta);
+  /// As it is, but for what the drive holds.
+  State carried(double theta) const;
   /// Of the last prediction, 1 or 2.
   int prediction_order() const { return predictor_.order(); }
   /// On the path's branch of it, if there is one: a cord, say, may be as long again at quite another fold.

@@ -89,7 +89,7 @@ bool PathTracer::settle_head() {
 PathTracer::Attempt PathTracer::attempt(const NextStep& next) {
   Attempt out;
   out.next = next;
-  const State prediction = head_.predicted(next.theta);
+  const State prediction = next.leaves ? head_.carried(next.theta) : head_.predicted(next.theta);
   out.order = head_.prediction_order();
   out.trial = solver_.find(next, head_, prediction);
   record_.count(out.trial.iterations);

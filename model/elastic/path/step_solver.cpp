@@ -131,13 +131,15 @@ void StepSolver::choose_side(const NextStep& next, const PathHead& head, const S
   State mirrored = system_.elastic.retract(from, -off);
   system_.elastic.place(trial.theta, mirrored);
   bool takes_twin = false;
-  if (search_from(std::move(mirrored), twin) && are_twins(trial, twin)) {
+  if (search_from(std::move(mirrored), twin) &&
+      (next.leaves ? differ(trial, twin) : are_twins(trial, twin))) {
     const double to_trial = turn_distance(structure, head.state(), trial.state),
                  to_twin = turn_distance(structure, head.state(), twin.state);
     const bool begins_here = std::max(to_trial, to_twin) <= equally_far * std::min(to_trial, to_twin);
     if (begins_here) trial.descent = Descent::lowest_mode;
-    takes_twin = begins_here ? branch_.side_of(twists_between(structure, twin.state, trial.state)) < 0
-                             : to_twin < to_trial;
+    if (begins_here) takes_twin = branch_.side_of(twists_between(structure, twin.state, trial.state)) < 0;
+    // A path on one of them stays there.
+    if (!begins_here && !next.leaves) takes_twin = to_twin < to_trial;
   }
   if (takes_twin) {
     trial.state = std::move(twin.state);
@@ -165,9 +167,13 @@ bool StepSolver::search_from(State start, Trial& trial) {
   return trial.newton.converged && trial.newton.stable;
 }
 
+bool StepSolver::differ(const Trial& one, const Trial& other) const {
+  return turn_distance(system_.elastic.structure(), one.state, other.state) > same_state;
+}
+
 bool StepSolver::are_twins(const Trial& one, const Trial& other) const {
   const ElasticSystem& elastic = system_.elastic;
-  if (!(turn_distance(elastic.structure(), one.state, other.state) > same_state)) return false;
+  if (!differ(one, other)) return false;
   const double energy = elastic.stored_energy(one.state, one.theta);
   return std::abs(energy - elastic.stored_energy(other.state, other.theta)) <= same_depth * energy;
 }

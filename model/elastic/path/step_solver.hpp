@@ -41,7 +41,8 @@ class StepSolver {
   bool polish(Trial& trial);
   /// To the last digit. @return whether it ended in a stable equilibrium
   bool search_from(State start, Trial& trial);
-  /// Whether two minima at one theta are different states of the same energy.
+  /// Whether two minima at one theta are different states, and whether of the same energy, too.
+  bool differ(const Trial& one, const Trial& other) const;
   bool are_twins(const Trial& one, const Trial& other) const;
   /// From an equilibrium that is no minimum down to one that is, over further saddles if need be; where that
   /// fails, there is no equilibrium to take. It stays where its lowest mode is neutral.
