@@ -54,13 +54,13 @@ struct Order {
   PrintPath path = print_path(design);
 };
 
-/// @param whether_alone without where parts come too near, which takes longer
-Attempt attempt(const Order& order, const PrintChoice& choice, bool whether_alone) {
+/// @param look at the way to the fold; the reason says where parts come too near if that was looked for
+Attempt attempt(const Order& order, const PrintChoice& choice, ClearanceLook look) {
   try {
     PrintSheet sheet = make_print_sheet(order.design, order.path, order.process, choice);
-    const PathClearance clearance = path_clearance(sheet, whether_alone);
+    const PathClearance clearance = path_clearance(sheet, look);
     if (is_kept(clearance)) return {PreparedPrint{{std::move(sheet), order.folded}, clearance}, ""};
-    return {std::nullopt, whether_alone ? "" : words(sheet, clearance)};
+    return {std::nullopt, look == ClearanceLook::least ? words(sheet, clearance) : ""};
   } catch (const BedTooSmall& e) {
     return {std::nullopt, e.reason(), true};
   } catch (const InvalidInput& e) {
@@ -88,11 +88,13 @@ std::vector<PrintChoice> others(const DesignFile& design, const PrintChoice& cho
 }
 
 /// By the first choice that leaves room. The reason is that of the choice itself.
-Attempt best_attempt(const Order& order, const PrintChoice& choice, bool whether_alone = false) {
-  Attempt first = attempt(order, choice, whether_alone);
+Attempt best_attempt(const Order& order, const PrintChoice& choice,
+                     ClearanceLook look = ClearanceLook::least) {
+  Attempt first = attempt(order, choice, look);
   if (first.print || first.is_bed_too_small) return first;
+  const bool is_verdict = look == ClearanceLook::verdict;
   for (const PrintChoice& other : others(order.design, choice)) {
-    Attempt found = attempt(order, other, true);
+    Attempt found = attempt(order, other, is_verdict ? look : ClearanceLook::until_near);
     if (found.print) return found;
   }
   return first;
@@ -105,7 +107,7 @@ std::optional<double> enough_mm(const Order& order, PrintChoice choice) {
   const double refused_mm = choice.edge_mm > 0 ? choice.edge_mm : size.edge_mm;
   const auto fits = [&](double steps) {
     choice.edge_mm = steps * step_mm;
-    return best_attempt(order, choice, true).print.has_value();
+    return best_attempt(order, choice, ClearanceLook::verdict).print.has_value();
   };
   double low = std::floor(refused_mm / step_mm), high = low + 1;  // steps
   while (!fits(high)) {
@@ -144,7 +146,7 @@ std::string would_do(const Order& order, const Attempt& refused, PrintChoice cho
   if (!edge) return "; no larger cell would do either" + instead_of_pins(order, choice);
   choice.edge_mm = *edge;
   const model::CellSize size = resized(order.design.structure.size(), choice, order.process);
-  const bool is_on_bed = !choice.bed_mm || best_attempt(order, choice).print;
+  const bool is_on_bed = !choice.bed_mm || best_attempt(order, choice, ClearanceLook::verdict).print;
   const auto larger = resized_words(order.design.structure.size().edge_mm, *edge);
   return fmt::format(
       "; with walls of {:.3g} x {:.3g} mm a cell_mm of {:g} would do (kinetix-opt export --cell-mm {:g}){}{}",
@@ -166,17 +168,18 @@ struct Fitted {
 };
 
 /// Pins where they fit, else blocks. @param choice whose kind does not count
-/// @param tells_no_pins with the reason where blocks take the place of pins, which takes longer
-Fitted fitted(const Order& order, PrintChoice choice, bool tells_no_pins) {
+Fitted fitted(const Order& order, PrintChoice choice, ClearanceLook look) {
   choice.kind = model::HingeKind::pin;
-  const bool are_open = leaves_hinges_open(order.design);
-  Fitted out{choice, best_attempt(order, choice, are_open && !tells_no_pins)};
-  if (out.attempt.print || !are_open) return out;
+  Fitted out{choice, best_attempt(order, choice, look)};
+  if (out.attempt.print || !leaves_hinges_open(order.design)) return out;
   choice.kind = model::HingeKind::block;
-  out = {choice, best_attempt(order, choice), std::move(out.attempt.reason)};
-  if (!out.attempt.print)
-    out.attempt.reason = "neither pins nor blocks fit: with blocks " + out.attempt.reason;
-  return out;
+  return {choice, best_attempt(order, choice, look), std::move(out.attempt.reason)};
+}
+
+/// Why neither fits, or why those do not that the design has itself. @param refused of a verdict
+std::string reason_of(const Order& order, const Fitted& refused) {
+  const Attempt words = attempt(order, refused.choice, ClearanceLook::least);
+  return (leaves_hinges_open(order.design) ? "neither pins nor blocks fit: with blocks " : "") + words.reason;
 }
 
 /// "block, pin": each kind once.
@@ -217,8 +220,12 @@ PreparedPrint prepared(const DesignFile& design, const model::Process& process, 
 PreparedPrint prepared_as_fits(const DesignFile& design, const model::Process& process, PrintChoice choice,
                                bool folded) {
   const Order order{design, process, folded};
-  Fitted found = fitted(order, choice, true);
-  if (!found.attempt.print) refuse(order, found.attempt, found.choice);
+  Fitted found = fitted(order, choice, ClearanceLook::least);
+  if (!found.attempt.print) {
+    if (leaves_hinges_open(design))
+      found.attempt.reason = "neither pins nor blocks fit: with blocks " + found.attempt.reason;
+    refuse(order, found.attempt, found.choice);
+  }
   if (found.choice.kind == model::HingeKind::block)
     found.attempt.print->job.sheet.warnings.push_back("hinges are blocks, as pins do not fit: " +
                                                       found.no_pins);
@@ -226,8 +233,9 @@ PreparedPrint prepared_as_fits(const DesignFile& design, const model::Process& p
 }
 
 PrintAnswer answer_as_fits(const DesignFile& design, const model::Process& process) {
-  const Fitted found = fitted({design, process, false}, {}, false);
-  if (!found.attempt.print) return {false, named_kinds(design, found.choice.kind), found.attempt.reason};
+  const Order order{design, process, false};
+  const Fitted found = fitted(order, {}, ClearanceLook::verdict);
+  if (!found.attempt.print) return {false, named_kinds(design, found.choice.kind), reason_of(order, found)};
   return {true, named_kinds(found.attempt.print->job.sheet)};
 }
 

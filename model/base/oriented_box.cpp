@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -11,6 +12,8 @@ namespace {
 // Squared sine of the angle of two edges (1e-6 rad): below, their cross product is mostly rounding, and the
 // face normals cover what it would tell.
 constexpr double parallel_squared = 1e-12;
+// Ratio of lengths: below, a slant is the rounding of a right angle, whose cotangent is not quite 0.
+constexpr double least_slant = 1e-12;
 
 /// Projections of two boxes in the frame of the first.
 struct Projections {
@@ -74,7 +77,25 @@ double gap_along_edges(const Projections& p, const OrientedBox& a, const Oriente
   return gap;
 }
 
-bool is_slanted(const OrientedBox& box) { return box.slant != 0; }
+bool is_slanted(const OrientedBox& box) { return std::abs(box.slant) > least_slant; }
+
+/// Three unit vectors, or four.
+struct Directions {
+  std::array<Eigen::Vector3d, 4> all;
+  int count = 3;
+
+  /// @param fourth of a slanted box, of any length but 0
+  Directions(const OrientedBox& box, const Eigen::Vector3d& fourth)
+      : all{box.axes.col(0), box.axes.col(1), box.axes.col(2)} {
+    if (is_slanted(box)) all[count++] = fourth.normalized();
+  }
+  const Eigen::Vector3d* begin() const { return all.data(); }
+  const Eigen::Vector3d* end() const { return all.data() + count; }
+};
+
+Directions normals_of(const OrientedBox& box) { return {box, box.axes.col(0) - box.slant * box.axes.col(1)}; }
+
+Directions edges_of(const OrientedBox& box) { return {box, box.axes.col(1) + box.slant * box.axes.col(0)}; }
 
 /// Largest gap over all directions, or the first that is more than enough.
 double gap_of_slanted(const OrientedBox& a, const OrientedBox& b, double enough) {
@@ -86,20 +107,15 @@ double gap_of_slanted(const OrientedBox& a, const OrientedBox& b, double enough)
     return gap > enough;
   };
   for (const OrientedBox* box : {&a, &b})
-    for (const Eigen::Vector3d& normal : face_normals(*box))
+    for (const Eigen::Vector3d& normal : normals_of(*box))
       if (look(normal)) return gap;
-  for (const Eigen::Vector3d& own : edge_directions(a))
-    for (const Eigen::Vector3d& other : edge_directions(b)) {
+  const Directions others = edges_of(b);
+  for (const Eigen::Vector3d& own : edges_of(a))
+    for (const Eigen::Vector3d& other : others) {
       const Eigen::Vector3d across = own.cross(other);
       if (across.squaredNorm() >= parallel_squared && look(across.normalized())) return gap;
     }
   return gap;
-}
-
-std::vector<Eigen::Vector3d> with_axes(const OrientedBox& box, const Eigen::Vector3d& slanted) {
-  std::vector<Eigen::Vector3d> all = {box.axes.col(0), box.axes.col(1), box.axes.col(2)};
-  if (is_slanted(box)) all.push_back(slanted.normalized());
-  return all;
 }
 
 }  // namespace
@@ -117,11 +133,13 @@ double radius(const OrientedBox& box) {
 }
 
 std::vector<Eigen::Vector3d> face_normals(const OrientedBox& box) {
-  return with_axes(box, box.axes.col(0) - box.slant * box.axes.col(1));
+  const Directions all = normals_of(box);
+  return {all.begin(), all.end()};
 }
 
 std::vector<Eigen::Vector3d> edge_directions(const OrientedBox& box) {
-  return with_axes(box, box.axes.col(1) + box.slant * box.axes.col(0));
+  const Directions all = edges_of(box);
+  return {all.begin(), all.end()};
 }
 
 bool overlap(const OrientedBox& a, const OrientedBox& b, double depth) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
 #include "model/base/invalid_input.hpp"
 
@@ -18,7 +19,7 @@ constexpr double touching_mm =
     1e-6;  // mm: sections that near to each other's corners would be one face of the junction
 constexpr double free_share = 0.05;  // of a wall's thickness: between sections that share no corners
 constexpr double least_plate = 0.1;  // of a wall's thickness: shorter plates are none
-constexpr int rounds = 60;           // of finding where plates leave: each halves what is left
+constexpr int rounds = 60;           // at most, of finding where plates leave: each halves what is left
 
 ArmSolid arm_of(const Linkage& linkage, const Plate& plate, const HingePrint& print) {
   const RestHinge& hinge = linkage.hinges[plate.hinge];
@@ -52,8 +53,14 @@ double reached(const std::vector<ArmSolid>& arms, std::size_t along, double free
 }
 
 void move_starts(std::vector<ArmSolid>& arms, double free) {
-  for (int round = 0; round < rounds; ++round)
-    for (std::size_t k = 0; k < arms.size(); ++k) arms[k].start = reached(arms, k, free);
+  bool has_moved = true;
+  for (int round = 0; round < rounds && has_moved; ++round) {
+    has_moved = false;
+    for (std::size_t k = 0; k < arms.size(); ++k) {
+      const double before = std::exchange(arms[k].start, reached(arms, k, free));
+      has_moved |= arms[k].start != before;
+    }
+  }
 }
 
 /// Whether a corner of another section is in the plane of an arm's own, and none of its corners.
@@ -117,6 +124,7 @@ Vector3d ArmSolid::point(const Eigen::Vector2d& at, double s) const {
 std::vector<Vector3d> ArmSolid::start_corners() const {
   const double half = size.thickness_mm / 2, high = size.height_mm / 2;
   std::vector<Vector3d> out;
+  out.reserve(4);
   for (const double w : {-high, high})
     for (const double n : {-half, half}) out.push_back(start * edge + n * normal + w * up);
   return out;

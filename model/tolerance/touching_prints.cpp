@@ -47,12 +47,35 @@ class PrintedStage {
   bool is_stable() const { return is_stable_; }
   /// @pre is_stable()
   VectorXd change(const Matrix4Xd& errors) const { return by_hinges_->change(errors); }
-  State print(const Matrix4Xd& errors) const { return retract(system_.structure(), state, change(errors)); }
+  /// Places the bodies of the suspects as a print with these errors has them; all others stay.
+  State print(const Matrix4Xd& errors) const {
+    const VectorXd all = change(errors);
+    State looked_at;
+    VectorXd twists(6 * static_cast<Eigen::Index>(bodies_.size()));
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+      looked_at.push_back(state[bodies_[k]]);
+      twists.segment<6>(6 * k) = all.segment<6>(6 * bodies_[k]);
+    }
+    looked_at = retract(system_.structure(), looked_at, twists);
+    State out = state;
+    for (std::size_t k = 0; k < bodies_.size(); ++k) out[bodies_[k]] = looked_at[k];
+    return out;
+  }
+
+  /// @param plates of the linkage
+  void suspect(std::vector<WallPair> pairs, const std::vector<Plate>& plates) {
+    suspects = std::move(pairs);
+    for (const WallPair& pair : suspects)
+      for (const int plate : {pair.first, pair.second}) bodies_.push_back(plates[plate].body);
+    std::sort(bodies_.begin(), bodies_.end());
+    bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
+  }
 
   State state;
   std::vector<WallPair> suspects = {};
 
  private:
+  std::vector<int> bodies_;  ///< of the suspects, ascending
   double theta_;
   ElasticSystem system_;
   TangentStiffness tangent_;
@@ -69,10 +92,9 @@ struct SuspectPair {
 /// Finds plates that come closer in a state than the scatter of their bodies.
 class SuspectPlates {
  public:
-  /// @param fold state of the fold   @param changes of it in some prints
-  SuspectPlates(const Linkage& linkage, const State& fold, std::vector<VectorXd> changes)
-      : edge_mm_(linkage.size.edge_mm),
-        changes_(std::move(changes)),
+  /// @param changes of the state of the fold in some prints
+  SuspectPlates(const Linkage& linkage, const std::vector<VectorXd>& changes)
+      : depth_mm_(overlap_in_edges * linkage.size.edge_mm),
         walls_(half_walls(linkage)),
         at_rest_(linkage),
         plates_of_(linkage.bodies.size()),
@@ -82,9 +104,14 @@ class SuspectPlates {
       double& reach = reach_[walls_[k].body];
       reach = std::max(reach, walls_[k].box.center.norm() + radius(walls_[k].box));
     }
-    for (int b = 0; b < static_cast<int>(fold.size()); ++b)
-      for (const VectorXd& change : changes_)
-        moved_ = std::max(moved_, shift(change, b, fold, fold[b].p).norm());
+    for (int b = 0; b < static_cast<int>(linkage.bodies.size()); ++b) {
+      motions_.emplace_back();
+      for (const VectorXd& change : changes) {
+        const Motion motion{change.segment<3>(6 * b), linkage.size.edge_mm * change.segment<3>(6 * b + 3)};
+        motions_.back().push_back(motion);
+        moved_ = std::max(moved_, motion.shift.norm());
+      }
+    }
   }
 
   std::vector<SuspectPair> find(const State& state) {
@@ -100,11 +127,23 @@ class SuspectPlates {
   }
 
   bool overlap_in(const State& state, const WallPair& pair) const {
-    const auto box = [&](int wall) { return placed(walls_[wall], state[walls_[wall].body]); };
-    return overlap(box(pair.first), box(pair.second), overlap_in_edges * edge_mm_);
+    const HalfWall &first = walls_[pair.first], &second = walls_[pair.second];
+    const Pose &a = state[first.body], &b = state[second.body];
+    const Vector3d apart = b.p + b.R * second.box.center - a.p - a.R * first.box.center;
+    if (apart.norm() > radius(first.box) + radius(second.box)) return false;
+    return overlap(placed(first, a), placed(second, b), depth_mm_);
   }
 
  private:
+  /// How a print has a body elsewhere than the design.
+  struct Motion {
+    Vector3d turn;   // rad
+    Vector3d shift;  // of its vertex, mm
+
+    /// Of a point that it carries. @param from its vertex, mm
+    Vector3d at(const Vector3d& from) const { return shift + turn.cross(from); }
+  };
+
   /// How far two bodies move apart at a point between them, mm, and turn against each other, rad: each the rms over prints.
   struct Scatter {
     Vector3d at = Vector3d::Zero();
@@ -115,19 +154,15 @@ class SuspectPlates {
     }
   };
 
-  /// Of a point that a body carries, mm.
-  Vector3d shift(const VectorXd& change, int body, const State& state, const Vector3d& at) const {
-    const Vector3d turn = change.segment<3>(6 * body);
-    return edge_mm_ * change.segment<3>(6 * body + 3) + turn.cross(at - state[body].p);
-  }
-
   Scatter scatter(const State& state, int a, int b) const {
     Scatter out{(state[a].p + state[b].p) / 2};
-    for (const VectorXd& change : changes_) {
-      out.shift += (shift(change, a, state, out.at) - shift(change, b, state, out.at)).squaredNorm();
-      out.turn += (change.segment<3>(6 * a) - change.segment<3>(6 * b)).squaredNorm();
+    const Vector3d from_a = out.at - state[a].p, from_b = out.at - state[b].p;
+    for (std::size_t k = 0; k < motions_[a].size(); ++k) {
+      const Motion &of_a = motions_[a][k], &of_b = motions_[b][k];
+      out.shift += (of_a.at(from_a) - of_b.at(from_b)).squaredNorm();
+      out.turn += (of_a.turn - of_b.turn).squaredNorm();
     }
-    const auto count = static_cast<double>(changes_.size());
+    const auto count = static_cast<double>(motions_[a].size());
     out.shift = std::sqrt(out.shift / count);
     out.turn = std::sqrt(out.turn / count);
     return out;
@@ -153,14 +188,14 @@ class SuspectPlates {
       found.push_back({pair, near > 0 ? gap / near : 0});
   }
 
-  double edge_mm_;
-  std::vector<VectorXd> changes_;
+  double depth_mm_;
   std::vector<HalfWall> walls_;
   WallContact at_rest_;
-  std::vector<std::vector<int>> plates_of_;  ///< each body
-  std::vector<double> reach_;                ///< of each body's plates from its vertex, mm
-  double moved_ = 0;                         ///< of any body in those prints, mm
-  std::vector<OrientedBox> boxes_;           ///< of the state that is looked at
+  std::vector<std::vector<int>> plates_of_;   ///< each body
+  std::vector<double> reach_;                 ///< of each body's plates from its vertex, mm
+  std::vector<std::vector<Motion>> motions_;  ///< of each body in those prints
+  double moved_ = 0;                          ///< of any of them, mm
+  std::vector<OrientedBox> boxes_;            ///< of the state that is looked at
   NearPairs near_;
 };
 
@@ -190,7 +225,7 @@ std::optional<TouchingPrints> touching_prints(const Linkage& linkage, int states
   PrintErrors first(scatter, hinges, options.seed);
   std::vector<VectorXd> changes;
   for (int k = 0; k < scatter_prints; ++k) changes.push_back(fold->change(first.next()));
-  SuspectPlates suspects(linkage, fold->state, std::move(changes));
+  SuspectPlates suspects(linkage, changes);
 
   std::map<WallPair, Closest> closest;
   for (int k = states - 1; k >= 0; --k) {
@@ -213,7 +248,7 @@ std::optional<TouchingPrints> touching_prints(const Linkage& linkage, int states
                      ? std::move(fold)
                      : std::make_unique<PrintedStage>(linkage, std::move(*way(k)), options.planar);
     if (!stage->is_stable()) continue;
-    stage->suspects = std::move(here);
+    stage->suspect(std::move(here), linkage.plates);
     stages.push_back(std::move(stage));
   }
 

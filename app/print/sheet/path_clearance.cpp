@@ -85,11 +85,12 @@ class PairRules {
   explicit PairRules(const PrintSheet& sheet)
       : sheet_(sheet),
         bodies_(static_cast<int>(sheet.bodies.size())),
-        asked_(sheet.bodies.size(), nothing_mm) {
+        asked_(sheet.bodies.size(), nothing_mm),
+        hinged_(sheet.bodies.size()) {
     for (std::size_t h = 0; h < sheet.hinges.size(); ++h) {
       const model::RestHinge& hinge = sheet.linkage.hinges[h];
       const double clearance = clearance_of(sheet.hinges[h]);
-      hinged_[std::minmax(hinge.lower, hinge.upper)] = clearance;
+      hinged_[std::min(hinge.lower, hinge.upper)].emplace_back(std::max(hinge.lower, hinge.upper), clearance);
       most_asked_ = std::max(most_asked_, clearance);
       if (clearance > 0)
         for (const int b : {hinge.lower, hinge.upper}) asked_[b] = std::min(asked_[b], clearance);
@@ -99,8 +100,11 @@ class PairRules {
   /// Nothing of two parts that belong together.
   std::optional<PartPair> pair(int a, int b) const {
     if (a == b || is_own(a, b) || is_own(b, a)) return std::nullopt;
-    const auto hinge = hinged_.find(std::minmax(a, b));
-    if (hinge != hinged_.end()) return PartPair{a, b, true, hinge->second};
+    std::optional<double> clearance;
+    if (const int lower = std::min(a, b); lower < bodies_)
+      for (const auto& [upper, of_hinge] : hinged_[lower])
+        if (upper == std::max(a, b)) clearance = of_hinge;
+    if (clearance) return PartPair{a, b, true, *clearance};
     return PartPair{a, b, false, asked_elsewhere(a, b)};
   }
 
@@ -129,15 +133,17 @@ class PairRules {
 
   const PrintSheet& sheet_;
   const int bodies_;
-  double most_asked_ = 0;                         // mm
-  std::vector<double> asked_;                     // of each body, the least of its pins, mm
-  std::map<std::pair<int, int>, double> hinged_;  // clearance, mm; of blocks and films 0
+  double most_asked_ = 0;      // mm
+  std::vector<double> asked_;  // of each body, the least of its pins, mm
+  // Of each body those after it that share a hinge with it, and the clearance, mm; of blocks and films 0.
+  std::vector<std::vector<std::pair<int, double>>> hinged_;
 };
 
 /// The parts of a sheet in single states.
 class Distances {
  public:
-  explicit Distances(const PrintSheet& sheet) : sheet_(sheet), parts(sheet), rules(sheet) {}
+  Distances(const PrintSheet& sheet, ClearanceLook look)
+      : sheet_(sheet), look_(look), parts(sheet), rules(sheet) {}
 
   PathClearance measured(double theta, const model::State& state) const {
     PathClearance least = nothing_near();
@@ -149,20 +155,20 @@ class Distances {
       all.push_back(placed(parts.pieces[k], state));
       centers.col(k) = all.back().center();
       radii.push_back(radius(all.back(), centers.col(k)));
-      reach = std::max(reach, 2 * radii.back() + 1);
+      reach = std::max(reach, 2 * radii.back() + (look_ == ClearanceLook::verdict ? rules.most_asked() : 1));
     }
     model::NearPairs near;
     for (const auto& [a, b] : near.find(centers, reach)) {
+      const double apart_mm = (centers.col(a) - centers.col(b)).norm() - radii[a] - radii[b];
+      if (look_ == ClearanceLook::verdict && apart_mm >= rules.most_asked()) continue;
       const auto pair = rules.pair(all[a].piece.part, all[b].piece.part);
       if (!pair) continue;
       LeastDistance& known = pair->is_hinged ? least.in_hinges : least.elsewhere;
-      LeastDistance found{(centers.col(a) - centers.col(b)).norm() - radii[a] - radii[b],
-                          pair->first,
-                          pair->second,
-                          theta,
-                          Vector3d::Zero(),
-                          pair->asked_mm};
-      if (!(found.spare_mm() < known.spare_mm() || found.mm < least.nearest.mm)) continue;
+      LeastDistance found{apart_mm, pair->first, pair->second, theta, Vector3d::Zero(), pair->asked_mm};
+      const bool counts = look_ == ClearanceLook::verdict
+                              ? found.spare_mm() < 0
+                              : found.spare_mm() < known.spare_mm() || found.mm < least.nearest.mm;
+      if (!counts) continue;
       const PieceDistance there = piece_distance(all[a], all[b]);
       found.mm = there.mm;
       found.place = there.place;
@@ -218,6 +224,7 @@ class Distances {
   }
 
   const PrintSheet& sheet_;
+  const ClearanceLook look_;
 
  public:
   const MovingParts parts;
@@ -227,8 +234,8 @@ class Distances {
 /// One pair of parts over a stretch of the path.
 class PairLook {
  public:
-  PairLook(const MovingParts& parts, const MotionInterval& interval, const PartPair& pair)
-      : parts_(parts), interval_(interval), pair_(pair) {
+  PairLook(const MovingParts& parts, const MotionInterval& interval, const PartPair& pair, ClearanceLook look)
+      : parts_(parts), interval_(interval), pair_(pair), is_verdict_(look == ClearanceLook::verdict) {
     for (std::size_t k = 1; k < pair.bodies.size(); ++k) {
       seen_.push_back(interval.seen(pair.bodies.front(), pair.bodies[k], pair.chains[k - 1]));
       margin_ = std::max(margin_, seen_.back().margin_mm);
@@ -309,6 +316,10 @@ class PairLook {
              least_gap(a.hull, b.hull, pair.normal, interval_.half_width) >= goal_;
     };
     if (is_proven()) return;
+    if (is_verdict_ && pair.normal == Vector3d::Zero() && a.center != b.center) {
+      pair.normal = (b.center - a.center).normalized();
+      if (is_proven()) return;
+    }
     const PieceDistance found =
         piece_distance(placed(parts_.pieces[pair.first], a.hull), placed(parts_.pieces[pair.second], b.hull));
     note(found);
@@ -337,6 +348,7 @@ class PairLook {
   const MovingParts& parts_;
   const MotionInterval& interval_;
   const PartPair& pair_;
+  const bool is_verdict_;
   std::vector<SeenBody> seen_;
   std::vector<std::pair<int, std::unique_ptr<SeenPiece>>> pieces_;
   double margin_ = 0, goal_ = 0, needed_ = 0;
@@ -348,9 +360,9 @@ double needed_mm(double asked_mm) { return asked_mm > 0 ? asked_mm - polygon_mm 
 /// Goes from flat to the fold, in stretches that are halved for those pairs of which nothing is proven.
 class PathSearch {
  public:
-  PathSearch(const PrintSheet& sheet, const Distances& distances, bool whether_alone, PathClearance& all)
+  PathSearch(const PrintSheet& sheet, const Distances& distances, ClearanceLook look, PathClearance& all)
       : distances_(distances),
-        whether_alone_(whether_alone),
+        look_(look),
         parts_(distances.parts),
         chains_(sheet.linkage),
         edge_(sheet.linkage.size.edge_mm),
@@ -386,7 +398,7 @@ class PathSearch {
   double goal_mm(const PartPair& pair) const {
     const LeastDistance& known = pair.is_hinged ? all_.in_hinges : all_.elsewhere;
     const double spare = known.first < 0 ? looked_mm : known.spare_mm();
-    if (hit_ || !(spare > 0)) return least_mm(pair);
+    if (hit_ || !(spare > 0) || look_ == ClearanceLook::verdict) return least_mm(pair);
     const double nearest = all_.nearest.first < 0 ? looked_mm : all_.nearest.mm;
     return std::max(needed_mm(pair.asked_mm) + spare, nearest) - slack_mm;
   }
@@ -479,11 +491,11 @@ class PathSearch {
       run_all(static_cast<int>(tasks.size()), [&](int k) {
         const Task& task = tasks[k];
         const auto at = std::lower_bound(stretches.begin(), stretches.end(), Stretch{task.low, task.high});
-        outcomes[k] = PairLook(parts_, *intervals[at - stretches.begin()], task.pair)
+        outcomes[k] = PairLook(parts_, *intervals[at - stretches.begin()], task.pair, look_)
                           .compare(goal_mm(task.pair), least_mm(task.pair));
       });
       for (std::size_t k = 0; k < tasks.size(); ++k) note(tasks[k], outcomes[k]);
-      if (hit_ && whether_alone_) return;
+      if (hit_ && look_ != ClearanceLook::least) return;
       tasks = halved(std::move(tasks), outcomes);
       stretches.clear();
       for (const Task& task : tasks) stretches.emplace_back(task.low, task.high);
@@ -526,7 +538,7 @@ class PathSearch {
   }
 
   const Distances& distances_;
-  const bool whether_alone_;
+  const ClearanceLook look_;
   const MovingParts& parts_;
   std::vector<double> reach_;  // of all that goes with each body from its rest position, mm
   std::unique_ptr<PrintMotion> motion_;
@@ -543,8 +555,8 @@ class PathSearch {
 
 double LeastDistance::spare_mm() const { return mm - needed_mm(asked_mm); }
 
-PathClearance path_clearance(const PrintSheet& sheet, bool whether_alone) {
-  const Distances distances(sheet);
+PathClearance path_clearance(const PrintSheet& sheet, ClearanceLook look) {
+  const Distances distances(sheet, look);
   PathClearance all = distances.measured(sheet.thetas.front(), sheet.path.front());
   if (!is_kept(all)) {
     all.first_too_near = all.least();
@@ -555,13 +567,13 @@ PathClearance path_clearance(const PrintSheet& sheet, bool whether_alone) {
   take_less(fold.in_hinges, all.in_hinges);
   take_less(fold.elsewhere, all.elsewhere);
   take_nearer(fold.nearest, all.nearest);
-  if (whether_alone && !is_kept(all)) return all;
+  if (look != ClearanceLook::least && !is_kept(all)) return all;
   std::optional<LeastDistance> bore;
   for (std::size_t k = 0; k < sheet.path.size(); ++k) {
     distances.compare_bores(sheet.thetas[k], sheet.path[k], all);
     if (!bore && !is_kept(all) && all.least().theta == sheet.thetas[k]) bore = all.least();
   }
-  all.first_too_near = PathSearch(sheet, distances, whether_alone, all).run();
+  all.first_too_near = PathSearch(sheet, distances, look, all).run();
   if (is_kept(all) || all.least().spare_mm() >= 0) return all;
   for (const LeastDistance& other : {bore.value_or(all.least()), all.least()})
     if (!all.first_too_near || std::abs(other.theta) < std::abs(all.first_too_near->theta))

@@ -33,13 +33,19 @@ struct PathClearance {
   }
 };
 
+/// How far parts are looked at.
+enum class ClearanceLook {
+  least,  ///< until it is known how near parts come
+  until_near,  ///< likewise, but no further than to two parts that come too near: first_too_near need not be the first
+  verdict,  ///< until it is known whether any come too near: what is left elsewhere is not looked for
+};
+
 /// Distances of the solids' convex pieces (Gilbert, Johnson and Keerthi's method, Bullet's in double precision) from flat to the
 /// fold, flat and folded and wherever between it takes to prove that no two parts come nearer than what is returned, but for
 /// 0.005 mm (model::least_gap, PrintMotion). A rod and its bore are compared by their axes, as both are round. Two bodies that
 /// share a pin must keep its clearance, two others the least of the pins at either; where neither has one, and of blocks and
 /// films, they may not run into each other. A block or film is the convex hull of its two ends; its own two bodies do not count.
-/// @param whether_alone to stop as soon as two parts come too near anywhere: then first_too_near need not be the first
-PathClearance path_clearance(const PrintSheet& sheet, bool whether_alone = false);
+PathClearance path_clearance(const PrintSheet& sheet, ClearanceLook look = ClearanceLook::least);
 
 /// Whether all is left that was asked.
 bool is_kept(const PathClearance& clearance);

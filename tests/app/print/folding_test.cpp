@@ -225,6 +225,12 @@ TEST(Folding, NoExportOfRandomSheetsCrosses) {
     EXPECT_LE(found.crossing.mm, allowed_mm)
         << "sheet " << k << ", theta " << design.theta / radians_per_degree << ", " << request.process << ": "
         << found.crossing.first << " and " << found.crossing.second << " at step " << found.crossing.step;
+    if (request.hinge.empty()) {
+      const app::PrintAnswer answer = answer_as_fits(design, *model::find_process(process));
+      EXPECT_EQ(answer.is_taken, found.refused.empty())
+          << "sheet " << k << ": " << answer.why << found.refused;
+      EXPECT_EQ(answer.why.empty(), answer.is_taken) << "sheet " << k;
+    }
   }
   RecordProperty("exported", exported);
   if (many) std::cout << exported << " of " << count << " exported, deepest " << deepest << " mm\n";
