@@ -6,6 +6,7 @@
 
 #include "app/assembly/assembly_file.hpp"
 #include "app/goals/read_target.hpp"
+#include "app/io/free_memory.hpp"
 #include "app/pipeline/certify.hpp"
 #include "app/pipeline/design_drive.hpp"
 #include "app/pipeline/design_scene.hpp"
@@ -24,6 +25,9 @@ constexpr const char* of_motion = " along x, y and z of the design's motion";
 // Bodies, of which the collision-free range is computed within a second.
 constexpr int most_bodies_for_contact = 4000;
 
+// Measured on squares of 250 x 250 and 1000 x 1000 cells, once they have been read.
+constexpr double check_seconds_per_body = 1e-5, check_bytes_per_body = 1.6e3;
+
 std::string size_text(const Eigen::Vector3d& mm) {
   return fmt::format("{:.1f} x {:.1f} x {:.1f} mm", mm.x(), mm.y(), mm.z());
 }
@@ -34,9 +38,9 @@ std::string line(const char* name, const std::string& text) {
 
 double physics_of(const Forecast& f) { return f.has_physics ? physics_seconds(f.sheet) : 0; }
 
-std::string time_text(const Forecast& f) {
+std::string time_text(const Forecast& f, const model::Linkage& linkage) {
   const double physics = physics_of(f);
-  const double memory_mb = memory_needed(f.sheet) / 1e6;
+  const double memory_mb = memory_needed(linkage) / 1e6;
   std::string parts;
   if (f.search_s + physics >= 1)
     parts = fmt::format(" (search {}, physics run {})", about(f.search_s),
@@ -46,24 +50,26 @@ std::string time_text(const Forecast& f) {
 
 /// @param lies how, where that is not as a goal was drawn
 std::string text_of(const Forecast& f, const char* lies) {
+  const model::Linkage linkage = f.sheet;
   std::string out =
       line("sheet", fmt::format("{} bodies, {} hinges; flat {}, cells of {:.4g} mm, walls {:.3g} mm thick",
-                                f.sheet.bodies(), f.sheet.hinges(), size_text(flat_size(f.sheet)),
+                                f.sheet.bodies(), f.sheet.hinges(), size_text(flat_size(linkage)),
                                 f.sheet.size().edge_mm, f.sheet.size().thickness_mm));
   if (f.folded_mm) out += line("folded", "about " + size_text(*f.folded_mm) + lies);
-  out += line("takes", time_text(f));
+  out += line("takes", time_text(f, linkage));
   for (const std::string& note : f.notes) out += line("note", note);
   return out;
 }
 
 nlohmann::ordered_json json_of(const Forecast& f) {
+  const model::Linkage linkage = f.sheet;
   nlohmann::ordered_json out = {{"bodies", f.sheet.bodies()},
                                 {"hinges", f.sheet.hinges()},
-                                {"flat_mm", point_json(flat_size(f.sheet))},
+                                {"flat_mm", point_json(flat_size(linkage))},
                                 {"folded_mm", nullptr},
                                 {"search_s", f.search_s},
                                 {"physics_s", physics_of(f)},
-                                {"memory_bytes", memory_needed(f.sheet)},
+                                {"memory_bytes", memory_needed(linkage)},
                                 {"notes", f.notes}};
   if (f.folded_mm) out["folded_mm"] = point_json(*f.folded_mm);
   return out;
@@ -78,6 +84,22 @@ std::optional<CheckedContact> contact_of(const DesignFile& design, const Scene& 
   sheet.own_hinges = design.own_hinges;
   sheet.process = design.process.value_or(sheet.process);
   return CheckedContact{certify(design.structure, wall_error(sheet)), exact_theta_of(design, exact)};
+}
+
+/// Says how long the check of a large sheet takes. @throws InvalidInput where it takes more memory than is free
+void announce_check(const std::string& file, const model::Sheet& sheet, const Progress& progress) {
+  const double seconds = check_seconds_per_body * sheet.bodies(),
+               bytes = check_bytes_per_body * sheet.bodies();
+  if (const auto free = free_memory(); free && !(bytes <= *free))
+    throw InvalidInput(
+        fmt::format("checking {} bodies takes about {:.0f} MB of memory, and {:.0f} MB are free. "
+                    "Take fewer cells, or close other programs",
+                    sheet.bodies(), bytes / 1e6, *free / 1e6),
+        {file, 0, 0, "structure.cells"});
+  if (seconds >= 1)
+    progress(fmt::format("checking {} bodies, {}, {:.0f} MB of memory", sheet.bodies(), about(seconds),
+                         bytes / 1e6),
+             -1, {});
 }
 
 }  // namespace
@@ -102,7 +124,7 @@ nlohmann::ordered_json CheckedFile::json() const {
   return out;
 }
 
-CheckedFile check_file(const std::string& file) {
+CheckedFile check_file(const std::string& file, const Progress& progress) {
   const targets::Node root = targets::read_document(file, max_design_bytes);
   if (root.kind() != targets::Node::Kind::map)
     throw root.error(
@@ -118,6 +140,7 @@ CheckedFile check_file(const std::string& file) {
   }
   if (is_assembly(root)) return {file, "design", read_assembly(root).name};
   const DesignFile design = read_design(root);
+  announce_check(file, design.structure, progress);
   const auto scene = make_scene(design, Model::bullet);
   CheckedFile out{.file = file, .kind = "design", .name = scene->name(), .forecast = scene->forecast()};
   if (design.structure.bodies() <= most_bodies_for_contact)

@@ -6,6 +6,7 @@
 
 #include "app/run/certified.hpp"
 #include "app/run/forecast.hpp"
+#include "app/run/run_options.hpp"
 
 namespace kinetix::app {
 
@@ -28,7 +29,8 @@ struct CheckedFile {
   nlohmann::ordered_json json() const;
 };
 
-/// @throws InvalidInput for whatever the formats do not allow
-CheckedFile check_file(const std::string& file);
+/// @param progress gets a stage for a design that takes a second or more: how long and how much memory
+/// @throws InvalidInput for whatever the formats do not allow, and for a design that takes more memory than is free
+CheckedFile check_file(const std::string& file, const Progress& progress);
 
 }  // namespace kinetix::app

@@ -159,7 +159,8 @@ int simulate_command(const CommandOptions& options) {
 }
 
 int check_command(const CommandOptions& options) {
-  const CheckedFile checked = check_file(options.file);
+  Console console(options.quiet);
+  const CheckedFile checked = check_file(options.file, console.progress());
   std::cout << (options.json ? checked.json().dump(1) + "\n" : checked.text());
   return done;
 }

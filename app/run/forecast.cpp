@@ -41,7 +41,12 @@ Eigen::Vector3d flat_size(const model::Linkage& linkage) { return size_of(linkag
 
 Eigen::Vector3d size_of(const model::Linkage& linkage, const model::State& state) {
   Eigen::AlignedBox3d all;
-  for (const model::HalfWall& wall : half_walls(linkage)) {
+  // One by one: the half walls of a million cells take half as much memory as their linkage.
+  model::Linkage one;
+  one.size = linkage.size;
+  for (const model::Plate& plate : linkage.plates) {
+    one.plates = {plate};
+    const model::HalfWall wall = half_walls(one).front();
     const OrientedBox box = placed(wall, state[wall.body]);
     for (int k = 0; k < 3; ++k)
       for (const double side : {1.0, -1.0}) {
@@ -54,9 +59,7 @@ Eigen::Vector3d size_of(const model::Linkage& linkage, const model::State& state
 
 double physics_seconds(const model::Sheet& sheet) {
   if (sheet.sodalite()) return seconds_of_block * std::pow(sheet.bodies() / 1000.0, 1.45);
-  const model::Linkage linkage = sheet;
-  const double loops =
-      static_cast<double>(linkage.hinges.size()) - static_cast<double>(linkage.bodies.size()) + 1;
+  const double loops = sheet.hinges() - sheet.bodies() + 1.0;
   return seconds_a_loop * std::max(loops, 1.0);
 }
 

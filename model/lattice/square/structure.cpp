@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <numeric>
 #include <sstream>
 #include <string>
@@ -127,21 +126,30 @@ Structure make_structure(std::vector<Cell> cells, const CellSize& size) {
   check_cells(cells);
 
   Structure s{size, std::move(cells), {}, {}, {}};
+  s.bodies.reserve(4 * s.cells.size());
   for (const Cell& c : s.cells)
     for (const Vertex& v : corners(c)) s.bodies.push_back(v);
   std::sort(s.bodies.begin(), s.bodies.end());
   s.bodies.erase(std::unique(s.bodies.begin(), s.bodies.end()), s.bodies.end());
 
-  std::map<Wall, int> hinge_of;
+  s.cell_members.reserve(s.cells.size());
+  // The cells below and to the left come before: they have the walls that are shared with them.
+  const auto shared = [&](Cell cell, int side) -> std::optional<int> {
+    const auto end = s.cells.begin() + static_cast<std::ptrdiff_t>(s.cell_members.size());
+    const auto it = std::lower_bound(s.cells.begin(), end, cell);
+    if (it == end || *it != cell) return std::nullopt;
+    return s.cell_members[it - s.cells.begin()].hinges[side];
+  };
   for (const Cell& c : s.cells) {
     CellHinges members{};
     const auto vertices = corners(c);
     const auto edges = walls(c);
+    const std::array<std::optional<int>, 4> known = {shared({c.i, c.j - 1}, 2), std::nullopt, std::nullopt,
+                                                     shared({c.i - 1, c.j}, 1)};
     for (int k = 0; k < 4; ++k) {
       members.bodies[k] = *s.body_at(vertices[k]);
-      const auto [it, is_new] = hinge_of.try_emplace(edges[k], static_cast<int>(s.hinges.size()));
-      if (is_new) s.hinges.push_back({edges[k], *s.body_at(edges[k].from), *s.body_at(edges[k].to()), {}});
-      members.hinges[k] = it->second;
+      members.hinges[k] = known[k].value_or(static_cast<int>(s.hinges.size()));
+      if (!known[k]) s.hinges.push_back({edges[k], *s.body_at(edges[k].from), *s.body_at(edges[k].to()), {}});
     }
     s.cell_members.push_back(members);
   }

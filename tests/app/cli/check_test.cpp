@@ -1,7 +1,11 @@
 #include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <regex>
@@ -220,6 +224,58 @@ TEST(Check, SaysInWordsWhichStrokesAreLost) {
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("thinner than a cell"));
   EXPECT_THAT(run.out, HasSubstr("49 bodies"));
+}
+
+std::string square_of(int cells) {
+  return "kinetix: 1\nstructure: {cells: [" + std::to_string(cells) + ", " + std::to_string(cells) +
+         "], cell_mm: 10}\ndesign: {theta_deg: 20}\n";
+}
+
+#ifndef __SANITIZE_ADDRESS__  // which takes memory of its own, and more addresses than any limit
+
+/// The most memory that a check takes, bytes.
+double memory_of_check(int cells) {
+  const Scratch scratch;
+  const std::string file = scratch.write("in.yaml", square_of(cells)), null = "/dev/null";
+  const pid_t child = fork();
+  if (child == 0) {
+    std::freopen(null.c_str(), "w", stdout);
+    execl(KINETIX_OPT, KINETIX_OPT, "check", "--quiet", file.c_str(), nullptr);
+    std::_Exit(127);
+  }
+  int status = 0;
+  rusage used{};
+  EXPECT_EQ(wait4(child, &status, 0, &used), child);
+  EXPECT_EQ(status, 0);
+  return 1024.0 * static_cast<double>(used.ru_maxrss);
+}
+
+/// A million cells are to be checked within 2 GiB.
+TEST(Check, TakesMemoryInProportionToTheSheet) {
+  const double bodies = 301 * 301 - 101 * 101;
+  EXPECT_LE(memory_of_check(300) - memory_of_check(100), 1900 * bodies);
+}
+
+TEST(Check, RefusesSheetsThatTakeMoreMemoryThanIsFreeAndSaysSo) {
+  const Scratch scratch;
+  const Outcome refused =
+      kinetix_opt("check " + scratch.write("in.yaml", square_of(600)), "ulimit -v 700000; ");
+  EXPECT_EQ(refused.code, 2) << refused.out;
+  EXPECT_THAT(refused.err, HasSubstr("checking 361201 bodies takes about 578 MB of memory, and "));
+  EXPECT_THAT(refused.err, HasSubstr("MB are free. Take fewer cells"));
+  EXPECT_EQ(kinetix_opt("check " + scratch.write("small.yaml", square_of(20)), "ulimit -v 700000; ").code, 0);
+}
+
+#endif
+
+/// Says first how long it takes where that is long.
+TEST(Check, SaysHowLongALargeSheetTakes) {
+  const Scratch scratch;
+  const Outcome large = kinetix_opt("check " + scratch.write("in.yaml", square_of(330)));
+  EXPECT_EQ(large.code, 0) << large.err;
+  EXPECT_THAT(large.err, HasSubstr("checking 109561 bodies, about 1 s, 175 MB of memory"));
+  EXPECT_THAT(kinetix_opt("check " + scratch.write("small.yaml", square_of(20))).err,
+              ::testing::Not(HasSubstr("checking")));
 }
 
 TEST(Check, CountsTheSamplesOfASweep) {
