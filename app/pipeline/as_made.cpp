@@ -84,6 +84,10 @@ std::optional<PrintedGoal> expected_with(const Run& run, const PrintHinges& hing
   return out;
 }
 
+model::PrintedLinkage printed_of(const Run& run) {
+  return [&run](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); };
+}
+
 constexpr int states_on_the_way = 8;  // in which walls of prints are looked at
 
 /// The fold itself is held as its prints are; on the way to it hinges rest at the turns that they have there, of the closed form
@@ -105,7 +109,7 @@ std::optional<model::TouchingPrints> count_touching(const Run& run, const PrintH
         is_on_path ? *frames[k] : run.plan.exact.at(run.theta * (k + 1) / states_on_the_way);
     return model::HeldState{at, set_in(hinges.elasticity, linkage, at), none};
   };
-  return touching_prints(linkage, before + 1, way, scatter_of(run), print_options(options, planar));
+  return touching_prints(printed_of(run), before + 1, way, scatter_of(run), print_options(options, planar));
 }
 
 }  // namespace
@@ -148,9 +152,8 @@ std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& dr
   out->touching = count_touching(run, hinges, state, stays_in_plane(run, points), options);
   if (options.prints == 0 && run.structure.bodies() > most_bodies_to_confirm) return out;
   const model::PrintRuns runs =
-      print_runs([&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
-                 hinges.elasticity, hinges.drive, state, points, scatter_of(run), prints_of(options),
-                 print_options(options, stays_in_plane(run, points)));
+      print_runs(printed_of(run), hinges.elasticity, hinges.drive, state, points, scatter_of(run),
+                 prints_of(options), print_options(options, stays_in_plane(run, points)));
   if (runs.prints + runs.failed > 0) out->runs = runs;
   return out;
 }

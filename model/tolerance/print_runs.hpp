@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "model/tolerance/as_made.hpp"
+#include "model/tolerance/print_equilibria.hpp"
 
 namespace kinetix::model {
 
@@ -18,10 +18,6 @@ struct PrintRuns {
   /// Of 20 prints 19, and not what 95 of 100 others would be: the fewest that are that part of them or more.
   int kept() const { return (19 * prints + 19) / 20; }
 };
-
-/// A structure with its hinges off by so much: a column a hinge, t (fraction), alpha, beta (rad), offset (cell edges). No
-/// columns: the design itself.
-using PrintedLinkage = std::function<Linkage(const Eigen::Matrix4Xd& errors)>;
 
 /// Prints with errors, each brought to its equilibrium from that of the design, and seen one after the other.
 /// @param state of the design, in equilibrium or nearly so under the drive

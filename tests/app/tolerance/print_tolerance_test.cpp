@@ -8,9 +8,9 @@
 #include "app/pipeline/matter.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/pipeline/print_hinges.hpp"
-#include "model/contact/wall_contact.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "tests/app/tolerance/free_prints.hpp"
+#include "tests/app/tolerance/wall_solids.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace kinetix::app {
@@ -20,6 +20,7 @@ using Eigen::VectorXd;
 using testing::FreeErrors;
 using testing::FreeSheet;
 using testing::TemporaryFolder;
+using testing::WallSolids;
 
 /// 1000 for the figures of docs/hinges.md: KINETIX_PRINTS=1000 test_print_tolerance.
 int count_prints() {
@@ -140,7 +141,8 @@ Sampled sample(const Tried& one, bool planar, unsigned seed) {
       if (state.name == "frame") way.push_back(state.poses);
   for (int k = 1; !run.matter && k < count_states(); ++k)
     way.push_back(run.plan.exact.at(run.theta * k / count_states()));
-  model::WallContact contact{model::Linkage(run.structure)};
+  const WallSolids designed{model::Linkage(run.structure)};
+  const auto built = designed.touching(model::rest_state(run.structure), {});
   const FreeDistance distance(one, design);
   std::mt19937_64 random(seed);
   Sampled out;
@@ -153,11 +155,12 @@ Sampled sample(const Tried& one, bool planar, unsigned seed) {
       continue;
     }
     all.push_back(distance(distances(one, print, state)));
-    bool touches = !contact.overlapping(state).empty();
+    const WallSolids walls{model::Linkage(print)};
+    bool touches = !walls.touching(state, built, 1).empty();
     for (std::size_t w = 0; w < way.size() && !touches; ++w) {
       model::State on_the_way = way[w];
       if (free_sheet(run, print, way[w], false).settle(on_the_way, planar))
-        touches = !contact.overlapping(on_the_way).empty();
+        touches = !walls.touching(on_the_way, built, 1).empty();
     }
     out.touching += touches;
   }
