@@ -18,8 +18,8 @@ namespace {
 // Of the tolerance: an equilibrium that is so near its goal is not improved any further.
 constexpr double near_enough = 0.05;
 // Cell edges: the equilibrium that a path from flat ends in is that of the search, but for what both leave of forces:
-// soft hinges lie apart by 2e-5 for these, and another state so near would do as well.
-constexpr double same_state = 1e-4;
+// soft hinges lie apart by 2e-4 for these, and another state so near would do as well.
+constexpr double same_state = 1e-3;
 
 // Springs so much stiffer than their hinges rest at 1.25 times the turn that they hold.
 constexpr double spring_over_hinge = 4;

@@ -554,7 +554,7 @@ TEST(Matter, PrintsOfADisplayAreAsExpected) {
   EXPECT_NEAR(expected["auc"], prints["auc"], 0.01);
 }
 
-/// Equilibria of hinges as soft as these agree to 2e-5 cell edges, by what is left of forces, and are one all the same.
+/// Equilibria of hinges as soft as these agree to 2e-4 cell edges, by what is left of forces, and are one all the same.
 TEST(Matter, TellsNoOtherEquilibriumWhereThePathEndsInTheOneThatWasFound) {
   const Scratch scratch;
   const Finished run = finished(
