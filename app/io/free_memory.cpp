@@ -11,7 +11,7 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double bytes_per_kib = 1024;
+constexpr double bytes_per_kib = 1024;  // of /proc/meminfo
 
 std::optional<double> available_bytes() {
   std::ifstream file("/proc/meminfo");

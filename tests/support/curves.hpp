@@ -38,11 +38,12 @@ inline double fitting_cell(const targets::Curve& curve, int columns) {
 /// a design reaches exactly. Empty where that midline crosses itself.
 inline std::optional<targets::Curve> reachable_curve(int columns, double cell_mm, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
-  auto design = model::ExactDesign<double>::basic(columns, 0);
+  auto design = model::ExactDesign<double>::basic(columns, 1);
+  design.s.clear();  // a chain without rows
   for (double& beta : design.beta) beta = 40 * radians_per_degree * unit(random);
   design.theta = (25 + 15 * unit(random)) * radians_per_degree;
   model::State poses;
-  fold(design, cell_mm, poses);
+  fold_unchecked(design, cell_mm, poses);
   std::vector<Eigen::Vector2d> points;
   for (const model::Pose& pose : poses) points.emplace_back(pose.p.x(), pose.p.z());
   try {
