@@ -10,11 +10,12 @@
 namespace kinetix::model {
 namespace {
 
-constexpr double back_step = 2.5e-3;  // rad of theta
-constexpr int least_steps = 4,
-              most_steps = 32;        // back over a jump: short ones are no one step, long ones cost no more
-constexpr double same_turn = 1e-3;    // rad of a hinge
-constexpr double same_energy = 1e-8;  // of the energy before: both are of states that are settled to rounding
+constexpr double back_step = 1e-3;  // rad of theta
+constexpr int least_steps = 10,
+              most_steps = 64;      // back over a jump: short ones are no one step, long ones cost no more
+constexpr double same_turn = 1e-3;  // rad of a hinge
+constexpr double same_energy =
+    1e-6;  // of the energy before: what two states that are settled differ by at most
 
 }  // namespace
 
