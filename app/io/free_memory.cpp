@@ -11,14 +11,12 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double bytes_per_kib = 1024;  // of /proc/meminfo
-
 std::optional<double> available_bytes() {
   std::ifstream file("/proc/meminfo");
   std::string key, unit;
   double kib = 0;
   while (file >> key >> kib && std::getline(file, unit))
-    if (key == "MemAvailable:") return kib * bytes_per_kib;
+    if (key == "MemAvailable:") return kib * 1024;
   return std::nullopt;
 }
 
