@@ -20,7 +20,7 @@ std::optional<double> available_bytes() {
   return std::nullopt;
 }
 
-/// Of the limit of address space; infinity where there is none.
+/// Bytes that the limit of address space leaves; infinity where there is none.
 double left_of_limit() {
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)

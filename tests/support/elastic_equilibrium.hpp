@@ -230,7 +230,7 @@ inline Equilibrium random_equilibrium(const EquilibriumCase& c) {
     if (c.touching) s.size.thickness_mm = 4.8;
     return s;
   };
-  // Those that differences move their hinges to are apart, too.
+  // Walls stay apart where central differences move their hinges.
   const auto overlaps = [](model::Structure s) {
     s.size.thickness_mm *= 1.02;
     return model::WallContact(s).overlap_at_rest().has_value();

@@ -135,7 +135,7 @@ class PairRules {
   const int bodies_;
   double most_asked_ = 0;      // mm
   std::vector<double> asked_;  // of each body, the least of its pins, mm
-  // Of each body those after it that share a hinge with it, and the clearance, mm; of blocks and films 0.
+  // Bodies after each body that share a hinge with it, and the clearance, mm: 0 of blocks and films.
   std::vector<std::vector<std::pair<int, double>>> hinged_;
 };
 

@@ -35,9 +35,9 @@ struct PathClearance {
 
 /// How far parts are looked at.
 enum class ClearanceLook {
-  least,  ///< until it is known how near parts come
-  until_near,  ///< likewise, but no further than to two parts that come too near: first_too_near need not be the first
-  verdict,  ///< until it is known whether any come too near: what is left elsewhere is not looked for
+  least,       ///< until it is known how near parts come
+  until_near,  ///< the same, but stops at any two parts that come too near: first_too_near need not be the first
+  verdict,     ///< until it is known whether any come too near: what is left elsewhere is not looked for
 };
 
 /// Distances of the solids' convex pieces (Gilbert, Johnson and Keerthi's method, Bullet's in double precision) from flat to the

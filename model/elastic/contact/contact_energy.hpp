@@ -32,7 +32,7 @@ class ContactModel {
   Element element(const Contact& contact, double stiffness, const State& state) const;
   double energy(const std::vector<Contact>& contacts, double stiffness) const;
 
-  /// By t, alpha and beta of contact.plate's hinge, then of contact.other's.
+  /// Derivatives by t, alpha and beta of contact.plate's hinge, then of contact.other's.
   using ByTwoHinges = Eigen::Matrix<double, 6, 1>;
   /// How the gradient of a contact's energy changes: a column each.
   Eigen::Matrix<double, 12, 6> derivatives(const Contact& contact, double stiffness,

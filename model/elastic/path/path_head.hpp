@@ -22,7 +22,7 @@ class PathHead {
 
   /// Along the tangent, or the closed form while the path keeps to it: that leads through singular points.
   State predicted(double theta);
-  /// As it is, but for what the drive holds.
+  /// The state of the path with what the drive holds moved on to theta.
   State carried(double theta) const;
   /// Of the last prediction, 1 or 2.
   int prediction_order() const { return predictor_.order(); }

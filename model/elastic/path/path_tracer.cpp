@@ -54,7 +54,7 @@ PathTracer::Outcome PathTracer::advance(const NextStep& next) {
     return Outcome::taken;
   }
   go_back(multiplier);
-  // Newton's method that comes to no end is no event yet: a shorter step may do.
+  // A search that does not converge is no event while a shorter step can be tried.
   const bool may_be_event = first.trial.newton.converged || next.is_shortest;
   if (next.is_short && may_be_event) return take_event(std::move(first));
   if (next.to_goal) {

@@ -34,7 +34,7 @@ class PathTracer {
 
   Outcome advance(const NextStep& next);
   Attempt attempt(const NextStep& next);
-  /// Finds the equilibrium of a head of rough states to the last digit: what is seen behind it may be its error.
+  /// Settles a rough head to the last digit, so that its error does not look like an event behind it.
   /// @return whether the head has moved
   bool settle_head();
   /// Whether a step may be taken and nothing happens on it that has a place of its own on the path.

@@ -35,7 +35,7 @@ class Retrace {
   const DrivenLinkage& driven_;
   const Elasticity& elasticity_;
   const EquilibriumPathOptions& options_;
-  std::optional<MeasuredSystem> system_;  ///< of its own, so that the path's is left as it is
+  std::optional<MeasuredSystem> system_;  ///< beside that of the path, which stays as it is
 };
 
 }  // namespace kinetix::model

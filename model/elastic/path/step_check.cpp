@@ -13,7 +13,7 @@ constexpr double bent_stiffness = 0.1;  // of the change of the load on a step, 
 constexpr double least_step =
     1e-4;  // rad of theta: over less, derivatives are not those at the ends of the step
 constexpr double load_noise =
-    1e-3;  // of a load: so much less tells of no event, nor do rough states before the goal
+    1e-3;  // of a load: rough states before the goal differ by as much without an event
 constexpr double difference_noise = 1e-13;  // of the energy and of k_point edge^2: rounding of a difference
 
 bool changes_contact(const EquilibriumStep& before, const EquilibriumStep& after) {

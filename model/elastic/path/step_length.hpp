@@ -13,7 +13,7 @@ struct NextStep {
   bool is_shortest = false;  ///< no shorter one will be tried
   bool locates = false;      ///< looks for where something happens: the step is not taken if anything does
   bool leaves =
-      false;  ///< where something happens: the tangent there may be as good as singular, and lead anywhere
+      false;  ///< starts where something happens: the tangent there is nearly singular, so that a prediction along it is no use
 };
 
 /// Steps of theta that adapt to how well they are predicted. They do not depend on the goal, except the last one, which ends there.

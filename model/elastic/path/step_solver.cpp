@@ -22,10 +22,10 @@ constexpr double strayed = 2;  // times longest_jump: so far from a prediction l
 // Rad: longer steps must start convex and end soon; if not, halving is cheaper.
 constexpr double careful_from = 0.01;
 constexpr int careful_iterations = 15;  // of Newton's method, for such a step
-// Of Newton's method, for the shortest step: of springs, which hold no place, a snap goes as far as a release does, and
-// floppy sheets have valleys that bend.
+// Iterations of Newton's method for the shortest step. Springs hold no place, so that a snap goes as far as a release does.
+// The valleys of floppy sheets bend.
 constexpr int snap_iterations = 400;
-// Of the energy: two branches behind a bifurcation that differ by no more are each other's image.
+// Share of the energy. Two branches behind a bifurcation that differ by no more are each other's image.
 constexpr double same_depth = 1e-7;
 constexpr double equally_far = 2;    // times the nearer one of two branches: a path is on neither yet
 constexpr double same_state = 1e-3;  // rad of a hinge, cell edges
@@ -44,22 +44,20 @@ VectorXd twists_between(const Linkage& structure, const State& from, const State
 
 }  // namespace
 
-Trial StepSolver::find(const NextStep& next, const PathHead& head, State prediction) {
+Trial StepSolver::find(const NextStep& next, const PathHead& head, const State& prediction) {
   Trial trial;
   trial.theta = next.theta;
   trial.state = prediction;
   const bool left_flat = head.theta() == 0 && turns_softly(system_.elastic) && leave_head(next, head, trial);
   if (!left_flat) search(first_options(next), head.has_tangent(), trial);
   if (!trial.newton.converged) search_from_closed_form(next, head, trial);
-  if (next.locates) {
-    trial.mirrored = is_mirrored(trial);
-    return trial;
+  if (!next.locates) {
+    choose_side(next, head, prediction, trial);
+    leave_saddles(next, trial);
+    if (trial.descent && !head.is_flat()) polish(trial);
   }
-  choose_side(next, head, prediction, trial);
-  leave_saddles(next, trial);
-  if (trial.descent && !head.is_flat()) polish(trial);
   trial.mirrored = is_mirrored(trial);
-  if (trial.mirrored && leave_head(next, head, trial)) trial.mirrored = is_mirrored(trial);
+  if (trial.mirrored && !next.locates && leave_head(next, head, trial)) trial.mirrored = is_mirrored(trial);
   return trial;
 }
 
@@ -102,8 +100,7 @@ bool StepSolver::is_mirrored(const Trial& trial) const {
 bool StepSolver::leave_head(const NextStep& next, const PathHead& head, Trial& trial) {
   if (!system_.leaves_flat_to_a_side() || head.on_closed_form()) return false;
   const ElasticSystem& elastic = system_.elastic;
-  State carried = head.state();
-  elastic.place(next.theta, carried);
+  const State carried = head.carried(next.theta);
   elastic.linearise(carried, next.theta, system_.tangent);
   if (system_.tangent.factorise(0)) return false;
   Branch::Start start = branch_.leave(next.theta, carried, system_.tangent);
@@ -122,8 +119,7 @@ void StepSolver::choose_side(const NextStep& next, const PathHead& head, const S
       !(turn_distance(structure, prediction, trial.state) > options_.longest_jump))
     return;
   if (!polish(trial)) return;
-  State from = head.state();
-  system_.elastic.place(trial.theta, from);
+  const State from = head.carried(trial.theta);
   const VectorXd off = twists_between(structure, from, trial.state);
   if (!(system_.elastic.length(from, off) > same_state)) return;
   const double multiplier = system_.elastic.multiplier();
@@ -136,10 +132,12 @@ void StepSolver::choose_side(const NextStep& next, const PathHead& head, const S
     const double to_trial = turn_distance(structure, head.state(), trial.state),
                  to_twin = turn_distance(structure, head.state(), twin.state);
     const bool begins_here = std::max(to_trial, to_twin) <= equally_far * std::min(to_trial, to_twin);
-    if (begins_here) trial.descent = Descent::lowest_mode;
-    if (begins_here) takes_twin = branch_.side_of(twists_between(structure, twin.state, trial.state)) < 0;
-    // A path on one of them stays there.
-    if (!begins_here && !next.leaves) takes_twin = to_twin < to_trial;
+    if (begins_here) {
+      trial.descent = Descent::lowest_mode;
+      takes_twin = branch_.side_of(twists_between(structure, twin.state, trial.state)) < 0;
+    } else {
+      takes_twin = !next.leaves && to_twin < to_trial;
+    }
   }
   if (takes_twin) {
     trial.state = std::move(twin.state);

@@ -15,10 +15,10 @@ class StepSolver {
         branch_(system.elastic, closed_form, options.side),
         options_(options) {}
 
-  /// From a prediction by Newton's method; behind a bifurcation into two like branches on that of the drive's side; where the
-  /// search ends in an equilibrium that is no minimum, down from it, and where it ends on the side that was not asked for, down from the last state of the path. The
-  /// system's tangent is then that of the trial, if that is stable.
-  Trial find(const NextStep& next, const PathHead& head, State prediction);
+  /// Searches from a prediction by Newton's method. Behind a bifurcation it takes the branch to the drive's side. From an
+  /// equilibrium that is no minimum it goes down, and from one on the other side it goes back to the last state of the path and
+  /// down from there. The system's tangent is then that of the trial, if that is stable.
+  Trial find(const NextStep& next, const PathHead& head, const State& prediction);
 
  private:
   /// @param may_stray far from the prediction
@@ -31,11 +31,10 @@ class StepSolver {
   /// bears no load that counts beside rounding where hinges turn softly, and hardly any elsewhere: minimising
   /// the energy from there may leave the side to chance. @return whether that state was unstable, and left
   bool leave_head(const NextStep& next, const PathHead& head, Trial& trial);
-  /// A second time, where the first search came to no end: a floppy sheet has valleys along which one creeps.
+  /// Searches again from the closed form. The first search may have crept along a valley of a floppy sheet.
   void search_from_closed_form(const NextStep& next, const PathHead& head, Trial& trial);
-  /// Behind a bifurcation whose two branches are each other's image, as those of a flat sheet that buckles, a search ends on
-  /// either one by chance. A path that comes from between them takes the branch to the drive's side, a descent; a path on
-  /// one of them stays there.
+  /// Looks for the other branch behind a bifurcation, since a search ends on either one by chance. A path from between the two
+  /// takes the branch to the drive's side, a descent. A path on one of two images stays there.
   void choose_side(const NextStep& next, const PathHead& head, const State& prediction, Trial& trial);
   /// Finds the equilibrium to the last digit, where Newton's method comes so far. @return whether it is stable
   bool polish(Trial& trial);

@@ -129,7 +129,7 @@ LinkageDrive random_drive(const Structure& s, int columns, int rows, std::mt1993
   }
 }
 
-/// Of one cell where it twists.
+/// A sheet of one of four kinds; twist units have one cell.
 Structure random_sheet(int& columns, int& rows, std::mt19937& random) {
   switch (random() % 4) {
     case 0:
