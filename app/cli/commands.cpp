@@ -32,13 +32,13 @@
 namespace kinetix::app {
 namespace {
 
-RunOptions run_options(const CommandOptions& options, Console& console, const Stopper& stopper) {
+RunOptions run_options(const CommandOptions& options, Console& console, const std::stop_token& stop) {
   return {.threads = options.threads,
           .seed = options.seed,
           .verify = options.verify,
           .progress = console.progress(),
           .prints = options.prints,
-          .stop = stopper.token(),
+          .stop = stop,
           .fidelity = options.fidelity,
           .printable = answer_of_export};
 }
@@ -61,17 +61,20 @@ void print(const Run& run, const nlohmann::ordered_json& json, const std::string
               << fmt::format("  {:<10} {}/report.html, result.json, design.yaml\n", "written", folder);
 }
 
-/// @param watch started before the file was read   @param asks_physics alone: without it there is nothing to keep
+/// @param watch started before the file was read   @param asked of a design: the model that computes its state
 int run_and_write(const CommandOptions& options, const Scene& scene, const std::string& suffix,
-                  Stopwatch watch, bool asks_physics = false) {
+                  Stopwatch watch, std::optional<Model> asked = {}) {
   OutputFolder folder(
       folder_beside_input(options.file, options.folder_of(scene.name(), suffix), options.folder_given));
   const double load = watch.lap();
   Console console(options.quiet);
-  const Stopper stopper(options.time_limit_s);
-  Run run = located(options.file, scene, run_options(options, console, stopper));
+  // A closed form has no part that could be kept: Ctrl-C ends the program at once.
+  std::optional<Stopper> stopper;
+  if (asked != Model::exact || options.time_limit_s) stopper.emplace(options.time_limit_s);
+  const std::stop_token stop = stopper ? stopper->token() : std::stop_token();
+  Run run = located(options.file, scene, run_options(options, console, stop));
   run.timings.load = load;
-  if (asks_physics && run.stopped && !run.verification)
+  if (asked == Model::bullet && run.stopped && !run.verification)
     throw Interrupted("the physics run was stopped before it settled");
   console.progress()("files", -1);
   const auto json = write_results(run, folder.path());
@@ -106,7 +109,7 @@ DriveTrials located_trials(const CommandOptions& options, const DesignFile& desi
   Console console(options.quiet);
   const Stopper stopper(options.time_limit_s);
   try {
-    return try_drives(design, run_options(options, console, stopper));
+    return try_drives(design, run_options(options, console, stopper.token()));
   } catch (const InvalidInput& e) {
     throw InvalidInput(e.reason(), {options.file, 0, 0, e.place().key});
   }
@@ -137,8 +140,7 @@ int run_design(const CommandOptions& options, Model model, const std::string& su
   Stopwatch watch;
   const targets::Node root = document_of(options);
   if (is_assembly(root)) return run_assembly_command(options, root, model, suffix);
-  return run_and_write(options, *make_scene(design_of(options, root), model), suffix, watch,
-                       model == Model::bullet);
+  return run_and_write(options, *make_scene(design_of(options, root), model), suffix, watch, model);
 }
 
 }  // namespace
