@@ -20,6 +20,7 @@ namespace {
 
 constexpr int least_window_steps = 100;  // since the drive's end: fewer show of a slow swing too little
 constexpr int window_steps = 200;  // time steps at the end, enough for what goes to and fro to show how far
+constexpr int few_steps = 8;       // downhill: a soft mode takes more
 constexpr double least_force = 1e-9;  // k_point edge: below, a structure is at rest where it stands
 
 using Clock = std::chrono::steady_clock;
@@ -83,9 +84,24 @@ class Run {
   void calm() {
     if (!options_.elastic) return world_.parts().damp(damping_);
     const double energy = world_.parts().kinetic_energy();
-    const bool past = energy < energy_;
-    if (past) world_.parts().damp(0);
-    energy_ = past ? 0 : energy;
+    if (energy < energy_) {
+      limit_way();
+      world_.parts().damp(0);
+      energy_ = way_ = steps_downhill_ = 0;
+    } else {
+      energy_ = energy;
+      ++steps_downhill_;
+      way_ = std::max(way_, world_.parts().fastest() * options_.step_s);
+    }
+  }
+
+  /// A linearised step may lead past the deepest point, the next one back past it, for ever. Parts that are past it after a
+  /// few steps, the longest of which was no shorter than half the longest of the time before, go half as far from now on.
+  void limit_way() {
+    const bool jumps = steps_downhill_ <= few_steps && way_ >= way_before_ / 2;
+    longest_way_ = jumps ? way_ / 2 : 2 * longest_way_;
+    way_before_ = way_;
+    world_.limit_way(longest_way_);
   }
 
   void measure() {
@@ -175,7 +191,11 @@ class Run {
   World world_;
   PhysicsResult result_;
   double energy_ = std::numeric_limits<double>::infinity();  ///< kinetic, at the last step of settling
-  model::State window_;                                      ///< the state at the first of the last steps
+  int steps_downhill_ = 0;                                   ///< since parts stopped
+  // Cell edges or rad, of the fastest part in the longest of these steps, the time before, and at most.
+  double way_ = 0, way_before_ = std::numeric_limits<double>::infinity(),
+         longest_way_ = std::numeric_limits<double>::infinity();
+  model::State window_;  ///< the state at the first of the last steps
   double next_frame_s_ = 0;
   int last_frame_ = -1;
 };

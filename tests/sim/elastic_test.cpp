@@ -104,6 +104,29 @@ TEST(ElasticRun, ComesToTheExactFoldFromOneHingeAsTheTurningSpringsSoften) {
   }
 }
 
+/// Behind the largest load, linearised steps lead past the equilibrium by more than they began before it.
+TEST(ElasticRun, ComesToRestWhereStepsLeadPastTheEquilibrium) {
+  const model::Structure structure = structure_of(model::ExactDesign<double>::basic(1, 2));
+  PhysicsOptions options = testing::physics_without_contact();
+  const double edge_mm = structure.size.edge_mm;
+  options.elastic = model::relative(
+      model::elasticity_of({.axial = 6.595, .shear = 1.646, .along = 3.812, .turn = 1.725}, 0.108 * edge_mm),
+      edge_mm);
+  options.planar = true;
+  options.disturbance = 0.3;
+  for (const double degrees : {60.0, 74.7, 80.0, 88.0}) {
+    const model::LinkageDrive drive =
+        hinge_drive({{0, 0}, model::Axis::y}, degrees * radians_per_degree).on(structure);
+    options.disturbance_seed = 1;
+    const PhysicsResult one = run_compression(structure, drive, options);
+    options.disturbance_seed = 13;
+    const PhysicsResult other = run_compression(structure, drive, options);
+    EXPECT_EQ(one.status, Status::settled) << degrees << ": " << one.why;
+    EXPECT_EQ(other.status, Status::settled) << degrees << ": " << other.why;
+    EXPECT_LE(aligned_distance(structure, one.state, other.state).max, 1e-5) << degrees;
+  }
+}
+
 TEST(ElasticRun, TakesALongStripOfStiffTurningSpringsToTheBranchOfItsDrive) {
   for (const double turn : {1e-6, 1e-4})
     for (const double theta : {0.3, -0.3}) {
