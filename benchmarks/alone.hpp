@@ -5,6 +5,8 @@
 
 namespace kinetix::bench {
 
+inline constexpr double gib = 1 << 30;  ///< bytes, as memory is counted in
+
 /// What a run took, and whether it ended as it should.
 struct Cost {
   double seconds = 0;

@@ -18,7 +18,6 @@ namespace {
 
 constexpr double closed = 1e-11;           // cell edges: that of small scenes is rounding, and less
 constexpr double closed_a_column = 1e-15;  // cell edges: places far from the first body round by so much
-constexpr double gib = 1 << 30;            // bytes, as memory is counted in
 constexpr double telling = 32 << 20;  // bytes: of less, most is no scene, and says nothing of what GiB hold
 constexpr int most_seconds = 60;      // of a run: eight scenes of it stay within a quarter of an hour
 constexpr double short_way = 0.02;    // rad of theta, in few steps: large sheets take a minute for each
