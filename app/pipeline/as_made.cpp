@@ -5,7 +5,6 @@
 
 #include "app/pipeline/print_hinges.hpp"
 #include "app/run/run_hinges.hpp"
-#include "model/elastic/newton.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -63,33 +62,46 @@ bool stays_in_plane(const Run& run, const std::vector<model::ObservedPoint>& poi
          });
 }
 
-std::optional<PrintedGoal> expected_with(const Run& run, const PrintHinges& hinges,
-                                         const model::State& design,
+/// A design that prints are judged by, in its equilibrium.
+struct PrintedDesign {
+  PrintHinges hinges;
+  bool planar;
+  model::SettledDesign settled;
+
+  PrintedDesign(const Run& run, const model::LinkageDrive& drive, const model::State& state,
+                const std::vector<model::ObservedPoint>& points)
+      : hinges(print_hinges(run, drive, state)),
+        planar(stays_in_plane(run, points)),
+        settled(run.structure, {state, hinges.elasticity, hinges.drive}, planar) {}
+};
+
+std::optional<PrintedGoal> expected_with(const Run& run, const PrintedDesign& design,
+                                         const model::State& state,
                                          const std::vector<model::ObservedPoint>& points) {
-  if (points.empty()) return std::nullopt;
-  model::State state = design;
-  model::ElasticSystem system(run.structure, hinges.elasticity, hinges.drive, stays_in_plane(run, points),
-                              false);
-  model::TangentStiffness tangent(system.dofs());
-  const double theta = hinges.drive.theta();
-  system.place(theta, state);
-  if (!settle(system, theta, state, tangent)) return std::nullopt;
-  if (!(aligned_distance(run.structure, state, design).rms <= near_design)) return std::nullopt;
+  const model::SettledDesign& settled = design.settled;
+  if (!settled.is_stable()) return std::nullopt;
+  if (!(aligned_distance(run.structure, settled.state(), state).rms <= near_design)) return std::nullopt;
+  const auto with = [&](const model::HingeScatter& scatter) {
+    return as_made(settled.system(), settled.state(), settled.theta(), settled.tangent(), points, scatter);
+  };
   PrintedGoal out;
   out.can_be_printed = print_problems(run).empty();
-  out.taken = hinges.taken;
-  out.made = as_made(system, state, theta, tangent, points, run_scatter(run, true));
+  out.taken = design.hinges.taken;
+  out.made = with(run_scatter(run, true));
   if (const auto pin = loosest_pin(run); pin && play_scatter(*pin, run.process.sd).place_mm > 0)
-    out.without_play = as_made(system, state, theta, tangent, points, run_scatter(run, false));
+    out.without_play = with(run_scatter(run, false));
   return out;
+}
+
+model::PrintedLinkage printed_of(const Run& run) {
+  return [&run](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); };
 }
 
 constexpr int states_on_the_way = 8;  // in which walls of prints are looked at
 
 /// The fold itself is held as its prints are; on the way to it hinges rest at the turns that they have there, of the closed form
 /// or, where hinges are elastic, of their path.
-std::optional<model::TouchingPrints> count_touching(const Run& run, const PrintHinges& hinges,
-                                                    const model::State& state, bool planar,
+std::optional<model::TouchingPrints> count_touching(const Run& run, const PrintedDesign& design,
                                                     const RunOptions& options) {
   const model::Linkage linkage = run.structure;
   const model::LinkageDrive none{.kind = model::LinkageDrive::Kind::none};
@@ -97,15 +109,16 @@ std::optional<model::TouchingPrints> count_touching(const Run& run, const PrintH
   for (const NamedState& frame : run.states)
     if (frame.name == "frame") frames.push_back(&frame.poses);
   const bool is_on_path = run.matter.has_value();
-  const int before = is_on_path ? static_cast<int>(frames.size()) : states_on_the_way - 1;
-  const auto way = [&](int k) -> std::optional<model::HeldState> {
-    if (k == before) return model::HeldState{state, hinges.elasticity, hinges.drive};
-    if (!is_on_path && !run.plan.exact) return std::nullopt;
-    const model::State at =
-        is_on_path ? *frames[k] : run.plan.exact.at(run.theta * (k + 1) / states_on_the_way);
-    return model::HeldState{at, set_in(hinges.elasticity, linkage, at), none};
-  };
-  return touching_prints(linkage, before + 1, way, scatter_of(run), print_options(options, planar));
+  const model::WayToFold way{
+      is_on_path ? static_cast<int>(frames.size()) : states_on_the_way - 1,
+      [&](int k) -> std::optional<model::HeldState> {
+        if (!is_on_path && !run.plan.exact) return std::nullopt;
+        const model::State at =
+            is_on_path ? *frames[k] : run.plan.exact.at(run.theta * (k + 1) / states_on_the_way);
+        return model::HeldState{at, set_in(design.hinges.elasticity, linkage, at), none};
+      }};
+  return touching_prints(printed_of(run), design.settled, way, scatter_of(run),
+                         print_options(options, design.planar));
 }
 
 }  // namespace
@@ -136,21 +149,21 @@ model::Sheet printed_sheet(model::Sheet sheet, const Eigen::Matrix4Xd& errors) {
 std::optional<PrintedGoal> expected_of_prints(const Run& run, const model::LinkageDrive& drive,
                                               const model::State& design,
                                               const std::vector<model::ObservedPoint>& points) {
-  return expected_with(run, print_hinges(run, drive, design), design, points);
+  if (points.empty()) return std::nullopt;
+  return expected_with(run, {run, drive, design, points}, design, points);
 }
 
 std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& drive,
                                    const model::State& state, const std::vector<model::ObservedPoint>& points,
                                    const RunOptions& options) {
-  const PrintHinges hinges = print_hinges(run, drive, state);
-  std::optional<PrintedGoal> out = expected_with(run, hinges, state, points);
+  if (points.empty()) return std::nullopt;
+  const PrintedDesign design(run, drive, state, points);
+  std::optional<PrintedGoal> out = expected_with(run, design, state, points);
   if (!out) return out;
-  out->touching = count_touching(run, hinges, state, stays_in_plane(run, points), options);
+  out->touching = count_touching(run, design, options);
   if (options.prints == 0 && run.structure.bodies() > most_bodies_to_confirm) return out;
-  const model::PrintRuns runs =
-      print_runs([&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
-                 hinges.elasticity, hinges.drive, state, points, scatter_of(run), prints_of(options),
-                 print_options(options, stays_in_plane(run, points)));
+  const model::PrintRuns runs = print_runs(printed_of(run), design.settled, points, scatter_of(run),
+                                           prints_of(options), print_options(options, design.planar));
   if (runs.prints + runs.failed > 0) out->runs = runs;
   return out;
 }

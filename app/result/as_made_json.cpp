@@ -86,10 +86,10 @@ std::optional<std::string> contact_words(const Run& run) {
 
 /// What printed walls do on the way to the fold, in sample prints.
 std::optional<std::string> touching_words(const PrintedGoal& printed) {
-  if (!printed.touching || printed.touching->touching == 0) return std::nullopt;
-  const int percent = static_cast<int>(std::lround(100 * printed.touching->share()));
-  return fmt::format("walls of {} of {} simulated prints ({} %) touch on the way to the fold{}",
-                     printed.touching->touching, printed.touching->prints, percent,
+  if (!printed.touching || printed.touching->share() == 0) return std::nullopt;
+  return fmt::format("in {:.0f} +- {:.0f} % of {} simulated prints walls touch on the way to the fold{}",
+                     100 * printed.touching->share(), 100 * printed.touching->error(),
+                     printed.touching->prints,
                      printed.touches_too_often()
                          ? ": leave more room between walls that end near each other, or print more precisely"
                          : "");
@@ -183,7 +183,9 @@ Json as_made_json(const Run& run) {
   out["touching_share"] = nullptr;
   if (const auto& touching = run.printed->touching) {
     out["touching_share"] = touching->share();
+    out["touching_error"] = touching->error();
     out["touching_prints"] = touching->prints;
+    out["touching_settled"] = touching->settled;
   }
   if (run.printed->taken) out["taken"] = taken_json(*run.printed->taken);
   if (const auto& tight = run.printed->without_play)

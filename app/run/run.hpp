@@ -116,7 +116,8 @@ struct PrintedGoal {
   bool touches_too_often() const { return touching && touching->share() > most_touching; }
 
   /// What prints are expected to be off, mm: to first order, times what the prints that were looked at are off over what first
-  /// order has of the same prints. Where the two are within 5 % of each other first order is as it is.
+  /// order has of the same prints, as far as these prints know that. Where the two are within 5 % of each other first order is
+  /// as it is, and a ratio within its standard error of 1 corrects nothing.
   double rms_mm() const { return made.rms_mm * correction(); }
   double p95_mm() const { return made.p95_mm * correction(); }
 
@@ -135,10 +136,12 @@ struct PrintedGoal {
 
  private:
   double correction() const {
-    constexpr double near = 0.05;  // ratio: what twenty prints leave open of it
+    constexpr double near = 0.05;  // ratio
     if (!runs || !(runs->rms_mm > 0) || !(runs->first_order_rms_mm > 0)) return 1;
-    const double ratio = runs->rms_mm / runs->first_order_rms_mm;
-    return std::abs(ratio - 1) > near ? ratio : 1;
+    const double more = runs->rms_mm / runs->first_order_rms_mm - 1;
+    if (std::abs(more) <= near) return 1;
+    const double noise = runs->ratio_error * runs->ratio_error / (more * more);
+    return noise < 1 ? 1 + more * (1 - noise) : 1;
   }
 };
 

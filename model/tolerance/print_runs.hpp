@@ -2,7 +2,8 @@
 
 #include <functional>
 
-#include "model/tolerance/as_made.hpp"
+#include "model/tolerance/print_equilibria.hpp"
+#include "model/tolerance/settled_design.hpp"
 
 namespace kinetix::model {
 
@@ -13,15 +14,12 @@ struct PrintRuns {
   double rms_mm = 0;  ///< root of the mean square over those that settled; NaN where none did
   double p95_mm = 0;  ///< 95 of 100 of them keep it: kept() of these do
   double first_order_rms_mm =
-      0;  ///< of the same prints, as first order has each of them; NaN where it has none
+      0;                   ///< of the same prints, as first order has each of them; NaN where it has none
+  double ratio_error = 0;  ///< ratio: standard error of rms_mm over first_order_rms_mm
 
   /// Of 20 prints 19, and not what 95 of 100 others would be: the fewest that are that part of them or more.
   int kept() const { return (19 * prints + 19) / 20; }
 };
-
-/// A structure with its hinges off by so much: a column a hinge, t (fraction), alpha, beta (rad), offset (cell edges). No
-/// columns: the design itself.
-using PrintedLinkage = std::function<Linkage(const Eigen::Matrix4Xd& errors)>;
 
 /// Prints with errors, each brought to its equilibrium from that of the design, and seen one after the other.
 /// @param state of the design, in equilibrium or nearly so under the drive
@@ -33,10 +31,9 @@ int visit_prints(const PrintedLinkage& printed, const Elasticity& elasticity, co
                  const std::function<void(const State& design, const State& print,
                                           const Eigen::Matrix4Xd& errors)>& visit);
 
-/// @param state of the design, in equilibrium or nearly so under the drive
 /// @param count > 0   @param options its probes have no effect   The same seed gives the same prints.
-PrintRuns print_runs(const PrintedLinkage& printed, const Elasticity& elasticity, const LinkageDrive& drive,
-                     const State& state, const std::vector<ObservedPoint>& points,
-                     const HingeScatter& scatter, int count, const AsMadeOptions& options = {});
+PrintRuns print_runs(const PrintedLinkage& printed, const SettledDesign& design,
+                     const std::vector<ObservedPoint>& points, const HingeScatter& scatter, int count,
+                     const AsMadeOptions& options = {});
 
 }  // namespace kinetix::model

@@ -51,6 +51,14 @@ class FreeSheet {
     spring_rests_ = std::move(rests);
   }
 
+  /// Plates hold these bodies where they are along their normal. @param axis 0 or 1
+  void grip(const model::GrippedRows& rows, int axis) {
+    axis_ = axis;
+    is_gripped_.assign(linkage_.bodies.size(), false);
+    for (const auto& row : rows)
+      for (const int body : row) is_gripped_[static_cast<std::size_t>(body)] = true;
+  }
+
   static double turn_of(const model::RestHinge& hinge, const model::Pose& lower, const model::Pose& upper) {
     const Eigen::Quaterniond q(Eigen::Matrix3d(lower.R.transpose() * upper.R));
     const double sign = q.w() < 0 ? -1 : 1;
@@ -67,7 +75,7 @@ class FreeSheet {
   /// The nearest state in which no step lowers the energy any more. @param planar turns about z, and shifts across it, alone
   /// @return whether it came to rest
   bool settle(model::State& state, bool planar) const {
-    for (int round = 0; round < 40; ++round) {
+    for (int round = 0; round < 200; ++round) {
       const double step = improve(state, planar);
       if (!std::isfinite(step)) return false;
       if (step < 1e-7) return true;
@@ -134,6 +142,9 @@ class FreeSheet {
     }
     const auto is_held = [&](Eigen::Index k) {
       const Eigen::Index own = k % 6;
+      // Between plates a sheet may still shift along them and turn about their normal.
+      if (axis_ >= 0 && own == 3 + axis_) return bool(is_gripped_[static_cast<std::size_t>(k / 6)]);
+      if (axis_ >= 0) return k / 6 == held && (own == axis_ || own >= 3);
       return k / 6 == held || (planar && (own < 2 || own == 5));
     };
     std::erase_if(entries, [&](const auto& e) { return is_held(e.row()) || is_held(e.col()); });
@@ -147,14 +158,31 @@ class FreeSheet {
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(hessian);
     if (factor.info() != Eigen::Success) return std::nan("");
     const Eigen::VectorXd step = -factor.solve(gradient);
-    for (int b = 0; b < bodies; ++b) state[b] = moved(state[b], step.segment<6>(6 * b));
-    return step.cwiseAbs().maxCoeff();
+    const double before = energy(state);
+    // Steps that would raise the energy are shortened: on stiff hinges the whole one swings for ever.
+    for (double part = 1; part > 1e-6; part /= 2) {
+      model::State next = state;
+      for (int b = 0; b < bodies; ++b) next[b] = moved(state[b], part * step.segment<6>(6 * b));
+      if (!(energy(next) <= before * (1 + 1e-12))) continue;
+      state = std::move(next);
+      return part * step.cwiseAbs().maxCoeff();
+    }
+    return 0;
+  }
+
+  double energy(const model::State& state) const {
+    double sum = 0;
+    for (std::size_t h = 0; h < linkage_.hinges.size(); ++h)
+      sum += residuals(h, state[linkage_.hinges[h].lower], state[linkage_.hinges[h].upper]).squaredNorm();
+    return sum / 2;
   }
 
   model::Linkage linkage_;
   Eigen::Vector3d root_;
   double rock_, twist_, turn_, spring_ = 0;
   std::vector<double> rests_, spring_rests_;
+  int axis_ = -1;
+  std::vector<bool> is_gripped_;
 };
 
 }  // namespace kinetix::testing

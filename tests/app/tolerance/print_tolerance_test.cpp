@@ -8,9 +8,9 @@
 #include "app/pipeline/matter.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/pipeline/print_hinges.hpp"
-#include "model/contact/wall_contact.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "tests/app/tolerance/free_prints.hpp"
+#include "tests/app/tolerance/wall_solids.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace kinetix::app {
@@ -20,6 +20,7 @@ using Eigen::VectorXd;
 using testing::FreeErrors;
 using testing::FreeSheet;
 using testing::TemporaryFolder;
+using testing::WallSolids;
 
 /// 1000 for the figures of docs/hinges.md: KINETIX_PRINTS=1000 test_print_tolerance.
 int count_prints() {
@@ -140,7 +141,8 @@ Sampled sample(const Tried& one, bool planar, unsigned seed) {
       if (state.name == "frame") way.push_back(state.poses);
   for (int k = 1; !run.matter && k < count_states(); ++k)
     way.push_back(run.plan.exact.at(run.theta * k / count_states()));
-  model::WallContact contact{model::Linkage(run.structure)};
+  const WallSolids designed{model::Linkage(run.structure)};
+  const auto built = designed.touching(model::rest_state(run.structure), {});
   const FreeDistance distance(one, design);
   std::mt19937_64 random(seed);
   Sampled out;
@@ -153,11 +155,12 @@ Sampled sample(const Tried& one, bool planar, unsigned seed) {
       continue;
     }
     all.push_back(distance(distances(one, print, state)));
-    bool touches = !contact.overlapping(state).empty();
+    const WallSolids walls{model::Linkage(print)};
+    bool touches = !walls.touching(state, built, 1).empty();
     for (std::size_t w = 0; w < way.size() && !touches; ++w) {
       model::State on_the_way = way[w];
       if (free_sheet(run, print, way[w], false).settle(on_the_way, planar))
-        touches = !contact.overlapping(on_the_way).empty();
+        touches = !walls.touching(on_the_way, built, 1).empty();
     }
     out.touching += touches;
   }
@@ -208,6 +211,7 @@ const std::vector<Case>& cases() {
        "structure: {cells: [30, 1]}\n"},
       {"box", "target: {kind: fold, box: [3, 3, 3]}\ntolerance: {angle_deg: 1}\n"},
       {"solid", "target: {kind: fold, solid: tetrahedron}\n"},
+      {"panel", "target: {kind: fold, net: {faces: [{name: a, cells: [2, 2]}], creases: []}}\n"},
       {"outline",
        "target: {kind: outline, points: [[10, 0], [7.1, 7.1], [0, 10], [-7.1, 7.1], [-10, 0], [-7.1, -7.1], "
        "[0, "
@@ -228,7 +232,7 @@ const std::vector<Case>& cases() {
        "[12, 1]}\n"
        "hinge: {kind: block, material: tango, gap_mm: 1}\ndrive: {kind: shape_memory, k_turn: 5}\n"},
   };
-  static const std::vector<Case> quick(every.begin(), every.begin() + 4);
+  static const std::vector<Case> quick(every.begin(), every.begin() + 5);
   return std::getenv("KINETIX_PRINTS") ? every : quick;
 }
 
@@ -242,18 +246,28 @@ TEST_P(PrintTolerance, IsThatOfPrintsFoundAnotherWay) {
   const double share = printed.touching ? printed.touching->share() : NAN;
   fmt::print(
       "{:12} bodies {:4}  designed {:.4f}  rms {:.4f} prints {:.4f} +- {:.4f} ratio {:.3f}  p95 {:.4f} "
-      "prints {:.4f} ratio {:.3f}  touching {:.3f} of {} prints {:.3f}  failed {}\n",
+      "prints {:.4f} ratio {:.3f}  touching {:.3f} +- {:.3f} of {} ({}) prints {:.3f}  failed {}\n",
       GetParam().name, one.run.structure.bodies(), printed.made.designed_mm, printed.rms_mm(), seen.rms,
       seen.rms_error, printed.rms_mm() / seen.rms, printed.p95_mm(), seen.p95, printed.p95_mm() / seen.p95,
-      share, printed.touching ? printed.touching->prints : 0, seen.touching, seen.failed);
-  ASSERT_EQ(seen.failed, 0);
+      share, printed.touching ? printed.touching->error() : NAN,
+      printed.touching ? printed.touching->prints : 0, printed.touching ? printed.touching->settled : 0,
+      seen.touching, seen.failed);
+  if (printed.runs)
+    fmt::print(
+        "             first order {:.4f}  of {} prints {:.4f}, to first order {:.4f}, ratio +- {:.3f}\n",
+        printed.made.rms_mm, printed.runs->prints, printed.runs->rms_mm, printed.runs->first_order_rms_mm,
+        printed.runs->ratio_error);
+  std::fflush(stdout);
+  ASSERT_TRUE(printed.touching);
+  ASSERT_LE(seen.failed, 0.02 * count_prints()) << "by the other way";
   EXPECT_NEAR(printed.rms_mm(), seen.rms, 0.1 * seen.rms + 3 * seen.rms_error);
   if (seen.prints >= 500) {
     EXPECT_NEAR(printed.p95_mm(), seen.p95, 0.15 * seen.p95);
   }
-  const double between = std::max(share, seen.touching),
-               count = 1.0 / seen.prints + 1.0 / printed.touching->prints;
-  EXPECT_NEAR(share, seen.touching, 3 * std::sqrt(std::max(between * (1 - between), 0.01) * count));
+  const double of_seen = (seen.touching * seen.prints + 1) / (seen.prints + 2);
+  EXPECT_NEAR(
+      share, seen.touching,
+      3 * std::hypot(printed.touching->error(), std::sqrt(of_seen * (1 - of_seen) / (seen.prints + 2))));
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, PrintTolerance, ::testing::ValuesIn(cases()),

@@ -29,8 +29,9 @@ struct BentSheet {
     std::vector<ObservedPoint> points;
     for (int k = 0; k < static_cast<int>(found.state.size()); ++k)
       points.push_back({{k}, found.state[k].p, Vector3d(std::sin(k), 0.3, std::cos(k)).normalized(), 0});
-    return print_runs([&](const Eigen::Matrix4Xd& errors) { return printed(errors); }, found.elasticity,
-                      found.drive.on(structure), found.state, points, print_scatter, count, options);
+    const SettledDesign design(structure, {found.state, found.elasticity, found.drive.on(structure)}, false);
+    return print_runs([&](const Eigen::Matrix4Xd& errors) { return printed(errors); }, design, points,
+                      print_scatter, count, options);
   }
 
   Linkage printed(const Eigen::Matrix4Xd& errors) const {

@@ -1,0 +1,115 @@
+#include "model/tolerance/print_equilibria.hpp"
+
+#include <algorithm>
+#include <deque>
+
+#include "model/base/invalid_input.hpp"
+#include "model/base/parallel_runs.hpp"
+#include "model/elastic/newton.hpp"
+
+namespace kinetix::model {
+namespace {
+
+using Eigen::Matrix4Xd;
+
+NewtonOptions print_newton(double tolerance) {
+  NewtonOptions options;
+  options.step_tolerance = tolerance;
+  return options;
+}
+
+}  // namespace
+
+struct PrintEquilibria::Workers {
+  class Rest;
+
+  PrintScene scene;
+  State design;
+  std::function<bool()> stop;
+  double tolerance = at_rest;
+  Eigen::Index hinges = 0;
+  std::deque<Rest> rests = {};  // one for each thread
+};
+
+/// Finds one print after the other.
+class PrintEquilibria::Workers::Rest {
+ public:
+  /// @param scene, design kept by reference, the latter in equilibrium, with the drive's multiplier
+  Rest(const PrintScene& scene, const State& design, double multiplier, double tolerance)
+      : scene_(scene), design_(design), tolerance_(tolerance), system_(scene.system({})) {
+    system_.set_multiplier(multiplier);
+  }
+
+  std::optional<State> of(const Matrix4Xd& errors) {
+    restore();
+    try {
+      return settled(scene_.system(errors));
+    } catch (const InvalidInput&) {
+      return std::nullopt;
+    }
+  }
+
+ private:
+  std::optional<State> settled(ElasticSystem print) {
+    print.set_multiplier(system_.multiplier());
+    State state = design_;
+    const double theta = scene_.drive.theta();
+    print.place(theta, state);
+    const NewtonResult found =
+        minimise(print, theta, print_newton(tolerance_), state, *tangent_, tangent_->is_factorised());
+    is_of_design_ = false;
+    if (!found.converged || !found.stable) return std::nullopt;
+    return state;
+  }
+
+  void restore() {
+    if (is_of_design_) return;
+    // Contacts of the print before are left in the pattern of its tangent, which the next must not depend on.
+    if (!tangent_ || scene_.contact) tangent_.emplace(system_.dofs());
+    system_.linearise(design_, scene_.drive.theta(), *tangent_);
+    tangent_->factorise(0);
+    is_of_design_ = true;
+  }
+
+  const PrintScene& scene_;
+  const State& design_;
+  const double tolerance_;
+  ElasticSystem system_;
+  std::optional<TangentStiffness>
+      tangent_;  ///< of the bodies of any print: what is held and which hinges there are is the same
+  bool is_of_design_ = false;
+};
+
+PrintEquilibria::PrintEquilibria(PrintScene scene, const State& state, int most, const AsMadeOptions& options,
+                                 double tolerance)
+    : workers_(new Workers{std::move(scene), state, options.stop, tolerance}) {
+  Workers& own = *workers_;
+  ElasticSystem system = own.scene.system({});
+  TangentStiffness tangent(system.dofs());
+  const double theta = own.scene.drive.theta();
+  system.place(theta, own.design);
+  minimise(system, theta, {}, own.design, tangent);
+  own.hinges = static_cast<Eigen::Index>(system.structure().hinges.size());
+  for (int w = 0; w < std::min(threads_of(options.threads), most); ++w)
+    own.rests.emplace_back(own.scene, own.design, system.multiplier(), tolerance);
+}
+
+PrintEquilibria::~PrintEquilibria() = default;
+
+Eigen::Index PrintEquilibria::hinges() const { return workers_->hinges; }
+
+const State& PrintEquilibria::design() const { return workers_->design; }
+
+std::vector<PrintEquilibria::Print> PrintEquilibria::of(const std::vector<Matrix4Xd>& errors) {
+  std::vector<Print> out(errors.size());
+  auto& rests = workers_->rests;
+  const auto stops = [&] { return workers_->stop && workers_->stop(); };
+  const auto workers = static_cast<int>(rests.size());
+  run_in_parallel(workers, workers, [&](int w) {
+    for (std::size_t k = w; k < errors.size() && !stops(); k += rests.size())
+      out[k] = {true, rests[w].of(errors[k])};
+  });
+  return out;
+}
+
+}  // namespace kinetix::model
