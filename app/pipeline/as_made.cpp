@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/pipeline/equilibrium.hpp"
 #include "app/pipeline/print_hinges.hpp"
 #include "app/run/run_hinges.hpp"
+#include "model/closure/drive_theta.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -121,6 +123,19 @@ std::optional<model::TouchingPrints> count_touching(const Run& run, const Printe
                          print_options(options, design.planar));
 }
 
+constexpr int most_bodies_to_press = 100;  // a path for each side of each print
+
+/// Of elastic hinges between plates, where the design itself folds to the side that was asked for.
+std::optional<model::FlatStarts> press_from_flat(const Run& run, const PrintedDesign& design,
+                                                 const model::State& state, const RunOptions& options) {
+  const model::LinkageDrive& drive = design.hinges.drive;
+  const bool is_pressed = run.matter && drive.kind == model::LinkageDrive::Kind::plates;
+  if (!is_pressed || !(mean_theta(run.structure, state) * drive.theta() > 0)) return std::nullopt;
+  if (options.prints == 0 && run.structure.bodies() > most_bodies_to_press) return std::nullopt;
+  return flat_starts(printed_of(run), design.hinges.elasticity, drive, scatter_of(run), prints_of(options),
+                     print_options(options, design.planar), path_of_run(design.planar));
+}
+
 }  // namespace
 
 int prints_of(const RunOptions& options) { return std::max(options.prints, least_prints); }
@@ -161,6 +176,7 @@ std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& dr
   std::optional<PrintedGoal> out = expected_with(run, design, state, points);
   if (!out) return out;
   out->touching = count_touching(run, design, options);
+  out->from_flat = press_from_flat(run, design, state, options);
   if (options.prints == 0 && run.structure.bodies() > most_bodies_to_confirm) return out;
   const model::PrintRuns runs = print_runs(printed_of(run), design.settled, points, scatter_of(run),
                                            prints_of(options), print_options(options, design.planar));

@@ -95,6 +95,17 @@ std::optional<std::string> touching_words(const PrintedGoal& printed) {
                          : "");
 }
 
+/// Prints that plates do not fold to the side of the design by themselves, and what to do.
+std::optional<std::string> flat_start_words(const PrintedGoal& printed) {
+  if (!printed.from_flat || !printed.from_flat->need_help()) return std::nullopt;
+  const model::FlatStarts& starts = *printed.from_flat;
+  std::string text = fmt::format("of {} sample prints that plates press from flat ", starts.prints);
+  if (starts.other_side > 0) text += fmt::format("{} fold to the other side", starts.other_side);
+  if (starts.other_side > 0 && starts.either_side > 0) text += " and ";
+  if (starts.either_side > 0) text += fmt::format("{} fold to either side by chance", starts.either_side);
+  return text + ": bend the sheet a little to its side by hand before the plates close";
+}
+
 /// Three digits, and all before the point: forces of hundreds without a power of ten.
 std::string held_load_text(double load) {
   return load < 100 ? fmt::format("{:.3g}", load) : fmt::format("{:.0f}", load);
@@ -187,6 +198,11 @@ Json as_made_json(const Run& run) {
     out["touching_prints"] = touching->prints;
     out["touching_settled"] = touching->settled;
   }
+  if (const auto& starts = run.printed->from_flat)
+    out["from_flat"] = {{"prints", starts->prints},
+                        {"other_side", starts->other_side},
+                        {"either_side", starts->either_side},
+                        {"failed", starts->failed}};
   if (run.printed->taken) out["taken"] = taken_json(*run.printed->taken);
   if (const auto& tight = run.printed->without_play)
     out["play"] = {{"clearance_mm", loosest_pin(run)->clearance_mm},
@@ -212,6 +228,7 @@ std::vector<std::string> scatter_warnings(const Run& run) {
   std::vector<std::string> all = scatter_reasons(run);
   if (auto contact = contact_words(run)) all.push_back(std::move(*contact));
   if (run.printed->touches_too_often()) all.push_back(*touching_words(*run.printed));
+  if (auto starts = flat_start_words(*run.printed)) all.push_back(std::move(*starts));
   if (run.printed->runs && !run.printed->is_confirmed())
     all.push_back(prints_words(*run.printed, run.goal->judged_against()));
   return all;

@@ -25,8 +25,8 @@ std::vector<PlaceSource> sources_by_place(const Run& run);
 /// Why prints do not hold, a sentence each; none where they do. @pre run.printed
 std::vector<std::string> as_made_reasons(const Run& run);
 
-/// What speaks against the prints beside whether they can be made: that they leave the goal, may touch on the way, or that the
-/// first order does not hold. @pre run.printed
+/// What speaks against the prints beside whether they can be made: that they leave the goal, may touch on the way, need not fold to
+/// the side of the design, or that the first order does not hold. @pre run.printed
 std::vector<std::string> scatter_warnings(const Run& run);
 
 /// What prints come to, in words, and what counts most. None where that is not known.

@@ -17,6 +17,7 @@
 #include "model/elastic/equilibrium_comparison.hpp"
 #include "model/elastic/path/stable_states.hpp"
 #include "model/matter/process.hpp"
+#include "model/tolerance/flat_starts.hpp"
 #include "model/tolerance/print_runs.hpp"
 #include "model/tolerance/touching_prints.hpp"
 #include "sim/compression_run.hpp"
@@ -110,6 +111,8 @@ struct PrintedGoal {
   std::optional<TakenHinges> taken = {};
   /// Sample prints whose walls touch on the way to the fold; nothing where none could be looked at.
   std::optional<model::TouchingPrints> touching = {};
+  /// Of elastic hinges between plates: sample prints pressed from flat; nothing where none were looked at.
+  std::optional<model::FlatStarts> from_flat = {};
 
   /// Share of prints that may touch without a warning.
   static constexpr double most_touching = 0.05;

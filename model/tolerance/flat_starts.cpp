@@ -25,10 +25,9 @@ struct Ends {
 
 }  // namespace
 
-std::optional<FlatStarts> flat_starts(const std::function<Linkage(const Eigen::Matrix4Xd& errors)>& printed,
-                                      const Elasticity& elasticity, const LinkageDrive& drive,
-                                      const HingeScatter& scatter, int count, const AsMadeOptions& options,
-                                      EquilibriumPathOptions path) {
+std::optional<FlatStarts> flat_starts(const PrintedLinkage& printed, const Elasticity& elasticity,
+                                      const LinkageDrive& drive, const HingeScatter& scatter, int count,
+                                      const AsMadeOptions& options, EquilibriumPathOptions path) {
   const auto stops = [&] { return options.stop && options.stop(); };
   path.planar = options.planar;
   const double theta = drive.theta();

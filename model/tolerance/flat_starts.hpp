@@ -1,10 +1,9 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 
 #include "model/elastic/path/equilibrium_path.hpp"
-#include "model/tolerance/as_made.hpp"
+#include "model/tolerance/print_equilibria.hpp"
 
 namespace kinetix::model {
 
@@ -21,12 +20,11 @@ struct FlatStarts {
 
 /// Traces the path of each print to both sides. Errors that push a print lead both paths to one side, that of the mean turn of its
 /// hinges (mean_theta); without a push each path leaves flat by a bifurcation to its own side.
-/// @param printed as PrintedLinkage; called from any of the threads   @param drive plates
+/// @param drive plates
 /// @param count > 0   @param options seed, planar, threads and stop have an effect   @param path of each print
 /// @return nothing where it is told to stop before the last print
-std::optional<FlatStarts> flat_starts(const std::function<Linkage(const Eigen::Matrix4Xd& errors)>& printed,
-                                      const Elasticity& elasticity, const LinkageDrive& drive,
-                                      const HingeScatter& scatter, int count, const AsMadeOptions& options,
-                                      EquilibriumPathOptions path = {});
+std::optional<FlatStarts> flat_starts(const PrintedLinkage& printed, const Elasticity& elasticity,
+                                      const LinkageDrive& drive, const HingeScatter& scatter, int count,
+                                      const AsMadeOptions& options, EquilibriumPathOptions path = {});
 
 }  // namespace kinetix::model
