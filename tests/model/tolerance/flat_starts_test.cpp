@@ -14,7 +14,7 @@ namespace {
 
 using namespace testing;
 
-constexpr int prints = 12;
+constexpr int prints = 12;  // of each kind of hinge: what chance decides shows in some of them
 
 /// Soft blocks of 1 mm as hinges.
 Elasticity soft_blocks() {
