@@ -28,8 +28,8 @@ struct PhysicsObserver {
 /// With elastic hinges (PhysicsOptions::elastic), the hinges pull as springs, and the turning springs relax
 /// along the start motion at first and at flat in the end, so that they do not push a sheet back through
 /// flat. After the drive, parts run downhill and are stopped whenever their kinetic energy falls, and then go less
-/// far where steps lead past the equilibrium, until on every part the forces of hinges, drive and contacts balance. The same run gives the same bits. Not
-/// thread-safe: the engine has global state, so run one at a time.
+/// far where steps lead past the equilibrium, until on every part the forces of hinges, drive and contacts
+/// balance. The same run gives the same bits. Not thread-safe: the engine has global state, so run one at a time.
 ///
 /// @return the last state and a status; a failure is never passed off as a result
 /// @throws InvalidInput for bad options, for a cord with the solver `sweeps`, and for plates that press on a sheet, and springs

@@ -125,7 +125,7 @@ std::optional<model::TouchingPrints> count_touching(const Run& run, const Printe
 
 constexpr int most_bodies_to_press = 100;  // a path for each side of each print
 
-/// Of elastic hinges between plates, where the design itself folds to the side that was asked for.
+/// Presses sample prints from flat: elastic hinges between plates, where the design itself folds to the side asked for.
 std::optional<model::FlatStarts> press_from_flat(const Run& run, const PrintedDesign& design,
                                                  const model::State& state, const RunOptions& options) {
   const model::LinkageDrive& drive = design.hinges.drive;

@@ -12,9 +12,9 @@ namespace {
 
 using Eigen::Matrix4Xd;
 
-NewtonOptions print_newton(double tolerance) {
+NewtonOptions print_newton() {
   NewtonOptions options;
-  options.step_tolerance = tolerance;
+  options.step_tolerance = at_rest;
   return options;
 }
 
@@ -26,7 +26,6 @@ struct PrintEquilibria::Workers {
   PrintScene scene;
   State design;
   std::function<bool()> stop;
-  double tolerance = at_rest;
   Eigen::Index hinges = 0;
   std::deque<Rest> rests = {};  // one for each thread
 };
@@ -35,8 +34,8 @@ struct PrintEquilibria::Workers {
 class PrintEquilibria::Workers::Rest {
  public:
   /// @param scene, design kept by reference, the latter in equilibrium, with the drive's multiplier
-  Rest(const PrintScene& scene, const State& design, double multiplier, double tolerance)
-      : scene_(scene), design_(design), tolerance_(tolerance), system_(scene.system({})) {
+  Rest(const PrintScene& scene, const State& design, double multiplier)
+      : scene_(scene), design_(design), system_(scene.system({})) {
     system_.set_multiplier(multiplier);
   }
 
@@ -56,7 +55,7 @@ class PrintEquilibria::Workers::Rest {
     const double theta = scene_.drive.theta();
     print.place(theta, state);
     const NewtonResult found =
-        minimise(print, theta, print_newton(tolerance_), state, *tangent_, tangent_->is_factorised());
+        minimise(print, theta, print_newton(), state, *tangent_, tangent_->is_factorised());
     is_of_design_ = false;
     if (!found.converged || !found.stable) return std::nullopt;
     return state;
@@ -73,16 +72,14 @@ class PrintEquilibria::Workers::Rest {
 
   const PrintScene& scene_;
   const State& design_;
-  const double tolerance_;
   ElasticSystem system_;
   std::optional<TangentStiffness>
       tangent_;  ///< of the bodies of any print: what is held and which hinges there are is the same
   bool is_of_design_ = false;
 };
 
-PrintEquilibria::PrintEquilibria(PrintScene scene, const State& state, int most, const AsMadeOptions& options,
-                                 double tolerance)
-    : workers_(new Workers{std::move(scene), state, options.stop, tolerance}) {
+PrintEquilibria::PrintEquilibria(PrintScene scene, const State& state, int most, const AsMadeOptions& options)
+    : workers_(new Workers{std::move(scene), state, options.stop}) {
   Workers& own = *workers_;
   ElasticSystem system = own.scene.system({});
   TangentStiffness tangent(system.dofs());
@@ -91,7 +88,7 @@ PrintEquilibria::PrintEquilibria(PrintScene scene, const State& state, int most,
   minimise(system, theta, {}, own.design, tangent);
   own.hinges = static_cast<Eigen::Index>(system.structure().hinges.size());
   for (int w = 0; w < std::min(threads_of(options.threads), most); ++w)
-    own.rests.emplace_back(own.scene, own.design, system.multiplier(), tolerance);
+    own.rests.emplace_back(own.scene, own.design, system.multiplier());
 }
 
 PrintEquilibria::~PrintEquilibria() = default;

@@ -40,9 +40,7 @@ class PrintEquilibria {
 
   /// @param state of the design, in equilibrium or nearly so   @param most prints that are found at once, > 0
   /// @param options threads and stop have an effect
-  /// @param tolerance rad, cell edges: the last step of a print
-  PrintEquilibria(PrintScene scene, const State& state, int most, const AsMadeOptions& options,
-                  double tolerance = at_rest);
+  PrintEquilibria(PrintScene scene, const State& state, int most, const AsMadeOptions& options);
   ~PrintEquilibria();
   PrintEquilibria(const PrintEquilibria&) = delete;
   PrintEquilibria& operator=(const PrintEquilibria&) = delete;

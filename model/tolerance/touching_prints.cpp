@@ -28,8 +28,6 @@ constexpr double less_near = 0.5;
 // and a disc it did from 0 to -0.06.
 constexpr double unsure = 0.1;
 constexpr double worth_a_look = 0.2;  // likewise with the walls of the design, with whose errors they move
-// Of that distance: how far the last step to a print's equilibrium may move a body.
-constexpr double last_step = 0.002;
 constexpr int prints_at_once = 50, most_prints = 1000;
 constexpr double largest_share_error = 0.016, largest_relative_error = 0.1;
 // Hinges of all prints that are brought to their equilibrium: each takes some 0.05 ms.
@@ -49,8 +47,6 @@ class PrintedStage {
       for (const int wall : {pair.walls.first, pair.walls.second}) bodies_.push_back(walls[wall].body);
     std::sort(bodies_.begin(), bodies_.end());
     bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
-    for (const SuspectPair& pair : suspects)
-      last_step_mm_ = std::min(last_step_mm_, last_step * pair.near_mm);
   }
 
   const std::vector<SuspectPair>& suspects() const { return suspects_; }
@@ -83,7 +79,6 @@ class PrintedStage {
   const std::vector<SuspectPair> suspects_;
   const AsMadeOptions& options_;
   std::vector<int> bodies_;  ///< of the suspects, ascending
-  double last_step_mm_ = INFINITY;
   std::optional<PrintEquilibria> equilibria_;
 };
 
@@ -107,7 +102,7 @@ class WayOfPrints {
     is_found_ = find_closest() && find_stages();
   }
 
-  /// Not where it is told to stop.
+  /// False where it was stopped.
   bool is_found() const { return is_found_; }
   bool stops() const { return options_.stop && options_.stop(); }
   Eigen::Index hinges() const { return static_cast<Eigen::Index>(fold_.system().hinges().size()); }
@@ -128,11 +123,11 @@ class WayOfPrints {
     }
   }
 
-  /// That were looked for.
+  /// Number of equilibria looked for so far.
   int equilibria() const { return equilibria_; }
 
  private:
-  /// What a print comes to first order.
+  /// What a print does to first order.
   struct Look {
     bool touches = false;
     std::vector<std::size_t> near =
