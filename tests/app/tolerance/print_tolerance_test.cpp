@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "app/goals/read_target.hpp"
-#include "app/pipeline/matter.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/pipeline/print_hinges.hpp"
 #include "model/sheet/sheet_motion.hpp"
@@ -122,7 +121,8 @@ FreeSheet free_sheet(const Run& run, const model::Sheet& sheet, const model::Sta
   const std::vector<double> at = own.turns(design);
   if (!run.matter || !is_fold) return {model::Linkage(sheet), hinge.k, hinge.reach_mm, at};
   FreeSheet out(model::Linkage(sheet), hinge.k, hinge.reach_mm, none);
-  const model::LinkageDrive drive = goal_drive(run, run.structure, run.theta);
+  // run.theta is where the sheet has come to: its springs rest further on.
+  const model::LinkageDrive& drive = run.equilibrium->drive;
   const model::Linkage linkage(run.structure);
   std::vector<double> rests;
   for (const model::RestHinge& h : linkage.hinges)
