@@ -29,11 +29,12 @@ constexpr double less_near = 0.5;
 constexpr double unsure = 0.1;
 constexpr double worth_a_look = 0.2;  // likewise with the walls of the design, with whose errors they move
 constexpr int prints_at_once = 50, most_prints = 1000;
-constexpr double largest_share_error = 0.016, largest_relative_error = 0.1;
+constexpr double largest_share_error = 0.016;
+constexpr double largest_relative_error = 0.05, of_large_sheets = 0.1;  // of the share
 // Hinges of all prints that are brought to their equilibrium: each takes some 0.05 ms.
-constexpr Eigen::Index most_hinges = 20000;
+constexpr Eigen::Index most_hinges = 15000;
 constexpr Eigen::Index least_equilibria =
-    20;  // fewer tell nothing: then prints are looked at to first order alone
+    20;  // fewer tell nothing: prints of large sheets are looked at to first order alone
 
 /// A state of the design in equilibrium, and its prints.
 class PrintedStage {
@@ -232,9 +233,9 @@ double share_variance(double some, double all) {
 }
 
 /// Whether the share to first order is known well enough.
-bool are_enough(const TouchingPrints& counted) {
+bool are_enough(const TouchingPrints& counted, double relative_error) {
   const double error = std::sqrt(share_variance(counted.touching, counted.prints) / (counted.prints + 2));
-  return error <= std::max(largest_share_error, largest_relative_error * counted.share());
+  return error <= std::max(largest_share_error, relative_error * counted.share());
 }
 
 }  // namespace
@@ -261,7 +262,8 @@ std::optional<TouchingPrints> touching_prints(const PrintedLinkage& printed, con
   TouchingPrints counted;
   const Eigen::Index afforded = most_hinges / prints.hinges();
   const int most = afforded >= least_equilibria ? static_cast<int>(afforded) : 0;
-  while (counted.prints < most_prints && (counted.prints == 0 || !are_enough(counted))) {
+  while (counted.prints < most_prints &&
+         (counted.prints == 0 || !are_enough(counted, most > 0 ? largest_relative_error : of_large_sheets))) {
     std::vector<Matrix4Xd> next(prints_at_once);
     for (Matrix4Xd& of_print : next) of_print = errors.next();
     const bool are_all = counted.settled == counted.prints;

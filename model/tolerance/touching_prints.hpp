@@ -36,8 +36,8 @@ struct TouchingPrints {
 ///
 /// Only plates that come closer in the design than their scatter allows are looked at, each two in the state in which they come
 /// closest against that scatter. All prints are looked at to first order; the first of them also in their equilibrium where that
-/// is needed, up to a limit of work. Prints are counted until the standard error of the share to first order is below 0.016 or a
-/// tenth of the share, 1000 at most. The same seed gives the same prints.
+/// is needed, up to a limit of work. Prints are counted until the standard error of the share to first order is below 0.016 or
+/// 5 % of it (10 % on large sheets), 1000 at most. The same seed gives the same prints.
 ///
 /// @param options planar, seed, threads and stop have an effect
 /// @return nothing where the fold is not stable, and where it is told to stop before the first prints
