@@ -11,8 +11,11 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int least_prints = 20;             // that are brought to their equilibrium in any case
-constexpr int most_bodies_to_confirm = 400;  // beyond, they take longer than the search
+constexpr int least_prints = 20;  // that are brought to their equilibrium in any case
+constexpr int more_prints = 100;  // where those do not find out how far first order is off
+constexpr double largest_ratio_error = 0.04;
+constexpr int most_bodies_for_more = 150,
+              most_bodies_to_confirm = 400;  // beyond, they take longer than the search
 // Cell edges, rms: an equilibrium further from the state of the design is another one.
 constexpr double near_design = 2;
 constexpr double across_the_plane = 1e-9;  // of a unit normal: less is rounding
@@ -136,6 +139,13 @@ std::optional<model::FlatStarts> press_from_flat(const Run& run, const PrintedDe
                      print_options(options, design.planar), path_of_run(design.planar));
 }
 
+model::PrintRuns runs_of(const Run& run, const PrintedDesign& design,
+                         const std::vector<model::ObservedPoint>& points, int prints,
+                         const RunOptions& options) {
+  return print_runs(printed_of(run), design.settled, points, scatter_of(run), prints,
+                    print_options(options, design.planar));
+}
+
 }  // namespace
 
 int prints_of(const RunOptions& options) { return std::max(options.prints, least_prints); }
@@ -178,8 +188,10 @@ std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& dr
   out->touching = count_touching(run, design, options);
   out->from_flat = press_from_flat(run, design, state, options);
   if (options.prints == 0 && run.structure.bodies() > most_bodies_to_confirm) return out;
-  const model::PrintRuns runs = print_runs(printed_of(run), design.settled, points, scatter_of(run),
-                                           prints_of(options), print_options(options, design.planar));
+  model::PrintRuns runs = runs_of(run, design, points, prints_of(options), options);
+  if (options.prints == 0 && runs.ratio_error > largest_ratio_error &&
+      run.structure.bodies() <= most_bodies_for_more)
+    runs = runs_of(run, design, points, more_prints, options);
   if (runs.prints + runs.failed > 0) out->runs = runs;
   return out;
 }
