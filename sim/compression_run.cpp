@@ -201,15 +201,9 @@ class Run {
 };
 
 void refuse_unknown(const model::LinkageDrive& drive, const PhysicsOptions& options) {
-  const Place at{"", 0, 0, "drive.kind"};
-  if (drive.pulls_cord() && options.solver != PhysicsOptions::Solver::direct)
-    throw InvalidInput(
-        "a cord needs the direct solver of the physics run: the solver `sweeps` takes only joints between "
-        "two parts",
-        at);
   if (drive.heats_springs() && !options.elastic)
     throw InvalidInput("shape_memory needs elastic hinges in the physics run: give `hinge: {model: elastic}`",
-                       at);
+                       {"", 0, 0, "drive.kind"});
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ struct PhysicsObserver {
 /// balance. The same run gives the same bits. Not thread-safe: the engine has global state, so run one at a time.
 ///
 /// @return the last state and a status; a failure is never passed off as a result
-/// @throws InvalidInput for bad options, for a cord with the solver `sweeps`, and for plates that press on a sheet, and springs
+/// @throws InvalidInput for bad options, for plates that press on a sheet, and springs
 /// in one, whose hinges are not elastic; whatever a callback throws
 PhysicsResult run_compression(const model::Linkage& structure, const model::LinkageDrive& drive,
                               const PhysicsOptions& options = {}, const PhysicsObserver& observer = {});

@@ -12,9 +12,7 @@
 #include "model/base/larger.hpp"
 #include "sim/joints/bullet_math.hpp"
 #include "sim/joints/direct_solver.hpp"
-#include "sim/joints/joint_order.hpp"
 #include "sim/joints/joints.hpp"
-#include "sim/joints/sequential_impulses.hpp"
 
 namespace kinetix::sim {
 namespace {
@@ -54,12 +52,10 @@ void check(const char* field, double value, double above, double most) {
 class LinkageWorld {
  public:
   LinkageWorld(const FreeLinkage& linkage, const FreeLinkageOptions& options)
-      : solver_(options.solver == PhysicsOptions::Solver::sweeps
-                    ? make_sequential_impulses()
-                    : make_direct_solver({.joint_stiffness = options.joint_stiffness, .grip = 1})),
+      : solver_(make_direct_solver({.joint_stiffness = options.joint_stiffness, .grip = 1})),
         world_(&dispatcher_, &broadphase_, solver_.get(), &configuration_),
         ground_(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, nullptr)) {
-    prepare_for_joints(world_, options.iterations);
+    prepare_for_joints(world_);
     world_.setGravity(bullet(linkage.gravity));
     for (const FreeLinkageBody& body : linkage.bodies)
       world_.addRigidBody(bodies_.emplace_back(make_body(body, point_)).get(), 0, 0);
@@ -89,7 +85,7 @@ class LinkageWorld {
     for (Joint& point :
          hinge_points({hinge_frame(hinge, pose(hinge.a)), hinge_frame(hinge, pose(hinge.b))}, engine(hinge.a),
                       engine(hinge.b), options.reach, options.error_reduction))
-      add_in_order(world_, *joints_.emplace_back(std::move(point)));
+      world_.addConstraint(joints_.emplace_back(std::move(point)).get());
   }
 
   btDefaultCollisionConfiguration configuration_;
@@ -115,7 +111,6 @@ double fastest(const std::vector<model::Twist>& motion) {
 void FreeLinkageOptions::validate() const {
   check("step_s", step_s, 0, 0.1);
   check("seconds", seconds, 0, 1000);
-  check("iterations", iterations, 0, 100000);
   check("joint_stiffness", joint_stiffness, 0, 1e12);
   check("error_reduction", error_reduction, 0, 1);
   check("reach", reach, 0, 10);

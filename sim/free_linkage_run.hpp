@@ -3,17 +3,14 @@
 #include <functional>
 
 #include "sim/free_linkage.hpp"
-#include "sim/physics_options.hpp"
 
 namespace kinetix::sim {
 
 /// Settings of a free motion. Joints are those of a compression run (PhysicsOptions says more).
 struct FreeLinkageOptions {
-  PhysicsOptions::Solver solver = PhysicsOptions::Solver::direct;
   double step_s = 1.0 / 1000;     ///< s, in (0, 0.1]
   double seconds = 1;             ///< of the motion, s, in (0, 1000]
-  int iterations = 200;           ///< rounds of sequential impulses per step, 1 to 100000
-  double joint_stiffness = 1e8;   ///< direct: of the joints, over a mass of 1, in (0, 1e12]
+  double joint_stiffness = 1e8;   ///< of the joints, over a mass of 1, in (0, 1e12]
   double error_reduction = 0.95;  ///< part of a hinge's gap removed per step, in (0, 1]
   double reach = 0.18;            ///< half distance of a hinge's two points, units of length, in (0, 10]
   double speed_limit = 1e4;       ///< failure: a faster body, length/s or rad/s, > 0

@@ -25,7 +25,7 @@ double drive_theta(const model::LinkageDrive& drive, const model::Linkage& struc
 class LiveSheet {
  public:
   /// @param structure must outlive this
-  /// @param options solver direct; step_s is that of a step()
+  /// @param options step_s is that of a step()
   /// @param k_point_N_mm of elastic hinges, the unit of options.elastic
   /// @param parts what its bodies collide with; null: their walls
   LiveSheet(const model::Linkage& structure, const PhysicsOptions& options, double k_point_N_mm,

@@ -36,22 +36,11 @@ void check(const model::Stiffness& elastic) {
   not_negative("elastic.play", elastic.play, elastic.reach);
 }
 
-void check(const model::Stiffness& elastic, PhysicsOptions::Solver solver) {
-  check(elastic);
-  for (const model::Stiffness& hinge : elastic.each) check(hinge);
-  if (solver != PhysicsOptions::Solver::direct)
-    throw InvalidInput(
-        "physics.elastic needs the direct solver: the solver `sweeps` takes only hinges that cannot stretch");
-}
-
 }  // namespace
 
 void PhysicsOptions::validate() const {
   positive("step_s", step_s, 0.1);
-  if (iterations < 1 || iterations > 100000)
-    throw InvalidInput(fmt::format("physics.iterations is {}, must be in [1, 100000]", iterations));
   positive("joint_stiffness", joint_stiffness, 1e12);
-  positive("error_reduction", error_reduction, 1);
   positive("reach", reach, 10);
   positive("part_inertia", part_inertia, 100);
   not_negative("disturbance", disturbance, 1);
@@ -64,7 +53,10 @@ void PhysicsOptions::validate() const {
     throw InvalidInput(fmt::format("physics.step_s is {}: {:.3g} s in such steps are more than 10 million",
                                    step_s, drive_seconds + settle_seconds));
   positive("settle_speed", settle_speed);
-  if (elastic) check(*elastic, solver);
+  if (elastic) {
+    check(*elastic);
+    for (const model::Stiffness& hinge : elastic->each) check(hinge);
+  }
   not_negative("spring_turn", spring_turn, no_limit);
   positive("settle_force", settle_force);
   positive("stretch_limit", stretch_limit);

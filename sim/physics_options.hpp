@@ -8,23 +8,13 @@ namespace kinetix::sim {
 
 /// Settings of a physics run. Lengths are in cell edges: the run works in units where the cell edge is 1.
 struct PhysicsOptions {
-  /// How the joints of a step are solved.
-  enum class Solver {
-    direct,  ///< all at once, by a sparse factorisation: exact also for long chains and closed loops
-    sweeps,  ///< one after the other, `iterations` times, as the engine does by itself. An error travels
-             ///< through a chain slowly: good to about 20 columns, may fold a longer strip the wrong way
-  };
-
-  Solver solver = Solver::direct;
-  double step_s = 1.0 / 1000;     ///< time step, s, in (0, 0.1]; at most 10 million of them in the run
-  int iterations = 200;           ///< sweeps: rounds per step over all joints and contacts, 1 to 100000
-  double joint_stiffness = 1e4;   ///< direct: of the joints, over the parts' masses, in (0, 1e12]. Gaps that
-                                  ///< can close do close whatever it is; above 1e4, structures that must
-                                  ///< strain (no exact family) tear near flat
-  double error_reduction = 0.95;  ///< part of a hinge's gap removed per step, in (0, 1]
-  double reach = 0.18;        ///< half distance of a hinge's two constraint points, in (0, 10]: 0.3 of the
-                              ///< wall height at its default size
-  double part_inertia = 0.1;  ///< of every part about every axis, over mass and edge squared, in (0, 100]
+  double step_s = 1.0 / 1000;    ///< time step, s, in (0, 0.1]; at most 10 million of them in the run
+  double joint_stiffness = 1e4;  ///< of the joints, over the parts' masses, in (0, 1e12]. Gaps that
+                                 ///< can close do close whatever it is; above 1e4, structures that must
+                                 ///< strain (no exact family) tear near flat
+  double reach = 0.18;           ///< half distance of a hinge's two constraint points, in (0, 10]: 0.3 of the
+                                 ///< wall height at its default size
+  double part_inertia = 0.1;     ///< of every part about every axis, over mass and edge squared, in (0, 100]
   /// How far the first motion of every part is thrown off at random, over its own spin: up to this in every
   /// direction. What comes out should not depend on it. In [0, 1]
   double disturbance = 0;
@@ -34,9 +24,9 @@ struct PhysicsOptions {
   double settle_damping = 50.0;   ///< rate at which all speeds die away while settling, 1/s, in [0, 1e6]
   double settle_speed = 1e-8;     ///< settled when every hinge turns more slowly, rad/s, > 0
   /// Elastic hinges instead of rigid rotary ones, as the equilibrium model has them; their reach replaces
-  /// `reach`. Needs the direct solver. Only ratios of stiffnesses matter for where the run settles. The scale
+  /// `reach`. Only ratios of stiffnesses matter for where the run settles. The scale
   /// is the run's: k_point is 1000 part masses / step_s^2, whence it settles in as many steps whatever step_s
-  /// is. joint_stiffness, error_reduction, settle_damping, settle_speed and overlap_limit are not used then.
+  /// is. joint_stiffness, settle_damping, settle_speed and overlap_limit are not used then.
   /// Gaps are no failure: gap_limit holds for the drive, stretch_limit for the hinges, half a wall's
   /// thickness for overlaps. Each wall tip edge (end of a half wall) that presses on a wall yields by its
   /// force over elastic.contact. Plates and a driven hinge yield 1e4 times less than a hinge point does,

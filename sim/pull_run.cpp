@@ -111,8 +111,6 @@ PhysicsResult run_pull(const model::Linkage& structure, const model::Pull& pull,
                        const PhysicsObserver& observer) {
   options.validate();
   if (options.elastic) throw InvalidInput("bodies are pulled where hinges are rotary only");
-  if (options.solver != PhysicsOptions::Solver::direct)
-    throw InvalidInput("bodies are pulled by the direct solver of the physics run only");
   return PullRun(structure, pull, options, parts, observer).run();
 }
 

@@ -18,9 +18,7 @@
 #include "sim/joints/direct_solver.hpp"
 #include "sim/joints/elastic_hinges.hpp"
 #include "sim/joints/hand.hpp"
-#include "sim/joints/joint_order.hpp"
 #include "sim/joints/joints.hpp"
-#include "sim/joints/sequential_impulses.hpp"
 #include "sim/rigid_parts.hpp"
 #include "sim/shapes/part_shape.hpp"
 
@@ -65,7 +63,6 @@ btDefaultCollisionConstructionInfo memory_of_pairs(std::size_t parts) {
 std::unique_ptr<btConstraintSolver> make_solver(const PhysicsOptions& options, double edge_mm,
                                                 const ElasticHinges* elastic, const Cord* cord,
                                                 const Hand& hand, const double& longest_way, bool& agrees) {
-  if (options.solver == PhysicsOptions::Solver::sweeps) return make_sequential_impulses();
   DirectSolverSettings settings{.joint_stiffness = options.joint_stiffness, .elastic = elastic, .cord = cord};
   settings.hand = &hand;
   settings.longest_way = &longest_way;
@@ -78,11 +75,9 @@ std::unique_ptr<btConstraintSolver> make_solver(const PhysicsOptions& options, d
   return make_direct_solver(settings);
 }
 
-/// Gaps of elastic hinges pull as undamped springs do.
 PhysicsOptions in_force(PhysicsOptions options) {
   if (!options.elastic) return options;
   options.reach = options.elastic->reach;
-  options.error_reduction = 1;
   options.joint_stiffness = elastic_stiffness;
   return options;
 }
@@ -93,6 +88,8 @@ struct World::Engine {
   const model::Linkage structure;
   const std::optional<model::LinkageDrive> drive;
   const PhysicsOptions options;
+  /// Part of a gap removed per step. Gaps of elastic hinges pull as undamped springs do.
+  const double error_reduction = options.elastic ? 1 : 0.95;
 
   btDefaultCollisionConfiguration configuration{memory_of_pairs(structure.bodies.size())};
   btCollisionDispatcher dispatcher{&configuration};
@@ -124,7 +121,7 @@ struct World::Engine {
         world(&dispatcher, &broadphase, solver.get(), &configuration),
         parts(structure, options, contact_parts) {
     world.setGravity({0, 0, 0});
-    prepare_for_joints(world, options.iterations);
+    prepare_for_joints(world);
     if (options.elastic) world.getSolverInfo().m_erp2 = 1;
     world.getDispatchInfo().m_enableSatConvex = wall_surface(options) == WallSurface::sharp;
     skip_walls_of_one_hinge();
@@ -196,19 +193,20 @@ struct World::Engine {
       const HingeFrames frames = hinge_frames(hinge);
       btRigidBody &lower = *bodies[hinge.lower], &upper = *bodies[hinge.upper];
       if (hinge.ball) {
-        add_in_order(world, *joints.emplace_back(ball_point(frames, lower, upper, options.error_reduction)));
+        add(ball_point(frames, lower, upper, error_reduction));
         continue;
       }
-      for (Joint& point :
-           hinge_points(frames, lower, upper, k ? k->reach : options.reach, options.error_reduction))
-        add_in_order(world, *joints.emplace_back(std::move(point)));
+      for (Joint& point : hinge_points(frames, lower, upper, k ? k->reach : options.reach, error_reduction))
+        add(std::move(point));
     }
   }
 
+  void add(Joint joint) { world.addConstraint(joints.emplace_back(std::move(joint)).get()); }
+
   void add_drive() {
-    actuator = make_actuator(structure, *drive, parts.bodies(), options.error_reduction,
+    actuator = make_actuator(structure, *drive, parts.bodies(), error_reduction,
                              elastic ? &*elastic : nullptr, options.spring_turn, cord ? &*cord : nullptr);
-    for (auto* joint : actuator->joints()) add_in_order(world, *joint);
+    for (auto* joint : actuator->joints()) world.addConstraint(joint);
   }
 
   void drop_points_that_slid() {

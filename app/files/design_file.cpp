@@ -269,8 +269,7 @@ DesignFile read_design(const targets::Node& node) {
   file.hinge = read_common_hinge(root, file);
   check_gaps(root, file);
   check_offsets(root, file);
-  const auto physics = file.hinge.model == HingeSection::Model::elastic ? read_elastic_physics : read_physics;
-  file.physics = physics(root, file.structure.size().edge_mm);
+  file.physics = read_physics(root, file.structure.size().edge_mm);
   if (root.optional("process")) file.process = read_process(root);
   return file;
 }

@@ -87,12 +87,7 @@ std::string physics_text(const PhysicsSection& physics) {
   const auto add = [&](const char* key, const auto& value) {
     if (value) text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", key, targets::shortest_text(*value));
   };
-  if (physics.solver)
-    text += fmt::format("solver: {}",
-                        *physics.solver == sim::PhysicsOptions::Solver::direct ? "direct" : "sweeps");
   add("step_s", physics.step_s);
-  add("iterations", physics.iterations);
-  add("error_reduction", physics.error_reduction);
   add("disturbance", physics.disturbance);
   add("disturbance_seed", physics.disturbance_seed);
   add("reach_mm", physics.reach_mm);

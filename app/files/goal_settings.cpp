@@ -56,7 +56,6 @@ void read_hinges(const targets::Section& root, const std::optional<model::CellSi
   settings.drive = read_goal_drive(root);
   if (size) {
     settings.hinge = read_hinge_section(root, *size);
-    if (settings.hinge.model == HingeSection::Model::elastic) refuse_sweeps(root, settings.physics);
     settings.hinge_parts = read_hinge_parts(root, *size);
     refuse_lines(root, settings.hinge_parts);
   }

@@ -45,10 +45,7 @@ sim::PhysicsOptions elastic_physics(const model::Elasticity& elasticity, const P
 
 sim::PhysicsOptions physics_options(const PhysicsSection& section, double edge_mm) {
   sim::PhysicsOptions options;
-  options.solver = section.solver.value_or(options.solver);
   options.step_s = section.step_s.value_or(options.step_s);
-  options.iterations = section.iterations.value_or(options.iterations);
-  options.error_reduction = section.error_reduction.value_or(options.error_reduction);
   options.disturbance = section.disturbance.value_or(options.disturbance);
   options.disturbance_seed = section.disturbance_seed.value_or(options.disturbance_seed);
   if (section.reach_mm) options.reach = *section.reach_mm / edge_mm;

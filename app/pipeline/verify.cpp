@@ -71,8 +71,7 @@ void add_coarser(Run& run, const Verification& v, const PhysicsTask& task, const
 
 /// Only where a model's state tells whether a coarse run came to the right end, and where nobody asked for a step.
 bool may_be_coarser(const Run& run, const PhysicsTask& task, const RunOptions& options) {
-  return !task.reference.empty() && !run.physics.step_s && !options.fidelity &&
-         task.options.disturbance == 0 && task.options.solver == sim::PhysicsOptions::Solver::direct;
+  return !task.reference.empty() && !run.physics.step_s && !options.fidelity && task.options.disturbance == 0;
 }
 
 Verification verified(const Run& run, const PhysicsTask& task, const sim::PhysicsOptions& physics,

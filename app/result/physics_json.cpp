@@ -24,8 +24,6 @@ Json physics_json(const Verification& v) {
               {"unrest", v.physics.residual_motion},
               {"options",
                {{"step_s", v.options.step_s},
-                {"iterations", v.options.iterations},
-                {"error_reduction", v.options.error_reduction},
                 {"reach", v.options.reach},
                 {"contact", v.options.contact},
                 {"elastic", v.options.elastic.has_value()},

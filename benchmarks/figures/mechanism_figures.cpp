@@ -43,35 +43,13 @@ Figure against_step(const Mechanism& mechanism, const std::vector<double>& steps
           order(drifts) >= 0.9 && order(gaps) >= 1.8 && order(violations) >= 0.9};
 }
 
-std::string at(const Mechanism& mechanism, sim::PhysicsOptions::Solver solver) {
-  sim::FreeLinkageOptions options;
-  options.solver = solver;
-  const MechanismRun run = testing::run_mechanism(mechanism, options);
-  return fmt::format("gap {:.1e} m, drift {:.1e}, off by {:.1e}, {:.2g} s", run.result.gap.point, run.drift,
-                     run.miss, run.result.seconds);
-}
-
-Figure by_solver(const Mechanism& mechanism) {
-  return {mechanism.name +
-              ", steps of 1/1000 s: joints solved all at once, against 200 of the engine's own iterations",
-          "-",
-          at(mechanism, sim::PhysicsOptions::Solver::direct) + "; " +
-              at(mechanism, sim::PhysicsOptions::Solver::sweeps),
-          true};
-}
-
 }  // namespace
 
 std::vector<Figure> mechanism_figures() {
   const std::vector<double> fine = {1e-2, 1e-3, 1e-4}, coarse = {1e-2, 1e-3};
-  return {against_step(testing::four_bars(1), fine),
-          against_step(testing::four_bars(4), fine),
-          against_step(testing::four_bars(40), coarse),
-          against_step(testing::bricard(), fine),
-          against_step(testing::bennett(), fine),
-          against_step(testing::mirrored_unit(), fine),
-          by_solver(testing::four_bars(40)),
-          by_solver(testing::bricard())};
+  return {against_step(testing::four_bars(1), fine),    against_step(testing::four_bars(4), fine),
+          against_step(testing::four_bars(40), coarse), against_step(testing::bricard(), fine),
+          against_step(testing::bennett(), fine),       against_step(testing::mirrored_unit(), fine)};
 }
 
 }  // namespace kinetix::bench

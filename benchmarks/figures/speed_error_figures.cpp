@@ -30,23 +30,13 @@ Figure exact_against(const MeasuredScene& scene, const MeasuredPoints& points, c
   return figure;
 }
 
-MeasuredPoints of_own_solver(const MeasuredPoints& points) {
-  MeasuredPoints sweeps = of_series(points, "Bullet, iterations");
-  for (const MeasuredPoint& p : of_series(points, "Bullet, iterations, single precision"))
-    sweeps.push_back(p);
-  return sweeps;
-}
-
 }  // namespace
 
 std::vector<Figure> speed_error_figures() {
   std::vector<Figure> figures;
   for (const MeasuredScene& scene : speed_error_measurements()) {
     if (!scene.name.ends_with("columns")) continue;
-    figures.push_back(exact_against(scene, of_own_solver(scene.points), "its own solver, fastest setting"));
-    figures.push_back(
-        exact_against(scene, of_bullet(scene.points),
-                      "fastest of all settings, this project's direct solver of joints included"));
+    figures.push_back(exact_against(scene, of_bullet(scene.points), "fastest of all settings"));
   }
   return figures;
 }

@@ -151,7 +151,6 @@ Drags random_drags(unsigned seed, double drags_s) {
   const model::Linkage linkage = structure;
   sim::PhysicsOptions options;
   options.step_s = 1.0 / 240;  // of the studio
-  options.iterations = 20;
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> place(-60, 60);  // mm
   sim::LiveSheet sheet(linkage, options, 1000);

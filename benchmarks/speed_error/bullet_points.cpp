@@ -12,8 +12,6 @@
 namespace kinetix::bench {
 namespace {
 
-using Solver = sim::PhysicsOptions::Solver;
-
 // Sizes of scenes between which the time budgets of rigid_grid change.
 constexpr std::size_t few_bodies = 100, many_bodies = 2000;
 // Steps of a whole drive: from fewer than give an answer to more than budgets allow.
@@ -21,49 +19,38 @@ constexpr int drive_steps[] = {5, 10, 15, 20, 30, 40, 60, 80, 120, 240, 500, 100
 constexpr double longest_step_s = 0.1;  // s, the most that PhysicsOptions::step_s allows
 constexpr double stiff_joints = 1e8;    // over the parts' masses, as app/pipeline/verify.cpp has it for nets
 
-/// All numbers of steps with one solver.
+/// All numbers of steps with joints of one stiffness.
 struct GridLine {
-  Solver solver;
-  int iterations;
   double joint_stiffness;
   double budget_s;            ///< for all its runs together
   std::vector<double> rests;  ///< hinge speeds at which a run ends, rad/s, from loose to tight
 };
 
-/// Strips are cheap enough for the sweeps to come near their answer.
 std::vector<GridLine> rigid_grid(std::size_t bodies) {
   const std::vector<double> rests = {1e-1, 1e-2, 1e-3, 1e-4, sim::PhysicsOptions{}.settle_speed};
   const bool few = bodies<few_bodies, many = bodies> many_bodies;
-  const double direct_budget = many ? 12 : few ? 6 : 3, sweeps_budget = few ? 15 : many ? 3 : 4;
+  const double budget = many ? 12 : few ? 6 : 3;
   std::vector<GridLine> lines;
   for (const double stiffness : {sim::PhysicsOptions{}.joint_stiffness, stiff_joints})
-    lines.push_back({Solver::direct, sim::PhysicsOptions{}.iterations, stiffness, direct_budget, rests});
-  for (const int count : {10, 50, 200})
-    lines.push_back({Solver::sweeps, count, 0, sweeps_budget, {1e-2, 1e-8}});
+    lines.push_back({stiffness, budget, rests});
   return lines;
 }
 
 /// Elastic hinges have stiffnesses of their own, and a run ends by the equilibrium of forces.
-std::vector<GridLine> elastic_grid() {
-  std::vector<GridLine> lines;
-  for (const int count : {10, 200}) lines.push_back({Solver::direct, count, 0, 5, {0}});
-  return lines;
-}
+std::vector<GridLine> elastic_grid() { return {{0, 10, {0}}}; }
 
-// Names of series in plot and table (series_style.cpp), and how a run ended.
-const std::string direct = "Bullet, direct", sweeps = "Bullet, iterations";
+// Name of the series in plot and table (series_style.cpp), and how a run ended.
+const std::string bullet = "Bullet, direct";
 const std::string at_rest = to_string(sim::PhysicsResult::Status::settled);
 const std::string at_rest_but_open = "settled with open hinges";
 
 /// Failures are judged by the error alone: no run ends early for a gap that the next steps may close.
 sim::PhysicsOptions options_of(const SpeedErrorScene& scene, const GridLine& line, int steps, double rest) {
   sim::PhysicsOptions options;
-  options.solver = line.solver;
-  options.iterations = line.iterations;
   options.step_s = std::min(longest_step_s, options.drive_seconds / steps);
   options.drive_seconds = steps * options.step_s;
   if (scene.is_exact()) {
-    if (line.solver == Solver::direct) options.joint_stiffness = line.joint_stiffness;
+    options.joint_stiffness = line.joint_stiffness;
     options.settle_speed = rest;
     options.gap_limit = options.tear_limit = options.overlap_limit = 1;
   } else {
@@ -75,9 +62,7 @@ sim::PhysicsOptions options_of(const SpeedErrorScene& scene, const GridLine& lin
 
 std::string words(const SpeedErrorScene& scene, const GridLine& line, int steps, double rest) {
   const std::string count = fmt::format("{} steps", steps);
-  if (!scene.is_exact()) return fmt::format("{}, {} iterations over contacts", count, line.iterations);
-  if (line.solver == Solver::sweeps)
-    return fmt::format("{}, {} iterations, rest {:.0e}", count, line.iterations, rest);
+  if (!scene.is_exact()) return count;
   return fmt::format("{}, joints {:.0e}, rest {:.0e}", count, line.joint_stiffness, rest);
 }
 
@@ -92,9 +77,8 @@ void set_outcome(const SpeedErrorScene& scene, const sim::PhysicsResult& run, Me
 }
 
 MeasuredPoint measured(const SpeedErrorScene& scene, const GridLine& line, int steps, double rest) {
-  MeasuredPoint point{.method = line.solver == Solver::direct ? direct : sweeps,
-                      .settings = words(scene, line, steps, rest),
-                      .precision = KINETIX_BULLET_PRECISION};
+  MeasuredPoint point{
+      .method = bullet, .settings = words(scene, line, steps, rest), .precision = KINETIX_BULLET_PRECISION};
   const sim::PhysicsOptions options = options_of(scene, line, steps, rest);
   sim::PhysicsResult run;
   const auto timed_run = [&] {

@@ -10,25 +10,19 @@ namespace {
 // One colour a family of methods; its series differ by their marks.
 constexpr const char* green = "#1a7f37";
 constexpr const char* blue = "#0969da";
-constexpr const char* orange = "#d1570b";
 
 // By the name of the series; others get a style of their own below.
 const std::map<std::string, SeriesStyle> styles = {
     {"exact", {"#1f2328", Marker::diamond}},
     {"equilibrium", {green, Marker::triangle}},
     {"Bullet, direct", {blue, Marker::circle}},
-    {"Bullet, direct, single precision", {blue, Marker::ring, true}},
-    {"Bullet, iterations", {orange, Marker::square}},
-    {"Bullet, iterations, single precision", {orange, Marker::hollow_square, true}}};
+    {"Bullet, direct, single precision", {blue, Marker::ring, true}}};
 
 std::string outline(Marker marker, double x, double y) {
   switch (marker) {
     case Marker::circle:
     case Marker::ring:
       return fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\"", x, y);
-    case Marker::square:
-    case Marker::hollow_square:
-      return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"5.4\" height=\"5.4\"", x - 2.7, y - 2.7);
     case Marker::triangle:
       return fmt::format("<path d=\"M{:.1f},{:.1f}l3.6,6.2h-7.2z\"", x, y - 3.8);
     case Marker::diamond:
@@ -37,7 +31,7 @@ std::string outline(Marker marker, double x, double y) {
   return fmt::format("<path d=\"M{:.1f},{:.1f}l5,6l-5,6l-5,-6z\"", x, y - 6);
 }
 
-bool is_hollow(Marker marker) { return marker == Marker::ring || marker == Marker::hollow_square; }
+bool is_hollow(Marker marker) { return marker == Marker::ring; }
 
 }  // namespace
 

@@ -4,7 +4,7 @@
 
 namespace kinetix::bench {
 
-enum class Marker { diamond, circle, ring, square, hollow_square, triangle };
+enum class Marker { diamond, circle, ring, triangle };
 
 /// How a legend entry is drawn.
 struct SeriesStyle {

@@ -1,7 +1,9 @@
 #include "sim/joints/direct_solver.hpp"
 
+#include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
 #include <BulletDynamics/ConstraintSolver/btGeneric6DofSpring2Constraint.h>
 #include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
@@ -312,6 +314,13 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
 };
 
 }  // namespace
+
+void prepare_for_joints(btDiscreteDynamicsWorld& world) {
+  btContactSolverInfo& info = world.getSolverInfo();
+  info.m_splitImpulse = false;
+  info.m_solverMode &= ~SOLVER_USE_WARMSTARTING;
+  world.getSimulationIslandManager()->setSplitIslands(false);
+}
 
 std::unique_ptr<btConstraintSolver> make_direct_solver(const DirectSolverSettings& settings) {
   return std::make_unique<DirectSolver>(settings);

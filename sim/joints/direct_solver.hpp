@@ -3,6 +3,7 @@
 #include <memory>
 
 class btConstraintSolver;
+class btDiscreteDynamicsWorld;
 
 namespace kinetix::sim {
 
@@ -43,5 +44,8 @@ struct DirectSolverSettings {
 /// @pre a body that may not move along or turn about every axis has the same inertia about each;
 /// with elastic hinges, cords and hands, the bodies' user indices are their indices in the structure
 std::unique_ptr<btConstraintSolver> make_direct_solver(const DirectSolverSettings& settings);
+
+/// Sets the engine up to solve all joints together, afresh every step.
+void prepare_for_joints(btDiscreteDynamicsWorld& world);
 
 }  // namespace kinetix::sim

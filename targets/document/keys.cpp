@@ -82,8 +82,12 @@ Key goal_kind_key(std::string kind) {
   return {"kind", value::choice(std::vector<std::string>{std::move(kind)}), needed, "the kind of goal"};
 }
 
-KeyTable::KeyTable(std::vector<Key> keys, Alternatives alternatives, std::string title)
-    : keys_(std::move(keys)), alternatives_(std::move(alternatives)), title_(std::move(title)) {}
+KeyTable::KeyTable(std::vector<Key> keys, Alternatives alternatives, std::string title,
+                   std::vector<RemovedKey> removed)
+    : keys_(std::move(keys)),
+      alternatives_(std::move(alternatives)),
+      title_(std::move(title)),
+      removed_(std::move(removed)) {}
 
 std::vector<std::string_view> KeyTable::names() const {
   std::vector<std::string_view> names;

@@ -118,16 +118,24 @@ struct Alternatives {
   std::string chosen_by = {};  ///< the key whose word names the way; empty: the ways are keys, one is given
 };
 
+/// A key that earlier versions had.
+struct RemovedKey {
+  std::string name;
+  std::string answer;  ///< what replaces it
+};
+
 /// The keys that a map of a file may hold, in the order of the documentation and of error messages.
 class KeyTable {
  public:
   /// @param title of the page's own part for a map that several kinds of files share; empty: keys are
   /// listed where the map stands
-  explicit KeyTable(std::vector<Key> keys, Alternatives alternatives = {}, std::string title = {});
+  explicit KeyTable(std::vector<Key> keys, Alternatives alternatives = {}, std::string title = {},
+                    std::vector<RemovedKey> removed = {});
 
   const std::vector<Key>& keys() const { return keys_; }
   const Alternatives& alternatives() const { return alternatives_; }
   const std::string& title() const { return title_; }
+  const std::vector<RemovedKey>& removed() const { return removed_; }
   std::vector<std::string_view> names() const;
   /// What may be given in one of the ways. Where a key chooses it, that word is all that the key may say.
   KeyTable only(std::string_view alternative) const;
@@ -140,6 +148,7 @@ class KeyTable {
   std::vector<Key> keys_;
   Alternatives alternatives_;
   std::string title_;
+  std::vector<RemovedKey> removed_;
 };
 
 }  // namespace kinetix::targets

@@ -20,12 +20,14 @@ Bounds scaled(Bounds cells, double edge_mm) {
 
 }  // namespace
 
-Section::Section(const Node& node, const KeyTable& keys) : node_(node), keys_(&keys) {
-  node.reject_unknown_keys(keys.names());
-}
+Section::Section(const Node& node, const KeyTable& keys) : Section(std::optional(node), keys) {}
 
 Section::Section(const std::optional<Node>& node, const KeyTable& keys) : node_(node), keys_(&keys) {
-  if (node) node->reject_unknown_keys(keys.names());
+  if (!node) return;
+  for (const RemovedKey& removed : keys.removed())
+    if (node->kind() == Node::Kind::map && node->optional(removed.name))
+      throw node->optional(removed.name)->key_error(removed.answer);
+  node->reject_unknown_keys(keys.names());
 }
 
 bool Section::knows(std::string_view key) const {

@@ -67,7 +67,7 @@ TEST(Series, AreNamedByMethodAndSinglePrecisionInOrder) {
 
 TEST(Series, TellThePhysicsEngineFromTheModels) {
   const MeasuredPoints points = {point(1, 1, "exact"), point(2, 1, "Bullet, direct"),
-                                 point(3, 1, "Bullet, sweeps")};
+                                 point(3, 1, "Bullet, direct")};
   EXPECT_THAT(seconds_of(of_bullet(points)), ElementsAre(2, 3));
   EXPECT_THAT(seconds_of(without_bullet(points)), ElementsAre(1));
 }

@@ -206,12 +206,5 @@ TEST(ElasticAgreement, OfACordInSheetsThatMoveExactlyAndThatStrain) {
   EXPECT_LE(corded_distance(strained, across(strained, 1, 4), 5), 1e-3);
 }
 
-TEST(ElasticAgreement, ACordIsRefusedBySweepsInOneSentence) {
-  const model::Structure s = twisting_strip();
-  PhysicsOptions options;
-  options.solver = PhysicsOptions::Solver::sweeps;
-  EXPECT_THROW(run_compression(s, cord_drive(s, across(s, 0, 4), 1), options), InvalidInput);
-}
-
 }  // namespace
 }  // namespace kinetix::sim

@@ -256,7 +256,6 @@ TEST(ElasticRun, RefusesSweepsAndWhatIsNotAStiffness) {
       EXPECT_THAT(error.what(), ::testing::HasSubstr(name));
     }
   };
-  rejects([](PhysicsOptions& o) { o.solver = PhysicsOptions::Solver::sweeps; }, "elastic");
   for (const double bad : {std::nan(""), -1e-9, 0.11})
     rejects([&](PhysicsOptions& o) { o.settle_residual_motion = bad; }, "settle_unrest");
   for (const double bad : {std::nan(""), 0.0, -1.0}) {

@@ -125,9 +125,7 @@ TEST(FailedRun, NoticesWhatBlowsUpInTheLastStep) {
 
 TEST(FailedRun, DoesNotPassOffAnAbsurdDriveAsSettled) {
   PhysicsOptions options;
-  options.solver = PhysicsOptions::Solver::sweeps;
   options.step_s = 0.1;
-  options.iterations = 1;
   options.drive_seconds = 0.1;
   const PhysicsResult result = run(bent, options);
   EXPECT_NE(result.status, Status::settled);
@@ -181,7 +179,6 @@ TEST(PhysicsOptions, RejectNanAndWhatIsOutOfRange) {
   const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
   for (const double bad : {nan, infinite, -1.0, 0.0}) {
     rejects(&PhysicsOptions::step_s, bad, "step_s");
-    rejects(&PhysicsOptions::error_reduction, bad, "error_reduction");
     rejects(&PhysicsOptions::reach, bad, "reach");
     rejects(&PhysicsOptions::part_inertia, bad, "part_inertia");
     rejects(&PhysicsOptions::drive_seconds, bad, "drive_seconds");
@@ -196,8 +193,6 @@ TEST(PhysicsOptions, RejectNanAndWhatIsOutOfRange) {
     rejects(&PhysicsOptions::settle_seconds, bad, "settle_seconds");
     rejects(&PhysicsOptions::settle_damping, bad, "settle_damping");
   }
-  rejects(&PhysicsOptions::iterations, 0, "iterations");
-  rejects(&PhysicsOptions::error_reduction, 1.5, "error_reduction");
   rejects(&PhysicsOptions::step_s, 1e-12, "step_s");
 }
 

@@ -22,7 +22,6 @@ constexpr double step_s = 1.0 / 240;  // of the studio
 sim::PhysicsOptions live(bool elastic = false) {
   sim::PhysicsOptions options;
   options.step_s = step_s;
-  options.iterations = 20;
   if (elastic) options.elastic = model::Stiffness{};
   return options;
 }

@@ -79,7 +79,7 @@ TEST(PullRun, StopsWhereTilesMeet) {
 TEST(PullRun, RefusesWhatItCannotPull) {
   const PulledTiles tiles = pulled(rotating_squares(2, 2, 0.5));
   PhysicsOptions options = usual();
-  options.solver = PhysicsOptions::Solver::sweeps;
+  options.elastic = model::Stiffness{};
   EXPECT_THROW(run_pull(tiles.linkage, tiles.pull, options, tiles.parts), InvalidInput);
 }
 

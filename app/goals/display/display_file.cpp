@@ -350,7 +350,7 @@ DisplayFile read_display_file(const targets::Node& node) {
   read_variables(root, file);
   read_tolerance(root, file);
   read_search(root, file);
-  file.physics = read_elastic_physics(root, file.size.edge_mm);
+  file.physics = read_physics(root, file.size.edge_mm);
   return file;
 }
 

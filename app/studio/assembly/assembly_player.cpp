@@ -9,8 +9,6 @@
 namespace kinetix::app::studio {
 namespace {
 
-constexpr int rounds_of_contact = 20;  // of impulses between bodies: what is left shows for a frame
-
 int driven_of(const AssemblyFile& file, const model::Linkage& linkage) {
   return file.driven ? *file.driven : std::max(0, first_motion(linkage).fastest);
 }
@@ -18,7 +16,6 @@ int driven_of(const AssemblyFile& file, const model::Linkage& linkage) {
 sim::PhysicsOptions live_options(const model::Assembly& assembly) {
   sim::PhysicsOptions options;
   options.step_s = live_step_s;
-  options.iterations = rounds_of_contact;
   double reach = assembly.edge_mm;
   for (const model::AssemblyHinge& h : assembly.hinges) reach = std::min(reach, h.reach_mm);
   options.reach = reach / assembly.edge_mm;

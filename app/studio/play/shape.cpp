@@ -15,7 +15,6 @@ namespace {
 constexpr double largest_theta = 85 * radians_per_degree;  // no sheet of walls with a thickness folds further
 constexpr double theta_window = 0.3;  // rad: a hand does not throw the sheet through a fold
 constexpr int theta_bits = 26;        // of a minimum of doubles no more can be known
-constexpr int contact_rounds = 20;    // of impulses between walls: what is left shows for a frame
 
 Eigen::Vector3d carried(const Moving& moving, double theta, int body, const Eigen::Vector3d& at) {
   const model::State state = moving.exact.at(theta);
@@ -79,10 +78,8 @@ std::unique_ptr<sim::LiveSheet> live_sheet(const DesignFile& design, const model
   DesignFile as = design;
   as.hinge.model = springs ? HingeSection::Model::elastic : HingeSection::Model::rotary;
   sim::PhysicsOptions options = physics_of(as, all_vertical(linkage));
-  options.solver = sim::PhysicsOptions::Solver::direct;
   options.planar = all_vertical(linkage);
   options.step_s = live_step_s;
-  options.iterations = contact_rounds;
   const double k_point = springs ? elasticity_of(as).k_point : 1;
   return std::make_unique<sim::LiveSheet>(linkage, options, k_point);
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "app/files/physics_section.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {
@@ -51,9 +52,8 @@ std::set<std::string> patterns(const SweepBase& base, const targets::DocumentEdi
 
 std::vector<std::string> optional_keys(const SweepBase& base) {
   if (base.bodies) return {"structure.cell_mm", "drive.angle_deg"};
-  std::vector<std::string> keys = {
-      "structure.cell_mm",  "structure.wall_mm.thickness", "structure.wall_mm.height", "physics.step_s",
-      "physics.iterations", "physics.error_reduction",     "physics.reach_mm"};
+  std::vector<std::string> keys = {"structure.cell_mm", "structure.wall_mm.thickness",
+                                   "structure.wall_mm.height", "physics.step_s", "physics.reach_mm"};
   const auto add = [&](const auto& more) { keys.insert(keys.end(), more.begin(), more.end()); };
   if (base.design)
     add(std::vector{"hinge.k_point", "hinge.k_turn", "hinge.reach_mm", "hinge.k_contact",
@@ -67,6 +67,8 @@ std::vector<std::string> optional_keys(const SweepBase& base) {
 std::string no_such_path(const SweepBase& base, const targets::DocumentEditor& editor,
                          const targets::DocumentPath& path) {
   const std::string asked = pattern(path);
+  for (const targets::RemovedKey& key : physics_keys().removed())
+    if (asked == "physics." + key.name) return fmt::format("`{}` {}", asked, key.answer);
   std::string nearest;
   int least = std::numeric_limits<int>::max();
   for (const std::string& name : patterns(base, editor)) {

@@ -223,7 +223,8 @@ TEST(DesignFile, TakesEverySection) {
            "alpha_deg: 80, "
            "beta_deg: 30}\n    - {wall: [[3, 0], [3, 1]], beta_deg: -10}\n"
            "drive: {kind: hinge, wall: [[0, 0], [0, 1]], angle_deg: -40}\n"
-           "hinge: {model: elastic, k_point: 500, k_turn: 0.2, reach_mm: 3}\nphysics: {iterations: 50}\n");
+           "hinge: {model: elastic, k_point: 500, k_turn: 0.2, reach_mm: 3}\nphysics: {solver: direct, "
+           "step_s: 0.002}\n");
   EXPECT_EQ(file.name, "arch");
   EXPECT_DOUBLE_EQ(file.theta, 20 * radians_per_degree);
   const model::HingeParameters& first = hinge_of(file, {{0, 0}, model::Axis::x});
@@ -237,7 +238,7 @@ TEST(DesignFile, TakesEverySection) {
   EXPECT_EQ(file.drive->hinge, file.structure.squares()->hinge_at({{0, 0}, model::Axis::y}));
   EXPECT_DOUBLE_EQ(file.drive->angle, -40 * radians_per_degree);
   EXPECT_EQ(file.hinge, (HingeSection{HingeSection::Model::elastic, 500, 0.2, 3.0}));
-  EXPECT_EQ(file.physics.iterations, 50);
+  EXPECT_EQ(file.physics.step_s, 0.002);
 }
 
 TEST(DesignFile, DrivesByPlatesAlongYUnlessToldOtherwise) {
@@ -327,11 +328,8 @@ TEST(DesignFile, SurvivesWritingAndReadingBitForBit) {
     if (round % 2)
       file.hinge = {HingeSection::Model::elastic, 1000 * unit(random), unit(random), edge * unit(random)};
     if (round % 4 == 1) file.hinge.k_contact = 1e4 * unit(random);
-    if (round % 10 == 0)
-      file.physics = {0.1 * unit(random), 1 + round, unit(random), edge * unit(random),
-                      sim::PhysicsOptions::Solver::sweeps};
-    if (round % 10 == 5)
-      file.physics = {0.1 * unit(random), 1 + round, {}, {}, sim::PhysicsOptions::Solver::direct};
+    if (round % 10 == 0) file.physics = {0.1 * unit(random), edge * unit(random), unit(random), 1 + round};
+    if (round % 10 == 5) file.physics = {.step_s = 0.1 * unit(random), .reach_mm = {}};
     expect_same(read_design(folder.write("d.yaml", design_text(file))), file);
   }
 }
@@ -672,12 +670,10 @@ TEST(DesignFile, SaysWhereAndWhatIsAllowed) {
        11,
        "physics.reach_mm",
        {"give one of them"}},
-      {strip + "hinge: {model: elastic}\nphysics: {error_reduction: 1}\n",
-       4,
-       11,
-       "physics.error_reduction",
-       {"cannot stretch"}},
-      {strip + "hinge: {model: elastic}\nphysics: {solver: sweeps}\n", 4, 19, "physics.solver", {"direct"}},
+      {strip + "physics: {error_reduction: 1}\n", 3, 11, "physics.error_reduction", {"was removed"}},
+      {strip + "physics: {solver: sweeps}\n", 3, 19, "physics.solver", {"`sweeps` was removed", "`direct`"}},
+      {strip + "physics: {solver: exact}\n", 3, 19, "physics.solver", {"allowed: direct"}},
+      {strip + "physics: [1]\n", 3, 10, "physics", {"a map of keys (solver, step_s"}},
       {strip + "hinge: {reach_mm: 101}\n", 3, 19, "hinge.reach_mm", {"0.1 to 100", "10 cells"}},
   };
   TemporaryFolder folder;

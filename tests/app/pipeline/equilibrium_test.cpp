@@ -219,11 +219,6 @@ drive:
 hinge: {model: elastic, k_turn: 0.2}
 )";
 
-// Rigid hinges, which the solver `sweeps` takes.
-const std::string rigid_cord =
-    "kinetix: 1\nstructure: {cells: [2, 1]}\nphysics: {solver: sweeps}\n"
-    "drive: {kind: cord, through: [[[0, 0], [0, 1]], [[2, 0], [2, 1]]], shorten_mm: 1}\n";
-
 TEST(Equilibrium, OfACordHasTheTensionThatDoesTheWork) {
   const Scratch scratch;
   const Outcome run = equilibrium(scratch, corded);
@@ -249,11 +244,6 @@ TEST(Equilibrium, OfACordHasTheTensionThatDoesTheWork) {
       kinetix_opt("verify " + scratch.write("d.yaml", corded) + " --json --quiet -o " + scratch.path());
   EXPECT_EQ(physics.code, 0) << physics.err;
   EXPECT_LE(Json::parse(physics.out)["metrics"]["verify_rms"], 1e-3);
-  const Outcome swept = kinetix_opt("verify " + scratch.write("s.yaml", rigid_cord) + " --quiet -o " +
-                                    (scratch / "p").string());
-  EXPECT_EQ(swept.code, 2);
-  EXPECT_THAT(swept.err, HasSubstr("drive.kind: a cord needs the direct solver"));
-  EXPECT_FALSE(fs::exists(scratch / "p"));
 }
 
 // Its theta goes by the cord's length, to the side asked; the sheet twists to its own side.

@@ -235,15 +235,12 @@ TEST(Matter, AFoldThatIsStoppedWhileItLooksForItsLimitsTellsNothingThatItDidNotS
   }
 }
 
-TEST(Matter, SweepsOverJointsAreRefusedBeforeTheSearch) {
-  const std::string framed = "hinge: {k: {axial: 6.7, shear: 1.1, along: 1.6, turn: 0.33}}\n";
-  for (const std::string& goal : {small_box, soft_disc + framed}) {
-    const Scratch scratch;
-    const Finished run = finished(scratch, goal + "physics: {solver: sweeps}\n");
-    EXPECT_EQ(run.code, 2);
-    EXPECT_THAT(run.err, HasSubstr("physics.solver: `sweeps` handles only hinges that cannot stretch"));
-    EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
-  }
+TEST(Matter, TheRemovedSolverIsRefusedBeforeTheSearch) {
+  const Scratch scratch;
+  const Finished run = finished(scratch, small_box + "physics: {solver: sweeps}\n");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("physics.solver: `sweeps` was removed"));
+  EXPECT_FALSE(std::filesystem::exists(scratch / "out"));
 }
 
 TEST(Matter, LimitsOfAFoldMustFitItsDrive) {

@@ -26,6 +26,8 @@ const Bad bad_sweeps[] = {
      "the nearest is `design.hinges[*].beta_deg`"},
     {sweep_of("{kind: factorial}", "  - {path: hinge.k_pont, range: [5, 40]}\n", "end_mm"),
      "the nearest is `hinge.k_point`"},
+    {sweep_of("{kind: factorial}", "  - {path: physics.iterations, range: [5, 40]}\n", "end_mm"),
+     "`physics.iterations` was removed"},
     {sweep_of("{kind: factorial}", "  - {path: \"design.hinges[2].t\", range: [0.2, 0.4]}\n", "end_mm"),
      "no such entry; positions count from 0"},
     {sweep_of("{kind: factorial}", "  - {path: \"design.hinges[x].t\", range: [0.2, 0.4]}\n", "end_mm"),
