@@ -26,7 +26,7 @@ Figure against_step(const Mechanism& mechanism, const std::vector<double>& steps
   std::vector<double> drifts, gaps, violations, inverse;
   double time = 0;
   for (const double step : steps) {
-    sim::FreeLinkageOptions options;
+    testing::FreeLinkageOptions options;
     options.step_s = step;
     const MechanismRun run = testing::run_mechanism(mechanism, options);
     drifts.push_back(run.drift);

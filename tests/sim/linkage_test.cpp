@@ -8,8 +8,8 @@
 namespace kinetix::testing {
 namespace {
 
-sim::FreeLinkageOptions at_step(double step_s) {
-  sim::FreeLinkageOptions options;
+FreeLinkageOptions at_step(double step_s) {
+  FreeLinkageOptions options;
   options.step_s = step_s;
   return options;
 }
@@ -30,8 +30,8 @@ Orders orders(const Mechanism& mechanism, double step_s) {
 TEST(FreeLinkage, StartsClosedAndAtItsKnownRelation) {
   for (const Mechanism& m : {pendulum(), four_bars(1), four_bars(4), bricard(), bennett(), mirrored_unit()}) {
     std::vector<model::Pose> poses;
-    for (const sim::FreeLinkageBody& body : m.linkage.bodies) poses.push_back(body.pose);
-    const sim::FreeLinkageGap gap = linkage_gap(m.linkage, poses);
+    for (const FreeLinkageBody& body : m.linkage.bodies) poses.push_back(body.pose);
+    const FreeLinkageGap gap = linkage_gap(m.linkage, poses);
     EXPECT_LE(gap.point, 1e-14) << m.name;
     EXPECT_LE(gap.axis, 1e-14) << m.name;
     Mechanism same = m;
@@ -75,21 +75,21 @@ TEST(FreeLinkage, OverconstrainedLoopsKeepTheirClosedRelations) {
 
 TEST(FreeLinkage, MovesFarNotJustAboutItsStart) {
   const MechanismRun run = run_mechanism(bricard(), at_step(1e-3));
-  const sim::FreeLinkage linkage = bricard().linkage;
+  const FreeLinkage linkage = bricard().linkage;
   EXPECT_GT(std::abs(hinge_turn(linkage, 1, run.result.poses)), 0.1);
   const MechanismRun turned = run_mechanism(bennett(), at_step(1e-3));
   EXPECT_GT(std::abs(hinge_turn(bennett().linkage, 0, turned.result.poses)), 0.1);
 }
 
 TEST(FreeLinkage, AFreeTopKeepsItsEnergyAndItsAngularMomentum) {
-  sim::FreeLinkage top;
+  FreeLinkage top;
   top.bodies.resize(1);
   top.bodies[0].inertia = {0.1, 0.2, 0.4};
   top.bodies[0].motion.omega = {0.5, 3, 0.2};
-  sim::FreeLinkageOptions options = at_step(2.5e-4);
+  FreeLinkageOptions options = at_step(2.5e-4);
   options.seconds = 2;
   const Eigen::Vector3d before = top.bodies[0].inertia.cwiseProduct(top.bodies[0].motion.omega);
-  const sim::FreeLinkageResult run = run_linkage(top, options);
+  const FreeLinkageResult run = run_linkage(top, options);
   const model::Pose& pose = run.poses[0];
   const Eigen::Vector3d after =
       pose.R * top.bodies[0].inertia.cwiseProduct(pose.R.transpose() * run.motion[0].omega);
@@ -99,33 +99,33 @@ TEST(FreeLinkage, AFreeTopKeepsItsEnergyAndItsAngularMomentum) {
 
 TEST(FreeLinkage, ThatRunsTooFastSaysSo) {
   Mechanism mechanism = pendulum();
-  sim::FreeLinkageOptions options = at_step(1e-3);
+  FreeLinkageOptions options = at_step(1e-3);
   options.speed_limit = 1;
-  const sim::FreeLinkageResult run = run_linkage(mechanism.linkage, options);
-  EXPECT_EQ(run.status, sim::FreeLinkageResult::Status::blew_up);
+  const FreeLinkageResult run = run_linkage(mechanism.linkage, options);
+  EXPECT_EQ(run.status, FreeLinkageResult::Status::blew_up);
   EXPECT_LT(run.steps, 1000);
 }
 
 TEST(FreeLinkage, RefusesWhatIsNone) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto refused = [](const std::function<void(sim::FreeLinkage&)>& spoil) {
-    sim::FreeLinkage linkage = four_bars(1).linkage;
+  const auto refused = [](const std::function<void(FreeLinkage&)>& spoil) {
+    FreeLinkage linkage = four_bars(1).linkage;
     spoil(linkage);
     EXPECT_THROW(run_linkage(linkage, {}), InvalidInput);
   };
   for (const double value : {0.0, -1.0, nan, std::numeric_limits<double>::infinity()}) {
-    refused([&](sim::FreeLinkage& l) { l.bodies[1].mass = value; });
-    refused([&](sim::FreeLinkage& l) { l.bodies[1].inertia.y() = value; });
+    refused([&](FreeLinkage& l) { l.bodies[1].mass = value; });
+    refused([&](FreeLinkage& l) { l.bodies[1].inertia.y() = value; });
   }
-  refused([&](sim::FreeLinkage& l) { l.hinges[0].a = 3; });
-  refused([&](sim::FreeLinkage& l) { l.hinges[0].b = l.hinges[0].a; });
-  refused([&](sim::FreeLinkage& l) { l.hinges[0].axis *= 2; });
-  refused([&](sim::FreeLinkage& l) { l.hinges[0].point.x() = nan; });
-  for (double sim::FreeLinkageOptions::*field :
-       {&sim::FreeLinkageOptions::step_s, &sim::FreeLinkageOptions::seconds, &sim::FreeLinkageOptions::reach,
-        &sim::FreeLinkageOptions::error_reduction, &sim::FreeLinkageOptions::joint_stiffness})
+  refused([&](FreeLinkage& l) { l.hinges[0].a = 3; });
+  refused([&](FreeLinkage& l) { l.hinges[0].b = l.hinges[0].a; });
+  refused([&](FreeLinkage& l) { l.hinges[0].axis *= 2; });
+  refused([&](FreeLinkage& l) { l.hinges[0].point.x() = nan; });
+  for (double FreeLinkageOptions::*field :
+       {&FreeLinkageOptions::step_s, &FreeLinkageOptions::seconds, &FreeLinkageOptions::reach,
+        &FreeLinkageOptions::error_reduction, &FreeLinkageOptions::joint_stiffness})
     for (const double value : {0.0, -1.0, nan, 1e13}) {
-      sim::FreeLinkageOptions options;
+      FreeLinkageOptions options;
       options.*field = value;
       EXPECT_THROW(run_linkage(pendulum().linkage, options), InvalidInput);
     }

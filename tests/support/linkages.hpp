@@ -10,7 +10,7 @@
 #include "model/lattice/square/family/classify.hpp"
 #include "model/lattice/square/structure.hpp"
 #include "model/lattice/square/unit_laws.hpp"
-#include "sim/free_linkage_run.hpp"
+#include "tests/support/free_linkage_run.hpp"
 
 /// Mechanisms with known answers. Lengths m, masses kg, rods uniform unless a mechanism says otherwise.
 namespace kinetix::testing {
@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 /// A linkage, and how far a motion of it is from what is known: 0 in exact arithmetic.
 struct Mechanism {
   std::string name;
-  sim::FreeLinkage linkage = {};
+  FreeLinkage linkage = {};
   double seconds = 1;
   double energy_scale = 1;  ///< J: what its energy drift is held against
   std::string relation;     ///< in words
@@ -30,8 +30,8 @@ struct Mechanism {
 inline const Vector3d down{0, -9.81, 0};  ///< m/s^2, gravity: mechanisms here are in metres
 
 /// Turn of a hinge since the start, of b against a about its axis, (-pi, pi].
-inline double hinge_turn(const sim::FreeLinkage& linkage, int hinge, const std::vector<model::Pose>& poses) {
-  const sim::FreeLinkageHinge& h = linkage.hinges[hinge];
+inline double hinge_turn(const FreeLinkage& linkage, int hinge, const std::vector<model::Pose>& poses) {
+  const FreeLinkageHinge& h = linkage.hinges[hinge];
   const auto turned = [&](int body) -> Eigen::Matrix3d {
     if (body < 0) return Eigen::Matrix3d::Identity();
     return poses[body].R * linkage.bodies[body].pose.R.transpose();
@@ -68,7 +68,7 @@ inline Mechanism pendulum() {
               .energy_scale = 9.81 / 2,
               .relation = "angle against its closed form"};
   m.linkage.gravity = down;
-  m.linkage.bodies = {sim::rod({0, 0, 0}, {1, 0, 0}, 1)};
+  m.linkage.bodies = {rod({0, 0, 0}, {1, 0, 0}, 1)};
   m.linkage.hinges = {{-1, 0, {0, 0, 0}, {0, 0, 1}}};
   auto angle = integrated(pi / 2, 0, [](double phi) { return -1.5 * 9.81 * std::sin(phi); });
   m.miss = [angle, linkage = m.linkage](double t, const std::vector<model::Pose>& poses) mutable {
@@ -85,16 +85,16 @@ inline Mechanism four_bars(int loops) {
   Mechanism m{.name = std::to_string(loops) + "-four-bar",
               .seconds = 3,
               .relation = "angle of the uprights against the parallelogram's closed form"};
-  sim::FreeLinkage& l = m.linkage;
+  FreeLinkage& l = m.linkage;
   l.gravity = down;
   for (int k = 0; k <= loops; ++k) {
-    l.bodies.push_back(sim::rod({1.0 * k, 0, 0}, {1.0 * k, 1, 0}, 1));
+    l.bodies.push_back(rod({1.0 * k, 0, 0}, {1.0 * k, 1, 0}, 1));
     l.bodies.back().motion = {{0, 0, -1}, {0.5, 0, 0}};
     l.hinges.push_back({-1, k, {1.0 * k, 0, 0}, {0, 0, 1}});
   }
   for (int k = 0; k < loops; ++k) {
     const int bar = static_cast<int>(l.bodies.size());
-    l.bodies.push_back(sim::rod({1.0 * k, 1, 0}, {1.0 * k + 1, 1, 0}, 1));
+    l.bodies.push_back(rod({1.0 * k, 1, 0}, {1.0 * k + 1, 1, 0}, 1));
     l.bodies.back().motion = {{0, 0, 0}, {1, 0, 0}};
     l.hinges.push_back({k, bar, {1.0 * k, 1, 0}, {0, 0, 1}});
     l.hinges.push_back({bar, k + 1, {1.0 * k + 1, 1, 0}, {0, 0, 1}});
@@ -122,11 +122,11 @@ inline Mechanism bricard() {
               .seconds = 3,
               .energy_scale = 9.81,
               .relation = "cosines of neighbouring hinge angles, c + d + c d = 0"};
-  sim::FreeLinkage& l = m.linkage;
+  FreeLinkage& l = m.linkage;
   l.gravity = down;
   const Vector3d corners[] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}, {0, 0, 1}};
   const Vector3d axes[] = {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}};
-  for (int k = 1; k < 6; ++k) l.bodies.push_back(sim::rod(corners[k], corners[(k + 1) % 6], 1));
+  for (int k = 1; k < 6; ++k) l.bodies.push_back(rod(corners[k], corners[(k + 1) % 6], 1));
   for (int k = 0; k < 6; ++k)
     l.hinges.push_back({k == 1 ? -1 : (k + 4) % 6, k == 0 ? -1 : k - 1, corners[k], axes[k]});
   m.miss = [](double, const std::vector<model::Pose>& poses) {
@@ -171,9 +171,9 @@ inline Mechanism bennett() {
   const Bennett law;
   constexpr double start = 1, rate = 2, small = 1e-6;
   const auto at = law.frames(start), before = law.frames(start - small), after = law.frames(start + small);
-  sim::FreeLinkage& l = m.linkage;
+  FreeLinkage& l = m.linkage;
   for (int k = 0; k < 3; ++k) {
-    l.bodies.push_back(sim::rod(at[k].translation(), at[k + 1].translation(), 1));
+    l.bodies.push_back(rod(at[k].translation(), at[k + 1].translation(), 1));
     const Eigen::Isometry3d motion = after[k + 1] * before[k + 1].inverse();
     const Eigen::AngleAxisd turn(motion.rotation());
     const Vector3d middle = (after[k].translation() + after[k + 1].translation() - before[k].translation() -
@@ -185,7 +185,7 @@ inline Mechanism bennett() {
     l.hinges.push_back({k - 1, k == 3 ? -1 : k, at[k].translation(), at[k].linear().col(2)});
   std::vector<model::Pose> poses;
   std::vector<model::Twist> motion;
-  for (const sim::FreeLinkageBody& body : l.bodies) poses.push_back(body.pose), motion.push_back(body.motion);
+  for (const FreeLinkageBody& body : l.bodies) poses.push_back(body.pose), motion.push_back(body.motion);
   m.energy_scale = linkage_energy(l, poses, motion);
   m.miss = [law, l](double, const std::vector<model::Pose>& now) {
     const double theta = start + hinge_turn(l, 0, now), phi = law.phi(start) + hinge_turn(l, 1, now);
@@ -208,7 +208,7 @@ inline Mechanism mirrored_unit() {
   const model::Classification family = classify(cell);
   const model::State at = fold(family, cell, start), before = fold(family, cell, start - small),
                      after = fold(family, cell, start + small);
-  sim::FreeLinkage& l = m.linkage;
+  FreeLinkage& l = m.linkage;
   for (std::size_t k = 0; k < at.size(); ++k) {
     const Eigen::AngleAxisd turn(after[k].R * before[k].R.transpose());
     const double per = rate / (2 * small);
@@ -222,13 +222,13 @@ inline Mechanism mirrored_unit() {
                         lower.R * hinge_axis(hinge.wall.axis, hinge.parameters)});
   }
   std::vector<model::Twist> motion;
-  for (const sim::FreeLinkageBody& body : l.bodies) motion.push_back(body.motion);
+  for (const FreeLinkageBody& body : l.bodies) motion.push_back(body.motion);
   m.energy_scale = linkage_energy(l, at, motion);
   const model::CellHinges order = cell.cell_members[0];
   m.miss = [l, order](double, const std::vector<model::Pose>& poses) {
     std::array<Vector3d, 4> axis;
     for (int k = 0; k < 4; ++k) {
-      const sim::FreeLinkageHinge& h = l.hinges[order.hinges[k]];
+      const FreeLinkageHinge& h = l.hinges[order.hinges[k]];
       axis[k] = poses[h.a].R * l.bodies[h.a].pose.R.transpose() * h.axis;
     }
     const auto half = [](const Vector3d& p, const Vector3d& q) {
@@ -242,12 +242,12 @@ inline Mechanism mirrored_unit() {
 
 /// What a run of a mechanism came to.
 struct MechanismRun {
-  sim::FreeLinkageResult result;
+  FreeLinkageResult result;
   double miss = 0;   ///< largest at any time
   double drift = 0;  ///< of the energy, over its scale
 };
 
-inline MechanismRun run_mechanism(Mechanism mechanism, sim::FreeLinkageOptions options) {
+inline MechanismRun run_mechanism(Mechanism mechanism, FreeLinkageOptions options) {
   options.seconds = mechanism.seconds;
   MechanismRun run;
   run.result =

@@ -1,4 +1,4 @@
-#include "sim/free_linkage_run.hpp"
+#include "tests/support/free_linkage_run.hpp"
 
 #include <btBulletDynamicsCommon.h>
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 #include "sim/joints/direct_solver.hpp"
 #include "sim/joints/joints.hpp"
 
-namespace kinetix::sim {
+namespace kinetix::testing {
 namespace {
 
 using Eigen::Vector3d;
@@ -38,7 +38,7 @@ std::unique_ptr<btRigidBody> make_body(const FreeLinkageBody& body, btCollisionS
   return made;
 }
 
-HingeFrame hinge_frame(const FreeLinkageHinge& hinge, const model::Pose& body) {
+sim::HingeFrame hinge_frame(const FreeLinkageHinge& hinge, const model::Pose& body) {
   const Eigen::Matrix3d back = body.R.transpose();
   return {back * (hinge.point - body.p), back * hinge.axis, back * hinge.axis.unitOrthogonal()};
 }
@@ -52,10 +52,10 @@ void check(const char* field, double value, double above, double most) {
 class LinkageWorld {
  public:
   LinkageWorld(const FreeLinkage& linkage, const FreeLinkageOptions& options)
-      : solver_(make_direct_solver({.joint_stiffness = options.joint_stiffness, .grip = 1})),
+      : solver_(sim::make_direct_solver({.joint_stiffness = options.joint_stiffness, .grip = 1})),
         world_(&dispatcher_, &broadphase_, solver_.get(), &configuration_),
         ground_(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, nullptr)) {
-    prepare_for_joints(world_);
+    sim::prepare_for_joints(world_);
     world_.setGravity(bullet(linkage.gravity));
     for (const FreeLinkageBody& body : linkage.bodies)
       world_.addRigidBody(bodies_.emplace_back(make_body(body, point_)).get(), 0, 0);
@@ -73,8 +73,8 @@ class LinkageWorld {
     poses.clear();
     motion.clear();
     for (const auto& body : bodies_) {
-      poses.push_back(pose_of(body->getWorldTransform(), 1));
-      motion.push_back({eigen(body->getAngularVelocity()), eigen(body->getLinearVelocity())});
+      poses.push_back(sim::pose_of(body->getWorldTransform(), 1));
+      motion.push_back({sim::eigen(body->getAngularVelocity()), sim::eigen(body->getLinearVelocity())});
     }
   }
 
@@ -82,9 +82,9 @@ class LinkageWorld {
   void add(const FreeLinkage& linkage, const FreeLinkageHinge& hinge, const FreeLinkageOptions& options) {
     const auto pose = [&](int body) { return body < 0 ? model::Pose{} : linkage.bodies[body].pose; };
     const auto engine = [&](int body) -> btRigidBody& { return body < 0 ? ground_ : *bodies_[body]; };
-    for (Joint& point :
-         hinge_points({hinge_frame(hinge, pose(hinge.a)), hinge_frame(hinge, pose(hinge.b))}, engine(hinge.a),
-                      engine(hinge.b), options.reach, options.error_reduction))
+    for (sim::Joint& point :
+         sim::hinge_points({hinge_frame(hinge, pose(hinge.a)), hinge_frame(hinge, pose(hinge.b))},
+                           engine(hinge.a), engine(hinge.b), options.reach, options.error_reduction))
       world_.addConstraint(joints_.emplace_back(std::move(point)).get());
   }
 
@@ -96,7 +96,7 @@ class LinkageWorld {
   btSphereShape point_{1e-3};
   btRigidBody ground_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
-  std::vector<Joint> joints_;
+  std::vector<sim::Joint> joints_;
 };
 
 double fastest(const std::vector<model::Twist>& motion) {
@@ -142,4 +142,4 @@ FreeLinkageResult run_linkage(const FreeLinkage& linkage, const FreeLinkageOptio
   return result;
 }
 
-}  // namespace kinetix::sim
+}  // namespace kinetix::testing

@@ -1,4 +1,4 @@
-#include "sim/free_linkage.hpp"
+#include "tests/support/free_linkage.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "model/base/invalid_input.hpp"
 #include "model/base/rotation_vector.hpp"
 
-namespace kinetix::sim {
+namespace kinetix::testing {
 namespace {
 
 using Eigen::Vector3d;
@@ -49,9 +49,9 @@ void validate(const FreeLinkageHinge& hinge, int bodies, std::size_t k) {
 }  // namespace
 
 void FreeLinkage::validate() const {
-  for (std::size_t k = 0; k < bodies.size(); ++k) sim::validate(bodies[k], k);
+  for (std::size_t k = 0; k < bodies.size(); ++k) testing::validate(bodies[k], k);
   for (std::size_t k = 0; k < hinges.size(); ++k)
-    sim::validate(hinges[k], static_cast<int>(bodies.size()), k);
+    testing::validate(hinges[k], static_cast<int>(bodies.size()), k);
 }
 
 FreeLinkageGap linkage_gap(const FreeLinkage& linkage, const std::vector<model::Pose>& poses) {
@@ -88,4 +88,4 @@ FreeLinkageBody rod(const Vector3d& from, const Vector3d& to, double mass) {
   return body;
 }
 
-}  // namespace kinetix::sim
+}  // namespace kinetix::testing

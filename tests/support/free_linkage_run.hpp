@@ -2,9 +2,9 @@
 
 #include <functional>
 
-#include "sim/free_linkage.hpp"
+#include "tests/support/free_linkage.hpp"
 
-namespace kinetix::sim {
+namespace kinetix::testing {
 
 /// Settings of a free motion. Joints are those of a compression run (PhysicsOptions says more).
 struct FreeLinkageOptions {
@@ -44,4 +44,4 @@ using FreeLinkageObserver = std::function<void(double simulated_s, const std::ve
 FreeLinkageResult run_linkage(const FreeLinkage& linkage, const FreeLinkageOptions& options,
                               const FreeLinkageObserver& observer = {});
 
-}  // namespace kinetix::sim
+}  // namespace kinetix::testing

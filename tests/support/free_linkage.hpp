@@ -5,7 +5,7 @@
 
 #include "model/linkage/state.hpp"
 
-namespace kinetix::sim {
+namespace kinetix::testing {
 
 /// A rigid body of a linkage, at the start of its motion. Lengths in the linkage's own unit of length, masses
 /// in kg, times in s.
@@ -49,4 +49,4 @@ double linkage_energy(const FreeLinkage& linkage, const std::vector<model::Pose>
 /// length in moments of inertia (a body must have all three). @param mass kg
 FreeLinkageBody rod(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double mass);
 
-}  // namespace kinetix::sim
+}  // namespace kinetix::testing
