@@ -15,8 +15,8 @@ void report_error(const InvalidInput& error, int exit_code, bool as_json);
 void print_error(const std::string& message, int exit_code);
 /// What to say of an exception that is no bad input: that the machine gave out, where it did, else that the program has a bug.
 std::string failure_text(const std::exception& error);
-/// For std::set_terminate: an exception that nobody can catch, as before main or in a thread of a library that gets no memory,
-/// ends the program with that word and with what it left unfinished removed. Takes no memory.
+/// For std::set_terminate. Removes unfinished files, prints one line and ends the program with code 1. An exception in a thread
+/// of a library comes here, for one. Allocates no memory.
 [[noreturn]] void end_with_a_word() noexcept;
 
 }  // namespace kinetix::app

@@ -339,9 +339,6 @@ int run(int argc, char** argv) {
   return kinetix::app::optimise_command(options);
 }
 
-/// From the first of all: objects that are made before main may find no memory.
-[[gnu::constructor(101)]] void watch_from_the_start() { std::set_terminate(kinetix::app::end_with_a_word); }
-
 /// Memory that is given back and taken again comes as fresh pages, which cost a search more than what it works out there.
 void keep_memory() {
   constexpr int kept = 64 << 20;  // bytes, at the end of a heap
@@ -366,16 +363,18 @@ void keep_stack() {
   grow_stack();
 }
 
-}  // namespace
-
-/// In place of the C library's, which main returns to all the same: other libraries end the program by it, as OpenMP does that gets
-/// no thread, while threads beside still use what that one takes down.
-extern "C" [[noreturn]] void exit(int code) noexcept {
+/// Ends the program without the destructors of global objects, which other threads may still use: libraries call exit, too, as
+/// OpenMP does when it cannot start a thread.
+void end_at_once(int code, void*) {
   kinetix::app::remove_unfinished();
   std::_Exit(code);
 }
 
+}  // namespace
+
 int main(int argc, char** argv) {
+  std::set_terminate(kinetix::app::end_with_a_word);
+  on_exit(end_at_once, nullptr);
   const bool as_json = asks_for_json(argc, argv);
   const kinetix::app::PrintableStreams printable;
   try {

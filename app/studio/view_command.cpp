@@ -153,7 +153,7 @@ int view_command(const CommandOptions& options, const ViewRequest& request) {
   if (in_time) return done;
   remove_unfinished_of_others();
   studio::remove_temporary_folders();
-  std::exit(done);
+  std::_Exit(done);
 }
 
 }  // namespace kinetix::app

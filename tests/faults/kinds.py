@@ -123,13 +123,14 @@ def least_memory(least, suffices):
 
 
 def memory_to_load(judge):
-    """MiB in which the program begins, whatever it then does: without, the loader ends with 127 and says which library did not fit."""
+    """MiB in which the program reaches main. With less, the loader ends with 127 and names the library that did not fit, or the
+    C++ library ends it with a signal when a global object gets no memory."""
     place = judge.kitchen.place("memory")
 
     def loads(mib):
         limit = (mib * KIB * KIB,) * 2
         return run([str(judge.kitchen.program), "--version"], place, clean_environment(place / "home", place / "tmp"),
-                   before=lambda: resource.setrlimit(resource.RLIMIT_AS, limit)).code != 127
+                   before=lambda: resource.setrlimit(resource.RLIMIT_AS, limit)).code in (0, 1)
     return least_memory(16, loads)
 
 
