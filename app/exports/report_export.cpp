@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/exports/data_uri.hpp"
+#include "app/io/base64.hpp"
 #include "app/report/light_result.hpp"
 #include "app/report/report.hpp"
 #include "app/result/result_json.hpp"
@@ -16,7 +16,8 @@ std::vector<NamedContent> write_report(const Run& run) {
   nlohmann::ordered_json shown = result_json(run);
   shown["timing_s"].erase("write");
   if (run.goal)
-    for (const auto& [name, png] : run.goal->shown_pictures(run)) shown["pictures"][name] = data_uri(png);
+    for (const auto& [name, png] : run.goal->shown_pictures(run))
+      shown["pictures"][name] = "data:image/png;base64," + to_base64(png);
   return {{"report.html", report_html(light_result(std::move(shown), !scene_script().empty()).dump())}};
 }
 

@@ -6,8 +6,8 @@
 
 #include "app/assembly/assembly_export.hpp"
 #include "app/assembly/assembly_run.hpp"
+#include "app/io/base64.hpp"
 #include "app/print/format/formats.hpp"
-#include "app/studio/messages/base64.hpp"
 #include "app/version.hpp"
 #include "model/base/angle.hpp"
 #include "model/matter/process.hpp"

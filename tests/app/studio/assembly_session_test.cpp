@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/io/atomic_file.hpp"
-#include "app/studio/messages/base64.hpp"
+#include "app/io/base64.hpp"
 #include "app/studio/view_command.hpp"
 #include "model/base/angle.hpp"
 #include "model/closure/closure_solver.hpp"
@@ -121,12 +121,12 @@ class StudioOfALoop : public StudioOfBodies {
 TEST_F(StudioOfBodies, TellsMeshesNamesAndHowFarAFreeHingeTurns) {
   for (int b = 0; b < 2; ++b) {
     const model::Polyhedron& solid = file.assembly.bodies[b].solid;
-    const std::string bytes = app::studio::from_base64(meshes["bodies"][b]["points"].get<std::string>());
+    const std::string bytes = app::from_base64(meshes["bodies"][b]["points"].get<std::string>());
     ASSERT_EQ(bytes.size(), 12 * solid.points.size());
     const auto* v = reinterpret_cast<const float*>(bytes.data());
     for (std::size_t p = 0; p < solid.points.size(); ++p)
       EXPECT_LT((Vector3d(v[3 * p], v[3 * p + 1], v[3 * p + 2]) - solid.points[p]).norm(), 1e-5);
-    EXPECT_EQ(app::studio::from_base64(meshes["bodies"][b]["triangles"].get<std::string>()).size(),
+    EXPECT_EQ(app::from_base64(meshes["bodies"][b]["triangles"].get<std::string>()).size(),
               12 * solid.triangles.size());
   }
   EXPECT_FALSE(meshes["hinges"][0].is_null());

@@ -1,6 +1,6 @@
 #include "app/studio/messages/message.hpp"
 
-#include "app/studio/messages/base64.hpp"
+#include "app/io/base64.hpp"
 #include "app/studio/messages/plain_number.hpp"
 #include "app/studio/play/frame.hpp"
 #include "model/base/invalid_input.hpp"
@@ -8,7 +8,7 @@
 namespace kinetix::testing {
 namespace {
 
-using app::studio::from_base64;
+using app::from_base64;
 using app::studio::Message;
 
 TEST(StudioMessage, HasNumbersWithoutExponents) {

@@ -1,4 +1,4 @@
-#include "app/studio/messages/base64.hpp"
+#include "app/io/base64.hpp"
 
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/binary_from_base64.hpp>
@@ -6,7 +6,7 @@
 
 #include "model/base/invalid_input.hpp"
 
-namespace kinetix::app::studio {
+namespace kinetix::app {
 
 std::string from_base64(std::string_view text) {
   using namespace boost::archive::iterators;
@@ -33,4 +33,4 @@ std::string to_base64(std::string_view bytes) {
   return out;
 }
 
-}  // namespace kinetix::app::studio
+}  // namespace kinetix::app
