@@ -35,8 +35,6 @@ std::vector<Figure> headform_figures() {
            error.rms <= 0.8 && error.max <= 3},
           {scene + ": worst rib from its section curve", "<= 0.2 mm rms",
            fmt::format("{:.3f} mm", worst_rib(error)), worst_rib(error) <= 0.2},
-          {scene + ": one tilt for all walls (the paper's way), mean of the fitted, then the best", "",
-           in_words(helmet.uniform.before) + "; " + in_words(helmet.uniform.after), true},
           {scene + ": design time", "<= 1 s", fmt::format("{:.2g} s", run.timings.optimise),
            run.timings.optimise <= 1},
           {scene + ": closure of hinges", "<= 1e-12 cell edges",

@@ -12,14 +12,4 @@ namespace kinetix::optim {
 RibsDesign fit_helmet(const targets::MeshDistance& head, const Eigen::Vector3d& crown, const HelmetSpec& spec,
                       const SolverOptions& options);
 
-/// The paper's way, on the same fishbone: one tilt for all creases, bent all to the inside.
-struct UniformHelmet {
-  double tilt = 0, theta = 0;  ///< rad
-  RibsError before;  ///< with the mean of the fitted tilts at the layout's theta, placed on the crown
-  RibsError after;   ///< with the best tilt, theta and place
-};
-UniformHelmet fit_uniform_helmet(const RibsDesign& design, const targets::MeshDistance& head,
-                                 const Eigen::Vector3d& crown, const HelmetSpec& spec,
-                                 const SolverOptions& options);
-
 }  // namespace kinetix::optim

@@ -51,7 +51,7 @@ structure: {cell_mm: 24}
 tolerance: {rms_mm: 1.7, max_mm: 7}
 END
 search cap
-drawn helmet 'one tilt for all walls'
+drawn helmet 'Off its section, rms'
 holds 'allowed 1.7'
 holds 'allowed 7'
 echo "goals_renders: all sections are drawn"

@@ -110,13 +110,6 @@ std::string in_words(const optim::RibsError& error) {
                      error.rms, error.max, worst_rib(error));
 }
 
-Json uniform_json(const optim::UniformHelmet& uniform) {
-  return {{"tilt_deg", to_degrees(uniform.tilt)},
-          {"theta_deg", to_degrees(uniform.theta)},
-          {"before", error_json(uniform.before)},
-          {"after", error_json(uniform.after)}};
-}
-
 /// Of distances; walls may lie in the head all the same.
 bool keeps_tolerances(const HelmetOutcome& helmet) {
   const std::map<std::string, double> most(helmet.tolerances.begin(), helmet.tolerances.end());
@@ -145,7 +138,6 @@ Json helmet_json(const HelmetOutcome& helmet, const model::Structure& structure)
       {"closed_part", helmet.head.closed_part},
       {"openings", openings_json(helmet.head.openings)},
       {"invented", invented(helmet.head.openings)},
-      {"uniform", uniform_json(helmet.uniform)},
       {"notes", design.layout.notes},
       {"reasons", helmet.violations},
       {"reasons_physics", helmet.physics_violations}};
@@ -190,7 +182,6 @@ void HelmetOutcome::add_metrics(Json& metrics) const {
   metrics["goal_rms_mm"] = cover.rms;
   metrics["goal_max_mm"] = cover.max;
   metrics["walls_inside"] = inside.hinges.size();
-  metrics["uniform_rms_mm"] = uniform.after.rms;
   metrics["met"] = met();
   if (!physics) return;
   metrics["distance_rms_mm_physics"] = physics->rms;
@@ -214,8 +205,6 @@ std::vector<SummaryLine> HelmetOutcome::summary_lines(const Run& run) const {
                   fmt::format(", {:.0f} % of the head within a cell edge of a rib: ", 100 * cover.share) +
                   verdict(keeps_tolerances(*this))});
   for (const std::string& note : design.layout.notes) lines.push_back({"note", note});
-  lines.push_back({"one tilt", fmt::format("the same for all walls: rms {:.2f} mm, largest {:.2f} mm at best",
-                                           uniform.after.rms, uniform.after.max)});
   lines.push_back({"search", fmt::format("{:.2f} s, ceres, {} evaluations, {}", run.timings.optimise,
                                          design.search.evaluations, to_string(design.search.status))});
   if (physics) lines.push_back({"worn", "in the physics run: " + in_words(*physics)});

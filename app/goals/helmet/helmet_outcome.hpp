@@ -21,13 +21,12 @@ class HelmetOutcome final : public GoalOutcome {
   optim::RibsReach reach;                    ///< of the design's cells
   optim::RibsCover cover;                    ///< the dome above the rim against them
   targets::WallsInside inside = {};          ///< walls in the head that was given
-  optim::UniformHelmet uniform = {};         ///< the paper's way, for comparison
   std::optional<optim::RibsError> physics;   ///< the settled physics run, laid on the model's state
   targets::WallsInside physics_inside = {};  ///< walls in the head in that run
 
   /// The curves that spine and ribs are to follow, in the mesh's frame, mm.
   nlohmann::ordered_json target_json() const override;
-  /// Adds `helmet` (ribs, distances of bodies and cells, the helmet of one tilt, reasons) and `optimiser`.
+  /// Adds `helmet` (ribs, distances of bodies and cells, reasons) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
   void add_metrics(nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;

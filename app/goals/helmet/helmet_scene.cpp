@@ -120,14 +120,13 @@ class HelmetScene final : public Scene {
     run.fidelity.push_back(exact_fidelity(run.plan.exact, run.structure, run.theta));
   }
 
-  void judge(Run& run, const RunOptions& options) const override {
+  void judge(Run& run, const RunOptions&) const override {
     auto& helmet = outcome_of<HelmetOutcome>(run);
     helmet.inside = walls_inside(run.structure, helmet.design.state, file_.head.scan);
     helmet.violations = violations(file_, helmet.design.error, helmet.inside, "model");
     append(helmet.violations, bare(file_, helmet.cover));
     append(helmet.violations, helmet.design.collisions);
     append(helmet.violations, collisions(run));
-    helmet.uniform = fit_uniform_helmet(helmet.design, file_.head.dome, crown, file_.spec, followed(options));
   }
 
   /// Every body, from head plus clearance.
@@ -225,7 +224,6 @@ const GoalKind helmet_kind = {
         {"goal_max_mm", "mm", "likewise, the largest"},
         {"walls_inside", "", "how many walls lie in the head"},
         {"walls_inside_physics", "", "walls_inside in the physics run"},
-        {"uniform_rms_mm", "mm", "distance_rms_mm of the best helmet with one tilt for all walls"},
         {"distance_rms_mm_physics", "mm", "distance_rms_mm in the physics run"},
         {"distance_max_mm_physics", "mm", "distance_max_mm in the physics run"}}};
 

@@ -8,7 +8,7 @@ function readHelmet(raw) {
     clearance: finite(raw.clearance_mm), coverage: finite(raw.coverage_mm), trimmed: finite(raw.cells_trimmed) ?? 0,
     ribs: list(raw.ribs).map((rib) => ({row: finite(rib?.row), cells: numberRows([rib?.cells], 2)[0] ?? [0, 0], rms: finite(rib?.rms_mm)})),
     error: dictionary(raw.error), physics: raw.physics ? dictionary(raw.physics) : null, cells: numbers(raw.cell_mm),
-    backdrop: headLines(raw, raw.head_mm), bare: headLines(raw, raw.bare_mm), covered: finite(raw.covered_share), uniform: dictionary(raw.uniform),
+    backdrop: headLines(raw, raw.head_mm), bare: headLines(raw, raw.bare_mm), covered: finite(raw.covered_share),
     invented: typeof raw.invented === "string" ? raw.invented : "", notes: words(raw.notes), reasons: words(raw.reasons), physicsReasons: words(raw.reasons_physics),
   };
 }
@@ -124,21 +124,13 @@ function tiltTableOfHelmet({goal: {ribs}, raw, structure}) {
            table(["row of the spine", "tilt"], along.map(([i, j]) => ({cells: [String(j), text(at.get(`${i},${j}`))]})), "Tilts of the spine")));
 }
 
-function uniformTable({error, uniform}) {
-  const row = (name, fit) => ({cells: [name, millimetres(fit.rms_mm), millimetres(fit.max_mm), millimetres(fit.rib_rms_mm)]});
-  return table(["Helmet", "rms", "Largest", "Worst rib"], [
-    row("one tilt for all walls, the mean of the fitted ones", dictionary(uniform.before)),
-    row(`one tilt for all walls, at best (${degrees(uniform.tilt_deg)})`, dictionary(uniform.after)), row("every tilt by itself", error)
-  ], "Against one tilt for all");
-}
-
 function helmetSection(data) {
   const {goal: helmet} = data;
   return html(
       "div", {},
       html("p", {class: "lead"},
            `${count(helmet.ribs.length, "rib", "ribs")}, ${millimetres(helmet.clearance)} over the head, down to ${millimetres(helmet.coverage)} below the crown.`),
-      fitMaps(data), html("div", {class: "blocks"}, html("div", {class: "scroll"}, ribTable(helmet)), html("div", {class: "scroll"}, uniformTable(helmet))),
+      fitMaps(data), html("div", {class: "scroll"}, ribTable(helmet)),
       tiltTableOfHelmet(data), trueScale(data),
       helmet.notes.length ? html("ul", {class: "why"}, helmet.notes.map((note) => html("li", {}, note))) : null);
 }
