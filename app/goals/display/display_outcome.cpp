@@ -57,23 +57,6 @@ Json starts_json(const optim::DisplayDesign& design) {
   return starts;
 }
 
-/// @param load its key
-Json front_json(const std::vector<FrontPoint>& front, const char* load, double edge_mm) {
-  Json out = Json::array();
-  for (const FrontPoint& p : front)
-    out.push_back({{"offset_mm", p.offset * edge_mm},
-                   {"own", p.is_own},
-                   {"reached", p.reached},
-                   {"auc", p.score.auc},
-                   {"contrast", p.score.contrast},
-                   {"rank", p.rank},
-                   {"letter", p.score.letter},
-                   {"rest", p.score.rest},
-                   {load, p.load},
-                   {"stretch_mm", p.stretch * edge_mm}});
-  return out;
-}
-
 void add_drive(const optim::DisplayView& view, Json& display) {
   if (view.turn) {
     display["hinge"] = view.turn->hinge;
@@ -159,14 +142,9 @@ Json display_json(const DisplayOutcome& display, const model::Sheet& panel) {
   if (display.printed) out["printed"] = printed_json(*display.printed);
   if (display.loads) out["loads"] = loads_json(*display.loads);
   if (display.unlimited) out["unlimited"] = loads_json(*display.unlimited);
-  const char* load = display.design.view.turn ? "load_Nmm" : "load_N";
-  if (!display.front.empty()) out["front"] = front_json(display.front, load, panel.size().edge_mm);
   if (display.physics) out["physics"] = score_json(display, *display.physics);
-  if (const auto needed = display.needed()) {
-    out["needed_cells"] = *needed;
-    out["needed_for"] = display.goal.whole ? "contrast" : "strokes";
-  }
-  if (!display.larger.tried.empty()) out["larger_panels_tried"] = display.larger.tried;
+  if (!display.goal.whole && display.goal.needed) out["needed_cells"] = *display.goal.needed;
+  if (display.estimated) out["estimated_cells"] = *display.estimated;
   return out;
 }
 
@@ -198,7 +176,6 @@ Json DisplayOutcome::target_json() const { return {{"kind", "display"}, {"rows",
 void DisplayOutcome::add_sections(const Run& run, Json& result) const {
   result["display"] = display_json(*this, run.structure);
   add_levels(levels_of(goal, run.structure), result["structure"]["cells"]);
-  result["timing_s"]["larger_panels"] = larger_panels_s;
   result["optimiser"] = optimiser_json(*this);
 }
 

@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "app/goals/display/larger_panels.hpp"
 #include "app/run/goal_outcome.hpp"
 #include "app/run/hinge_loads.hpp"
 #include "optim/display/as_made_display.hpp"
@@ -23,17 +22,6 @@ struct DisplayReading {
   /// that are read by another channel.
   std::optional<std::array<double, 2>> light = {};
   std::optional<targets::Topology> seen = {};  ///< parts and holes of letters that can be told apart
-};
-
-/// What the panel would show, under the same drive, with another bound on the offsets.
-struct FrontPoint {
-  double offset = 0;     ///< largest of a hinge, cell edges
-  bool is_own = false;   ///< whether it is the file's
-  bool reached = false;  ///< whether the equilibrium came to the drive's goal
-  targets::DisplayScore score;
-  double rank = 0;     ///< rank correlation of channel and levels, [-1, 1]
-  double load = 0;     ///< on the plates, N; of a driven hinge N mm
-  double stretch = 0;  ///< largest gap of a hinge, cell edges
 };
 
 /// What a panel asks of who presses it and of its hinges, and what it shows.
@@ -70,8 +58,8 @@ class DisplayOutcome final : public GoalOutcome {
   optim::Channel channel = optim::Channel::aperture;
   optim::DisplayOptions options;
   optim::DisplayDesign design;
-  LargerPanels larger;           ///< searched where this one is not clear enough
-  double larger_panels_s = 0;    ///< seconds that took
+  std::optional<targets::PanelSize>
+      estimated;                 ///< an estimate of the panel that is clear enough, if this one is not
   DisplayReading before, after;  ///< flat, and the equilibrium under the plates
   DisplayReading exact;          ///< of a search by the scales of walls: its state, without any strain
   std::optional<DisplayReading> physics;  ///< the settled physics run
@@ -83,17 +71,14 @@ class DisplayOutcome final : public GoalOutcome {
   bool faint = false;           ///< a smaller part does, but then an eye does not tell letter and rest apart
   bool limits_stopped = false;  ///< the search for such a part was, before it found one
   std::optional<PrintedDisplay> printed;  ///< of pictures of two levels
-  std::vector<FrontPoint> front;          ///< of small panels that were searched by the scales of walls
 
   /// What found the design, in words.
   std::string solver() const;
-  /// The smallest panel known to show the picture, where this one does not.
-  std::optional<targets::PanelSize> needed() const { return goal.whole ? larger.enough : goal.needed; }
 
   /// The picture as rows, top row first.
   nlohmann::ordered_json target_json() const override;
   /// Adds `display` (channel, levels and readings of all cells in the order of structure.cells, starts,
-  /// reasons), `optimiser`, and the time of the larger panels.
+  /// reasons) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
   void add_metrics(nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;

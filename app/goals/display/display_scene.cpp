@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -10,14 +11,13 @@
 #include "app/goals/display/display_limits.hpp"
 #include "app/goals/display/display_outcome.hpp"
 #include "app/goals/display/display_prints.hpp"
-#include "app/goals/display/legibility_front.hpp"
+#include "app/goals/display/display_violations.hpp"
 #include "app/goals/display/panel_memory.hpp"
 #include "app/goals/display/search_panel.hpp"
 #include "app/pipeline/equilibrium.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/hinge_loads.hpp"
 #include "app/pipeline/physics_settings.hpp"
-#include "app/run/stopwatch.hpp"
 #include "model/base/angle.hpp"
 #include "model/closure/drive_theta.hpp"
 #include "model/sheet/sheet_motion.hpp"
@@ -47,14 +47,8 @@ std::string describe_melting(const targets::DisplayGoal& goal, const DisplayRead
       drawn.components, drawn.holes, reading.seen->components, reading.seen->holes);
 }
 
-std::string about_larger(const LargerPanels& larger) {
-  const auto named = [](targets::PanelSize size) { return fmt::format("[{}, {}]", size[0], size[1]); };
-  if (larger.enough)
-    return fmt::format("a panel of {} cells shows it within these bounds", named(*larger.enough));
-  std::vector<std::string> names;
-  for (const targets::PanelSize size : larger.tried) names.push_back(named(size));
-  return fmt::format("no larger panel that was tried shows it within these bounds either: {}",
-                     fmt::join(names, ", "));
+std::string describe_estimate(targets::PanelSize size) {
+  return fmt::format("estimate: a panel of [{}, {}] cells shows it clearly enough", size[0], size[1]);
 }
 
 /// What the search did to keep the limits of the file, in words.
@@ -89,12 +83,11 @@ Tolerances tolerances_of(const DisplayFile& file) {
   return tolerances;
 }
 
-/// Whether larger panels are worth a search: where the picture has all its strokes and is not clear enough, not even in
-/// the exact motion if there is one.
-bool wants_more_cells(const DisplayFile& file, const DisplayOutcome& display, const Run& run) {
+/// Whether a larger panel can help: the picture has all its strokes and is not clear enough between plates, not even in the exact
+/// motion if there is one. The contrast of panels that one hinge drives does not grow with their size.
+bool can_use_more_cells(const DisplayFile& file, const DisplayOutcome& display, const Run& run) {
   const optim::DisplayView& view = display.design.view;
-  return file.goal.whole && view.at_equilibrium &&
-         !violations(file, display.after.score, display.after.rank, "model").empty() &&
+  return file.goal.whole && view.at_equilibrium && !view.turn &&
          lost_in_equilibrium(file, display, run).empty();
 }
 
@@ -131,12 +124,9 @@ std::vector<std::string> all_violations(const DisplayFile& file, const DisplayOu
   if (!display.goal.whole) why.push_back(lost_strokes(display.goal));
   if (const std::string melted = describe_melting(display.goal, display.after); !melted.empty())
     why.push_back(melted);
-  if (!display.larger.tried.empty()) why.push_back(about_larger(display.larger));
+  if (display.estimated) why.push_back(describe_estimate(*display.estimated));
   return why;
 }
-
-// Beyond, the searches with other offsets would take longer than the one that was asked for.
-constexpr int most_cells_of_front = 400;
 
 constexpr int most_bodies_of_physics = 5000;  // an hour on one core, about
 // Measured, s: by convex problems where hinges may sit beside their walls, by searches in the elastic model where not.
@@ -189,8 +179,7 @@ class DisplayScene final : public Scene {
     display->goal = file_.goal;
     display->channel = file_.channel;
     const auto search = [&](const DisplayFile& file) {
-      return search_panel(file, file_.goal, panel, search_options(file, elasticity(), options),
-                          options.progress);
+      return search_panel(file, panel, search_options(file, elasticity(), options), options.progress);
     };
     display->design = search(file_);
     keep_limits(file_, elasticity(), *display, panel, search, options.stop);
@@ -221,17 +210,11 @@ class DisplayScene final : public Scene {
 
   void judge(Run& run, const RunOptions& options) const override {
     auto& display = outcome_of<DisplayOutcome>(run);
-    Stopwatch watch;
     const bool stopped = options.stop.stop_requested();
-    const DisplayFile pressed = pressed_by(file_, display.pressed);
-    const optim::DisplayOptions search = search_options(pressed, elasticity(), options);
-    if (!stopped && wants_more_cells(file_, display, run))
-      display.larger = search_larger_panels(pressed, search, options.progress);
-    display.larger_panels_s = watch.lap();
-    if (!stopped && options.verify && display.design.scaled && run.structure.cells() <= most_cells_of_front)
-      display.front =
-          legibility_front(pressed, front_point(file_.offset, display.after, run.equilibrium->path),
-                           elasticity(), search, options.progress);
+    if (can_use_more_cells(file_, display, run))
+      display.estimated =
+          estimate_panel(file_.goal, display.after.score.contrast, file_.contrast,
+                         display.design.scaled ? usual_growth : std::numeric_limits<double>::infinity());
     if (!stopped) options.progress("prints", 0);
     if (!stopped) display.printed = display_prints(file_, run, options);
     display.violations = all_violations(file_, display, run);

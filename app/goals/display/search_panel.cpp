@@ -47,10 +47,9 @@ optim::DisplayOptions search_options(const DisplayFile& file, const model::Elast
   return options;
 }
 
-optim::DisplayDesign search_panel(const DisplayFile& file, const targets::DisplayGoal& goal,
-                                  const model::Sheet& panel, const optim::DisplayOptions& options,
-                                  const Progress& progress) {
-  const std::vector<double> levels = levels_of(goal, panel);
+optim::DisplayDesign search_panel(const DisplayFile& file, const model::Sheet& panel,
+                                  const optim::DisplayOptions& options, const Progress& progress) {
+  const std::vector<double> levels = levels_of(file.goal, panel);
   if (file.offset > 0)
     return fit_scaled_display(panel, levels, file.channel, file.axes, scaled_options(file));
   return fit_display(*panel.squares(), levels, options, progress);

@@ -19,11 +19,9 @@ optim::DisplayOptions search_options(const DisplayFile& file, const model::Elast
                                      const RunOptions& run);
 
 /// The search that a file asks for: by the scales of walls where hinges may have offsets, else by stretching.
-/// @param goal the file's, or the same picture on another panel
 /// @param panel of the goal's cells   @param progress words and the share done
-optim::DisplayDesign search_panel(const DisplayFile& file, const targets::DisplayGoal& goal,
-                                  const model::Sheet& panel, const optim::DisplayOptions& options,
-                                  const Progress& progress);
+optim::DisplayDesign search_panel(const DisplayFile& file, const model::Sheet& panel,
+                                  const optim::DisplayOptions& options, const Progress& progress);
 
 /// Strains a panel that was found by the scales of walls as far as the file allows (optim::refine_display).
 void refine_panel(const DisplayFile& file, const targets::DisplayGoal& goal, const model::Sheet& panel,

@@ -19,7 +19,6 @@ const MODELS = {
 /** What the times of a result are for, where the key is no verb. */
 const TASKS = {
   balance: "trace the equilibrium path",
-  larger_panels: "search larger panels",
 };
 
 /** "step_s" -> "Step, s" */

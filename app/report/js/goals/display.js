@@ -16,8 +16,7 @@ function readDisplay(raw) {
     compression: finite(raw.compression), angle: finite(raw.angle_rad),
     needed: list(raw.needed_cells).filter((side) => finite(side) !== null),
     loads: someDictionary(raw.loads), unlimited: someDictionary(raw.unlimited), printed: someDictionary(raw.printed),
-    front: list(raw.front).filter((point) => finite(point?.offset_mm) !== null),
-    neededFor: raw.needed_for === "contrast" ? "contrast" : "strokes",
+    estimated: list(raw.estimated_cells).filter((side) => finite(side) !== null),
   };
 }
 
@@ -202,11 +201,7 @@ function displaySection(data) {
                          `Compressed along ${display.axis} by ${percent(display.compression)}.` :
                          `Moved by one hinge, turned by ${figures(Math.abs(display.angle) * 180 / Math.PI, 3)} degrees; no plates hold its rows.`) +
                         (finite(display.stretch) === null ? "" : ` Largest stretch of a hinge: ${millimetres(display.stretch * structure.cell)}.`)),
-      limitsTable(display), printsTable(display), frontTable(display), neededPanel(display), startsTable(display));
-}
-
-function loadOf(point) {
-  return finite(point.load_Nmm) === null ? `${figures(point.load_N, 2)} N` : `${figures(Math.abs(point.load_Nmm), 2)} N mm`;
+      limitsTable(display), printsTable(display), neededPanel(display), startsTable(display));
 }
 
 /** What limits of force and strain cost. */
@@ -232,35 +227,12 @@ function printsTable(display) {
                     display.printed.confirmed === false ? "What prints show: first order is far from them" : "What prints show"));
 }
 
-const PULLED_WORDS = "A negative force: at the end of the way the plates hold the panel back, which by then closes further by itself.";
-
-/** What hinges further off their walls would buy. */
-function frontTable(display) {
-  if (display.front.length < 2) return null;
-  const grey = isGrey(display);
-  const row = (point) => ({
-    mark: point.own === true ? "best" : null,
-    cells: [
-      `${millimetres(point.offset_mm)}${point.own === true ? " (this one)" : ""}`, figures(grey ? point.rank : point.auc, 3),
-      ...(grey ? [] : [figures(point.contrast, 2), percent((point.letter - point.rest) / point.rest)]), point.reached === true ? loadOf(point) : "not reached",
-      millimetres(point.stretch_mm)
-    ]
-  });
-  return html("div", {},
-              html("p", {}, "What larger or smaller offsets of the hinges would show under the same drive:"),
-              html("div", {class: "scroll"},
-                   table(["offset, at most", grey ? "rank correlation" : "AUC", ...(grey ? [] : ["contrast", "letter brighter than the rest by"]), "force", "stretch, largest"],
-                         display.front.map(row), "Legibility against offset, force and stretch")),
-              display.front.some(({reached, load_N: load}) => reached === true && load < 0) ?
-                  html("p", {class: "note"}, PULLED_WORDS) : null);
-}
-
 /** How large a panel would have to be; what this one lacks is said at the top. */
 function neededPanel(display) {
-  if (display.needed.length !== 2) return null;
-  const why = {strokes: "keeps all strokes of the picture", contrast: "shows it as clearly as required within the same bounds"};
-  return html("p", {}, html("strong", {}, `${display.needed[0]} \u00d7 ${display.needed[1]} cells`),
-              ` is the smallest panel known that ${why[display.neededFor]}.`);
+  const panel = ([columns, rows], words) => html("p", {}, html("strong", {}, `${columns} \u00d7 ${rows} cells`), words);
+  if (display.needed.length === 2) return panel(display.needed, " is the smallest panel that keeps all strokes of the picture.");
+  if (display.estimated.length === 2) return panel(display.estimated, " is an estimate of the panel that shows it clearly enough. No search confirmed it.");
+  return null;
 }
 
 function startsTable(display) {

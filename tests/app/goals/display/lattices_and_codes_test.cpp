@@ -29,7 +29,7 @@ DisplayFile shipped(const std::string& name) {
 TEST(QrCode, IsReadFromTheExactStateOfAPlainGridAndNotBefore) {
   const DisplayFile file = shipped("qr_code.yaml");
   const model::Sheet panel = make_panel(file, {file.goal.columns, file.goal.rows});
-  const optim::DisplayDesign found = search_panel(file, file.goal, panel, {}, {});
+  const optim::DisplayDesign found = search_panel(file, panel, {}, {});
   ASSERT_TRUE(found.scaled && found.scaled->clear);
   EXPECT_LE(found.scaled->offset, 0.06 + 1e-12);
   EXPECT_LE(found.view.stretch, 1e-12);
