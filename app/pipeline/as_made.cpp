@@ -11,8 +11,8 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int least_prints = 20;              // that are brought to their equilibrium in any case
-constexpr int more_prints = 100;              // where those do not find out how far first order is off
+constexpr int least_prints = 20;              // brought to their equilibrium in any case
+constexpr int more_prints = 100;              // if those leave the error of first order uncertain
 constexpr double largest_ratio_error = 0.04;  // ratio, standard error: near the 0.05 from which it corrects
 constexpr int most_bodies_for_more = 150,
               most_bodies_to_confirm = 400;  // beyond, they take longer than the search

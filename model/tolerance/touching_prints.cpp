@@ -128,7 +128,7 @@ class WayOfPrints {
   int equilibria() const { return equilibria_; }
 
  private:
-  /// What a print does to first order.
+  /// Result of a print to first order.
   struct Look {
     bool touches = false;
     std::vector<std::size_t> near =

@@ -121,7 +121,7 @@ FreeSheet free_sheet(const Run& run, const model::Sheet& sheet, const model::Sta
   const std::vector<double> at = own.turns(design);
   if (!run.matter || !is_fold) return {model::Linkage(sheet), hinge.k, hinge.reach_mm, at};
   FreeSheet out(model::Linkage(sheet), hinge.k, hinge.reach_mm, none);
-  // run.theta is where the sheet has come to: its springs rest further on.
+  // The sheet reaches run.theta; the springs rest at a larger theta.
   const model::LinkageDrive& drive = run.equilibrium->drive;
   const model::Linkage linkage(run.structure);
   std::vector<double> rests;

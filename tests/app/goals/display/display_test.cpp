@@ -168,7 +168,7 @@ solver: {starts: 1, max_evaluations: 40}
       << larger.out << larger.err;
 }
 
-// Of d'^2 by the width of strokes: no limit.
+// Growth of d'^2 with the width of strokes, without a limit.
 constexpr double any_growth = std::numeric_limits<double>::infinity();
 
 TEST(PanelEstimate, NamesThePanelWhoseStrokesAreWideEnough) {
