@@ -12,7 +12,7 @@
 #include "app/pipeline/design_scene.hpp"
 #include "app/result/certified_json.hpp"
 #include "app/result/state_json.hpp"
-#include "app/run/run_hinges.hpp"
+#include "app/run/design_hinges.hpp"
 #include "app/sweep/plan/sweep_plan.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
@@ -75,15 +75,10 @@ nlohmann::ordered_json json_of(const Forecast& f) {
   return out;
 }
 
-std::optional<CheckedContact> contact_of(const DesignFile& design, const Scene& scene) {
+std::optional<CheckedContact> contact_of(const Design& design, const Scene& scene) {
   const model::ExactMotion exact = exact_motion(design.structure);
   if (!exact || scene.model() == Model::equilibrium) return std::nullopt;
-  Run sheet;
-  sheet.structure = design.structure;
-  sheet.hinge = design.hinge;
-  sheet.own_hinges = design.own_hinges;
-  sheet.process = design.process.value_or(sheet.process);
-  return CheckedContact{certify(design.structure, wall_error(sheet)), exact_theta_of(design, exact)};
+  return CheckedContact{certify(design.structure, wall_error(design)), exact_theta_of(design, exact)};
 }
 
 /// Says how long the check of a large sheet takes. @throws InvalidInput where it takes more memory than is free
@@ -139,7 +134,7 @@ CheckedFile check_file(const std::string& file, const Progress& progress) {
     return {file, "target", target.goal->name(), target.goal->forecast()};
   }
   if (is_assembly(root)) return {file, "design", read_assembly(root).name};
-  const DesignFile design = read_design(root);
+  const Design design = read_design(root);
   announce_check(file, design.structure, progress);
   const auto scene = make_scene(design, Model::bullet);
   CheckedFile out{.file = file, .kind = "design", .name = scene->name(), .forecast = scene->forecast()};

@@ -19,7 +19,7 @@
 #include "app/pipeline/design_scene.hpp"
 #include "app/pipeline/drive_trials.hpp"
 #include "app/pipeline/pipeline.hpp"
-#include "app/print/hinge_fit.hpp"
+#include "app/print/fit.hpp"
 #include "app/result/drive_trials_summary.hpp"
 #include "app/result/result_json.hpp"
 #include "app/result/verdict.hpp"
@@ -94,8 +94,8 @@ targets::Node document_of(const CommandOptions& options) {
 }
 
 /// The design, to another theta where the command line gives one: by the drive of a file that has none.
-DesignFile design_of(const CommandOptions& options, const targets::Node& root) {
-  DesignFile design = read_design(root);
+Design design_of(const CommandOptions& options, const targets::Node& root) {
+  Design design = read_design(root);
   if (!options.theta_given) return design;
   if (design.drive && !options.drives)
     Console(options.quiet)
@@ -105,7 +105,7 @@ DesignFile design_of(const CommandOptions& options, const targets::Node& root) {
   return design;
 }
 
-DriveTrials located_trials(const CommandOptions& options, const DesignFile& design) {
+DriveTrials located_trials(const CommandOptions& options, const Design& design) {
   Console console(options.quiet);
   const Stopper stopper(options.time_limit_s);
   try {

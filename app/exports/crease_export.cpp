@@ -36,11 +36,11 @@ Json fold_angles(const model::CreasePattern& pattern, double theta) {
 }
 
 std::vector<NamedContent> write_creases(const Run& run) {
-  const model::PlanarStructure* planar = run.structure.planar();
+  const model::PlanarStructure* planar = run.design.structure.planar();
   if (!planar || run.plan.exact.name != model::creased_family) return {};
   try {
     const model::CreasePattern pattern = crease_pattern(*planar, redrawing_of(*planar).y, run.theta);
-    return {{std::string(file_name), origami_text(pattern, run.theta, run.name)}};
+    return {{std::string(file_name), origami_text(pattern, run.theta, run.design.name)}};
   } catch (const InvalidInput&) {
     return {};  // facets that are no polygons have no place in such a file
   }

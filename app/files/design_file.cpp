@@ -154,7 +154,7 @@ model::HingeParameters read_parameters(const targets::Section& hinge, double edg
   return p;
 }
 
-void read_hinges(const targets::Section& design, DesignFile& file) {
+void read_hinges(const targets::Section& design, Design& file) {
   model::Sheet& structure = file.structure;
   const auto list = design.optional("hinges");
   if (!list) return;
@@ -175,7 +175,7 @@ void read_hinges(const targets::Section& design, DesignFile& file) {
   list->located([&] { validate_hinges(structure); });
 }
 
-void read_state(const targets::Section& root, DesignFile& file) {
+void read_state(const targets::Section& root, Design& file) {
   const targets::Section design = root.section("design");
   read_pattern(design, file.structure);
   read_hinges(design, file);
@@ -183,7 +183,7 @@ void read_state(const targets::Section& root, DesignFile& file) {
 }
 
 /// Where single walls say how stiff their hinges are, all of them give.
-HingeSection read_common_hinge(const targets::Section& root, const DesignFile& file) {
+HingeSection read_common_hinge(const targets::Section& root, const Design& file) {
   HingeSection hinge = read_hinge_section(root, file.structure.size());
   if (!file.own_hinges.empty() && !root.section("hinge").optional("model"))
     hinge.model = HingeSection::Model::elastic;
@@ -194,7 +194,7 @@ HingeSection read_common_hinge(const targets::Section& root, const DesignFile& f
 }
 
 /// Walls of a graph have lengths of their own; the cell's edge, against which gaps are read, is their mean.
-void check_gaps(const targets::Section& root, const DesignFile& file) {
+void check_gaps(const targets::Section& root, const Design& file) {
   for (int h = 0; h < file.structure.hinges(); ++h) {
     const auto& made = hinge_at(file.hinge, file.own_hinges, h).made;
     if (!made || made->kind == model::HingeKind::pin) continue;
@@ -208,7 +208,7 @@ void check_gaps(const targets::Section& root, const DesignFile& file) {
   }
 }
 
-void check_offsets(const targets::Section& root, const DesignFile& file) {
+void check_offsets(const targets::Section& root, const Design& file) {
   const auto list = root.section("design").optional("hinges");
   if (!list) return;
   const WallReader walls(file.structure);
@@ -221,7 +221,7 @@ void check_offsets(const targets::Section& root, const DesignFile& file) {
 
 }  // namespace
 
-std::optional<std::string> why_offset_does_not_fit(const DesignFile& design, int hinge) {
+std::optional<std::string> why_offset_does_not_fit(const Design& design, int hinge) {
   const auto& made = hinge_at(design.hinge, design.own_hinges, hinge).made;
   if (!made) return std::nullopt;
   const model::CellSize size = design.structure.size();
@@ -241,7 +241,7 @@ std::string design_at(const std::string& source) {
   throw InvalidInput(source + ": no design.yaml in this folder; give a design, or the folder of a result");
 }
 
-DesignFile read_design(const std::string& path) {
+Design read_design(const std::string& path) {
   return read_design(targets::read_document(path, max_design_bytes));
 }
 
@@ -257,11 +257,11 @@ const targets::KeyTable& design_keys() {
   return keys;
 }
 
-DesignFile read_design(const targets::Node& node) {
+Design read_design(const targets::Node& node) {
   check_kind_of_file(node);
   const targets::Section root(node, design_keys());
   check_version(root);
-  DesignFile file{.name = read_name(root), .structure = read_structure(root)};
+  Design file{.name = read_name(root), .structure = read_structure(root)};
   read_state(root, file);
   file.own_hinges.merge(read_own_hinges(root, file.structure));  // single walls go before
   file.drive = read_drive_section(root, file.structure);
@@ -274,7 +274,7 @@ DesignFile read_design(const targets::Node& node) {
   return file;
 }
 
-std::vector<const HingeSection*> hinge_sections(const DesignFile& design) {
+std::vector<const HingeSection*> hinge_sections(const Design& design) {
   std::vector<const HingeSection*> all;
   if (static_cast<int>(design.own_hinges.size()) < design.structure.hinges()) all.push_back(&design.hinge);
   for (const auto& [h, own] : design.own_hinges) all.push_back(&own);

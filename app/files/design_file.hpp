@@ -17,8 +17,8 @@ namespace kinetix::app {
 /// Of one entry of `design.hinges`.
 const targets::KeyTable& hinge_entry_keys();
 
-/// A design.yaml. Angles in radians, lengths in mm.
-struct DesignFile {
+/// The content of a design.yaml. Angles in radians, lengths in mm.
+struct Design {
   std::string name;                        ///< default: the file's name without its ending
   model::Sheet structure;                  ///< with the parameters of every hinge
   double theta = 0;                        ///< the state to show, rad, within (-pi/2, pi/2); default flat
@@ -28,15 +28,15 @@ struct DesignFile {
   std::map<int, HingeSection> own_hinges =
       {};  ///< of walls whose hinge is another one, by index of the hinge
   PhysicsSection physics = {};
-  std::optional<model::Process> process = {};  ///< that it is to be printed by; nothing: it does not say
+  model::Process process = model::processes().front();  ///< prints it
 };
 
 /// How its hinges are made: first those that have nothing of their own, where there are any, then each of the others.
-std::vector<const HingeSection*> hinge_sections(const DesignFile& design);
+std::vector<const HingeSection*> hinge_sections(const Design& design);
 
 /// Why a hinge's axis cannot sit as far off the middle of its wall as it does; nothing where it can, and of hinges that the
 /// file does not describe.
-std::optional<std::string> why_offset_does_not_fit(const DesignFile& design, int hinge);
+std::optional<std::string> why_offset_does_not_fit(const Design& design, int hinge);
 
 /// Every key of a design.yaml.
 const targets::KeyTable& design_keys();
@@ -51,14 +51,14 @@ std::string design_at(const std::string& source);
 /// @throws InvalidInput for whatever formats.md does not allow: among others a wall that the structure does
 /// not have, is named twice, or does not run from its lower to its upper vertex, and cells of a pattern that
 /// disagree
-DesignFile read_design(const std::string& file);
+Design read_design(const std::string& file);
 /// The same of a document in memory.
-DesignFile read_design(const targets::Node& root);
+Design read_design(const targets::Node& root);
 
 /// The file's text. read_design gives the same design back, bit for bit: angles are in degrees with as many
 /// digits as that takes. (An offset that is no number of mm over cell_mm loses its last bit.) Only hinges that differ
 /// from the basic one are named.
 /// @pre finite numbers within the ranges that read_design allows, and a name that it allows
-std::string design_text(const DesignFile& design);
+std::string design_text(const Design& design);
 
 }  // namespace kinetix::app

@@ -19,12 +19,12 @@ std::string offset_text(double offset, double edge_mm) {
   return offset == 0 ? "" : ", offset_mm: " + targets::shortest_text(mm_of(offset, edge_mm));
 }
 
-std::string own_hinge_text(const DesignFile& design, int hinge) {
+std::string own_hinge_text(const Design& design, int hinge) {
   const auto own = design.own_hinges.find(hinge);
   return own == design.own_hinges.end() ? "" : ", hinge: {" + hinge_text(own->second) + "}";
 }
 
-std::string hinges_text(const DesignFile& design) {
+std::string hinges_text(const Design& design) {
   const model::Sheet& structure = design.structure;
   std::string text;
   for (int h = 0; h < structure.hinges(); ++h)
@@ -96,12 +96,13 @@ std::string physics_text(const PhysicsSection& physics) {
 
 }  // namespace
 
-std::string design_text(const DesignFile& design) {
+std::string design_text(const Design& design) {
   return fmt::format("kinetix: 1\nname: \"{}\"\n", design.name) + structure_text(design.structure) +
          fmt::format("design:\n  theta_deg: {}\n", targets::degrees_text(design.theta)) +
          hinges_text(design) + drive_text(design.structure, design.drive, design.side) +
          hinge_section_text(design.hinge) + physics_text(design.physics) +
-         (design.process ? "process: " + process_text(*design.process) + "\n" : "");
+         (design.process == model::processes().front() ? ""
+                                                       : "process: " + process_text(design.process) + "\n");
 }
 
 }  // namespace kinetix::app

@@ -5,7 +5,7 @@
 
 #include "app/pipeline/equilibrium.hpp"
 #include "app/pipeline/print_hinges.hpp"
-#include "app/run/run_hinges.hpp"
+#include "app/run/design_hinges.hpp"
 #include "model/closure/drive_theta.hpp"
 
 namespace kinetix::app {
@@ -24,10 +24,10 @@ constexpr double one_length = 1e-9;        // of a cell edge: walls of equal len
 /// @param wall_mm length of the wall
 model::HingeScatter hinge_scatter(const Run& run, const model::PlayScatter& play, double wall_mm) {
   model::HingeScatter scatter;
-  scatter.t = std::hypot(run.process.sd.t_mm, play.place_mm) / wall_mm;
+  scatter.t = std::hypot(run.design.process.sd.t_mm, play.place_mm) / wall_mm;
   scatter.alpha = play.tilt;  // a rod leans along its wall as far as across it
-  scatter.beta = std::hypot(run.process.sd.tilt_deg * radians_per_degree, play.tilt);
-  scatter.offset = play.place_mm / run.structure.size().edge_mm;
+  scatter.beta = std::hypot(run.design.process.sd.tilt_deg * radians_per_degree, play.tilt);
+  scatter.offset = play.place_mm / run.design.structure.size().edge_mm;
   return scatter;
 }
 
@@ -44,18 +44,18 @@ std::vector<double> wall_lengths_mm(const model::Sheet& sheet) {
 model::HingeScatter run_scatter(const Run& run, bool with_play) {
   const auto of = [&](const HingeSection& hinge, double wall_mm) {
     const bool plays = with_play && hinge.made;
-    return hinge_scatter(run, plays ? play_scatter(*hinge.made, run.process.sd) : model::PlayScatter{},
+    return hinge_scatter(run, plays ? play_scatter(*hinge.made, run.design.process.sd) : model::PlayScatter{},
                          wall_mm);
   };
-  const double edge_mm = run.structure.size().edge_mm;
-  const std::vector<double> walls = wall_lengths_mm(run.structure);
+  const double edge_mm = run.design.structure.size().edge_mm;
+  const std::vector<double> walls = wall_lengths_mm(run.design.structure);
   const bool are_alike = std::all_of(walls.begin(), walls.end(), [&](double wall) {
     return std::abs(wall - edge_mm) <= one_length * edge_mm;
   });
-  model::HingeScatter scatter = of(run.hinge, edge_mm);
-  if (run.own_hinges.empty() && are_alike) return scatter;
-  for (int h = 0; h < run.structure.hinges(); ++h)
-    scatter.each.push_back(of(hinge_section(run, h), are_alike ? edge_mm : walls[h]));
+  model::HingeScatter scatter = of(run.design.hinge, edge_mm);
+  if (run.design.own_hinges.empty() && are_alike) return scatter;
+  for (int h = 0; h < run.design.structure.hinges(); ++h)
+    scatter.each.push_back(of(hinge_section(run.design, h), are_alike ? edge_mm : walls[h]));
   return scatter;
 }
 
@@ -77,7 +77,7 @@ struct PrintedDesign {
                 const std::vector<model::ObservedPoint>& points)
       : hinges(print_hinges(run, drive, state)),
         planar(stays_in_plane(run, points)),
-        settled(run.structure, {state, hinges.elasticity, hinges.drive}, planar) {}
+        settled(run.design.structure, {state, hinges.elasticity, hinges.drive}, planar) {}
 };
 
 std::optional<PrintedGoal> expected_with(const Run& run, const PrintedDesign& design,
@@ -85,21 +85,22 @@ std::optional<PrintedGoal> expected_with(const Run& run, const PrintedDesign& de
                                          const std::vector<model::ObservedPoint>& points) {
   const model::SettledDesign& settled = design.settled;
   if (!settled.is_stable()) return std::nullopt;
-  if (!(aligned_distance(run.structure, settled.state(), state).rms <= near_design)) return std::nullopt;
+  if (!(aligned_distance(run.design.structure, settled.state(), state).rms <= near_design))
+    return std::nullopt;
   const auto with = [&](const model::HingeScatter& scatter) {
     return as_made(settled.system(), settled.state(), settled.theta(), settled.tangent(), points, scatter);
   };
   PrintedGoal out;
-  out.can_be_printed = print_problems(run).empty();
+  out.can_be_printed = print_problems(run.design).empty();
   out.taken = design.hinges.taken;
   out.made = with(run_scatter(run, true));
-  if (const auto pin = loosest_pin(run); pin && play_scatter(*pin, run.process.sd).place_mm > 0)
+  if (const auto pin = loosest_pin(run.design); pin && play_scatter(*pin, run.design.process.sd).place_mm > 0)
     out.without_play = with(run_scatter(run, false));
   return out;
 }
 
 model::PrintedLinkage printed_of(const Run& run) {
-  return [&run](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); };
+  return [&run](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.design.structure, errors); };
 }
 
 constexpr int states_on_the_way = 8;  // in which walls of prints are looked at
@@ -108,7 +109,7 @@ constexpr int states_on_the_way = 8;  // in which walls of prints are looked at
 /// or, where hinges are elastic, of their path.
 std::optional<model::TouchingPrints> count_touching(const Run& run, const PrintedDesign& design,
                                                     const RunOptions& options) {
-  const model::Linkage linkage = run.structure;
+  const model::Linkage linkage = run.design.structure;
   const model::LinkageDrive none{.kind = model::LinkageDrive::Kind::none};
   std::vector<const model::State*> frames;
   for (const NamedState& frame : run.states)
@@ -133,8 +134,8 @@ std::optional<model::FlatStarts> press_from_flat(const Run& run, const PrintedDe
                                                  const model::State& state, const RunOptions& options) {
   const model::LinkageDrive& drive = design.hinges.drive;
   const bool is_pressed = run.matter && drive.kind == model::LinkageDrive::Kind::plates;
-  if (!is_pressed || !(mean_theta(run.structure, state) * drive.theta() > 0)) return std::nullopt;
-  if (options.prints == 0 && run.structure.bodies() > most_bodies_to_press) return std::nullopt;
+  if (!is_pressed || !(mean_theta(run.design.structure, state) * drive.theta() > 0)) return std::nullopt;
+  if (options.prints == 0 && run.design.structure.bodies() > most_bodies_to_press) return std::nullopt;
   return flat_starts(printed_of(run), design.hinges.elasticity, drive, scatter_of(run), prints_of(options),
                      print_options(options, design.planar), path_of_run(design.planar));
 }
@@ -187,10 +188,10 @@ std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& dr
   if (!out) return out;
   out->touching = count_touching(run, design, options);
   out->from_flat = press_from_flat(run, design, state, options);
-  if (options.prints == 0 && run.structure.bodies() > most_bodies_to_confirm) return out;
+  if (options.prints == 0 && run.design.structure.bodies() > most_bodies_to_confirm) return out;
   model::PrintRuns runs = runs_of(run, design, points, prints_of(options), options);
   if (options.prints == 0 && runs.ratio_error > largest_ratio_error &&
-      run.structure.bodies() <= most_bodies_for_more)
+      run.design.structure.bodies() <= most_bodies_for_more)
     runs = runs_of(run, design, points, more_prints, options);
   if (runs.prints + runs.failed > 0) out->runs = runs;
   return out;

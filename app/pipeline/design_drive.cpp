@@ -6,7 +6,7 @@
 
 namespace kinetix::app {
 
-model::LinkageDrive drive_of(const DesignFile& design) {
+model::LinkageDrive drive_of(const Design& design) {
   if (!design.drive) return drive_to(design.structure, design.theta);
   model::SheetDrive drive;
   drive.kind = design.drive->kind;
@@ -24,7 +24,7 @@ model::LinkageDrive drive_of(const DesignFile& design) {
   return drive_on(design.structure, drive);
 }
 
-double exact_theta_of(const DesignFile& design, const model::ExactMotion& exact) {
+double exact_theta_of(const Design& design, const model::ExactMotion& exact) {
   if (!design.drive) return design.theta;
   const model::LinkageDrive drive = drive_of(design);
   if (!drive.heats_springs()) return exact.theta_of(drive);

@@ -19,14 +19,14 @@ model::State reference_of(const Run& run) {
 }
 
 /// Of the closed form.
-std::optional<Eigen::Vector3d> folded_size(const model::ExactMotion& motion, const DesignFile& design) {
+std::optional<Eigen::Vector3d> folded_size(const model::ExactMotion& motion, const Design& design) {
   const Eigen::Vector3d size = size_of(design.structure, motion.at(exact_theta_of(design, motion)));
   return size.allFinite() ? std::optional(size) : std::nullopt;
 }
 
 class DesignScene final : public Scene {
  public:
-  DesignScene(DesignFile design, Model model) : design_(std::move(design)), model_(model) {}
+  DesignScene(Design design, Model model) : design_(std::move(design)), model_(model) {}
 
   std::string name() const override { return design_.name; }
 
@@ -48,13 +48,7 @@ class DesignScene final : public Scene {
   }
 
   void solve(Run& run, const RunOptions&) const override {
-    run.physics = design_.physics;
-    run.hinge = design_.hinge;
-    run.own_hinges = design_.own_hinges;
-    run.drive = design_.drive;
-    run.side = design_.side;
-    if (design_.process) run.process = *design_.process;
-    run.structure = design_.structure;
+    run.design = design_;
     run.theta = design_.theta;
   }
 
@@ -79,13 +73,13 @@ class DesignScene final : public Scene {
     return design_.drive && (design_.drive->press || design_.drive->kind == DriveSection::Kind::shape_memory);
   }
 
-  DesignFile design_;
+  Design design_;
   Model model_;
 };
 
 }  // namespace
 
-std::unique_ptr<Scene> make_scene(DesignFile design, Model model) {
+std::unique_ptr<Scene> make_scene(Design design, Model model) {
   return std::make_unique<DesignScene>(std::move(design), model);
 }
 

@@ -12,6 +12,6 @@ namespace kinetix::app {
 /// from flat to its drive, the closed form of the same drive beside it where a family fits; bullet: the
 /// physics run, compared with the equilibrium where hinges are elastic, else with the exact state where a
 /// family fits; elsewhere there is none, and the run is judged by its own closure alone
-std::unique_ptr<Scene> make_scene(DesignFile design, Model model);
+std::unique_ptr<Scene> make_scene(Design design, Model model);
 
 }  // namespace kinetix::app

@@ -14,7 +14,7 @@ namespace kinetix::app {
 namespace {
 
 /// Of its drive where it gives one, else its own, rad.
-double theta_of(const DesignFile& design, const model::ExactMotion& exact) {
+double theta_of(const Design& design, const model::ExactMotion& exact) {
   double theta = design.theta;
   if (design.drive) theta = exact ? exact_theta_of(design, exact) : drive_of(design).theta();
   if (theta != 0) return theta;
@@ -95,7 +95,7 @@ std::vector<std::string> names_after(std::size_t first, const std::vector<model:
 
 }  // namespace
 
-DriveTrials try_drives(const DesignFile& design, const RunOptions& options) {
+DriveTrials try_drives(const Design& design, const RunOptions& options) {
   const model::Linkage linkage = design.structure;
   const model::ExactMotion exact = exact_motion(design.structure);
   const model::Elasticity elasticity = elasticity_of(design);

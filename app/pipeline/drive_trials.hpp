@@ -44,6 +44,6 @@ struct DriveTrials {
 /// sheet is the design's.
 /// Where it is told to stop, those that were tried so far.
 /// @throws InvalidInput for a design that says no theta to fold to
-DriveTrials try_drives(const DesignFile& design, const RunOptions& options);
+DriveTrials try_drives(const Design& design, const RunOptions& options);
 
 }  // namespace kinetix::app

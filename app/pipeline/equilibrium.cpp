@@ -56,20 +56,20 @@ class FrameKeeper {
 };
 
 std::string stiffness_sentence(const Run& run, const model::Elasticity& e) {
-  const char* start = run.hinge.model == HingeSection::Model::rotary
+  const char* start = run.design.hinge.model == HingeSection::Model::rotary
                           ? "the design's hinges are rotary; for this model they are taken as elastic: "
                           : "elastic hinges: ";
   const std::string others =
-      run.own_hinges.empty() ? "" : fmt::format("; {} of their own", run.own_hinges.size());
+      run.design.own_hinges.empty() ? "" : fmt::format("; {} of their own", run.design.own_hinges.size());
   const std::string play = e.play_mm > 0 ? fmt::format(", play {:g} mm", e.play_mm) : "";
   const std::string end =
       fmt::format(", reach_mm {:g}, k_contact {:g} N/mm{}{}", e.reach_mm, e.k_contact, play, others);
-  if (const auto k = framed_stiffness(run.hinge))
+  if (const auto k = framed_stiffness(run.design.hinge))
     return fmt::format(
         "{}{:g} N/mm along the wall, {:g} across it, {:g} along the axis, {:g} N mm/rad about it{}", start,
         k->axial, k->shear, k->along, k->turn, end);
   return fmt::format("{}k_point {:g} N/mm, k_turn {:g} N mm/rad{}", start,
-                     run.own_hinges.empty() ? e.k_point : run.hinge.k_point, e.k_turn, end);
+                     run.design.own_hinges.empty() ? e.k_point : run.design.hinge.k_point, e.k_turn, end);
 }
 
 /// The drive, as far as the path came.
@@ -85,15 +85,15 @@ model::LinkageDrive reached_drive(model::LinkageDrive drive, const model::Equili
 void add_exact(Run& run) {
   Equilibrium& equilibrium = *run.equilibrium;
   try {
-    const double theta =
-        exact_theta({run.structure, reached_drive(equilibrium.drive, equilibrium.path), run.plan.exact},
-                    equilibrium.elasticity);
+    const double theta = exact_theta(
+        {run.design.structure, reached_drive(equilibrium.drive, equilibrium.path), run.plan.exact},
+        equilibrium.elasticity);
     model::State exact = run.plan.exact.at(theta);
-    equilibrium.from_exact = aligned_distance(run.structure, equilibrium.path.state, exact);
-    equilibrium.turned_off = turn_distance(run.structure, equilibrium.path.state, exact);
-    const model::HingeGaps gaps = hinge_gaps(run.structure, exact);
+    equilibrium.from_exact = aligned_distance(run.design.structure, equilibrium.path.state, exact);
+    equilibrium.turned_off = turn_distance(run.design.structure, equilibrium.path.state, exact);
+    const model::HingeGaps gaps = hinge_gaps(run.design.structure, exact);
     run.states.push_back({"target", to_string(Model::exact), theta, std::move(exact), gaps});
-    run.fidelity.push_back(exact_fidelity(run.plan.exact, run.structure, theta));
+    run.fidelity.push_back(exact_fidelity(run.plan.exact, run.design.structure, theta));
   } catch (const InvalidInput& e) {
     run.plan.why.push_back("no closed form to compare with: " + e.reason());
   }
@@ -101,7 +101,7 @@ void add_exact(Run& run) {
 
 void add_frames(Run& run, const std::vector<NamedState>& frames) {
   for (NamedState frame : frames) {
-    frame.gaps = hinge_gaps(run.structure, frame.poses);
+    frame.gaps = hinge_gaps(run.design.structure, frame.poses);
     run.states.push_back(std::move(frame));
   }
 }
@@ -130,7 +130,7 @@ void add_equilibrium(Run& run, const model::LinkageDrive& drive, const model::El
       "left out, and edges that meet head on may be in each other by up to half the thickness");
   const double goal = drive.theta();
   model::EquilibriumPathOptions path_options = path_of_run(run.plan.planar);
-  path_options.side = run.side;
+  path_options.side = run.design.side;
   path_options.stop = run_options.stop;
   FrameKeeper keeper(goal, frames);
   model::EnergyTurns turns(drive);
@@ -142,16 +142,17 @@ void add_equilibrium(Run& run, const model::LinkageDrive& drive, const model::El
     run_options.progress("equilibrium path", goal == 0 ? 1 : step.theta / goal);
   };
   const auto start = std::chrono::steady_clock::now();
-  const model::DrivenLinkage driven{run.structure, drive, run.plan.exact};
+  const model::DrivenLinkage driven{run.design.structure, drive, run.plan.exact};
   model::EquilibriumPath path = trace_equilibrium(driven, elasticity, path_options, see);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   add_limit_points(path,
                    located_limit_points(driven.linkage, elasticity, drive, path_options, load_turns, path));
   const double last = path.theta;
-  run.theta = reached_theta(run.structure, run.plan.exact, drive, path, elasticity);
+  run.theta = reached_theta(run.design.structure, run.plan.exact, drive, path, elasticity);
   run.states.push_back({"target", to_string(Model::equilibrium), run.theta, path.state, path.gaps});
   follow_fall(driven, elasticity, path_options, turns);
-  model::StableStates stable = stable_states(run.structure, elasticity, {turns}, {.path = path_options});
+  model::StableStates stable =
+      stable_states(run.design.structure, elasticity, {turns}, {.path = path_options});
   run.equilibrium = Equilibrium{elasticity, drive, std::move(path), std::move(stable), {}};
   if (run.plan.exact) add_exact(run);
   add_fidelity(run, seconds);

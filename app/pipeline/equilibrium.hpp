@@ -9,7 +9,7 @@ namespace kinetix::app {
 /// what a run reports takes the same steps.
 model::EquilibriumPathOptions path_of_run(bool planar);
 
-/// Follows the equilibrium of run.structure with elastic hinges to the drive's goal and adds what came out:
+/// Follows the equilibrium of run.design.structure with elastic hinges to the drive's goal and adds what came out:
 /// the path, its last state, the stable states that a release on the way leads to, the closed form's state
 /// of the same drive where there is one, frames of the motion, rows of the speed-against-error table,
 /// sentences of the plan. Sets run.theta to where the path ended.

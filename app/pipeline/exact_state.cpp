@@ -14,7 +14,7 @@ constexpr int timed_calls = 200;  // enough for the clock to resolve the mean, m
 
 void add(Run& run, const std::string& name, double theta) {
   model::State state = run.plan.exact.at(theta);
-  const model::HingeGaps gaps = hinge_gaps(run.structure, state);
+  const model::HingeGaps gaps = hinge_gaps(run.design.structure, state);
   run.states.push_back({name, to_string(Model::exact), theta, std::move(state), gaps});
 }
 
@@ -29,7 +29,7 @@ void add_exact_state(Run& run, double theta) {
   require_exact(run);
   run.theta = theta;
   add(run, "target", theta);
-  run.fidelity.push_back(exact_fidelity(run.plan.exact, run.structure, theta));
+  run.fidelity.push_back(exact_fidelity(run.plan.exact, run.design.structure, theta));
 }
 
 void add_exact_frames(Run& run) {
@@ -37,8 +37,8 @@ void add_exact_frames(Run& run) {
 }
 
 PhysicsTask folding_task(const Run& run) {
-  return {run.states.front().poses, drive_to(run.structure, run.theta),
-          rotary_physics(run.hinge, run.physics, run.structure.size().edge_mm)};
+  return {run.states.front().poses, drive_to(run.design.structure, run.theta),
+          rotary_physics(run.design.hinge, run.design.physics, run.design.structure.size().edge_mm)};
 }
 
 Fidelity exact_fidelity(const model::ExactMotion& exact, const model::Linkage& structure, double theta) {

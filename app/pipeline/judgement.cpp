@@ -9,7 +9,7 @@
 #include "app/pipeline/as_made.hpp"
 #include "app/pipeline/certify.hpp"
 #include "app/run/contact_reason.hpp"
-#include "app/run/run_hinges.hpp"
+#include "app/run/design_hinges.hpp"
 #include "app/run/stopwatch.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "model/sheet/sheet_motion.hpp"
@@ -40,10 +40,10 @@ void judge_contact(Run& run) {
 /// Where nothing was to be proven: walls that overlap as built are seen in the flat state.
 void judge_overlap(Run& run) {
   if (!run.goal || run.plan.model != Model::exact || !run.plan.exact || run.theta == 0) return;
-  const model::Linkage linkage = run.structure;
+  const model::Linkage linkage = run.design.structure;
   const model::WallContact contact(linkage);
   if (const auto& overlap = contact.overlap_at_rest())
-    run.goal->violations.push_back(overlap_words(*overlap, run.structure));
+    run.goal->violations.push_back(overlap_words(*overlap, run.design.structure));
 }
 
 /// What is proven of walls where they are out of place, of the states that prints are judged in. Of equilibria near the closed
@@ -75,10 +75,11 @@ void Judging::judge_prints() {
   }
   Stopwatch watch;
   const model::State state = run_.matter ? run_.equilibrium->path.state : scene_.own_state(run_);
-  const auto judged = scene_.judged(run_, run_.structure, state);
+  const auto judged = scene_.judged(run_, run_.design.structure, state);
   if (!judged) return;
-  found_.printed = as_made(run_, run_.matter ? run_.equilibrium->drive : drive_to(run_.structure, run_.theta),
-                           state, judged->points, options_);
+  found_.printed =
+      as_made(run_, run_.matter ? run_.equilibrium->drive : drive_to(run_.design.structure, run_.theta),
+              state, judged->points, options_);
   if (found_.printed)
     found_.printed->tolerance_mm = judged->tolerance_mm;
   else
@@ -89,12 +90,14 @@ void Judging::judge_prints() {
 void Judging::prove_range() {
   if (!options_.certify) return;
   Stopwatch watch;
-  found_.certified = certify(run_.structure, run_.plan, wall_error(run_), options_.threads, options_.stop);
+  found_.certified =
+      certify(run_.design.structure, run_.plan, wall_error(run_.design), options_.threads, options_.stop);
   found_.certify_s = watch.lap();
 }
 
 void Judging::ask_export() {
-  if (run_.goal && !run_.states.empty() && options_.printable) found_.print = options_.printable(run_);
+  if (run_.goal && !run_.states.empty() && options_.printable)
+    found_.print = options_.printable(written_design(run_));
 }
 
 void add(Judgement judgement, Run& run) {

@@ -74,7 +74,7 @@ optim::Compensation made_up_for(const Run& run, const Scene& scene, const model:
   optim::CompensationOptions search = bounded(scene.turn_bounds(), run.goal_drive);
   search.enough_mm = near_enough * tolerance_mm;
   search.stop = stop;
-  return compensate({run.structure, run.theta, path.state}, elasticity, goal_of(run, scene), search);
+  return compensate({run.design.structure, run.theta, path.state}, elasticity, goal_of(run, scene), search);
 }
 
 void miss(Run& run, const std::string& why) {
@@ -84,7 +84,7 @@ void miss(Run& run, const std::string& why) {
 
 /// Hinges that are too soft for their drive leave the sheet far from its goal; what is missed otherwise no spring mends.
 bool is_far_off(const Run& run, const Scene& scene, const model::State& state) {
-  const auto judged = scene.judged(run, run.structure, state);
+  const auto judged = scene.judged(run, run.design.structure, state);
   return !judged || rms_mm(*judged) > judged->tolerance_mm;
 }
 
@@ -93,8 +93,9 @@ bool is_far_off(const Run& run, const Scene& scene, const model::State& state) {
 void take_end_of_path(Run& run, const Scene& scene, const model::State& end, double away) {
   const std::string elsewhere = fmt::format(
       "the path from flat ends in another equilibrium than the one near the goal, {:.3g} mm from it",
-      away * run.structure.size().edge_mm);
-  if (const auto judged = scene.judged(run, run.structure, end)) run.matter->after_mm = rms_mm(*judged);
+      away * run.design.structure.size().edge_mm);
+  if (const auto judged = scene.judged(run, run.design.structure, end))
+    run.matter->after_mm = rms_mm(*judged);
   if (!run.goal->met()) return miss(run, elsewhere);
   run.matter->why = elsewhere + ", and within tolerance as well";
 }
@@ -104,15 +105,15 @@ void take_end_of_path(Run& run, const Scene& scene, const model::State& end, dou
 void show(Run& run, const Scene& scene, const optim::InMatter& found, const model::Elasticity& elasticity,
           const RunOptions& options) {
   const Plan exact = std::move(run.plan);
-  run.structure = found.sheet;
+  run.design.structure = found.sheet;
   run.theta = found.theta;
-  run.plan = make_plan(run.structure, Model::equilibrium);
+  run.plan = make_plan(run.design.structure, Model::equilibrium);
   run.plan.why.insert(run.plan.why.end(), exact.why.begin() + static_cast<std::ptrdiff_t>(exact.decided),
                       exact.why.end());
   run.states.clear();
   run.fidelity.clear();
-  run.drive = goal_drive_section(run);
-  add_equilibrium(run, goal_drive(run, run.structure, run.theta), elasticity, motion_states, options);
+  run.design.drive = goal_drive_section(run);
+  add_equilibrium(run, goal_drive(run, run.design.structure, run.theta), elasticity, motion_states, options);
   for (NamedState& state : run.states) state.poses = scene.shown(run, state.poses);
 }
 
@@ -130,15 +131,16 @@ std::optional<DriveSection> goal_drive_section(const Run& run) {
 }
 
 bool is_of_matter(const Scene& scene, const Run& run) {
-  return run.goal && run.hinge.model == HingeSection::Model::elastic && scene.model() != Model::equilibrium;
+  return run.goal && run.design.hinge.model == HingeSection::Model::elastic &&
+         scene.model() != Model::equilibrium;
 }
 
 MatterPath path_in_matter(const Run& run, const Scene& scene, const std::stop_token& stop) {
   require_exact(run);
-  const model::Elasticity elasticity = elasticity_of(run);
-  MatterPath out{run.structure, run.theta, goal_drive(run, run.structure, run.theta),
-                 path_to(run, run.structure, run.theta, elasticity, stop)};
-  const auto exact = scene.judged(run, run.structure, run.plan.exact.at(run.theta));
+  const model::Elasticity elasticity = elasticity_of(run.design);
+  MatterPath out{run.design.structure, run.theta, goal_drive(run, run.design.structure, run.theta),
+                 path_to(run, run.design.structure, run.theta, elasticity, stop)};
+  const auto exact = scene.judged(run, run.design.structure, run.plan.exact.at(run.theta));
   if (!exact || out.path.stop != model::EquilibriumPath::Stop::reached) return out;
   const optim::InMatter after =
       made_up_for(run, scene, out.path, elasticity, exact->tolerance_mm, stop).after;
@@ -150,15 +152,15 @@ MatterPath path_in_matter(const Run& run, const Scene& scene, const std::stop_to
 }
 
 void settle_in_matter(Run& run, const Scene& scene, const RunOptions& options) {
-  const auto exact = scene.judged(run, run.structure, scene.own_state(run));
+  const auto exact = scene.judged(run, run.design.structure, scene.own_state(run));
   if (!exact) return;
   options.progress("hinges in matter", 0);
-  const model::Elasticity elasticity = elasticity_of(run);
+  const model::Elasticity elasticity = elasticity_of(run.design);
   run.matter = MatterResult{};
   run.matter->exact_mm = rms_mm(*exact);
   run.matter->before_mm = run.matter->after_mm = std::nan("");
   run.matter->tolerance_mm = exact->tolerance_mm;
-  const model::EquilibriumPath path = path_to(run, run.structure, run.theta, elasticity, options.stop);
+  const model::EquilibriumPath path = path_to(run, run.design.structure, run.theta, elasticity, options.stop);
   if (path.stop != model::EquilibriumPath::Stop::reached) return miss(run, path.why);
   const optim::Compensation found =
       made_up_for(run, scene, path, elasticity, exact->tolerance_mm, options.stop);
@@ -180,8 +182,8 @@ void settle_in_matter(Run& run, const Scene& scene, const RunOptions& options) {
         "`drive: {{kind: shape_memory, k_turn: {:.3g}}}`, springs in all hinges, {:g} times as stiff as "
         "these, or "
         "stiffer hinges",
-        spring_over_hinge * stiffest_turn(elasticity, run.structure.hinges()), spring_over_hinge));
-  const double away = aligned_distance(run.structure, shown.state, found.after.state).max;
+        spring_over_hinge * stiffest_turn(elasticity, run.design.structure.hinges()), spring_over_hinge));
+  const double away = aligned_distance(run.design.structure, shown.state, found.after.state).max;
   if (!(away <= same_state)) take_end_of_path(run, scene, shown.state, away);
 }
 

@@ -58,28 +58,19 @@ sim::PhysicsOptions rotary_physics(const HingeSection& hinge, const PhysicsSecti
   return options;
 }
 
-namespace {
-
-/// One for all hinges; where some have their own, one for each, in units of the stiffest. @param of a design or run
-template <class Hinged>
-model::Elasticity elasticity_of_all(const Hinged& of) {
-  const double edge_mm = of.structure.size().edge_mm;
-  model::Elasticity whole = elasticity_of(of.hinge, of.physics, edge_mm);
-  if (of.own_hinges.empty()) return whole;
-  whole.each.assign(static_cast<std::size_t>(of.structure.hinges()), model::Elasticity(whole));
-  for (const auto& [h, own] : of.own_hinges) whole.each[h] = elasticity_of(own, of.physics, edge_mm);
+model::Elasticity elasticity_of(const Design& design) {
+  const double edge_mm = design.structure.size().edge_mm;
+  model::Elasticity whole = elasticity_of(design.hinge, design.physics, edge_mm);
+  if (design.own_hinges.empty()) return whole;
+  whole.each.assign(static_cast<std::size_t>(design.structure.hinges()), model::Elasticity(whole));
+  for (const auto& [h, own] : design.own_hinges) whole.each[h] = elasticity_of(own, design.physics, edge_mm);
   whole.k_point = whole.each.front().k_point;  // no hinge may be as `hinge` says
   for (const model::Elasticity& hinge : whole.each) whole.k_point = std::max(whole.k_point, hinge.k_point);
-  whole.k_contact = of.hinge.k_contact.value_or(10 * whole.k_point);
+  whole.k_contact = design.hinge.k_contact.value_or(10 * whole.k_point);
   return whole;
 }
 
-}  // namespace
-
-model::Elasticity elasticity_of(const DesignFile& design) { return elasticity_of_all(design); }
-model::Elasticity elasticity_of(const Run& run) { return elasticity_of_all(run); }
-
-sim::PhysicsOptions physics_of(const DesignFile& design, bool planar) {
+sim::PhysicsOptions physics_of(const Design& design, bool planar) {
   const double edge = design.structure.size().edge_mm;
   if (design.hinge.model == HingeSection::Model::elastic) {
     const double k_spring = design.drive ? design.drive->k_turn : 0;

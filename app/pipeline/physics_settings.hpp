@@ -20,9 +20,9 @@ sim::PhysicsOptions rotary_physics(const HingeSection& hinge, const PhysicsSecti
 sim::PhysicsOptions elastic_physics(const model::Elasticity& elasticity, const PhysicsSection& section,
                                     double edge_mm, bool planar, double k_spring = 0);
 
-/// The same of a whole design or run: of all its hinges, and of its physics run. @param planar all hinges stand upright
-model::Elasticity elasticity_of(const DesignFile& design);
-model::Elasticity elasticity_of(const Run& run);
-sim::PhysicsOptions physics_of(const DesignFile& design, bool planar);
+/// Returns the elasticity of all hinges of a design: one for all, or one each in units of the stiffest.
+model::Elasticity elasticity_of(const Design& design);
+/// Returns the settings of a design's physics run. @param planar all hinges are vertical
+sim::PhysicsOptions physics_of(const Design& design, bool planar);
 
 }  // namespace kinetix::app

@@ -7,8 +7,8 @@
 #include "app/pipeline/matter.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/pipeline/verify.hpp"
+#include "app/run/design_hinges.hpp"
 #include "app/run/drive_end.hpp"
-#include "app/run/run_hinges.hpp"
 #include "app/run/stopwatch.hpp"
 #include "model/base/parallel_runs.hpp"
 #include "model/sheet/sheet_motion.hpp"
@@ -21,8 +21,8 @@ std::optional<PhysicsTask> physics_task(const Run& run, const Scene& scene) {
   if (!run.equilibrium->reached()) return std::nullopt;
   const Equilibrium& equilibrium = *run.equilibrium;
   const sim::PhysicsOptions options =
-      elastic_physics(equilibrium.elasticity, run.physics, run.structure.size().edge_mm, run.plan.planar,
-                      equilibrium.drive.k_spring);
+      elastic_physics(equilibrium.elasticity, run.design.physics, run.design.structure.size().edge_mm,
+                      run.plan.planar, equilibrium.drive.k_spring);
   return PhysicsTask{equilibrium.path.state, equilibrium.drive, options};
 }
 
@@ -83,7 +83,7 @@ void judge_drive(Run& run) {
 /// However well the shape is kept: what tears does not keep it. After the physics run, which judges the shape alone.
 void judge_strain(Run& run) {
   if (!run.goal || run.states.empty()) return;
-  const auto why = strained_too_far(run, run.states.front().poses);
+  const auto why = strained_too_far(run.design, run.states.front().poses);
   if (!why) return;
   run.goal->strained = run.goal->met();
   run.goal->violations.push_back(*why);
@@ -93,13 +93,13 @@ void judge_strain(Run& run) {
 
 Run run_scene(const Scene& scene, const RunOptions& options) {
   Run run;
-  run.name = scene.name();
+  run.design.name = scene.name();
   run.seed = options.seed;
   Stopwatch watch;
   scene.solve(run, options);
-  if (run.goal) run.own_hinges = own_hinges_of(run.structure, run.hinge_parts);
+  if (run.goal) run.design.own_hinges = own_hinges_of(run.design.structure, run.hinge_parts);
   if (run.goal) run.timings.optimise = watch.lap();
-  run.plan = make_plan(run.structure, scene.model());
+  run.plan = make_plan(run.design.structure, scene.model());
   run.timings.plan = watch.lap();
   scene.add_state(run, options);
   run.timings.equilibrium = watch.lap();

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/pipeline/physics_settings.hpp"
-#include "app/run/run_hinges.hpp"
+#include "app/run/design_hinges.hpp"
 #include "model/closure/closure_drive.hpp"
 #include "model/linkage/actuators.hpp"
 #include "model/matter/hinge_strain.hpp"
@@ -18,12 +18,12 @@ constexpr double part = 1e-4;  // rad of theta, to either side: what differences
 /// A block that does for all hinges in a state. Along an exact motion nothing pulls them apart: what rounding leaves is none.
 model::MadeHinge soft_block(const Run& run, const model::Linkage& linkage, const model::State& design) {
   const model::CellSize size = linkage.size;
-  model::MadeHinge block = open_hinge(model::HingeKind::block, run.process, size);
-  for (int h = 0; h < run.structure.hinges(); ++h) {
+  model::MadeHinge block = open_hinge(model::HingeKind::block, run.design.process, size);
+  for (int h = 0; h < run.design.structure.hinges(); ++h) {
     const double stretch = run.plan.exact ? 0 : edge_stretch_mm(linkage, design, h, block.height_mm);
-    block.gap_mm = std::max(
-        block.gap_mm, open_gap_mm(block, size.thickness_mm, run.structure.hinge(h).offset * size.edge_mm,
-                                  hinge_turn(linkage, design, h), stretch));
+    block.gap_mm = std::max(block.gap_mm, open_gap_mm(block, size.thickness_mm,
+                                                      run.design.structure.hinge(h).offset * size.edge_mm,
+                                                      hinge_turn(linkage, design, h), stretch));
   }
   return block;
 }
@@ -32,7 +32,7 @@ model::MadeHinge soft_block(const Run& run, const model::Linkage& linkage, const
 double turning_energy(const Run& run, const model::Linkage& linkage, double k_turn, double theta) {
   const model::State state = run.plan.exact.at(theta);
   double sum = 0;
-  for (int h = 0; h < run.structure.hinges(); ++h) {
+  for (int h = 0; h < run.design.structure.hinges(); ++h) {
     const double turn = hinge_turn(linkage, state, h);
     sum += k_turn * turn * turn / 2;
   }
@@ -68,15 +68,16 @@ model::Elasticity set_at(const model::MadeHinge& made, double turn) {
 }  // namespace
 
 PrintHinges print_hinges(const Run& run, const model::LinkageDrive& drive, const model::State& design) {
-  if (run.hinge.model == HingeSection::Model::elastic) return {elasticity_of(run), drive, std::nullopt};
-  const model::Linkage linkage(run.structure);
+  if (run.design.hinge.model == HingeSection::Model::elastic)
+    return {elasticity_of(run.design), drive, std::nullopt};
+  const model::Linkage linkage(run.design.structure);
   const model::MadeHinge block = soft_block(run, linkage, design);
   PrintHinges out{elasticity_of(block), {.kind = model::LinkageDrive::Kind::none}, std::nullopt};
   const model::Elasticity soft = out.elasticity;
   int open = 0;
   double largest_strain = 0;
-  for (int h = 0; h < run.structure.hinges(); ++h) {
-    const auto& made = hinge_section(run, h).made;
+  for (int h = 0; h < run.design.structure.hinges(); ++h) {
+    const auto& made = hinge_section(run.design, h).made;
     const double turn = hinge_turn(linkage, design, h);
     out.elasticity.each.push_back(set_at(made.value_or(block), turn));
     out.elasticity.k_point = std::max(out.elasticity.k_point, out.elasticity.each.back().k_point);
@@ -87,7 +88,7 @@ PrintHinges print_hinges(const Run& run, const model::LinkageDrive& drive, const
   if (open == 0) return out;
   out.taken = TakenHinges{.made = block, .strain = largest_strain};
   const bool has_load = drive.has_force() || drive.kind == model::LinkageDrive::Kind::hinge;
-  if (open == run.structure.hinges() && run.plan.exact && has_load)
+  if (open == run.design.structure.hinges() && run.plan.exact && has_load)
     out.taken->load = holding_load(run, drive, linkage, soft);
   out.taken->is_force = drive.has_force();
   return out;

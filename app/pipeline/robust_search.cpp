@@ -7,7 +7,7 @@
 
 #include "app/pipeline/as_made.hpp"
 #include "app/pipeline/matter.hpp"
-#include "app/run/run_hinges.hpp"
+#include "app/run/design_hinges.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -28,19 +28,19 @@ struct Expected {
 
 /// Of a run that was solved, which goes as far as the pipeline takes it without a physics run.
 std::optional<Expected> expected(Run& run, const Scene& scene, const RunOptions& options) {
-  run.own_hinges = own_hinges_of(run.structure, run.hinge_parts);
-  run.plan = make_plan(run.structure, scene.model());
+  run.design.own_hinges = own_hinges_of(run.design.structure, run.hinge_parts);
+  run.plan = make_plan(run.design.structure, scene.model());
   scene.add_state(run, options);
   scene.judge(run, options);
   if (is_of_matter(scene, run)) settle_in_matter(run, scene, options);
   if (run.matter && !run.equilibrium) return std::nullopt;
   const model::State state = run.matter ? run.equilibrium->path.state : scene.own_state(run);
-  const auto goal = scene.judged(run, run.structure, state);
+  const auto goal = scene.judged(run, run.design.structure, state);
   if (!goal) return std::nullopt;
-  const auto drive = run.matter ? run.equilibrium->drive : goal_drive(run, run.structure, run.theta);
+  const auto drive = run.matter ? run.equilibrium->drive : goal_drive(run, run.design.structure, run.theta);
   const auto printed = expected_of_prints(run, drive, state, goal->points);
   if (!printed) return std::nullopt;
-  return Expected{goal->tolerance_mm, *printed, bears_its_strain(run, state)};
+  return Expected{goal->tolerance_mm, *printed, bears_its_strain(run.design, state)};
 }
 
 /// The plain search first.
@@ -64,9 +64,9 @@ std::vector<RobustTrial> trials(const std::optional<optim::AngleRange>& theta, c
 }
 
 void take_over(Run& run, Run&& better) {
-  run.structure = std::move(better.structure);
+  run.design.structure = std::move(better.design.structure);
+  run.design.hinge = std::move(better.design.hinge);
   run.theta = better.theta;
-  run.hinge = std::move(better.hinge);
   run.goal = std::move(better.goal);
 }
 
@@ -91,7 +91,7 @@ std::string why_not_taken(const Run& run, const Expected& found, const RunOption
   if (!found.printed.can_be_printed) return "the process cannot print it";
   if (!found.hinges_bear) return "its hinges are strained by more than their material bears";
   if (!options.printable) return "";
-  const PrintAnswer print = options.printable(run);
+  const PrintAnswer print = options.printable(written_design(run));
   return print.is_taken ? "" : "it cannot be printed: " + print.why;
 }
 
@@ -104,7 +104,7 @@ RobustCandidate tried(const Run& plain, const Scene& scene, const RobustTrial& t
     return robust_candidate(std::move(run), scene, options);
   } catch (const InvalidInput& e) {
     RobustCandidate out = not_judged(trial.theta ? trial.theta->lower : plain.theta,
-                                     plain.structure.size().edge_mm, trial.hinge);
+                                     plain.design.structure.size().edge_mm, trial.hinge);
     out.why_not = "it cannot be made: " + e.reason();
     return out;
   }
@@ -113,7 +113,7 @@ RobustCandidate tried(const Run& plain, const Scene& scene, const RobustTrial& t
 }  // namespace
 
 RobustCandidate robust_candidate(Run run, const Scene& scene, const RunOptions& options) {
-  RobustCandidate out = not_judged(run.theta, run.structure.size().edge_mm, run.hinge);
+  RobustCandidate out = not_judged(run.theta, run.design.structure.size().edge_mm, run.design.hinge);
   out.why_not = missed_in_words(run);
   if (!run.goal->met()) return out;
   const auto found = expected(run, scene, options);
@@ -134,7 +134,7 @@ void search_robustly(Run& run, const Scene& scene, double weight,
   RunOptions quiet = options;
   quiet.progress = {};
   RobustChoice choice;
-  const std::vector<RobustTrial> all = trials(theta, run.hinge);
+  const std::vector<RobustTrial> all = trials(theta, run.design.hinge);
   for (std::size_t k = 0; k < all.size() && !options.stop.stop_requested(); ++k) {
     options.progress("robust search", static_cast<double>(k) / static_cast<double>(all.size()),
                      fmt::format("design {} of {}", k + 1, all.size()));

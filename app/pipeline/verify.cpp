@@ -48,13 +48,13 @@ std::optional<model::EquilibriumComparison> equilibria(const Run& run, const Ver
   if (!is_settled(v) || !v.compared || !run.equilibrium) return std::nullopt;
   const Equilibrium& equilibrium = *run.equilibrium;
   return compare_equilibria(
-      {run.structure, equilibrium.elasticity, equilibrium.drive, v.options.planar, v.options.contact},
+      {run.design.structure, equilibrium.elasticity, equilibrium.drive, v.options.planar, v.options.contact},
       v.physics.state, reference, run.verify_tolerance);
 }
 
 void add_fidelity(Run& run, const std::string& model, const sim::PhysicsResult& physics,
                   const model::State& reference) {
-  const double rms = distance(run.structure, physics, reference).rms;
+  const double rms = distance(run.design.structure, physics, reference).rms;
   run.fidelity.push_back(
       {model + " (" + to_string(physics.status) + ")", physics.seconds, rms, to_string(run.plan.model)});
 }
@@ -66,12 +66,14 @@ void add_coarser(Run& run, const Verification& v, const PhysicsTask& task, const
   for (const double factor : {4.0, 16.0})
     if (v.options.step_s * factor <= longest_step_s)
       add_fidelity(run, fmt::format("bullet, {} x step", factor),
-                   run_compression(run.structure, task.drive, with_steps(v.options, factor)), task.reference);
+                   run_compression(run.design.structure, task.drive, with_steps(v.options, factor)),
+                   task.reference);
 }
 
 /// Only where a model's state tells whether a coarse run came to the right end, and where nobody asked for a step.
 bool may_be_coarser(const Run& run, const PhysicsTask& task, const RunOptions& options) {
-  return !task.reference.empty() && !run.physics.step_s && !options.fidelity && task.options.disturbance == 0;
+  return !task.reference.empty() && !run.design.physics.step_s && !options.fidelity &&
+         task.options.disturbance == 0;
 }
 
 Verification verified(const Run& run, const PhysicsTask& task, const sim::PhysicsOptions& physics,
@@ -81,9 +83,9 @@ Verification verified(const Run& run, const PhysicsTask& task, const sim::Physic
   sim::PhysicsObserver observer;
   observer.stop = options.stop;
   observer.progress = [&](double done) { options.progress("physics run", done); };
-  v.physics = run_compression(run.structure, task.drive, v.options, observer);
+  v.physics = run_compression(run.design.structure, task.drive, v.options, observer);
   v.compared = !task.reference.empty();
-  v.distance = is_settled(v) && v.compared ? distance(run.structure, v.physics, task.reference)
+  v.distance = is_settled(v) && v.compared ? distance(run.design.structure, v.physics, task.reference)
                                            : model::StateDistance{nan, nan};
   v.agrees = is_settled(v) && (!v.compared || v.distance.rms <= run.verify_tolerance);
   return v;

@@ -7,7 +7,7 @@
 
 namespace kinetix::app {
 
-/// Runs the physics engine on run.structure and compares it with the reference state. Looks at the run and changes
+/// Runs the physics engine on run.design.structure and compares it with the reference state. Looks at the run and changes
 /// nothing of it. Where no step is given and there is a reference, coarser steps are tried first: a run in them that
 /// settles in the reference is as good, and any other is repeated in finer ones; physics.seconds counts them all. Joints of
 /// exact families are stiffer than the options say. Nothing of a run that was stopped before it settled, or before finer steps

@@ -16,7 +16,7 @@
 #include "app/print/print_report.hpp"
 #include "app/print/report_of_print.hpp"
 #include "app/print/sheet/coupon.hpp"
-#include "app/run/run_hinges.hpp"
+#include "app/run/design_hinges.hpp"
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/document/wording.hpp"
@@ -43,9 +43,9 @@ Value named(const char* option, const std::string& name,
 }
 
 /// The design's own limits hold where its process is asked for by name, too. @param of_design nothing: it does not say
-model::Process process_of(const PrintRequest& request, const std::optional<model::Process>& of_design) {
-  if (request.process.empty()) return of_design.value_or(model::processes().front());
-  if (of_design && of_design->name == request.process) return *of_design;
+model::Process process_of(const PrintRequest& request, const model::Process& of_design) {
+  if (request.process.empty()) return of_design;
+  if (of_design.name == request.process) return of_design;
   std::vector<std::pair<std::string_view, const model::Process*>> all;
   for (const model::Process& process : model::processes()) all.emplace_back(process.name, &process);
   return *named("--process", request.process, all);
@@ -69,7 +69,7 @@ std::vector<const PrintFormat*> formats_of(const PrintRequest& request) {
 }
 
 /// The least of the pins that a design describes itself, mm.
-std::optional<double> own_clearance_mm(const DesignFile& design) {
+std::optional<double> own_clearance_mm(const Design& design) {
   std::optional<double> least;
   for (const HingeSection* hinge : hinge_sections(design))
     if (hinge->made && hinge->made->kind == model::HingeKind::pin)
@@ -77,7 +77,7 @@ std::optional<double> own_clearance_mm(const DesignFile& design) {
   return least;
 }
 
-void check_own_clearance(const PrintRequest& request, const DesignFile& design) {
+void check_own_clearance(const PrintRequest& request, const Design& design) {
   const std::optional<double> own = own_clearance_mm(design);
   if (own && *own < request.clearance_mm)
     throw InvalidInput(fmt::format(
@@ -112,7 +112,7 @@ void check_state(const PrintRequest& request, const PrintSheet& sheet) {
 }
 
 /// What was asked for and changes nothing, a sentence each.
-std::vector<std::string> idle_options(const PrintRequest& request, const DesignFile& design,
+std::vector<std::string> idle_options(const PrintRequest& request, const Design& design,
                                       const PrintSheet& sheet) {
   std::vector<std::string> all;
   const auto has = [&](model::HingeKind kind) {
@@ -134,7 +134,7 @@ std::vector<std::string> idle_options(const PrintRequest& request, const DesignF
 }
 
 /// What cells of another edge do to the size that the design was made for.
-std::optional<std::string> size_note(const DesignFile& design, const PrintSheet& sheet) {
+std::optional<std::string> size_note(const Design& design, const PrintSheet& sheet) {
   const double edge_mm = sheet.linkage.size.edge_mm;
   const double own_mm = design.structure.size().edge_mm;
   const auto resized = resized_words(own_mm, edge_mm);
@@ -158,7 +158,7 @@ std::optional<std::string> strain_note(const PrintSheet& sheet) {
 }
 
 /// What result.json tells of elastic hinges is their equilibrium, which the fold of a closed form is not.
-std::optional<std::string> elastic_note(const PrintRequest& request, const DesignFile& design,
+std::optional<std::string> elastic_note(const PrintRequest& request, const Design& design,
                                         const PrintSheet& sheet) {
   if (!request.folded || sheet.path.size() < 2) return std::nullopt;
   return equilibrium_beside_exact(design, sheet.linkage.size.edge_mm);
@@ -215,12 +215,12 @@ std::optional<std::string> unstretched_note(const PrintSheet& sheet, const Forma
 /// What is to be made: a design, or a coupon.
 struct Source {
   std::string file;
-  std::optional<DesignFile> design;
+  std::optional<Design> design;
 
   std::string name() const { return design ? design->name : "coupon"; }
 
   PreparedPrint prepared_for(const PrintRequest& request) const {
-    const model::Process process = process_of(request, design ? design->process : std::nullopt);
+    const model::Process process = process_of(request, design ? design->process : model::processes().front());
     if (!design) {
       refuse_what_makes_designs(request);
       PrintJob job{make_coupon(process, bed_of(request))};
@@ -361,14 +361,14 @@ Exported exported(const Source& source, const PrintRequest& request, const std::
 
 }  // namespace
 
-Exported export_design(const DesignFile& design, const PrintRequest& request, const std::string& folder,
+Exported export_design(const Design& design, const PrintRequest& request, const std::string& folder,
                        const Progress& progress) {
   return exported({"", design}, request, folder, progress);
 }
 
 int export_command(const CommandOptions& options, const PrintRequest& request) {
   formats_of(request);
-  process_of(request, {});
+  process_of(request, model::processes().front());
   const Source source = source_of(request);
   const std::string folder = options.folder_of(source.name(), "_print");
   const Exported out = exported(source, request, folder, Console(options.quiet, false).progress());

@@ -20,7 +20,7 @@ struct Exported {
 };
 
 /// The same of a design in memory. @param folder for the files
-Exported export_design(const DesignFile& design, const PrintRequest& request, const std::string& folder,
+Exported export_design(const Design& design, const PrintRequest& request, const std::string& folder,
                        const Progress& progress = {});
 
 /// What the help says of --format.

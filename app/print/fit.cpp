@@ -48,7 +48,7 @@ struct Attempt {
 
 /// What is to be printed, and how it folds.
 struct Order {
-  const DesignFile& design;
+  const Design& design;
   const model::Process& process;
   bool folded;
   PrintPath path = print_path(design);
@@ -68,11 +68,11 @@ Attempt attempt(const Order& order, const PrintChoice& choice, ClearanceLook loo
   }
 }
 
-bool has_leaning_hinges(const DesignFile& design) { return !all_vertical(model::Linkage(design.structure)); }
+bool has_leaning_hinges(const Design& design) { return !all_vertical(model::Linkage(design.structure)); }
 
 /// What else can be tried with hinges that the design leaves open: leaning pins that are less high, blocks and films each
 /// as long as it needs.
-std::vector<PrintChoice> others(const DesignFile& design, const PrintChoice& choice) {
+std::vector<PrintChoice> others(const Design& design, const PrintChoice& choice) {
   std::vector<PrintChoice> all;
   if (!leaves_hinges_open(design)) return all;
   if (choice.kind != model::HingeKind::pin) {
@@ -122,7 +122,7 @@ std::optional<double> enough_mm(const Order& order, PrintChoice choice) {
   return high * step_mm;
 }
 
-bool has_pins_of_its_own(const DesignFile& design) {
+bool has_pins_of_its_own(const Design& design) {
   const auto hinges = hinge_sections(design);
   return std::any_of(hinges.begin(), hinges.end(), [](const HingeSection* hinge) {
     return hinge->made && hinge->made->kind == model::HingeKind::pin;
@@ -194,7 +194,7 @@ std::string named_kinds(const PrintSheet& sheet) {
 }
 
 /// @param open of hinges that the design leaves open
-std::string named_kinds(const DesignFile& design, model::HingeKind open) {
+std::string named_kinds(const Design& design, model::HingeKind open) {
   std::set<std::string> kinds;
   for (const HingeSection* hinge : hinge_sections(design))
     kinds.insert(to_string(hinge->made ? hinge->made->kind : open));
@@ -209,7 +209,7 @@ std::optional<std::string> resized_words(double from_mm, double to_mm) {
   return fmt::format("the sheet and what it folds to are {:.3g} times as large", times);
 }
 
-PreparedPrint prepared(const DesignFile& design, const model::Process& process, const PrintChoice& choice,
+PreparedPrint prepared(const Design& design, const model::Process& process, const PrintChoice& choice,
                        bool folded) {
   const Order order{design, process, folded};
   Attempt found = best_attempt(order, choice);
@@ -217,7 +217,7 @@ PreparedPrint prepared(const DesignFile& design, const model::Process& process, 
   refuse(order, found, choice);
 }
 
-PreparedPrint prepared_as_fits(const DesignFile& design, const model::Process& process, PrintChoice choice,
+PreparedPrint prepared_as_fits(const Design& design, const model::Process& process, PrintChoice choice,
                                bool folded) {
   const Order order{design, process, folded};
   Fitted found = fitted(order, choice, ClearanceLook::least);
@@ -232,11 +232,13 @@ PreparedPrint prepared_as_fits(const DesignFile& design, const model::Process& p
   return std::move(*found.attempt.print);
 }
 
-PrintAnswer answer_as_fits(const DesignFile& design, const model::Process& process) {
-  const Order order{design, process, false};
+PrintAnswer answer_of_export(const Design& design) try {
+  const Order order{design, design.process, false};
   const Fitted found = fitted(order, {}, ClearanceLook::verdict);
   if (!found.attempt.print) return {false, named_kinds(design, found.choice.kind), reason_of(order, found)};
   return {true, named_kinds(found.attempt.print->job.sheet)};
+} catch (const InvalidInput& e) {
+  return {false, {}, e.reason()};
 }
 
 }  // namespace kinetix::app

@@ -26,19 +26,20 @@ struct PreparedPrint {
 /// @throws NotPrintable, naming the cell edge that would do, for a sheet that the process cannot print, whose hinges
 /// overlap a junction, or whose solids come nearer to each other on the way to the fold than they may; InvalidInput for
 /// a bed that does not hold each body
-PreparedPrint prepared(const DesignFile& design, const model::Process& process, const PrintChoice& choice,
+PreparedPrint prepared(const Design& design, const model::Process& process, const PrintChoice& choice,
                        bool folded);
 
 /// With pins where they fit, else with blocks, and a warning that says why. @param choice whose kind does not count
 /// @throws NotPrintable and InvalidInput likewise, with what blocks would need
-PreparedPrint prepared_as_fits(const DesignFile& design, const model::Process& process, PrintChoice choice,
+PreparedPrint prepared_as_fits(const Design& design, const model::Process& process, PrintChoice choice,
                                bool folded);
 
 /// What larger or smaller cells do to a sheet: "the sheet and what it folds to are 3.11 times as large"; nothing where they do not
 /// change it by more than rounding.
 std::optional<std::string> resized_words(double from_mm, double to_mm);
 
-/// What `prepared_as_fits` would do, without the cell edge that would do, which takes long to find.
-PrintAnswer answer_as_fits(const DesignFile& design, const model::Process& process);
+/// Returns the answer of `export` without options to a design: pins if they fit, else blocks, and the hinges that the design
+/// describes. It has no larger cell edge to propose, which takes long to find.
+PrintAnswer answer_of_export(const Design& design);
 
 }  // namespace kinetix::app

@@ -20,7 +20,7 @@ constexpr double digits_of_reports = 1e-5;        // relative, or mm and rad: re
 
 }  // namespace
 
-std::string tell_report(const std::string& design_file, const DesignFile& design, const Json& print) {
+std::string tell_report(const std::string& design_file, const Design& design, const Json& print) {
   const fs::path folder = fs::path(design_file).parent_path(), file = folder / "report.html";
   std::error_code none;
   if (!fs::exists(file, none)) return {};

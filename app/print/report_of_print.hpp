@@ -11,7 +11,7 @@ namespace kinetix::app {
 /// another sheet, of an older program or none is left alone.
 /// @param design_file path of design.yaml   @param print seconds, material_mm3, process, hinges
 /// @return the report's path, or nothing   @throws InvalidInput where it cannot be written
-std::string tell_report(const std::string& design_file, const DesignFile& design,
+std::string tell_report(const std::string& design_file, const Design& design,
                         const nlohmann::ordered_json& print);
 
 }  // namespace kinetix::app

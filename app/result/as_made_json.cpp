@@ -9,7 +9,7 @@
 
 #include "app/result/effort.hpp"
 #include "app/result/made_hinges.hpp"
-#include "app/run/run_hinges.hpp"
+#include "app/run/design_hinges.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -147,7 +147,7 @@ std::vector<std::string> scatter_reasons(const Run& run) {
 }  // namespace
 
 std::vector<PlaceSource> sources_by_place(const Run& run) {
-  const model::Structure* squares = run.structure.squares();
+  const model::Structure* squares = run.design.structure.squares();
   if (!squares || !run.printed) return {};
   std::map<std::pair<std::string, int>, double> shares;
   for (const model::ScatterSource& source : run.printed->made.sources) {
@@ -173,11 +173,11 @@ Json as_made_json(const Run& run) {
   for (std::size_t k = 0; k < std::min(all.size(), most_sources); ++k)
     places.push_back(
         {{"place", all[k].place}, {"parameter", parameters[all[k].parameter]}, {"share", all[k].share}});
-  Json out = {{"process", run.process.name},
+  Json out = {{"process", run.design.process.name},
               {"sd",
-               {{"t_mm", run.process.sd.t_mm},
-                {"tilt_deg", run.process.sd.tilt_deg},
-                {"clearance_mm", run.process.sd.clearance_mm}}},
+               {{"t_mm", run.design.process.sd.t_mm},
+                {"tilt_deg", run.design.process.sd.tilt_deg},
+                {"clearance_mm", run.design.process.sd.clearance_mm}}},
               {"designed_mm", made.designed_mm},
               {"rms_mm", run.printed->rms_mm()},
               {"p95_mm", run.printed->p95_mm()},
@@ -205,8 +205,8 @@ Json as_made_json(const Run& run) {
                         {"failed", starts->failed}};
   if (run.printed->taken) out["taken"] = taken_json(*run.printed->taken);
   if (const auto& tight = run.printed->without_play)
-    out["play"] = {{"clearance_mm", loosest_pin(run)->clearance_mm},
-                   {"tilt_deg", to_degrees(tilt_play(*loosest_pin(run)))},
+    out["play"] = {{"clearance_mm", loosest_pin(run.design)->clearance_mm},
+                   {"tilt_deg", to_degrees(tilt_play(*loosest_pin(run.design)))},
                    {"rms_without_mm", tight->rms_mm},
                    {"p95_without_mm", tight->p95_mm}};
   if (const auto& runs = run.printed->runs)
@@ -241,8 +241,8 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
       {"as made",
        fmt::format("printed by {}: {:.2f} mm off {} (rms over points of the sheet; {:.2f} "
                    "mm as designed), 95 of 100 prints within {:.2f} mm; {:.2f} mm are allowed: {}",
-                   run.process.name, run.printed->rms_mm(), run.goal->judged_against(), made.designed_mm,
-                   run.printed->p95_mm(), run.printed->tolerance_mm, verdict_words(run))}};
+                   run.design.process.name, run.printed->rms_mm(), run.goal->judged_against(),
+                   made.designed_mm, run.printed->p95_mm(), run.printed->tolerance_mm, verdict_words(run))}};
   if (const auto touching = touching_words(*run.printed); touching && !run.printed->touches_too_often())
     lines.push_back({"", *touching});  // else it is a warning
   if (const auto places = sources_by_place(run); !places.empty())
@@ -252,7 +252,7 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
     const model::ScatterSource& most = made.sources.front();
     lines.push_back(
         {"", fmt::format("largest single source: {} of the hinge on wall {}, {} of what errors do",
-                         parameter_words[most.parameter], wall_name(run.structure, most.hinge),
+                         parameter_words[most.parameter], wall_name(run.design.structure, most.hinge),
                          share_words(most.share))});
   }
   if (const auto& tight = run.printed->without_play)
@@ -260,8 +260,8 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
         {"",
          fmt::format("of which play of {:g} mm a side, {:.2f} deg: without it {:.2f} mm off {}, 95 of 100 "
                      "within {:.2f} mm",
-                     loosest_pin(run)->clearance_mm, to_degrees(tilt_play(*loosest_pin(run))), tight->rms_mm,
-                     run.goal->judged_against(), tight->p95_mm)});
+                     loosest_pin(run.design)->clearance_mm, to_degrees(tilt_play(*loosest_pin(run.design))),
+                     tight->rms_mm, run.goal->judged_against(), tight->p95_mm)});
   if (run.printed->runs) lines.push_back({"", prints_words(*run.printed, run.goal->judged_against())});
   if (run.printed->taken) {
     lines.push_back({"", taken_words(*run.printed->taken)});

@@ -79,10 +79,10 @@ std::string press_text(const Equilibrium& equilibrium) {
 
 std::string stretch_text(const Run& run) {
   const model::HingeGaps& gaps = run.equilibrium->path.gaps;
-  std::string text =
-      fmt::format("largest {:.2e} cell edges ({:.3g} mm)", gaps.max, gaps.max * run.structure.size().edge_mm);
+  std::string text = fmt::format("largest {:.2e} cell edges ({:.3g} mm)", gaps.max,
+                                 gaps.max * run.design.structure.size().edge_mm);
   if (gaps.worst_hinge >= 0 && gaps.max > 0)
-    text += ", on wall " + wall_name(run.structure, gaps.worst_hinge);
+    text += ", on wall " + wall_name(run.design.structure, gaps.worst_hinge);
   return text;
 }
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/files/process_section.hpp"
-#include "app/run/run_hinges.hpp"
+#include "app/run/design_hinges.hpp"
 #include "model/closure/closure_drive.hpp"
 #include "model/matter/hinge_strain.hpp"
 
@@ -25,10 +25,10 @@ struct Turned {
 
 std::vector<Turned> turned_hinges(const Run& run) {
   std::vector<Turned> all;
-  if (run.states.empty() || !(run.hinge.made || !run.own_hinges.empty())) return all;
-  const model::Linkage linkage(run.structure);
-  for (int h = 0; h < run.structure.hinges(); ++h) {
-    const auto& made = hinge_section(run, h).made;
+  if (run.states.empty() || !(run.design.hinge.made || !run.design.own_hinges.empty())) return all;
+  const model::Linkage linkage(run.design.structure);
+  for (int h = 0; h < run.design.structure.hinges(); ++h) {
+    const auto& made = hinge_section(run.design, h).made;
     if (!made || made->kind == model::HingeKind::pin) continue;
     const model::State& state = run.states.front().poses;
     all.push_back(
@@ -40,19 +40,19 @@ std::vector<Turned> turned_hinges(const Run& run) {
 double strain_share(const Turned& t) { return t.strain / t.made->material.strain_max; }
 
 double corner_turn(const Run& run, const Turned& t) {
-  const model::CellSize size = run.structure.size();
-  return contact_turn(*t.made, size.thickness_mm, run.structure.hinge(t.hinge).offset * size.edge_mm);
+  const model::CellSize size = run.design.structure.size();
+  return contact_turn(*t.made, size.thickness_mm, run.design.structure.hinge(t.hinge).offset * size.edge_mm);
 }
 
 /// The made hinge that lies farthest beyond where its kind can be made, pins among them.
 std::optional<std::pair<std::string, std::string>> offset_line(const Run& run) {
-  const model::CellSize size = run.structure.size();
+  const model::CellSize size = run.design.structure.size();
   std::optional<std::pair<std::string, std::string>> line;
   double worst = 1e-9 * size.edge_mm;  // mm: rounding of a file's digits
-  for (int h = 0; h < run.structure.hinges(); ++h) {
-    const auto& made = hinge_section(run, h).made;
+  for (int h = 0; h < run.design.structure.hinges(); ++h) {
+    const auto& made = hinge_section(run.design, h).made;
     if (!made) continue;
-    const double offset = std::abs(run.structure.hinge(h).offset) * size.edge_mm;
+    const double offset = std::abs(run.design.structure.hinge(h).offset) * size.edge_mm;
     const double most = largest_offset_mm(*made, size);
     if (!(offset - most > worst)) continue;
     worst = offset - most;
@@ -60,7 +60,7 @@ std::optional<std::pair<std::string, std::string>> offset_line(const Run& run) {
         "OFFSET",
         fmt::format(
             "the offset of the hinge of wall {} is {:.2f} mm; made so in this wall it can be {:.2f} at most",
-            wall_name(run.structure, h), offset, most)};
+            wall_name(run.design.structure, h), offset, most)};
   }
   return line;
 }
@@ -92,7 +92,7 @@ std::optional<HingeStrain> worst_strain(const Run& run) {
 std::vector<std::string> unprintable(const Run& run) {
   std::vector<std::string> all;
   if (!run.goal) return all;
-  for (const model::PrintProblem& problem : print_problems(run)) all.push_back(problem_text(problem));
+  for (const model::PrintProblem& problem : print_problems(run.design)) all.push_back(problem_text(problem));
   if (all.empty() && run.print && !run.print->is_taken) all.push_back(run.print->why);
   return all;
 }
@@ -103,14 +103,14 @@ std::vector<std::pair<std::string, std::string>> made_hinge_lines(const Run& run
   const std::vector<Turned> all = turned_hinges(run);
   if (const Turned* t = worst(all, strain_share))
     lines.emplace_back("STRAINED", strained_words({t->hinge, t->strain, t->made->material.strain_max},
-                                                  wall_name(run.structure, t->hinge)));
+                                                  wall_name(run.design.structure, t->hinge)));
   const auto corners = [&](const Turned& t) { return t.turn / corner_turn(run, t); };
   if (const Turned* t = worst(all, corners))
     lines.emplace_back(
         "CORNERS", fmt::format("corners of the two halves of wall {} meet where it has turned by {:.1f} deg; "
                                "here by {:.1f}: a longer gap lets it turn further",
-                               wall_name(run.structure, t->hinge), corner_turn(run, *t) / radians_per_degree,
-                               t->turn / radians_per_degree));
+                               wall_name(run.design.structure, t->hinge),
+                               corner_turn(run, *t) / radians_per_degree, t->turn / radians_per_degree));
   if (const auto offset = offset_line(run)) lines.push_back(*offset);
   return lines;
 }

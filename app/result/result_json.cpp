@@ -13,7 +13,7 @@
 #include "app/result/stable_states_json.hpp"
 #include "app/result/state_json.hpp"
 #include "app/result/verdict.hpp"
-#include "app/run/run_hinges.hpp"
+#include "app/run/design_hinges.hpp"
 #include "app/version.hpp"
 #include "model/sheet/sheet_hinge.hpp"
 
@@ -26,8 +26,8 @@ Json plan_json(const Run& run) {
   const Plan& plan = run.plan;
   Json out = {{"family", plan.exact.name},
               {"model", to_string(plan.model)},
-              {"bodies", run.structure.bodies()},
-              {"hinges", run.structure.hinges()},
+              {"bodies", run.design.structure.bodies()},
+              {"hinges", run.design.structure.hinges()},
               {"why", plan.why}};
   if (const auto& m = plan.mobility)
     out["mobility"] = {{"verdict", to_string(m->verdict)},
@@ -44,15 +44,14 @@ Json stiffness_json(const model::HingeStiffness& k) {
   return out;
 }
 
-/// @param usual_mm reach of hinges that are all alike
-double reach_of(const Run& run, int index, double usual_mm) {
-  if (run.equilibrium) return run.equilibrium->elasticity.of(index).reach_mm;
-  const HingeSection& hinge = hinge_section(run, index);
+double reach_of(const Design& design, int index, double usual_mm, const model::Elasticity* elasticity) {
+  if (elasticity) return elasticity->of(index).reach_mm;
+  const HingeSection& hinge = hinge_section(design, index);
   return hinge.made ? model::reach_mm(*hinge.made) : hinge.reach_mm.value_or(usual_mm);
 }
 
-Json hinge_json(const Run& run, int index, double usual_reach_mm) {
-  const model::Sheet& s = run.structure;
+Json hinge_json(const Design& design, int index, double usual_reach_mm, const model::Elasticity* elasticity) {
+  const model::Sheet& s = design.structure;
   const model::HingedWall wall = s.wall(index);
   const model::RestHinge hinge = rest_hinge(s, index);
   const double edge_mm = s.size().edge_mm;
@@ -63,8 +62,8 @@ Json hinge_json(const Run& run, int index, double usual_reach_mm) {
               {"offset_mm", wall.hinge.offset * edge_mm},
               {"point_mm", point_json(s.rest_position(wall.lower) + edge_mm * hinge.lower_arm)},
               {"axis", point_json(hinge.axis)},
-              {"reach_mm", reach_of(run, index, usual_reach_mm)}};
-  if (const auto k = framed_stiffness(hinge_section(run, index))) out["k"] = stiffness_json(*k);
+              {"reach_mm", reach_of(design, index, usual_reach_mm, elasticity)}};
+  if (const auto k = framed_stiffness(hinge_section(design, index))) out["k"] = stiffness_json(*k);
   return out;
 }
 
@@ -96,12 +95,12 @@ Json fidelity_json(const std::vector<Fidelity>& rows) {
 
 }  // namespace
 
-Json structure_json(const Run& run, double reach_mm) {
-  const model::Sheet& s = run.structure;
+Json structure_json(const Design& design, double reach_mm, const model::Elasticity* elasticity) {
+  const model::Sheet& s = design.structure;
   Json bodies = Json::array(), hinges = Json::array(), cells = Json::array();
   for (int b = 0; b < s.bodies(); ++b)
     bodies.push_back({{"vertex", body_label(s, b)}, {"position_mm", point_json(s.rest_position(b))}});
-  for (int h = 0; h < s.hinges(); ++h) hinges.push_back(hinge_json(run, h, reach_mm));
+  for (int h = 0; h < s.hinges(); ++h) hinges.push_back(hinge_json(design, h, reach_mm, elasticity));
   for (int c = 0; c < s.cells(); ++c)
     cells.push_back({{"cell", cell_label(s, c)}, {"bodies", s.cell_bodies(c)}, {"hinges", s.cell_hinges(c)}});
   return {{"lattice", lattice_name(s)},
@@ -122,7 +121,7 @@ Json metrics_json(const Run& run) {
   if (run.goal) run.goal->add_metrics(metrics);
   if (run.equilibrium) add_equilibrium_metrics(*run.equilibrium, metrics);
   if (run.equilibrium)
-    metrics["stretch_max_mm"] = run.equilibrium->path.gaps.max * run.structure.size().edge_mm;
+    metrics["stretch_max_mm"] = run.equilibrium->path.gaps.max * run.design.structure.size().edge_mm;
   if (run.printed) {
     metrics["as_made_rms_mm"] = run.printed->rms_mm();
     metrics["as_made_p95_mm"] = run.printed->p95_mm();
@@ -143,20 +142,21 @@ Json metrics_json(const Run& run) {
 }
 
 Json result_json(const Run& run) {
-  const double edge = run.structure.size().edge_mm;
+  const double edge = run.design.structure.size().edge_mm;
   const double reach = run.equilibrium    ? run.equilibrium->elasticity.reach_mm
                        : run.verification ? run.verification->options.reach * edge
                                           : sim::PhysicsOptions{}.reach * edge;
+  const model::Elasticity* const elasticity = run.equilibrium ? &run.equilibrium->elasticity : nullptr;
   Json states = Json::array();
   for (const NamedState& state : run.states) states.push_back(state_json(state));
   Json out = {{"schema", "kinetix-result/1"},
-              {"name", run.name},
+              {"name", run.design.name},
               {"kinetix_version", version},
               {"seed", run.seed},
               {"target", run.goal ? run.goal->target_json() : Json(nullptr)},
               {"verdict", verdict_json(verdict_of(run))},
               {"plan", plan_json(run)},
-              {"structure", structure_json(run, reach)},
+              {"structure", structure_json(run.design, reach, elasticity)},
               {"states", states},
               {"metrics", metrics_json(run)},
               {"tolerance", tolerance_json(run)},
@@ -179,7 +179,7 @@ Json result_json(const Run& run) {
     out["timing_s"]["matter"] = run.timings.matter;
   }
   if (run.certified) {
-    out["certified"] = certified_json(*run.certified, run.structure, run.theta, near_exact(run));
+    out["certified"] = certified_json(*run.certified, run.design.structure, run.theta, near_exact(run));
     out["timing_s"]["certify"] = run.timings.certify;
   }
   if (run.robust) out["robust"] = robust_json(run);

@@ -15,7 +15,8 @@ nlohmann::ordered_json metrics_json(const Run& run);
 /// The few lines of it that a person reads on stdout.
 std::string summary(const Run& run);
 
-/// The section `structure` alone. @param reach_mm of hinges that do not say theirs
-nlohmann::ordered_json structure_json(const Run& run, double reach_mm);
+/// Returns the section `structure`. @param reach_mm of hinges that do not define theirs   @param elasticity defines the reach of all
+nlohmann::ordered_json structure_json(const Design& design, double reach_mm,
+                                      const model::Elasticity* elasticity = nullptr);
 
 }  // namespace kinetix::app

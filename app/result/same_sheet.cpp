@@ -30,16 +30,12 @@ Json compared(Json part) {
 
 }  // namespace
 
-Json sheet_json(const DesignFile& design) {
-  Run run;
-  run.structure = design.structure;
-  run.hinge = design.hinge;
-  run.own_hinges = design.own_hinges;
+Json sheet_json(const Design& design) {
   const double edge = design.structure.size().edge_mm;
-  return structure_json(run, design.hinge.reach_mm.value_or(sim::PhysicsOptions{}.reach * edge));
+  return structure_json(design, design.hinge.reach_mm.value_or(sim::PhysicsOptions{}.reach * edge));
 }
 
-bool is_of_sheet(const Json& result, const DesignFile& design, double rounding) {
+bool is_of_sheet(const Json& result, const Design& design, double rounding) {
   if (!result.is_object() || !result.contains("structure")) return false;
   const Json &known = result["structure"], sheet = sheet_json(design);
   const auto is_kept = [&](const char* part) {

@@ -38,7 +38,7 @@ double drive_in(const model::Linkage& structure, const model::LinkageDrive& driv
 
 void add_stable_states(const Run& run, Json& equilibrium) {
   const model::StableStates& stable = run.equilibrium->stable;
-  const model::Linkage structure = run.structure;
+  const model::Linkage structure = run.design.structure;
   Json states = Json::array(), barriers = Json::array();
   for (const model::StableState& s : stable.states)
     states.push_back({{"theta_rad", s.theta},

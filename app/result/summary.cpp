@@ -42,15 +42,16 @@ std::string physics_lines(const Run& run) {
 
 std::string summary(const Run& run) {
   const RunVerdict verdict = verdict_of(run);
-  std::string text = fmt::format("{}: {}\n", run.name, headline(verdict));
+  std::string text = fmt::format("{}: {}\n", run.design.name, headline(verdict));
   for (const auto& [label, words] : problem_lines(verdict)) text += line(label, words);
-  text += line("sheet", fmt::format("{} bodies, {} hinges", run.structure.bodies(), run.structure.hinges()));
+  text += line("sheet", fmt::format("{} bodies, {} hinges", run.design.structure.bodies(),
+                                    run.design.structure.hinges()));
   text += line("plan", run.plan.exact.why);
   text += line("fold", fmt::format("theta {:.2f} deg, tilts up to {:.2f} deg", to_degrees(run.theta),
-                                   to_degrees(largest_tilt(run.structure))));
+                                   to_degrees(largest_tilt(run.design.structure))));
   if (run.certified)
     for (const auto& [label, words] :
-         certified_lines(*run.certified, run.structure, run.theta, near_exact(run)))
+         certified_lines(*run.certified, run.design.structure, run.theta, near_exact(run)))
       text += line(label, words);
   if (const auto worst = worst_strain(run))
     text += line("strained", fmt::format("by {:.3g} of {:g} that its material bears, the most of its hinges",

@@ -10,8 +10,8 @@
 #include "app/result/as_made_json.hpp"
 #include "app/result/made_hinges.hpp"
 #include "app/run/contact_reason.hpp"
+#include "app/run/design_hinges.hpp"
 #include "app/run/drive_end.hpp"
-#include "app/run/run_hinges.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -37,11 +37,11 @@ const char* flag_name(Flag flag) {
 /// The hinges of the states: as the file makes them, else as the model assumes them.
 std::string hinges_of_model(const Run& run) {
   std::vector<std::string> kinds;
-  for (const model::MadeHinge& made : made_hinges(run))
+  for (const model::MadeHinge& made : made_hinges(run.design))
     if (std::find(kinds.begin(), kinds.end(), to_string(made.kind)) == kinds.end())
       kinds.push_back(to_string(made.kind));
   if (!kinds.empty()) return fmt::format("{}", fmt::join(kinds, ", "));
-  return run.equilibrium || run.hinge.model == HingeSection::Model::elastic ? "elastic" : "rotary";
+  return run.equilibrium || run.design.hinge.model == HingeSection::Model::elastic ? "elastic" : "rotary";
 }
 
 Reasons agreement_reasons(const Run& run) {
@@ -50,7 +50,7 @@ Reasons agreement_reasons(const Run& run) {
   if (!is_settled(v)) return {failed_simulation_reason(v)};
   Reasons why = run.goal ? run.goal->physics_violations : Reasons{};
   if (v.compared && !(v.distance.rms <= run.verify_tolerance)) {
-    const double edge_mm = run.structure.size().edge_mm;
+    const double edge_mm = run.design.structure.size().edge_mm;
     why.push_back(fmt::format("the simulation ends {:.3g} mm (rms) from the model; {:.3g} mm are allowed{}",
                               v.distance.rms * edge_mm, run.verify_tolerance * edge_mm,
                               v.equilibrium ? ": " + v.equilibrium->why : ""));
@@ -78,7 +78,8 @@ std::optional<Reasons> drive_reasons(const Run& run) {
     why.push_back(std::move(*contact));
   }
   if (!run.states.empty())
-    if (auto strained = strained_too_far(run, run.states.front().poses)) why.push_back(std::move(*strained));
+    if (auto strained = strained_too_far(run.design, run.states.front().poses))
+      why.push_back(std::move(*strained));
   return why;
 }
 

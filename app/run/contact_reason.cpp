@@ -22,8 +22,8 @@ std::optional<std::string> contact_reason(const Run& run) {
   if (!run.certified || !run.certified->designed) return sampled_reason(run);
   const model::CertifiedLimit& limit = run.certified->designed.to(run.theta);
   if (!limit.contact || std::abs(*limit.contact) >= std::abs(run.theta)) return std::nullopt;
-  if (run.certified->designed.overlaps_as_built()) return overlap_words(limit.walls, run.structure);
-  const auto [first, second] = wall_names(limit, run.structure);
+  if (run.certified->designed.overlaps_as_built()) return overlap_words(limit.walls, run.design.structure);
+  const auto [first, second] = wall_names(limit, run.design.structure);
   return fmt::format("walls {} and {} overlap at theta {:.3f} deg, on the way to {:.3f} deg", first, second,
                      to_degrees(*limit.contact), to_degrees(run.theta));
 }

@@ -155,21 +155,15 @@ struct Timings {
 
 /// Everything one call of the program knows at its end: what result.json and the report show.
 struct Run {
-  std::string name;
+  /// The design that was asked for or found. Its theta is that of `theta` below until it is written.
+  Design design;
   std::uint64_t seed = 0;
-  model::Sheet structure;
   Plan plan;
   double theta = 0;                   ///< rad, of the state shown
   std::unique_ptr<GoalOutcome> goal;  ///< nothing for a design, which was not searched for
   std::vector<NamedState> states;
-  PhysicsSection physics;  ///< these and the next as the file asked
-  HingeSection hinge;
-  model::Process process = model::processes().front();
-  GoalDrive goal_drive;                    ///< of goals of exact families
-  std::vector<HingePart> hinge_parts;      ///< of a goal's file
-  std::map<int, HingeSection> own_hinges;  ///< of the structure: of those parts, or of a design's file
-  std::optional<DriveSection> drive;
-  int side = 1;
+  GoalDrive goal_drive;                ///< of goals of exact families
+  std::vector<HingePart> hinge_parts;  ///< of a goal's file
   std::optional<Equilibrium> equilibrium;
   std::optional<Verification> verification;
   std::optional<MatterResult> matter;  ///< of goals of exact families whose hinges are elastic
@@ -193,13 +187,16 @@ struct Run {
 };
 
 inline void take_settings(Run& run, const GoalSettings& asked) {
-  run.physics = asked.physics;
-  run.hinge = asked.hinge;
+  run.design.physics = asked.physics;
+  run.design.hinge = asked.hinge;
   run.hinge_parts = asked.hinge_parts;
   run.goal_drive = asked.drive;
-  run.process = asked.process;
+  run.design.process = asked.process;
   run.verify_tolerance = asked.verify_tolerance;
 }
+
+/// Returns the design as design.yaml has it, with the requested theta.
+Design written_design(const Run& run);
 
 /// The outcome of a goal of the caller's own kind. @pre run.goal is one
 template <class Outcome>

@@ -11,7 +11,7 @@
 
 namespace kinetix::app {
 
-struct Run;
+struct Design;
 
 /// The answer of `export` without options to a design.
 struct PrintAnswer {
@@ -34,8 +34,8 @@ struct RunOptions {
       nullptr;  ///< held while the physics engine runs, which one thread at a time may use; null: nobody else does
   bool certify = true;    ///< prove how far it folds without contact
   bool fidelity = false;  ///< physics runs of coarser steps too, for the table of speed against error
-  /// What `export` without options answers to the design of a run (app/print/hinge_fit.hpp); empty: not asked.
-  std::function<PrintAnswer(const Run&)> printable = {};
+  /// Answer of `export` without options to a design (app/print/fit.hpp). Empty: not asked.
+  std::function<PrintAnswer(const Design&)> printable = {};
 };
 
 }  // namespace kinetix::app

@@ -46,7 +46,7 @@ Source opened_file(const std::string& file) {
     read_target(root);  // refuses a broken one before the page is there
     return Opened{studio::template_design("panel"), "", absolute(file), 0, 0};
   }
-  DesignFile design = read_design(root);
+  Design design = read_design(root);
   studio::require_showable(design);
   return Opened{std::move(design), absolute(file), "", 0, 0};
 }

@@ -96,9 +96,9 @@ Capital capital(char c, optim::Channel channel) {
   if (!out.settled) return out;
   const auto& physics = run.verification->physics;
   out.restless = physics.residual_motion > 0;
-  out.read = testing::read_capitals(app::far_view(run.structure, physics.state, testing::as_ink));
-  out.read_before =
-      testing::read_capitals(app::far_view(run.structure, rest_state(run.structure), testing::as_ink));
+  out.read = testing::read_capitals(app::far_view(run.design.structure, physics.state, testing::as_ink));
+  out.read_before = testing::read_capitals(
+      app::far_view(run.design.structure, rest_state(run.design.structure), testing::as_ink));
   return out;
 }
 

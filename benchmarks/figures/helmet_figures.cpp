@@ -40,7 +40,7 @@ std::vector<Figure> headform_figures() {
           {scene + ": closure of hinges", "<= 1e-12 cell edges",
            fmt::format("{:.1e}", run.states.front().gaps.max), run.states.front().gaps.max <= 1e-12},
           {fmt::format("{}: physics run, {} bodies, folded by its spine, against the model", scene,
-                       run.structure.bodies()),
+                       run.design.structure.bodies()),
            "verify_rms <= 2e-2 cell edges",
            settled ? fmt::format("rms {:.1e} cell edges, {} from the head, {:.3g} s", apart,
                                  in_words(*helmet.physics), run.verification->physics.seconds)

@@ -12,21 +12,21 @@
 namespace kinetix::bench {
 namespace {
 
-using app::DesignFile;
+using app::Design;
 
 constexpr double enough_mm = 0.01;  // mm: by which polygons differ from their circles
 const char* const shapes = KINETIX_SHAPES;
 
 /// A shipped target as its search leaves it.
-DesignFile searched(const std::string& name) {
+Design searched(const std::string& name) {
   const app::Run run =
       run_scene(*app::read_target(std::string(shapes) + "/" + name + ".yaml").goal, {.verify = false});
-  DesignFile design;
-  design.name = run.name;
-  design.structure = run.structure;
+  Design design;
+  design.name = run.design.name;
+  design.structure = run.design.structure;
   design.theta = run.theta;
-  design.hinge = run.hinge;
-  design.own_hinges = run.own_hinges;
+  design.hinge = run.design.hinge;
+  design.own_hinges = run.design.own_hinges;
   return design;
 }
 
@@ -36,7 +36,7 @@ struct Tally {
   double least_left = 1e3;  ///< of what is left over what was asked less enough_mm, mm
 };
 
-void try_all(const DesignFile& design, Tally& tally) {
+void try_all(const Design& design, Tally& tally) {
   for (const model::HingeKind kind : {model::HingeKind::pin, model::HingeKind::block})
     for (const char* process : {"polyjet", "fdm", "sla"}) try {
         const app::PreparedPrint print =
@@ -62,7 +62,7 @@ Figure timed(const std::string& what, const app::PrintJob& job, const std::vecto
 }
 
 /// With cells so large that it can be made, from an edge on in whole mm.
-app::PreparedPrint prepared_larger(DesignFile design, double edge_mm, model::HingeKind kind) {
+app::PreparedPrint prepared_larger(Design design, double edge_mm, model::HingeKind kind) {
   constexpr double largest_mm = 60;  // mm: beyond it something else is wrong
   for (;; edge_mm += 1) try {
       if (auto* squares = design.structure.squares()) squares->size.edge_mm = edge_mm;
@@ -91,7 +91,7 @@ std::vector<Figure> print_figures() {
        tally.crossing == 0},
       {"way to the fold, 20 steps: least clearance over what was asked", "at least -0.01 mm",
        fmt::format("{:+.4f} mm", tally.least_left), tally.least_left >= -enough_mm}};
-  const DesignFile letter = searched("letter_t"), helmet = searched("headform");
+  const Design letter = searched("letter_t"), helmet = searched("headform");
   app::PreparedPrint t;
   const double solids = seconds([&] { t = prepared_larger(letter, 10, model::HingeKind::block); });
   figures.push_back(

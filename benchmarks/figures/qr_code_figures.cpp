@@ -46,12 +46,12 @@ Reading read(const std::string& text, int cells_a_module, bool in_equilibrium) {
   const app::FarViewOptions view =
       testing::as_ink_on_paper(app::far_view_options(file.goal), !file.goal.inverted);
   const auto seen = [&](const model::State& state) {
-    return testing::read_qr_code(far_view(run.structure, state, view)) == text;
+    return testing::read_qr_code(far_view(run.design.structure, state, view)) == text;
   };
   const auto& display = app::outcome_of<app::DisplayOutcome>(run);
   Reading out;
   out.exact = seen(display.design.view.state);
-  out.before = seen(rest_state(run.structure));
+  out.before = seen(rest_state(run.design.structure));
   out.seconds = run.timings.optimise;
   if (!in_equilibrium) return out;
   out.pressed = seen(run.states.front().poses);

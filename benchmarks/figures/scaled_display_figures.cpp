@@ -62,11 +62,11 @@ struct Letters {
 
 void add(const app::Run& run, Letters& all) {
   const app::DisplayOutcome& display = display_of(run);
-  const std::vector<double> levels = levels_of(display.goal, run.structure);
+  const std::vector<double> levels = levels_of(display.goal, run.design.structure);
   const model::State& exact = display.design.view.state;
   const auto area =
-      targets::display_score(channel_values(optim::Channel::area, run.structure, exact), levels);
-  all.exact_gap = std::max(all.exact_gap, hinge_gaps(run.structure, exact).max);
+      targets::display_score(channel_values(optim::Channel::area, run.design.structure, exact), levels);
+  all.exact_gap = std::max(all.exact_gap, hinge_gaps(run.design.structure, exact).max);
   all.light = std::min(all.light, display.exact.score.auc);
   all.area = std::min(all.area, area.auc);
   all.ratio = std::min(all.ratio, area.letter / area.rest);
@@ -74,7 +74,7 @@ void add(const app::Run& run, Letters& all) {
   all.physics_light = std::min(all.physics_light, display.physics ? display.physics->score.auc : 0);
   all.load = std::max(all.load, load_of(run));
   all.stretch_mm =
-      std::max(all.stretch_mm, run.verification->physics.gaps.max * run.structure.size().edge_mm);
+      std::max(all.stretch_mm, run.verification->physics.gaps.max * run.design.structure.size().edge_mm);
   all.seconds = std::max(all.seconds, run.timings.optimise);
 }
 
@@ -208,9 +208,9 @@ struct CapitalRead {
 CapitalRead read_capital(const std::string& text) {
   const app::Run run = shown(targets::glyph_goal(text, side, side), 0.08, false);
   const auto seen = [&](const model::State& state) {
-    return testing::read_capitals(app::far_view(run.structure, state, testing::as_ink));
+    return testing::read_capitals(app::far_view(run.design.structure, state, testing::as_ink));
   };
-  return {seen(run.states.front().poses), seen(rest_state(run.structure))};
+  return {seen(run.states.front().poses), seen(rest_state(run.design.structure))};
 }
 
 Figure capitals() {

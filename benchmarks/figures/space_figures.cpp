@@ -83,7 +83,7 @@ Figure block_figure() {
   const double model = outcome.error.off, physics = outcome.physics ? outcome.physics->off : INFINITY;
   return {"block of 120 mm that shrinks to 0.82, 0.86 and 0.88 along x, y and z",
           "factors within 1e-12, within 1e-4 in the physics run",
-          fmt::format("{} bodies, off by {:.0e} and {:.0e}", run.structure.bodies(), model, physics),
+          fmt::format("{} bodies, off by {:.0e} and {:.0e}", run.design.structure.bodies(), model, physics),
           model <= 1e-12 && physics <= 1e-4};
 }
 

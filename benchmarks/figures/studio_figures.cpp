@@ -32,12 +32,12 @@ const char* const shapes = KINETIX_SHAPES;
 constexpr int drags = 100;                   // of each series: enough for a 95th percentile
 constexpr double sleep_s = 10, watch_s = 5;  // how long a page sleeps, and is watched
 
-app::DesignFile searched(const std::string& name) {
+app::Design searched(const std::string& name) {
   const app::Run run =
       run_scene(*app::read_target(std::string(shapes) + "/" + name + ".yaml").goal, {.verify = false});
-  app::DesignFile design;
-  design.name = run.name;
-  design.structure = run.structure;
+  app::Design design;
+  design.name = run.design.name;
+  design.structure = run.design.structure;
   design.theta = run.theta;
   return design;
 }
@@ -56,7 +56,7 @@ Figure within(const std::string& what, double most, double measured, const char*
 
 /// A page at the socket, in the live physics.
 struct Page {
-  explicit Page(const app::DesignFile& design) : studio(design), client(studio.port()) {
+  explicit Page(const app::Design& design) : studio(design), client(studio.port()) {
     client.open(studio.token);
     client.text("design");
     last = client.ask({{"type", "mode"}, {"mode", "bullet"}});
@@ -249,7 +249,7 @@ void add_pages(std::vector<Figure>& figures) {
 
 std::vector<Figure> studio_figures() {
   std::vector<Figure> figures;
-  const app::DesignFile rib = searched("helmet_rib");
+  const app::Design rib = searched("helmet_rib");
   {
     Page page(rib);
     add_drags(figures, page);

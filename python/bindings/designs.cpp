@@ -45,7 +45,7 @@ void set_hinges(model::Sheet& sheet, HingeField field, const std::string& name,
 }
 
 /// As files are refused: what is made so could not be saved.
-void check_offsets_as_made(const app::DesignFile& file) {
+void check_offsets_as_made(const app::Design& file) {
   for (int h = 0; h < file.structure.hinges(); ++h)
     if (const auto why = app::why_offset_does_not_fit(file, h))
       throw InvalidInput("offset_mm of wall " + wall_name(file.structure, h) + ": " + *why);
@@ -53,7 +53,7 @@ void check_offsets_as_made(const app::DesignFile& file) {
 
 Design with_hinges(const Design& design, const std::optional<Numbers>& t, const std::optional<Numbers>& alpha,
                    const std::optional<Numbers>& beta, const std::optional<Numbers>& offset_mm) {
-  app::DesignFile file = design.file();
+  app::Design file = design.file();
   const double edge = file.structure.size().edge_mm;
   set_hinges(file.structure, &model::HingeParameters::t, "t", t);
   set_hinges(file.structure, &model::HingeParameters::alpha, "alpha", alpha);
@@ -67,7 +67,7 @@ Design with_hinges(const Design& design, const std::optional<Numbers>& t, const 
 /// A design to another theta goes there whatever drove it.
 Design with_theta(const Design& design, double theta) {
   check_theta("theta", theta);
-  app::DesignFile file = design.file();
+  app::Design file = design.file();
   file.theta = theta;
   file.drive.reset();
   return Design(std::move(file));
@@ -142,7 +142,7 @@ py::array fold_all(const Design& design, const Numbers& thetas, int threads) {
 
 }  // namespace
 
-Design::Design(app::DesignFile file)
+Design::Design(app::Design file)
     : file_(std::move(file)), linkage_(file_.structure), exact_(exact_motion(file_.structure)) {}
 
 const model::ExactMotion& Design::needed_exact() const {

@@ -10,9 +10,9 @@ namespace kinetix::python {
 /// A design and its closed form, which nobody changes.
 class Design {
  public:
-  explicit Design(app::DesignFile file);
+  explicit Design(app::Design file);
 
-  const app::DesignFile& file() const { return file_; }
+  const app::Design& file() const { return file_; }
   const model::Sheet& sheet() const { return file_.structure; }
   const model::Linkage& linkage() const { return linkage_; }
   const model::ExactMotion& exact() const { return exact_; }
@@ -20,7 +20,7 @@ class Design {
   const model::ExactMotion& needed_exact() const;
 
  private:
-  app::DesignFile file_;
+  app::Design file_;
   model::Linkage linkage_;
   model::ExactMotion exact_;
 };

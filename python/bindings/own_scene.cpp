@@ -66,7 +66,7 @@ class OwnScene final : public app::Scene {
     outcome->solver = goal_.search.solver.name;
     outcome->search = searched(goal_, fit, options);
     const auto design = fit.design(outcome->search.best_run().x);
-    run.structure = sheet_of(design, goal_.size);
+    run.design.structure = sheet_of(design, goal_.size);
     run.theta = design.theta;
     run.goal = std::move(outcome);
   }
@@ -79,7 +79,7 @@ class OwnScene final : public app::Scene {
     if (!(norm <= goal_.tolerance)) outcome.violations.push_back(missing(norm, goal_.tolerance, ""));
     model::ThetaRangeOptions until;
     until.limit = run.theta;
-    const auto touch = theta_range(run.structure, exact_motion(run.structure), until).positive;
+    const auto touch = theta_range(run.design.structure, exact_motion(run.design.structure), until).positive;
     if (touch.touches)
       outcome.violations.push_back(
           fmt::format("walls run into each other at theta {:.2f} deg, before the {:.2f} deg of the goal: use "

@@ -5,7 +5,7 @@
 #include "app/goals/read_target.hpp"
 #include "app/pipeline/design_scene.hpp"
 #include "app/pipeline/pipeline.hpp"
-#include "app/print/hinge_fit.hpp"
+#include "app/print/fit.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/base/parallel_runs.hpp"
 #include "python/bindings/bindings.hpp"

@@ -56,12 +56,12 @@ py::dict dict_of(const model::Sensitivity& by, double edge_mm) {
 py::dict sensitivity_of(const app::Run& run, const std::optional<Numbers>& poses, double load,
                         double energy) {
   const app::Equilibrium& at = reached_equilibrium(run);
-  const double edge_mm = run.structure.size().edge_mm;
+  const double edge_mm = run.design.structure.size().edge_mm;
   model::EquilibriumGradient gradient;
-  if (poses) gradient.state = by_state(*poses, run.structure.bodies(), edge_mm);
+  if (poses) gradient.state = by_state(*poses, run.design.structure.bodies(), edge_mm);
   gradient.load = load;
   gradient.energy = energy;
-  model::ElasticSystem system(run.structure, at.elasticity, at.drive, at.path.planar, true);
+  model::ElasticSystem system(run.design.structure, at.elasticity, at.drive, at.path.planar, true);
   system.set_multiplier(at.path.multiplier);
   model::State state = at.path.state;
   model::TangentStiffness tangent(system.dofs());

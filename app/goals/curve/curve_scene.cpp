@@ -149,7 +149,7 @@ class CurveScene final : public Scene {
     auto& curve = outcome_of<CurveOutcome>(run);
     const model::State upright = aligned(state, curve.exact);
     optim::CurveDesign& design = curve.found.design;
-    design.midline_mm = column_midline(run.structure, upright);
+    design.midline_mm = column_midline(run.design.structure, upright);
     design.error = curve_error(design.midline_mm, file_.curve);
     curve.violations.clear();
     if (!(design.error.rms <= file_.shape_tolerance))
@@ -174,7 +174,7 @@ class CurveScene final : public Scene {
     curve->target_mm = file.curve.points();
     curve->solver = curve_search(file, {}).solver;
     curve->violations = violations(file, found);
-    run.structure = sheet_of(found.design.design, file.size);
+    run.design.structure = sheet_of(found.design.design, file.size);
     run.theta = found.design.design.theta;
     curve->found = std::move(found);
     run.goal = std::move(curve);

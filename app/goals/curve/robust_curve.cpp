@@ -12,7 +12,7 @@
 #include "app/goals/curve/curve_search.hpp"
 #include "app/pipeline/as_made.hpp"
 #include "app/pipeline/matter.hpp"
-#include "app/run/run_hinges.hpp"
+#include "app/run/design_hinges.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "model/sheet/sheet_motion.hpp"
@@ -66,22 +66,22 @@ CurveCandidate judged(const CurveFile& file, const optim::FreeCurveDesign& found
                      .as_made_p95 = std::nan("")};
   if (has_gap(file.hinge)) out.gap_mm = file.hinge.made->gap_mm;
   Run run;
-  run.structure = sheet_of(design.design, file.size);
-  run.plan = make_plan(run.structure, Model::exact);
+  run.design.structure = sheet_of(design.design, file.size);
+  run.plan = make_plan(run.design.structure, Model::exact);
   run.theta = out.theta;
-  run.hinge = file.hinge;
-  run.own_hinges = own_hinges_of(run.structure, file.hinge_parts);
+  run.design.hinge = file.hinge;
+  run.design.own_hinges = own_hinges_of(run.design.structure, file.hinge_parts);
   run.goal_drive = file.drive;
-  run.process = file.process;
-  run.physics = file.physics;
-  const model::State state = exact_motion(run.structure).at(out.theta);
-  const auto printed = expected_of_prints(run, goal_drive(run, run.structure, out.theta), state,
-                                          curve_points(file.curve, run.structure, state, state));
+  run.design.process = file.process;
+  run.design.physics = file.physics;
+  const model::State state = exact_motion(run.design.structure).at(out.theta);
+  const auto printed = expected_of_prints(run, goal_drive(run, run.design.structure, out.theta), state,
+                                          curve_points(file.curve, run.design.structure, state, state));
   if (printed)
     std::tie(out.as_made_mm, out.as_made_p95) = std::pair{printed->made.rms_mm, printed->made.p95_mm};
   out.is_allowed = printed && printed->can_be_printed && found.walls_are_free &&
-                   bears_its_strain(run, state) && design.error.rms <= file.shape_tolerance &&
-                   (!options.printable || options.printable(run).is_taken);
+                   bears_its_strain(run.design, state) && design.error.rms <= file.shape_tolerance &&
+                   (!options.printable || options.printable(written_design(run)).is_taken);
   return out;
 }
 

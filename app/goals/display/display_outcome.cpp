@@ -97,7 +97,7 @@ std::string printed_text(const DisplayOutcome& display, const Run& run) {
       "printed by {}: contrast {:.1f}, above {:.1f} in 95 of 100 prints, auc {:.3f}; {} prints in the model: "
       "{:.1f}, "
       "{:.1f}, {:.3f}",
-      run.process.name, printed.expected.contrast, printed.expected.contrast_p05, printed.expected.auc,
+      run.design.process.name, printed.expected.contrast, printed.expected.contrast_p05, printed.expected.auc,
       printed.prints, printed.seen.contrast, printed.seen.contrast_p05, printed.seen.auc);
   if (printed.failed > 0)
     text += fmt::format("; {} more found no equilibrium near the design", printed.failed);
@@ -174,8 +174,8 @@ std::string DisplayOutcome::solver() const {
 Json DisplayOutcome::target_json() const { return {{"kind", "display"}, {"rows", goal.row_texts()}}; }
 
 void DisplayOutcome::add_sections(const Run& run, Json& result) const {
-  result["display"] = display_json(*this, run.structure);
-  add_levels(levels_of(goal, run.structure), result["structure"]["cells"]);
+  result["display"] = display_json(*this, run.design.structure);
+  add_levels(levels_of(goal, run.design.structure), result["structure"]["cells"]);
   result["optimiser"] = optimiser_json(*this);
 }
 

@@ -31,7 +31,7 @@ void add_frames(std::vector<NamedContent>& files, const Run& run) {
   for (const NamedState& state : run.states)
     if (state.name == "frame")
       files.push_back({fmt::format("frames/{:02}.png", frame++),
-                       panel_picture(run.structure, state.poses,
+                       panel_picture(run.design.structure, state.poses,
                                      {.format = PictureFormat::png, .most_pixels = pixels_of_frame})});
 }
 
@@ -39,14 +39,14 @@ void add_frames(std::vector<NamedContent>& files, const Run& run) {
 
 std::vector<NamedContent> display_pictures(const Run& run) {
   std::vector<NamedContent> files;
-  const model::State flat = rest_state(run.structure);
+  const model::State flat = rest_state(run.design.structure);
   const model::State& after = run.states.front().poses;
-  add_panel(files, "before", run.structure, flat);
-  add_panel(files, "hinges", run.structure, flat, true);
-  add_panel(files, "after", run.structure, after);
+  add_panel(files, "before", run.design.structure, flat);
+  add_panel(files, "hinges", run.design.structure, flat, true);
+  add_panel(files, "after", run.design.structure, after);
   for (NamedContent& file : far_pictures(run)) files.push_back(std::move(file));
   if (outcome_of<DisplayOutcome>(run).physics)
-    add_panel(files, "physics", run.structure, run.verification->physics.state);
+    add_panel(files, "physics", run.design.structure, run.verification->physics.state);
   add_frames(files, run);
   return files;
 }
@@ -67,9 +67,9 @@ std::vector<NamedContent> far_pictures(const Run& run) {
   for (const char* name : {"", "_enhanced"}) {
     options.enhanced = *name != 0;
     files.push_back({fmt::format("afar_before{}.png", name),
-                     far_view(run.structure, rest_state(run.structure), options)});
-    files.push_back(
-        {fmt::format("afar_after{}.png", name), far_view(run.structure, run.states.front().poses, options)});
+                     far_view(run.design.structure, rest_state(run.design.structure), options)});
+    files.push_back({fmt::format("afar_after{}.png", name),
+                     far_view(run.design.structure, run.states.front().poses, options)});
   }
   return files;
 }

@@ -28,17 +28,17 @@ std::optional<MatrixXd> derivatives(const DisplayFile& file, const Run& run,
                                     Eigen::Index cells) {
   const Equilibrium& equilibrium = *run.equilibrium;
   const double theta = equilibrium.path.theta;
-  model::ElasticSystem system(run.structure, equilibrium.elasticity, equilibrium.drive, true, true);
+  model::ElasticSystem system(run.design.structure, equilibrium.elasticity, equilibrium.drive, true, true);
   system.set_multiplier(equilibrium.path.multiplier);
   model::TangentStiffness tangent(system.dofs());
   if (!settle(system, theta, state, tangent)) return std::nullopt;
-  const model::Linkage panel(run.structure);
+  const model::Linkage panel(run.design.structure);
   const optim::SmoothChannel channel(file.channel, panel, state);
-  const Eigen::Matrix4Xd spread = scatter.by_hinge(run.structure.hinges());
+  const Eigen::Matrix4Xd spread = scatter.by_hinge(run.design.structure.hinges());
   const model::DesignSensitivities by_design(system, state, theta, tangent);
-  MatrixXd out(cells, 4 * run.structure.hinges());
+  MatrixXd out(cells, 4 * run.design.structure.hinges());
   for (Eigen::Index k = 0; k < cells; ++k) {
-    model::PanelGradient reading(run.structure);
+    model::PanelGradient reading(run.design.structure);
     channel.add_gradient(VectorXd::Unit(static_cast<Eigen::Index>(channel.values().size()), k), reading);
     Eigen::Matrix4Xd by = by_design.of(reading.state).hinges;
     by.row(0) += reading.t.transpose();
@@ -105,15 +105,15 @@ void add_prints(const DisplayFile& file, const Run& run, const model::HingeScatt
                 PrintedDisplay& out) {
   PrintScores scores, first_order;
   const auto seen = [&](const model::State&, const model::State& print, const Eigen::Matrix4Xd& errors) {
-    scores.add(read_panel(file, printed_sheet(run.structure, errors), print).score);
+    scores.add(read_panel(file, printed_sheet(run.design.structure, errors), print).score);
     first_order.add(panel.score(errors, scatter));
   };
   model::AsMadeOptions as_in_the_model = print_options(options, true);
   as_in_the_model.contact = true;
-  out.failed =
-      visit_prints([&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.structure, errors); },
-                   run.equilibrium->elasticity, run.equilibrium->drive, state, scatter, prints_of(options),
-                   as_in_the_model, seen);
+  out.failed = visit_prints(
+      [&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.design.structure, errors); },
+      run.equilibrium->elasticity, run.equilibrium->drive, state, scatter, prints_of(options),
+      as_in_the_model, seen);
   out.prints = static_cast<int>(scores.contrasts.size());
   if (scores.contrasts.empty()) return;
   out.seen.contrast = scores.mean();
@@ -130,7 +130,7 @@ std::string unjudged(const DisplayFile& file, const Run& run) {
   if (!run.equilibrium->reached()) return "the panel did not reach its equilibrium";
   if (run.equilibrium->path.let_go > 0)
     return "prints are looked at with all bodies held that plates press on";
-  if (run.structure.cells() > most_printed_cells)
+  if (run.design.structure.cells() > most_printed_cells)
     return fmt::format("only panels of up to {} cells are judged as made", most_printed_cells);
   return "";
 }
@@ -163,14 +163,14 @@ std::optional<PrintedDisplay> display_prints(const DisplayFile& file, Run& run, 
   run.prints_unknown = unjudged(file, run);
   if (!run.prints_unknown.empty()) return std::nullopt;
   const model::HingeScatter scatter = scatter_of(run);
-  const std::vector<double> levels = levels_of(file.goal, run.structure);
+  const std::vector<double> levels = levels_of(file.goal, run.design.structure);
   model::State state = run.equilibrium->path.state;
   const auto by = derivatives(file, run, scatter, state, static_cast<Eigen::Index>(levels.size()));
   if (!by) {
     run.prints_unknown = "the panel's equilibrium is not stable";
     return std::nullopt;
   }
-  const FirstOrderPanel panel{levels, read_panel(file, run.structure, state).channel, *by};
+  const FirstOrderPanel panel{levels, read_panel(file, run.design.structure, state).channel, *by};
   PrintedDisplay out;
   out.expected = optim::as_made_display(panel.readings, levels, panel.by_errors);
   add_prints(file, run, scatter, state, panel, options, out);

@@ -140,13 +140,13 @@ void take_state_of_search(const optim::DisplayDesign& design, Run& run) {
   NamedState& shown = run.states.front();
   shown.poses = design.view.state;
   shown.model = to_string(design.scaled ? Model::exact : Model::equilibrium);
-  shown.gaps = hinge_gaps(run.structure, shown.poses);
-  run.theta = shown.theta = model::mean_theta(run.structure, shown.poses);
+  shown.gaps = hinge_gaps(run.design.structure, shown.poses);
+  run.theta = shown.theta = model::mean_theta(run.design.structure, shown.poses);
   run.plan.why.push_back("the path of the equilibrium was stopped: the state shown is that of the search");
 }
 
 /// Whether a physics run is not worth its time: a step costs seconds, and there are thousands.
-bool is_too_large(const Run& run) { return run.structure.bodies() > most_bodies_of_physics; }
+bool is_too_large(const Run& run) { return run.design.structure.bodies() > most_bodies_of_physics; }
 
 class DisplayScene final : public Scene {
  public:
@@ -190,21 +190,22 @@ class DisplayScene final : public Scene {
     }
     describe(run, display->design.view);
     if (display->design.view.at_equilibrium) place_hinges(display->design.view, panel);
-    run.structure = std::move(panel);
+    run.design.structure = std::move(panel);
     run.goal = std::move(display);
   }
 
   void add_state(Run& run, const RunOptions& options) const override {
     auto& display = outcome_of<DisplayOutcome>(run);
-    add_equilibrium(run, drive_on(run.structure, display.design.view), elasticity(), motion_states, options);
+    add_equilibrium(run, drive_on(run.design.structure, display.design.view), elasticity(), motion_states,
+                    options);
     if (options.stop.stop_requested() && !run.equilibrium->reached())
       take_state_of_search(display.design, run);
     if (is_too_large(run))
       run.plan.why.push_back(fmt::format(
           "no physics run: {} bodies would take hours; `verify` makes one of design.yaml all the same",
-          run.structure.bodies()));
-    display.before = read_shown_panel(file_, run.structure, rest_state(run.structure));
-    display.after = read_shown_panel(file_, run.structure, run.states.front().poses);
+          run.design.structure.bodies()));
+    display.before = read_shown_panel(file_, run.design.structure, rest_state(run.design.structure));
+    display.after = read_shown_panel(file_, run.design.structure, run.states.front().poses);
     display.design.view.stretch = run.states.front().gaps.max;
   }
 
@@ -230,7 +231,7 @@ class DisplayScene final : public Scene {
 
   void judge_physics(Run& run) const override {
     auto& display = outcome_of<DisplayOutcome>(run);
-    display.physics = read_shown_panel(file_, run.structure, run.verification->physics.state);
+    display.physics = read_shown_panel(file_, run.design.structure, run.verification->physics.state);
     display.physics_violations =
         violations(file_, display.physics->score, display.physics->rank, "physics run");
     if (const std::string melted = describe_melting(display.goal, *display.physics); !melted.empty())
@@ -263,18 +264,18 @@ class DisplayScene final : public Scene {
 
   /// The panel as the search left it; as asked where it found no equilibrium.
   void describe(Run& run, optim::DisplayView& view) const {
-    run.physics = file_.physics;
-    run.hinge = file_.hinge;
-    run.process = file_.process;
-    run.hinge.model = HingeSection::Model::elastic;
+    run.design.physics = file_.physics;
+    run.design.hinge = file_.hinge;
+    run.design.process = file_.process;
+    run.design.hinge.model = HingeSection::Model::elastic;
     run.verify_tolerance = file_.verify;
     if (!view.at_equilibrium) view.plates = plates_of(file_);
     view.plates.press = file_.press;
     if (view.turn)
-      run.drive = DriveSection{
+      run.design.drive = DriveSection{
           .kind = DriveSection::Kind::hinge, .hinge = view.turn->hinge, .angle = view.turn->angle};
     else
-      run.drive = DriveSection{
+      run.design.drive = DriveSection{
           .axis = view.plates.axis, .compression = view.plates.compression, .press = view.plates.press};
   }
 

@@ -33,19 +33,18 @@ bool meets_goal(const FoldFile& file, const optim::FoldDesign& design, const Mat
 Borne borne_by(const FoldFile& file, const Run& run, const Scene& scene, const optim::FoldDesign& design,
                const std::stop_token& stop) {
   Run trial;
-  trial.hinge = run.hinge;
-  trial.physics = run.physics;
+  trial.design = run.design;
   trial.goal_drive = run.goal_drive;
-  trial.structure = design.folded.structure;
+  trial.design.structure = design.folded.structure;
   trial.theta = design.folded.theta;
-  trial.own_hinges = own_hinges_of(trial.structure, run.hinge_parts);
-  trial.plan = make_plan(trial.structure, Model::exact);
+  trial.design.own_hinges = own_hinges_of(trial.design.structure, run.hinge_parts);
+  trial.plan = make_plan(trial.design.structure, Model::exact);
   auto fold = std::make_unique<FoldOutcome>();
   fold->design = design;
   trial.goal = std::move(fold);
   const MatterPath found = path_in_matter(trial, scene, stop);
   return {{model::mean_theta(found.sheet, found.path.state),
-           hinge_loads(found.path, found.drive, found.sheet, run.hinge, trial.own_hinges)},
+           hinge_loads(found.path, found.drive, found.sheet, run.design.hinge, trial.design.own_hinges)},
           meets_goal(file, design, found)};
 }
 

@@ -161,7 +161,7 @@ class FoldScene final : public Scene {
                             : found->design.obstacles;
     if (is_size_missed(*found)) found->instead = other_size(file, *found, options);
     check_size(*found);
-    run.structure = net.structure;
+    run.design.structure = net.structure;
     run.theta = net.theta;
     run.goal = std::move(found);
   }
@@ -208,12 +208,12 @@ class FoldScene final : public Scene {
     optim::FoldedNet& net = found.design.folded;
     net.error = fold_error(net.net, net.layout, net.structure, state, net.theta);
     for (std::size_t c = 0; c < net.tilt.size(); ++c)
-      net.tilt[c] = mean_tilt(run.structure, net.layout.creases[c]);
+      net.tilt[c] = mean_tilt(run.design.structure, net.layout.creases[c]);
     found.violations = violations(file_, found.creases(net.error), net.error.rms, "equilibrium");
     check_size(found);
     if (!found.loads) return;
-    const HingeLoads loads =
-        hinge_loads(run.equilibrium->path, run.equilibrium->drive, run.structure, run.hinge, run.own_hinges);
+    const HingeLoads loads = hinge_loads(run.equilibrium->path, run.equilibrium->drive, run.design.structure,
+                                         run.design.hinge, run.design.own_hinges);
     found.loads = FoldLoads{run.theta, loads};
     for (const std::string& why : violations(file_.limits, loads, "a smaller theta"))
       found.violations.push_back(why);

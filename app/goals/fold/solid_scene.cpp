@@ -84,7 +84,7 @@ class SolidScene final : public Scene {
       found->violations = violations(file_, found->creases(design.error), design.error.rms, "model");
     for (const optim::SolidAttempt& attempt : design.attempts)
       if (!design.folds) found->violations.push_back(attempt.why);
-    run.structure = design.net.structure;
+    run.design.structure = design.net.structure;
     run.theta = design.theta;
     run.goal = std::move(found);
   }
@@ -123,7 +123,7 @@ class SolidScene final : public Scene {
     optim::SolidDesign& design = found.design;
     design.error = solid_error(design.net, state, design.theta);
     for (std::size_t c = 0; c < design.tilt.size(); ++c)
-      design.tilt[c] = mean_crease_tilt(run.structure, design.net.creases[c]);
+      design.tilt[c] = mean_crease_tilt(run.design.structure, design.net.creases[c]);
     found.violations = violations(file_, found.creases(design.error), design.error.rms, "equilibrium");
   }
 

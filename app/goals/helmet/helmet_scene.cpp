@@ -108,7 +108,7 @@ class HelmetScene final : public Scene {
         file_.head, file_.spec, fit_helmet(file_.head.dome, crown, file_.spec, followed(options)));
     helmet->tolerances = {{"rms_mm", file_.rms_mm}, {"max_mm", file_.max_mm}};
     if (file_.covered_share) helmet->tolerances.emplace_back("covered_share", *file_.covered_share);
-    run.structure = helmet->design.fishbone.structure;
+    run.design.structure = helmet->design.fishbone.structure;
     run.theta = helmet->design.shape.theta;
     run.goal = std::move(helmet);
   }
@@ -116,13 +116,13 @@ class HelmetScene final : public Scene {
   void add_state(Run& run, const RunOptions&) const override {
     const model::State& folded = outcome_of<HelmetOutcome>(run).design.state;
     run.states.push_back({"target", to_string(Model::exact), run.theta, in_mesh(file_.head, folded),
-                          hinge_gaps(run.structure, folded)});
-    run.fidelity.push_back(exact_fidelity(run.plan.exact, run.structure, run.theta));
+                          hinge_gaps(run.design.structure, folded)});
+    run.fidelity.push_back(exact_fidelity(run.plan.exact, run.design.structure, run.theta));
   }
 
   void judge(Run& run, const RunOptions&) const override {
     auto& helmet = outcome_of<HelmetOutcome>(run);
-    helmet.inside = walls_inside(run.structure, helmet.design.state, file_.head.scan);
+    helmet.inside = walls_inside(run.design.structure, helmet.design.state, file_.head.scan);
     helmet.violations = violations(file_, helmet.design.error, helmet.inside, "model");
     append(helmet.violations, bare(file_, helmet.cover));
     append(helmet.violations, helmet.design.collisions);
@@ -155,7 +155,7 @@ class HelmetScene final : public Scene {
   }
 
   std::optional<PhysicsTask> physics_task(const Run& run) const override {
-    return PhysicsTask{outcome_of<HelmetOutcome>(run).design.state, drive_to(run.structure, run.theta),
+    return PhysicsTask{outcome_of<HelmetOutcome>(run).design.state, drive_to(run.design.structure, run.theta),
                        rotary_physics(file_.hinge, file_.physics, file_.spec.size.edge_mm)};
   }
 
@@ -165,7 +165,7 @@ class HelmetScene final : public Scene {
     run.states.back().poses = in_mesh(file_.head, on_head);
     helmet.physics =
         optim::ribs_error(helmet.design.fishbone, on_head, file_.head.dome, file_.spec.clearance_mm);
-    helmet.physics_inside = walls_inside(run.structure, on_head, file_.head.scan);
+    helmet.physics_inside = walls_inside(run.design.structure, on_head, file_.head.scan);
     helmet.physics_violations = violations(file_, *helmet.physics, helmet.physics_inside, "physics run");
   }
 
@@ -175,7 +175,7 @@ class HelmetScene final : public Scene {
     const model::State on_head = aligned(state, helmet.design.state);
     helmet.design.error =
         optim::ribs_error(helmet.design.fishbone, on_head, file_.head.dome, file_.spec.clearance_mm);
-    helmet.inside = walls_inside(run.structure, on_head, file_.head.scan);
+    helmet.inside = walls_inside(run.design.structure, on_head, file_.head.scan);
     helmet.violations = violations(file_, helmet.design.error, helmet.inside, "equilibrium");
     append(helmet.violations, bare(file_, helmet.cover));
     append(helmet.violations, helmet.design.collisions);
@@ -187,7 +187,7 @@ class HelmetScene final : public Scene {
     for (int k = 0; k < motion_states; ++k) {
       const double theta = run.theta * k / (motion_states - 1);
       model::State state = placed_fishbone(design.fishbone, design.shape, theta);
-      const model::HingeGaps gaps = hinge_gaps(run.structure, state);
+      const model::HingeGaps gaps = hinge_gaps(run.design.structure, state);
       run.states.push_back(
           {"frame", to_string(Model::exact), theta, in_mesh(file_.head, std::move(state)), gaps});
     }

@@ -53,7 +53,7 @@ Json OutlineOutcome::target_json() const {
 }
 
 void OutlineOutcome::add_sections(const Run& run, Json& result) const {
-  const double edge = run.structure.size().edge_mm;
+  const double edge = run.design.structure.size().edge_mm;
   Json section = {{"goal_mm", points_json(placed(edge))},
                   {"rim", rim},
                   {"size", size(edge)},
@@ -99,7 +99,7 @@ void OutlineOutcome::add_metrics(Json& metrics) const {
 }
 
 std::vector<SummaryLine> OutlineOutcome::summary_lines(const Run& run) const {
-  const double edge = run.structure.size().edge_mm;
+  const double edge = run.design.structure.size().edge_mm;
   std::vector<SummaryLine> lines;
   lines.push_back(
       {"outline",
@@ -123,12 +123,12 @@ std::vector<SummaryLine> OutlineOutcome::summary_lines(const Run& run) const {
 
 std::vector<NamedContent> OutlineOutcome::pictures(const Run& run) const {
   std::vector<NamedContent> files;
-  const model::State flat = rest_state(run.structure);
+  const model::State flat = rest_state(run.design.structure);
   for (const auto& [name, state] :
        {std::pair("flat", &flat), std::pair("pressed", &run.states.front().poses)})
     for (const PictureFormat format : {PictureFormat::svg, PictureFormat::png})
       files.push_back({std::string(name) + (format == PictureFormat::svg ? ".svg" : ".png"),
-                       panel_picture(run.structure, *state, {.format = format})});
+                       panel_picture(run.design.structure, *state, {.format = format})});
   return files;
 }
 

@@ -75,7 +75,7 @@ class OutlineScene final : public Scene {
     outline->turn = found.turn;
     outline->rim = outer_rim(outline->design.panel.graph).vertices;
     outline->violations = all_violations(file_, *outline, "model");
-    run.structure = std::move(found.sheet);
+    run.design.structure = std::move(found.sheet);
     run.theta = outline->design.theta;
     run.goal = std::move(outline);
   }
@@ -88,7 +88,7 @@ class OutlineScene final : public Scene {
     auto& outline = outcome_of<OutlineOutcome>(run);
     turn_back(run, 0);
     outline.exact = run.states.front().poses;
-    move_outline(outline.exact, run.structure.size().edge_mm, outline.turn, outline.design);
+    move_outline(outline.exact, run.design.structure.size().edge_mm, outline.turn, outline.design);
   }
 
   /// As it lies on the lattice, along which its drive goes.
@@ -106,7 +106,7 @@ class OutlineScene final : public Scene {
   std::optional<Judged> judged(const Run& run, const model::Sheet&,
                                const model::State& state) const override {
     const auto& outline = outcome_of<OutlineOutcome>(run);
-    const targets::Outline goal(outline.placed(run.structure.size().edge_mm));
+    const targets::Outline goal(outline.placed(run.design.structure.size().edge_mm));
     const model::Pose motion = motion_onto(state, outline.exact);
     const model::State placed = moved(state, motion);
     Judged out{{}, file_.shape_tolerance * goal.diagonal()};
@@ -125,7 +125,7 @@ class OutlineScene final : public Scene {
   /// How elastic hinges keep the goal.
   void judge_matter(Run& run, const model::State& state) const override {
     auto& outline = outcome_of<OutlineOutcome>(run);
-    outline.matter = error_of(outline, state, run.structure.size().edge_mm);
+    outline.matter = error_of(outline, state, run.design.structure.size().edge_mm);
     outline.violations = all_violations(file_, outline, "equilibrium");
   }
 
@@ -137,7 +137,7 @@ class OutlineScene final : public Scene {
 
   void judge_physics(Run& run) const override {
     auto& outline = outcome_of<OutlineOutcome>(run);
-    outline.physics = error_of(outline, run.verification->physics.state, run.structure.size().edge_mm);
+    outline.physics = error_of(outline, run.verification->physics.state, run.design.structure.size().edge_mm);
     outline.physics_violations = violations(file_, *outline.physics, "physics run");
   }
 

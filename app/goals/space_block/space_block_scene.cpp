@@ -33,7 +33,7 @@ class SpaceBlockScene final : public Scene {
     auto outcome = std::make_unique<SpaceBlockOutcome>(file_);
     outcome->tolerances = {{"factor", file_.factor_tolerance}};
     if (file_.goal.size_mm) outcome->tolerances.emplace_back("size", file_.size_tolerance);
-    run.structure = block();
+    run.design.structure = block();
     run.theta = file_.found.theta;
     run.goal = std::move(outcome);
   }
@@ -64,7 +64,7 @@ class SpaceBlockScene final : public Scene {
     const auto& outcome = outcome_of<SpaceBlockOutcome>(run);
     const model::Pose motion = motion_onto(state, outcome.exact);
     const model::State placed = moved(state, motion);
-    const auto rotors = optim::side_rotors(*run.structure.sodalite());
+    const auto rotors = optim::side_rotors(*run.design.structure.sodalite());
     Judged out{{}, file_.factor_tolerance * file_.found.size_mm.minCoeff()};
     for (int d = 0; d < 3; ++d)
       for (const std::vector<int>& side : rotors[d])
@@ -91,11 +91,12 @@ class SpaceBlockScene final : public Scene {
 
   /// @param state with its sides along the axes
   targets::SpaceBlockError error_of(const Run& run, const model::State& state) const {
-    const model::SodaliteStructure& block = *run.structure.sodalite();
+    const model::SodaliteStructure& block = *run.design.structure.sodalite();
     const auto lengths = [&](const model::State& of) {
       return targets::block_lengths(optim::block_sides(block, of));
     };
-    return space_block_error(file_.goal, lengths(rest_state(model::Linkage(run.structure))), lengths(state));
+    return space_block_error(file_.goal, lengths(rest_state(model::Linkage(run.design.structure))),
+                             lengths(state));
   }
 
   SpaceBlockFile file_;

@@ -77,7 +77,7 @@ class SpaceCurveScene final : public Scene {
     follow(options, file.wanted.diagonal(), solver);
     outcome->found = fit_space_curve(file.wanted, file.variables, solver);
     outcome->violations = all_violations(*outcome, "model");
-    run.structure = sheet_of(outcome->found.design, outcome->found.size);
+    run.design.structure = sheet_of(outcome->found.design, outcome->found.size);
     run.theta = outcome->found.design.theta;
     run.goal = std::move(outcome);
   }
@@ -87,7 +87,7 @@ class SpaceCurveScene final : public Scene {
     auto& outcome = outcome_of<SpaceCurveOutcome>(run);
     outcome.exact = run.states.front().poses;
     const model::Pose motion =
-        motion_onto(fold(outcome.found.design, *run.structure.squares()), outcome.exact);
+        motion_onto(fold(outcome.found.design, *run.design.structure.squares()), outcome.exact);
     outcome.place = {motion.R * outcome.found.place.R, motion.R * outcome.found.place.p + motion.p};
     outcome.found.error = outcome.error_of(outcome.exact);
     outcome.midline = optim::space_midline(outcome.exact);
@@ -132,9 +132,10 @@ class SpaceCurveScene final : public Scene {
   }
 
   std::optional<PhysicsTask> physics_task(const Run& run) const override {
-    const model::Structure& strip = *run.structure.squares();
+    const model::Structure& strip = *run.design.structure.squares();
     const model::Wall middle = {{file_.variables.columns / 2, 0}, model::Axis::y};
-    sim::PhysicsOptions options = rotary_physics(run.hinge, run.physics, run.structure.size().edge_mm);
+    sim::PhysicsOptions options =
+        rotary_physics(run.design.hinge, run.design.physics, run.design.structure.size().edge_mm);
     options.settle_seconds =
         std::max(options.settle_seconds, settle_seconds_a_column * file_.variables.columns);
     return PhysicsTask{run.states.front().poses, hinge_drive_to(middle, run.theta).on(strip), options};

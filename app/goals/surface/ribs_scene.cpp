@@ -42,7 +42,7 @@ class RibsScene final : public Scene {
     follow(options, optim::ribs_residual_in_cells * file_.spec.size.edge_mm, search);
     auto ribs = std::make_unique<RibsOutcome>(file_, fit_ribs(file_.surface, file_.spec, search));
     ribs->tolerances = {{"shape", file_.shape_tolerance}, {"covered_share", file_.covered_tolerance}};
-    run.structure = ribs->design.fishbone.structure;
+    run.design.structure = ribs->design.fishbone.structure;
     run.theta = ribs->design.shape.theta;
     run.goal = std::move(ribs);
   }
@@ -50,8 +50,8 @@ class RibsScene final : public Scene {
   void add_state(Run& run, const RunOptions&) const override {
     const model::State& folded = outcome_of<RibsOutcome>(run).design.state;
     run.states.push_back({"target", to_string(Model::exact), run.theta, in_given(file_.surface, folded),
-                          hinge_gaps(run.structure, folded)});
-    run.fidelity.push_back(exact_fidelity(run.plan.exact, run.structure, run.theta));
+                          hinge_gaps(run.design.structure, folded)});
+    run.fidelity.push_back(exact_fidelity(run.plan.exact, run.design.structure, run.theta));
   }
 
   void judge(Run& run, const RunOptions& options) const override {
@@ -76,7 +76,7 @@ class RibsScene final : public Scene {
   model::State own_state(const Run& run) const override { return outcome_of<RibsOutcome>(run).design.state; }
 
   std::optional<PhysicsTask> physics_task(const Run& run) const override {
-    return PhysicsTask{own_state(run), drive_to(run.structure, run.theta),
+    return PhysicsTask{own_state(run), drive_to(run.design.structure, run.theta),
                        physics_options(file_.physics, file_.spec.size.edge_mm)};
   }
 
@@ -93,7 +93,7 @@ class RibsScene final : public Scene {
     for (int k = 0; k < motion_states; ++k) {
       const double theta = run.theta * k / (motion_states - 1);
       model::State state = placed_fishbone(design.fishbone, design.shape, theta);
-      const model::HingeGaps gaps = hinge_gaps(run.structure, state);
+      const model::HingeGaps gaps = hinge_gaps(run.design.structure, state);
       run.states.push_back(
           {"frame", to_string(Model::exact), theta, in_given(file_.surface, std::move(state)), gaps});
     }

@@ -132,7 +132,7 @@ std::vector<SummaryLine> SurfaceOutcome::summary_lines(const Run& run) const {
                                        design.mesh.columns, design.mesh.rows, design.edge[0], design.edge[1],
                                        to_degrees(design.sector[0]), to_degrees(design.sector[1]),
                                        to_degrees(design.tilt))});
-  const double edge = run.structure.size().edge_mm;
+  const double edge = run.design.structure.size().edge_mm;
   lines.push_back(
       {"walls",
        fmt::format("a mean wall is {:.2f} mm; {}", edge,

@@ -132,7 +132,7 @@ class SurfaceScene final : public Scene {
     surface->clear = optim::is_free(sheet, file_.theta);
     surface->violations = violations(*surface);
     surface->exact = moved(fold(sheet, file_.theta), onto_surface(sheet, surface->design));
-    run.structure = std::move(sheet.structure);
+    run.design.structure = std::move(sheet.structure);
     run.theta = file_.theta;
     run.goal = std::move(surface);
   }

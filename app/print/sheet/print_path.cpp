@@ -19,7 +19,7 @@ constexpr double told_mm = 0.01;    // mm: no printer tells folds apart that are
 constexpr double known_mm = 0.005;  // mm: to which a path is to be known between its states
 constexpr int most_rounds = 3;      // of halving the steps of a path that is not
 
-PrintPath exact_path(const DesignFile& design, const model::ExactMotion& exact, PrintPath path) {
+PrintPath exact_path(const Design& design, const model::ExactMotion& exact, PrintPath path) {
   const double theta = exact_theta_of(design, exact);
   if (theta == 0) {
     path.why_flat_alone = "the design's theta is 0";
@@ -36,7 +36,7 @@ PrintPath exact_path(const DesignFile& design, const model::ExactMotion& exact, 
   return path;
 }
 
-model::EquilibriumPathOptions steps_of(const DesignFile& design, int steps) {
+model::EquilibriumPathOptions steps_of(const Design& design, int steps) {
   model::EquilibriumPathOptions options;
   options.side = design.side;
   options.longest_step = std::clamp(std::abs(design.theta) / steps, options.least_step, options.longest_step);
@@ -57,7 +57,7 @@ std::vector<int> jumps_of(const model::EquilibriumPath& traced, const std::vecto
 }
 
 /// At steps as even as the path allows.
-PrintPath traced_path(const DesignFile& design, const model::ExactMotion& exact, int steps, PrintPath path) {
+PrintPath traced_path(const Design& design, const model::ExactMotion& exact, int steps, PrintPath path) {
   const model::EquilibriumPath traced = trace_equilibrium(
       {design.structure, drive_of(design), exact}, elasticity_of(design), steps_of(design, steps),
       [&](const model::EquilibriumStep& step, const model::State& state) {
@@ -75,7 +75,7 @@ PrintPath traced_path(const DesignFile& design, const model::ExactMotion& exact,
   return path;
 }
 
-PrintPath equilibrium_path(const DesignFile& design, const model::ExactMotion& exact, const PrintPath& flat) {
+PrintPath equilibrium_path(const Design& design, const model::ExactMotion& exact, const PrintPath& flat) {
   int steps = path_steps;
   PrintPath path = traced_path(design, exact, steps, flat);
   for (int round = 0; round < most_rounds && sampling_error_mm(path, design.structure) > known_mm; ++round) {
@@ -88,7 +88,7 @@ PrintPath equilibrium_path(const DesignFile& design, const model::ExactMotion& e
 
 }  // namespace
 
-PrintPath print_path(const DesignFile& design) {
+PrintPath print_path(const Design& design) {
   const model::Linkage linkage = design.structure;
   const model::ExactMotion exact = exact_motion(design.structure);
   PrintPath path{{0}, {rest_state(linkage)}};
@@ -97,7 +97,7 @@ PrintPath print_path(const DesignFile& design) {
   return path;
 }
 
-std::optional<std::string> equilibrium_beside_exact(const DesignFile& design, double edge_mm) {
+std::optional<std::string> equilibrium_beside_exact(const Design& design, double edge_mm) {
   const model::ExactMotion exact = exact_motion(design.structure);
   if (!exact || design.hinge.model != HingeSection::Model::elastic) return std::nullopt;
   model::EquilibriumPathOptions options;

@@ -29,12 +29,12 @@ struct PrintPath {
 /// By the closed form at path_steps even steps; where there is none by the equilibrium of the design's elastic hinges
 /// under its drive, at steps at most as long, which are halved up to three times until it is known to 0.005 mm between two of
 /// them.
-PrintPath print_path(const DesignFile& design);
+PrintPath print_path(const Design& design);
 
 /// What is to be said of a fold by the closed form where hinges are elastic: how far their equilibrium under the design's drive is
 /// from it, or that it does not get there. Nothing where they are alike, there is no closed form, or hinges are rotary.
 /// @param edge_mm of the cells as they are made
-std::optional<std::string> equilibrium_beside_exact(const DesignFile& design, double edge_mm);
+std::optional<std::string> equilibrium_beside_exact(const Design& design, double edge_mm);
 
 /// Of another cell edge, mm: lengths grow with it, angles stay.
 std::vector<model::State> with_edge(std::vector<model::State> states, double edge_mm);

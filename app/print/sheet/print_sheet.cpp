@@ -50,7 +50,7 @@ void check_eye(const model::HingePrint& pin) {
 
 class SheetMaker {
  public:
-  SheetMaker(const DesignFile& design, const PrintPath& path, const model::Process& process,
+  SheetMaker(const Design& design, const PrintPath& path, const model::Process& process,
              const PrintChoice& choice)
       : design_(design), choice_(choice), structure_(resized(design.structure, choice, process)) {
     sheet_.name = design.name;
@@ -172,7 +172,7 @@ class SheetMaker {
     }
   }
 
-  const DesignFile& design_;
+  const Design& design_;
   const PrintChoice choice_;
   const model::Sheet structure_;
   PrintSheet sheet_;
@@ -251,13 +251,13 @@ void make_solids(PrintSheet& sheet) {
                              : soft_solid(sheet.linkage, h, sheet.hinges[h]));
 }
 
-bool leaves_hinges_open(const DesignFile& design) {
+bool leaves_hinges_open(const Design& design) {
   if (!design.hinge.made) return true;
   return std::any_of(design.own_hinges.begin(), design.own_hinges.end(),
                      [](const auto& own) { return !own.second.made; });
 }
 
-PrintSheet make_print_sheet(const DesignFile& design, const PrintPath& path, const model::Process& process,
+PrintSheet make_print_sheet(const Design& design, const PrintPath& path, const model::Process& process,
                             const PrintChoice& choice) {
   return SheetMaker(design, path, process, choice).made();
 }

@@ -72,14 +72,14 @@ model::CellSize resized(const model::CellSize& size, const PrintChoice& choice,
                         const model::Process& process);
 
 /// Whether the design leaves the kind of some hinge open.
-bool leaves_hinges_open(const DesignFile& design);
+bool leaves_hinges_open(const Design& design);
 
 /// Hinges that the design leaves open have a rod and clearance as small as the process prints them, or are blocks of
 /// rubber or films as long as the fold needs.
 /// @param path of the design
 /// @throws BedTooSmall for a bed that does not hold each body; other InvalidInput for what the process cannot print,
 /// hinges that overlap a junction, and a sheet without hinges
-PrintSheet make_print_sheet(const DesignFile& design, const PrintPath& path, const model::Process& process,
+PrintSheet make_print_sheet(const Design& design, const PrintPath& path, const model::Process& process,
                             const PrintChoice& choice);
 
 /// Bodies, meshes and blocks of a sheet whose linkage and hinges are known. @throws InvalidInput as above

@@ -29,7 +29,7 @@ Json hinge_json(const HingeSection& hinge) {
 }
 
 /// What moves it, in words.
-const char* drive_text(const DesignFile& design) {
+const char* drive_text(const Design& design) {
   using Kind = DriveSection::Kind;
   if (!design.drive) return "";
   switch (design.drive->kind) {
@@ -61,7 +61,7 @@ Json hello_message(const std::string& name) {
   return out;
 }
 
-Json design_message(const DesignFile& design, const Moving& moving) {
+Json design_message(const Design& design, const Moving& moving) {
   return {{"type", "design"},
           {"name", design.name},
           {"structure", sheet_json(design)},

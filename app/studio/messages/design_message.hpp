@@ -9,7 +9,7 @@ namespace kinetix::app::studio {
 /// The message `hello` of docs/studio.md.
 nlohmann::ordered_json hello_message(const std::string& name);
 /// `design`, without what the session alone knows: revision, undo, redo, unsaved.
-nlohmann::ordered_json design_message(const DesignFile& design, const Moving& moving);
+nlohmann::ordered_json design_message(const Design& design, const Moving& moving);
 /// `state`, without whether a search is going on.
 nlohmann::ordered_json state_message(const Player& player);
 /// `error`. @param id of the command that it answers; 0: of none   @param about type of the command that failed; empty: none

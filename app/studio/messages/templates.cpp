@@ -12,28 +12,28 @@ using Squares = model::ExactDesign<double>;
 
 constexpr double edge_mm = 10;  // of a cell: fits a hand and most printers
 
-DesignFile design_of(const char* name, const Squares& squares) {
-  DesignFile design;
+Design design_of(const char* name, const Squares& squares) {
+  Design design;
   design.name = name;
   design.structure = sheet_of(squares, default_size(edge_mm));
   return design;
 }
 
-DesignFile panel() { return design_of("panel", Squares::basic(8, 8)); }
+Design panel() { return design_of("panel", Squares::basic(8, 8)); }
 
-DesignFile strip() {
+Design strip() {
   Squares squares = Squares::basic(12, 1);
   for (int c = 0; c < 12; ++c) squares.beta[c] = model::column_sign(c) * 20 * radians_per_degree;
   return design_of("strip", squares);
 }
 
-DesignFile shear() {
+Design shear() {
   Squares squares = Squares::basic(8, 3);
   squares.t.assign(8, 0.35);
   return design_of("shear", squares);
 }
 
-DesignFile crease() {
+Design crease() {
   Squares squares = Squares::basic(9, 4);
   squares.beta[4] = 45 * radians_per_degree;
   return design_of("crease", squares);
@@ -51,7 +51,7 @@ const std::vector<Template>& templates() {
   return all;
 }
 
-DesignFile template_design(std::string_view name) {
+Design template_design(std::string_view name) {
   std::vector<std::string_view> names;
   for (const Template& one : templates()) {
     if (one.name == name) return one.make();

@@ -10,11 +10,11 @@ namespace kinetix::app::studio {
 /// A design to start from, flat, of stiff hinges.
 struct Template {
   std::string_view name, about;
-  DesignFile (*make)();
+  Design (*make)();
 };
 
 const std::vector<Template>& templates();
 /// @throws InvalidInput for a name that none has
-DesignFile template_design(std::string_view name);
+Design template_design(std::string_view name);
 
 }  // namespace kinetix::app::studio

@@ -16,17 +16,17 @@ constexpr double usual_rest = 0.35;  // rad of theta: about where springs of sha
 
 }  // namespace
 
-Player::Player(const DesignFile& design) : force_N_(nan), energy_Nmm_(nan) {
+Player::Player(const Design& design) : force_N_(nan), energy_Nmm_(nan) {
   springs_ = design.hinge.model == HingeSection::Model::elastic;
   load(design);
   fold_to(design.theta);
 }
 
-void Player::load(const DesignFile& design) {
+void Player::load(const Design& design) {
   const double theta = theta_;
   const bool plays_on = mode_ == Mode::bullet;
   auto moving = std::make_unique<Moving>(design);
-  DesignFile taken = design;
+  Design taken = design;
   live_.reset();
   design_ = std::move(taken);
   moving_ = std::move(moving);
@@ -77,7 +77,7 @@ double Player::drive_theta(double theta, const model::State& state) const {
 /// wherever that is.
 double Player::kept_by_springs() const {
   if (!has_drive_of_its_own() || !drive_of(design_).heats_springs() || !moving_->exact) return 1;
-  DesignFile hot = design_;
+  Design hot = design_;
   hot.drive->angle = 2 * usual_rest;
   const double kept = exact_theta_of(hot, moving_->exact) / usual_rest;
   return kept > 0 ? kept : 1;

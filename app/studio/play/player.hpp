@@ -10,11 +10,11 @@ namespace kinetix::app::studio {
 /// The shape of a design at the moment: on its exact way, in equilibrium, or in the engine.
 class Player {
  public:
-  explicit Player(const DesignFile& design);
+  explicit Player(const Design& design);
 
   /// Another design, folded as far as the one before. Where it has no exact motion, the mode is equilibrium until one
   /// comes that has. Where that fails for want of memory the design before stays, but for a failure of the engine, which is left.
-  void load(const DesignFile& design);
+  void load(const Design& design);
   const Moving& moving() const { return *moving_; }
   Mode mode() const { return mode_; }
   /// Changes how the shape is computed; it stays as near as the mode has it.
@@ -66,7 +66,7 @@ class Player {
   double drive_theta(double theta, const model::State& state) const;
   sim::LiveSheet& engine();
 
-  DesignFile design_;
+  Design design_;
   std::unique_ptr<Moving> moving_;
   Mode wanted_ = Mode::exact, mode_ = Mode::exact;  ///< the one asked for; the one that the design allows
   double theta_ = 0;                                ///< rad, of exact and equilibrium

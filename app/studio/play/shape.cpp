@@ -22,7 +22,7 @@ Eigen::Vector3d carried(const Moving& moving, double theta, int body, const Eige
 }
 
 /// @pre it has a drive
-void end_drive_at(DesignFile& design, double drive_theta) {
+void end_drive_at(Design& design, double drive_theta) {
   const model::LinkageDrive shown = drive_to(design, drive_theta);
   design.drive->compression = shown.compression;
   design.drive->branch = shown.branch;
@@ -32,7 +32,7 @@ void end_drive_at(DesignFile& design, double drive_theta) {
 
 }  // namespace
 
-Moving::Moving(const DesignFile& design) : linkage(design.structure), exact(exact_motion(design.structure)) {
+Moving::Moving(const Design& design) : linkage(design.structure), exact(exact_motion(design.structure)) {
   if (!exact) {
     nearest = nearest_design(design.structure);
     return;
@@ -52,11 +52,11 @@ double nearest_theta(const Moving& moving, double from, int body, const Eigen::V
   return least < miss(from) ? theta : from;
 }
 
-model::LinkageDrive drive_to(const DesignFile& design, double theta) {
+model::LinkageDrive drive_to(const Design& design, double theta) {
   return design.drive ? drive_of(design).to(theta) : drive_to(design.structure, theta);
 }
 
-DesignFile as_far_as_shown(DesignFile design, const Moving& moving, double sheet_theta, double drive_theta) {
+Design as_far_as_shown(Design design, const Moving& moving, double sheet_theta, double drive_theta) {
   if (sheet_theta == 0) return design;
   if (moving.exact)
     design.drive.reset();
@@ -66,16 +66,16 @@ DesignFile as_far_as_shown(DesignFile design, const Moving& moving, double sheet
   return design;
 }
 
-DesignFile saved_as_shown(DesignFile design, const Moving& moving, double sheet_theta, double drive_theta) {
+Design saved_as_shown(Design design, const Moving& moving, double sheet_theta, double drive_theta) {
   if (design.drive && sheet_theta != 0) end_drive_at(design, drive_theta);
   // Without an exact motion it is opened by its drive, whose theta need not be the sheet's.
   design.theta = moving.exact ? sheet_theta : drive_theta;
   return design;
 }
 
-std::unique_ptr<sim::LiveSheet> live_sheet(const DesignFile& design, const model::Linkage& linkage,
+std::unique_ptr<sim::LiveSheet> live_sheet(const Design& design, const model::Linkage& linkage,
                                            bool springs) {
-  DesignFile as = design;
+  Design as = design;
   as.hinge.model = springs ? HingeSection::Model::elastic : HingeSection::Model::rotary;
   sim::PhysicsOptions options = physics_of(as, all_vertical(linkage));
   options.planar = all_vertical(linkage);

@@ -21,7 +21,7 @@ constexpr double followed_step = 0.05;  // rad of theta between equilibria that 
 constexpr double snapped = 0.3;         // rad that a hinge turns in such a step: more is another branch
 constexpr double same_theta = 1e-7;     // rad: a drive knows its theta by the compression of its plates
 
-model::Elasticity elastic_hinges(DesignFile design) {
+model::Elasticity elastic_hinges(Design design) {
   design.hinge.model = HingeSection::Model::elastic;
   return elasticity_of(design);
 }
@@ -33,7 +33,7 @@ double next_theta(double theta, double goal) {
 
 }  // namespace
 
-SheetEquilibria::SheetEquilibria(const DesignFile& design)
+SheetEquilibria::SheetEquilibria(const Design& design)
     : design_(design), linkage_(design.structure), elasticity_(elastic_hinges(design)) {}
 
 model::EquilibriumPathOptions SheetEquilibria::options(const std::stop_token& stop) const {

@@ -21,7 +21,7 @@ class SheetEquilibria {
   using Seen = std::function<void(const model::DrivenState& at)>;
 
   /// @param design theta counts alone as the side that it folds to
-  explicit SheetEquilibria(const DesignFile& design);
+  explicit SheetEquilibria(const Design& design);
 
   /// Goes to theta, rad: from the nearest state of the way that is known, else from flat. `seen` hears of every state on
   /// the way, the last one included.
@@ -42,7 +42,7 @@ class SheetEquilibria {
   std::shared_ptr<KnownWay> from_flat(double theta, const std::stop_token& stop, const Seen& seen,
                                       std::string& why) const;
 
-  DesignFile design_;
+  Design design_;
   model::Linkage linkage_;
   model::Elasticity elasticity_;
 };

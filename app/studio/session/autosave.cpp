@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr int most_places = 100;  // studios of one source at the same time
 constexpr std::string_view kept_heading = "# Kept by the studio until it is saved: ";
 
-std::string kept_text(const DesignFile& design, const std::string& save_file) {
+std::string kept_text(const Design& design, const std::string& save_file) {
   const Json about = {{"saves_to", save_file}};
   return fmt::format("{}{}\n{}", kept_heading, about.dump(-1, ' ', true, Json::error_handler_t::replace),
                      design_text(design));
@@ -79,7 +79,7 @@ std::optional<KeptDesign> Autosave::kept() const {
   }
 }
 
-void Autosave::keep(const DesignFile& design, const std::string& save_file, const Json& told) {
+void Autosave::keep(const Design& design, const std::string& save_file, const Json& told) {
   const std::lock_guard guard(mutex_);
   if (has_ended_) return;
   FileSet files(folder_.string());

@@ -14,7 +14,7 @@ namespace kinetix::app::studio {
 
 /// A design that was not saved, as it was kept.
 struct KeptDesign {
-  DesignFile design;
+  Design design;
   std::string save_file;               ///< where `save` writes it; empty: into a folder of results
   nlohmann::ordered_json result = {};  ///< the message of the result that it is of; null: none is known
 };
@@ -32,7 +32,7 @@ class Autosave {
   /// What a studio that was killed left; nothing where there is none, or it cannot be read.
   std::optional<KeptDesign> kept() const;
   /// @param told the message of its result; null: none is known   @throws InvalidInput where it cannot be written
-  void keep(const DesignFile& design, const std::string& save_file, const nlohmann::ordered_json& told);
+  void keep(const Design& design, const std::string& save_file, const nlohmann::ordered_json& told);
   /// It is saved.
   void forget();
   /// At the end of the program: the next studio does not begin with it. Nothing is kept from then on.

@@ -35,7 +35,7 @@ void change(model::HingeParameters& hinge, const Message& message, double edge_m
   if (message.has("offset_mm")) hinge.offset = message.number("offset_mm", -edge_mm, edge_mm) / edge_mm;
 }
 
-model::SheetSymmetry symmetry_of(const Message& message, const DesignFile& design) {
+model::SheetSymmetry symmetry_of(const Message& message, const Design& design) {
   const std::string name = message.has("symmetry") ? message.text("symmetry") : "none";
   if (name == "none") return {};
   const model::Structure* squares = design.structure.squares();
@@ -67,7 +67,7 @@ void change_images(const std::vector<int>& hinges, const model::SheetSymmetry& s
   }
 }
 
-const model::Structure& squares_of(const DesignFile& design) {
+const model::Structure& squares_of(const Design& design) {
   if (const model::Structure* squares = design.structure.squares()) return *squares;
   throw InvalidInput("cells can be painted on a sheet of squares only");
 }
@@ -81,7 +81,7 @@ void fit_to_walls(HingeSection& hinge, const model::CellSize& before, const mode
 }
 
 /// The drive goes with the cells that it was given for; a cord is shortened by the same part of them.
-DesignFile with_cells(DesignFile design, std::vector<model::Cell> cells, const model::CellSize& size) {
+Design with_cells(Design design, std::vector<model::Cell> cells, const model::CellSize& size) {
   const model::CellSize before = design.structure.size();
   auto [structure, from] = model::redrawn(squares_of(design), std::move(cells), size);
   std::map<int, HingeSection> own;
@@ -115,7 +115,7 @@ void alternate(const model::Structure& squares, const std::vector<int>& hinges, 
 }
 
 /// The design, whose file could not be read again if a hinge sat further off its wall than it can be made.
-DesignFile with_offsets_that_fit(DesignFile design) {
+Design with_offsets_that_fit(Design design) {
   for (int h = 0; h < design.structure.hinges(); ++h)
     if (const auto why = why_offset_does_not_fit(design, h))
       throw InvalidInput(fmt::format("wall {}: {}", wall_name(design.structure, h), *why));
@@ -133,7 +133,7 @@ std::vector<model::Cell> painted(const Message& message) {
   return out;
 }
 
-DesignFile with_one_cell(DesignFile design, const model::Cell& cell, bool on) {
+Design with_one_cell(Design design, const model::Cell& cell, bool on) {
   std::vector<model::Cell> cells = model::with_cell(squares_of(design), cell, on);
   const model::CellSize size = design.structure.size();
   return with_cells(std::move(design), std::move(cells), size);
@@ -160,7 +160,7 @@ std::string sizes_text(const Message& message, const model::CellSize& size) {
 
 }  // namespace
 
-DesignFile with_hinges(DesignFile design, const Message& message) {
+Design with_hinges(Design design, const Message& message) {
   const std::vector<int> hinges = hinges_of(message, design.structure.hinges());
   const double edge_mm = design.structure.size().edge_mm;
   if (message.has("alternate") && message.boolean("alternate"))
@@ -173,7 +173,7 @@ DesignFile with_hinges(DesignFile design, const Message& message) {
   return with_offsets_that_fit(std::move(design));
 }
 
-DesignFile with_cell(DesignFile design, const Message& message) {
+Design with_cell(Design design, const Message& message) {
   const bool on = message.boolean("on");
   const model::SheetSymmetry symmetry = symmetry_of(message, design);
   for (const model::Cell& cell : painted(message)) {
@@ -196,7 +196,7 @@ model::CellSize with_edge(const model::CellSize& size, double edge_mm) {
           follow(size.height_mm, usual.height_mm, now.height_mm)};
 }
 
-DesignFile with_sheet(DesignFile design, const Message& message) {
+Design with_sheet(Design design, const Message& message) {
   const model::Structure& squares = squares_of(design);
   std::array<int, 2> extent = model::extent(squares);
   const bool is_new = message.has("columns") || message.has("rows");
@@ -210,7 +210,7 @@ DesignFile with_sheet(DesignFile design, const Message& message) {
   return with_offsets_that_fit(with_cells(std::move(design), std::move(cells), size));
 }
 
-DesignFile with_made_hinges(DesignFile design, const Message& message) {
+Design with_made_hinges(Design design, const Message& message) {
   design.own_hinges.clear();
   if (message.text("kind") == "stiff") {
     design.hinge = {};

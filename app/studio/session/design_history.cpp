@@ -11,19 +11,19 @@ constexpr std::size_t most_bytes = 128 << 20;  // of all designs; then as many s
 constexpr std::size_t hinge_bytes = 56, body_bytes = 8, cell_bytes = 40;  // bytes, in a sheet of squares
 
 /// About as many bytes as the design takes.
-std::size_t size_of(const DesignFile& design) {
+std::size_t size_of(const Design& design) {
   const model::Sheet& sheet = design.structure;
   return sheet.hinges() * hinge_bytes + sheet.bodies() * body_bytes + sheet.cells() * cell_bytes;
 }
 
 }  // namespace
 
-DesignHistory::DesignHistory(DesignFile first) {
+DesignHistory::DesignHistory(Design first) {
   designs_.reserve(longest + 1);  // so that add() needs no memory
   designs_.push_back({std::move(first), 0, {}});
 }
 
-void DesignHistory::add(DesignFile design, int thing, Finding finding) {
+void DesignHistory::add(Design design, int thing, Finding finding) {
   designs_.resize(at_ + 1);
   if (saved_ > static_cast<int>(at_)) saved_ = -1;
   designs_.push_back({std::move(design), thing, std::move(finding)});

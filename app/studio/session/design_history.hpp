@@ -22,15 +22,15 @@ struct Finding {
 /// A design and those that it came from, each with the number of the thing that it is a state of: edits stay with theirs.
 class DesignHistory {
  public:
-  explicit DesignHistory(DesignFile first);
+  explicit DesignHistory(Design first);
 
-  const DesignFile& current() const { return designs_[at_].design; }
+  const Design& current() const { return designs_[at_].design; }
   int thing() const { return designs_[at_].thing; }
   const Finding& finding() const { return designs_[at_].finding; }
   /// Of the present design, which keeps it while others are undone and redone.
   void set_finding(Finding finding) { designs_[at_].finding = std::move(finding); }
   /// The next design, in the place of those that were undone.
-  void add(DesignFile design, int thing, Finding finding = {});
+  void add(Design design, int thing, Finding finding = {});
   bool can_undo() const { return at_ > 0; }
   bool can_redo() const { return at_ + 1 < designs_.size(); }
   /// @return whether there was anything to undo
@@ -42,7 +42,7 @@ class DesignHistory {
 
  private:
   struct Entry {
-    DesignFile design;
+    Design design;
     int thing;
     Finding finding;
   };

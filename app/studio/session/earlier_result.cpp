@@ -115,7 +115,7 @@ std::optional<double> theta_reached(const Json& message) {
   return theta->get<double>();
 }
 
-Json earlier_result(const std::string& design_file, const DesignFile& design) {
+Json earlier_result(const std::string& design_file, const Design& design) {
   const fs::path file = fs::path(design_file).parent_path() / "result.json";
   Json result = read(file);
   if (!is_of_search(result) || !is_of_sheet(result, design, rounding)) return nullptr;

@@ -42,7 +42,7 @@ fs::path new_folder(const fs::path& inside, const std::string& name) {
 
 }  // namespace
 
-void require_showable(const DesignFile& design) {
+void require_showable(const Design& design) {
   if (design.structure.bodies() <= most_bodies) return;
   throw InvalidInput(fmt::format(
       "structure.cells: {} bodies are more than the {} that a page can show. Take fewer cells, or "
@@ -219,18 +219,18 @@ void Session::drag(const Message& message) {
   if (player_.mode() == Mode::equilibrium) trace(player_.theta());
 }
 
-void Session::take(DesignFile design, Finding finding) {
+void Session::take(Design design, Finding finding) {
   add(std::move(design), history_.thing(), std::move(finding));
 }
 
 /// One that is no change of the present design: `save` leaves that one's file alone.
-void Session::take_other(DesignFile design, Finding finding) {
+void Session::take_other(Design design, Finding finding) {
   save_files_.emplace_back();
   add(std::move(design), static_cast<int>(save_files_.size()) - 1, std::move(finding));
 }
 
 /// Where a design cannot be loaded, as for want of memory, the one before stays.
-void Session::add(DesignFile design, int thing, Finding finding) {
+void Session::add(Design design, int thing, Finding finding) {
   player_.load(design);
   history_.add(std::move(design), thing, std::move(finding));
   design_changed();
@@ -284,7 +284,7 @@ void Session::take_nearest() {
   const auto& moving = player_.moving();
   if (moving.exact) throw InvalidInput("nearest: the design moves exactly as it is");
   if (!moving.nearest) throw InvalidInput("nearest: no exact design is known near this one");
-  DesignFile design = history_.current();
+  Design design = history_.current();
   design.structure = moving.nearest->sheet;
   take(std::move(design));
 }
@@ -294,7 +294,7 @@ void Session::open(const Message& message) {
   const targets::Node root = targets::parse_document(message.text("yaml"), "design");
   if (is_assembly(root))
     throw InvalidInput("open: a design of bodies has meshes beside it: `kinetix-opt view` its file");
-  DesignFile design = read_design(root);
+  Design design = read_design(root);
   require_showable(design);
   take_other(std::move(design));
 }
@@ -317,7 +317,7 @@ void Session::save_result_beside(const std::string& folder) const {
 /// The design as it was found or made. `at_fold`: as far folded as it is shown, which is a change of it.
 void Session::save(const Message& message) {
   const bool at_fold = message.has("at_fold") && message.boolean("at_fold");
-  DesignFile design = history_.current();
+  Design design = history_.current();
   if (at_fold)
     design =
         saved_as_shown(std::move(design), player_.moving(), player_.sheet_theta(), player_.drive_theta());

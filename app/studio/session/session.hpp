@@ -17,7 +17,7 @@ namespace kinetix::app::studio {
 
 /// What `view` was asked to open.
 struct Opened {
-  DesignFile design;
+  Design design;
   std::string save_file;    ///< that the design was read from, where `save` writes it; empty: none
   std::string target_file;  ///< not empty: searched for at once
   int threads = 0;
@@ -31,7 +31,7 @@ struct Opened {
 /// Bodies of the largest sheet that is opened: 500 x 500 cells. Its message has 150 MB; more than twice that no browser reads.
 inline constexpr int most_bodies = 300'000;
 /// @throws InvalidInput for a design that the page cannot show
-void require_showable(const DesignFile& design);
+void require_showable(const Design& design);
 
 /// A sheet in the studio: its design, its shape at the moment, and what runs on its behalf.
 class Session : public SessionLoop {
@@ -55,9 +55,9 @@ class Session : public SessionLoop {
   void set_mode(const Message& message);
   void fold_to(double theta);
   void drag(const Message& message);
-  void take(DesignFile design, Finding finding = {});
-  void take_other(DesignFile design, Finding finding = {});
-  void add(DesignFile design, int thing, Finding finding);
+  void take(Design design, Finding finding = {});
+  void take_other(Design design, Finding finding = {});
+  void add(Design design, int thing, Finding finding);
   void go_back(bool forth);
   void design_changed();
   void take_nearest();

@@ -26,7 +26,7 @@ void Session::export_files(const Message& message) {
   if (request.bed_mm.size() % 2 != 0 || request.bed_mm.size() > 2)
     throw InvalidInput("bed_mm: must be [x, y]");
   const bool at_fold = message.has("at_fold") && message.boolean("at_fold");
-  DesignFile design = history_.current();
+  Design design = history_.current();
   if (at_fold)
     design = as_far_as_shown(std::move(design), player_.moving(), player_.sheet_theta(), player_.theta());
   const fs::path beside = save_file().parent_path();

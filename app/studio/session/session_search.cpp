@@ -8,7 +8,7 @@
 #include "app/io/atomic_file.hpp"
 #include "app/io/base64.hpp"
 #include "app/pipeline/pipeline.hpp"
-#include "app/print/hinge_fit.hpp"
+#include "app/print/fit.hpp"
 #include "app/result/result_json.hpp"
 #include "app/result/verdict.hpp"
 #include "app/studio/messages/design_message.hpp"
@@ -111,7 +111,7 @@ void Session::search_for(const std::string& file, std::shared_ptr<const void> ke
 void Session::found(std::shared_ptr<Run> run) {
   searching_ = false;
   const std::string text = design_export.write(*run).front().content;
-  DesignFile design = read_design(targets::parse_document(text, "the result"));
+  Design design = read_design(targets::parse_document(text, "the result"));
   const bool is_other = design.name != history_.current().name;
   Finding finding{run,
                   {{"type", "result"},

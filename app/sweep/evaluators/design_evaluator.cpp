@@ -15,12 +15,9 @@
 namespace kinetix::app {
 namespace {
 
-Run equilibrium_run(const DesignFile& design) {
+Run equilibrium_run(const Design& design) {
   Run run;
-  run.hinge = design.hinge;
-  run.own_hinges = design.own_hinges;
-  run.side = design.side;
-  run.structure = design.structure;
+  run.design = design;
   run.plan.exact = exact_motion(design.structure);
   run.plan.model = Model::equilibrium;
   run.plan.planar = all_vertical(model::Linkage(design.structure));
@@ -30,9 +27,9 @@ Run equilibrium_run(const DesignFile& design) {
 }
 
 /// Of the closed form, where a family fits.
-Run exact_run(const DesignFile& design) {
+Run exact_run(const Design& design) {
   Run run;
-  run.structure = design.structure;
+  run.design = design;
   run.theta = design.theta;
   run.plan.exact = exact_motion(design.structure);
   if (!run.plan.exact) return run;
@@ -52,7 +49,7 @@ DesignEvaluator::DesignEvaluator(const SweepPlan& plan) : plan_(plan), maker_(pl
 /// A sweep that starts from the base's state takes it from the closed form where there is one: there its
 /// branch is that of the design, whatever a load from flat would choose.
 void DesignEvaluator::find_nominal() {
-  const DesignFile& base = *plan_.base.design;
+  const Design& base = *plan_.base.design;
   SampleRow row;
   const model::ExactMotion exact = plan_.doe.from_base ? exact_motion(base.structure) : model::ExactMotion{};
   if (exact)
@@ -79,7 +76,7 @@ void DesignEvaluator::evaluate(SampleRow& row) {
   }
 }
 
-void DesignEvaluator::compute(const DesignFile& design, SampleRow& row) {
+void DesignEvaluator::compute(const Design& design, SampleRow& row) {
   seen_ = {.structure = &design.structure,
            .theta = design.theta,
            .nominal = &nominal_,
@@ -104,7 +101,7 @@ const model::State& DesignEvaluator::sheet_state(const model::Structure& squares
   return state_;
 }
 
-void DesignEvaluator::compute_exact(const DesignFile& design) {
+void DesignEvaluator::compute_exact(const Design& design) {
   seen_.is_closed_form = true;
   const model::Structure* squares = design.structure.squares();
   if (squares && !design.drive && model::SheetReader(*squares).read(*squares, sheet_)) {
@@ -118,7 +115,7 @@ void DesignEvaluator::compute_exact(const DesignFile& design) {
   seen_.state = &state_;
 }
 
-void DesignEvaluator::compute_equilibrium(const DesignFile& design, SampleRow& row) {
+void DesignEvaluator::compute_equilibrium(const Design& design, SampleRow& row) {
   run_ = equilibrium_run(design);
   seen_.theta = run_.theta;
   seen_.state = &run_.states.front().poses;
@@ -126,7 +123,7 @@ void DesignEvaluator::compute_equilibrium(const DesignFile& design, SampleRow& r
   take_verdict(verdict_of(run_), row);
 }
 
-void DesignEvaluator::compute_near_base(const DesignFile& design, SampleRow& row) {
+void DesignEvaluator::compute_near_base(const Design& design, SampleRow& row) {
   see_equilibrium(
       design,
       follow_change(nominal_, changing(plan_.base.design->structure, design.structure, drive_of(design)),
@@ -134,7 +131,7 @@ void DesignEvaluator::compute_near_base(const DesignFile& design, SampleRow& row
       row);
 }
 
-void DesignEvaluator::see_equilibrium(const DesignFile& design, model::EquilibriumPath path, SampleRow& row) {
+void DesignEvaluator::see_equilibrium(const Design& design, model::EquilibriumPath path, SampleRow& row) {
   run_ = {};
   run_.equilibrium = Equilibrium{elasticity_of(design), drive_of(design), std::move(path), {}, {}};
   const model::EquilibriumPath& found = run_.equilibrium->path;
@@ -149,9 +146,9 @@ void DesignEvaluator::see_equilibrium(const DesignFile& design, model::Equilibri
 }
 
 /// By the same steps as a single run: of coarser ones first, and with joints that suit the family.
-void DesignEvaluator::compute_physics(const DesignFile& design, SampleRow& row) {
+void DesignEvaluator::compute_physics(const Design& design, SampleRow& row) {
   run_ = design.hinge.model == HingeSection::Model::elastic ? equilibrium_run(design) : exact_run(design);
-  run_.physics = design.physics;
+  run_.design.physics = design.physics;
   seen_.theta = run_.theta;
   const bool has_state = !run_.states.empty() && (!run_.equilibrium || run_.equilibrium->reached());
   const PhysicsTask task{has_state ? run_.states.front().poses : model::State{}, drive_of(design),

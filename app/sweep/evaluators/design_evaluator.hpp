@@ -13,13 +13,13 @@ class DesignEvaluator final : public Evaluator {
   void evaluate(SampleRow& row) override;
 
  private:
-  void compute(const DesignFile& design, SampleRow& row);
-  void compute_exact(const DesignFile& design);
-  void compute_equilibrium(const DesignFile& design, SampleRow& row);
-  void compute_near_base(const DesignFile& design, SampleRow& row);
-  void see_equilibrium(const DesignFile& design, model::EquilibriumPath path, SampleRow& row);
+  void compute(const Design& design, SampleRow& row);
+  void compute_exact(const Design& design);
+  void compute_equilibrium(const Design& design, SampleRow& row);
+  void compute_near_base(const Design& design, SampleRow& row);
+  void see_equilibrium(const Design& design, model::EquilibriumPath path, SampleRow& row);
   void find_nominal();
-  void compute_physics(const DesignFile& design, SampleRow& row);
+  void compute_physics(const Design& design, SampleRow& row);
   const model::State& sheet_state(const model::Structure& squares, double theta);
 
   const SweepPlan& plan_;

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/pipeline/pipeline.hpp"
-#include "app/print/hinge_fit.hpp"
+#include "app/print/fit.hpp"
 #include "app/result/result_json.hpp"
 #include "app/result/verdict.hpp"
 
@@ -27,7 +27,7 @@ void SearchEvaluator::evaluate(SampleRow& row) {
       *maker_.target().goal,
       {.threads = 1, .seed = plan_.seed, .verify = physics, .progress = {}, .printable = answer_of_export});
   const auto metrics = metrics_json(run);
-  Observation seen{.structure = &run.structure, .theta = run.theta, .metrics = &metrics};
+  Observation seen{.structure = &run.design.structure, .theta = run.theta, .metrics = &metrics};
   const NamedState* state = shown_state(run, physics);
   if (!state) throw std::runtime_error("the search ended without a state");
   seen.state = &state->poses;

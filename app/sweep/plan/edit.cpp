@@ -138,7 +138,7 @@ std::vector<Match> find_matches(const SweepBase& base, targets::DocumentEditor& 
 std::optional<double> base_value(const SweepBase& base, const targets::DocumentEditor& editor,
                                  const Edit& edit) {
   if (edit.kind == Kind::document) return editor.number(edit.index);
-  const DesignFile& design = *base.design;
+  const Design& design = *base.design;
   if (edit.kind == Kind::theta_deg) return degrees_of(design.theta);
   const model::HingeParameters& p = design.structure.hinge(edit.index);
   switch (edit.kind) {
@@ -155,7 +155,7 @@ std::optional<double> base_value(const SweepBase& base, const targets::DocumentE
   }
 }
 
-void apply(const Edit& edit, double value, DesignFile& design) {
+void apply(const Edit& edit, double value, Design& design) {
   if (edit.kind == Kind::t_mm || edit.kind == Kind::offset_mm) value /= design.structure.size().edge_mm;
   const targets::Bounds& bounds = bounds_of(edit.kind);
   if (!bounds.contains(value))

@@ -53,6 +53,6 @@ std::optional<double> base_value(const SweepBase& base, const targets::DocumentE
 
 /// Writes a structural edit. @param value in the unit of the edit's key @pre kind != document
 /// @throws InvalidInput without a place for a value out of range
-void apply(const Edit& edit, double value, DesignFile& design);
+void apply(const Edit& edit, double value, Design& design);
 
 }  // namespace kinetix::app

@@ -17,7 +17,7 @@ class SampleMaker {
   /// @throws InvalidInput for what the base's format does not allow
   void make(std::span<const double> values);
 
-  const DesignFile& design() const { return *design_; }
+  const Design& design() const { return *design_; }
   const AssemblyFile& bodies() const { return *bodies_; }
   const Target& target() const { return *target_; }
 
@@ -25,7 +25,7 @@ class SampleMaker {
   const SweepPlan& plan_;
   bool reads_document_;
   targets::DocumentEditor document_;
-  std::optional<DesignFile> design_;
+  std::optional<Design> design_;
   std::optional<AssemblyFile> bodies_;
   std::optional<Target> target_;
 };

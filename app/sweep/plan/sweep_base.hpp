@@ -12,7 +12,7 @@ namespace kinetix::app {
 /// The file that a sweep varies: a design, of a sheet or of general bodies (forward runs), or a target (a search in every sample).
 struct SweepBase {
   targets::Node root;
-  std::optional<DesignFile> design;         ///< of a sheet
+  std::optional<Design> design;             ///< of a sheet
   std::optional<AssemblyFile> bodies = {};  ///< a design of general bodies
   std::optional<Target> target;             ///< where it is no design
 };

@@ -24,17 +24,17 @@ using testing::TemporaryFolder;
 // The start of most files below: a strip, which lines that follow make right or wrong.
 const std::string strip = "kinetix: 1\nstructure: {cells: [6, 1], cell_mm: 10}\n";
 
-DesignFile read(const std::string& text) {
+Design read(const std::string& text) {
   TemporaryFolder folder;
   return read_design(folder.write("sheet.yaml", text));
 }
 
-const model::HingeParameters& hinge_of(const DesignFile& file, const model::Wall& wall) {
+const model::HingeParameters& hinge_of(const Design& file, const model::Wall& wall) {
   const model::Structure& squares = *file.structure.squares();
   return squares.hinges[*squares.hinge_at(wall)].parameters;
 }
 
-void expect_same(const DesignFile& a, const DesignFile& b) {
+void expect_same(const Design& a, const Design& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.structure.squares()->cells, b.structure.squares()->cells);
   EXPECT_EQ(a.structure.squares()->size.edge_mm, b.structure.squares()->size.edge_mm);
@@ -57,8 +57,8 @@ void expect_same(const DesignFile& a, const DesignFile& b) {
   EXPECT_EQ(a.process, b.process);
 }
 
-TEST(DesignFile, TakesHingesAsTheyAreMade) {
-  const DesignFile file =
+TEST(Design, TakesHingesAsTheyAreMade) {
+  const Design file =
       read(strip +
            "hinge: {kind: block, material: tango, gap_mm: 1}\n"
            "design: {hinges: [{wall: [[0, 0], [1, 0]], hinge: {kind: film, material: {E_mpa: "
@@ -88,17 +88,17 @@ TEST(DesignFile, TakesHingesAsTheyAreMade) {
   expect_same(read(design_text(file)), file);
 }
 
-TEST(DesignFile, TakesHingesThatAreMadeOtherwise) {
+TEST(Design, TakesHingesThatAreMadeOtherwise) {
   const std::string sheet = "kinetix: 1\nname: sheet\nstructure: {cells: [4, 2], cell_mm: 20}\n",
                     film = "kind: film, material: pp, gap_mm: 3, thickness_mm: 0.4",
                     leaning =
                         "design: {hinges: [{wall: [[1, 0], [2, 0]], beta_deg: 20}, {wall: [[1, 1], [2, 1]], "
                         "beta_deg: -20}]}\n";
-  const DesignFile file = read(sheet + leaning +
-                               "hinge: {kind: pin, diameter_mm: 2, except: [{at: {column: 3}, kind: "
-                               "block, material: tango, gap_mm: 2}, {at: creases, " +
-                               film + "}]}\n");
-  const auto of = [&](const DesignFile& read_file, const model::Wall& wall) {
+  const Design file = read(sheet + leaning +
+                           "hinge: {kind: pin, diameter_mm: 2, except: [{at: {column: 3}, kind: "
+                           "block, material: tango, gap_mm: 2}, {at: creases, " +
+                           film + "}]}\n");
+  const auto of = [&](const Design& read_file, const model::Wall& wall) {
     const auto own = read_file.own_hinges.find(*read_file.structure.squares()->hinge_at(wall));
     return own == read_file.own_hinges.end() ? read_file.hinge : own->second;
   };
@@ -111,19 +111,19 @@ TEST(DesignFile, TakesHingesThatAreMadeOtherwise) {
   EXPECT_EQ(of(file, {{3, 0}, model::Axis::y}).made->kind, model::HingeKind::pin);
   expect_same(read(design_text(file)), file);
 
-  const DesignFile row = read(sheet + "hinge: {except: [{at: {row: 1}, " + film + "}]}\n");
+  const Design row = read(sheet + "hinge: {except: [{at: {row: 1}, " + film + "}]}\n");
   EXPECT_EQ(row.hinge.model, HingeSection::Model::elastic);
   EXPECT_EQ(row.own_hinges.size(), 5u);
   EXPECT_TRUE(of(row, {{2, 1}, model::Axis::y}).made);
   // A single wall goes before, and of two entries the later.
-  const DesignFile twice = read(
+  const Design twice = read(
       sheet + "hinge: {except: [{at: {row: 1}, " + film + "}, {at: {row: 1}, kind: pin, diameter_mm: 1}]}\n" +
       "design: {hinges: [{wall: [[0, 1], [0, 2]], hinge: {kind: pin, diameter_mm: 2}}]}\n");
   EXPECT_EQ(of(twice, {{0, 1}, model::Axis::y}).made->diameter_mm, 2);
   EXPECT_EQ(of(twice, {{1, 1}, model::Axis::y}).made->diameter_mm, 1);
 }
 
-TEST(DesignFile, RefusesPartsThatASheetDoesNotHave) {
+TEST(Design, RefusesPartsThatASheetDoesNotHave) {
   const TemporaryFolder folder;
   const std::string sheet = "kinetix: 1\nstructure: {cells: [4, 2]}\nhinge: {except: [{";
   const std::string k = ", k: {axial: 1, shear: 1, along: 1, turn: 1}}]}\n";
@@ -154,11 +154,11 @@ TEST(DesignFile, RefusesPartsThatASheetDoesNotHave) {
                    [&] { read_design(folder.write("sheet.yaml", bad.text)); });
 }
 
-TEST(DesignFile, WritesHingesAsMadeBitForBit) {
+TEST(Design, WritesHingesAsMadeBitForBit) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0.1, 0.9);
   for (int round = 0; round < 30; ++round) {
-    DesignFile file = read(strip + "name: made\n");
+    Design file = read(strip + "name: made\n");
     const auto beam = [&](model::HingeKind kind) {
       return model::MadeHinge{.kind = kind,
                               .material = {"", 100 * unit(random), unit(random) / 2, unit(random)},
@@ -177,16 +177,16 @@ TEST(DesignFile, WritesHingesAsMadeBitForBit) {
     file.own_hinges[5].reach_mm = unit(random);
     if (round % 2 == 0) {
       file.process = model::processes()[round % 4];
-      if (round % 3 == 0) file.process->clearance_mm = unit(random);
-      if (round % 3 == 1) file.process->sd.tilt_deg = unit(random);
-      if (round % 5 == 0) file.process->least_pin_mm = 1 + unit(random);
+      if (round % 3 == 0) file.process.clearance_mm = unit(random);
+      if (round % 3 == 1) file.process.sd.tilt_deg = unit(random);
+      if (round % 5 == 0) file.process.least_pin_mm = 1 + unit(random);
     }
     expect_same(read(design_text(file)), file);
   }
 }
 
-TEST(DesignFile, HoldsOffsetsInMillimetres) {
-  const DesignFile file = read(strip + "design: {hinges: [{wall: [[0, 0], [1, 0]], offset_mm: -0.7}]}\n");
+TEST(Design, HoldsOffsetsInMillimetres) {
+  const Design file = read(strip + "design: {hinges: [{wall: [[0, 0], [1, 0]], offset_mm: -0.7}]}\n");
   const model::HingeParameters& p = hinge_of(file, {{0, 0}, model::Axis::x});
   EXPECT_DOUBLE_EQ(p.offset, -0.07);
   // Across the wall towards z x e: a wall along x has it in y.
@@ -197,16 +197,16 @@ TEST(DesignFile, HoldsOffsetsInMillimetres) {
   expect_same(file, read(design_text(file)));
 }
 
-TEST(DesignFile, KeepsAnyOffsetThatIsANumberOfMillimetres) {
+TEST(Design, KeepsAnyOffsetThatIsANumberOfMillimetres) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> by(-4, 4);
-  DesignFile file = read("kinetix: 1\nname: sheet\nstructure: {cells: [6, 3], cell_mm: 8.3}\n");
+  Design file = read("kinetix: 1\nname: sheet\nstructure: {cells: [6, 3], cell_mm: 8.3}\n");
   for (model::Hinge& hinge : file.structure.squares()->hinges) hinge.parameters.offset = by(random) / 8.3;
   expect_same(file, read(design_text(file)));
 }
 
-TEST(DesignFile, NeedsNoMoreThanAStructure) {
-  const DesignFile file = read("kinetix: 1\nstructure: {cells: [6, 1]}\n");
+TEST(Design, NeedsNoMoreThanAStructure) {
+  const Design file = read("kinetix: 1\nstructure: {cells: [6, 1]}\n");
   EXPECT_EQ(file.name, "sheet");
   EXPECT_EQ(file.structure.squares()->cells.size(), 6u);
   EXPECT_EQ(file.structure.squares()->size.edge_mm, 10);
@@ -216,8 +216,8 @@ TEST(DesignFile, NeedsNoMoreThanAStructure) {
   for (const model::Hinge& hinge : file.structure.squares()->hinges) EXPECT_EQ(hinge.parameters.beta, 0);
 }
 
-TEST(DesignFile, TakesEverySection) {
-  const DesignFile file =
+TEST(Design, TakesEverySection) {
+  const Design file =
       read(strip +
            "name: arch\ndesign:\n  theta_deg: 20\n  hinges:\n    - {wall: [[0, 0], [1, 0]], t: 0.4, "
            "alpha_deg: 80, "
@@ -241,7 +241,7 @@ TEST(DesignFile, TakesEverySection) {
   EXPECT_EQ(file.physics.step_s, 0.002);
 }
 
-TEST(DesignFile, DrivesByPlatesAlongYUnlessToldOtherwise) {
+TEST(Design, DrivesByPlatesAlongYUnlessToldOtherwise) {
   EXPECT_EQ(read(strip + "drive: {kind: plates, compression: 0.15}").drive,
             (DriveSection{.kind = DriveSection::Kind::plates, .axis = model::Axis::y, .compression = 0.15}));
   EXPECT_EQ(read(strip + "drive: {kind: plates, axis: x, compression: 0.15}").drive->axis, model::Axis::x);
@@ -254,25 +254,25 @@ const std::string tee =
     "kinetix: 1\nstructure: {cells: [[0, 0], [1, 0], [2, 0], [1, 1], [1, 2], [1, 3]]}\n"
     "design: {hinges: [{wall: [[1, 1], [1, 2]], beta_deg: -30}, {wall: [[2, 1], [2, 2]], beta_deg: 30}]}\n";
 
-TEST(DesignFile, TakesThePartThatPlatesGrip) {
+TEST(Design, TakesThePartThatPlatesGrip) {
   const std::string spine = tee + "drive: {kind: plates, axis: x, compression: 0.1, grip: [[1, 0], [2, 4]]}";
   EXPECT_EQ(read(spine).drive->grip, (model::Grip{{1, 0}, {2, 4}}));
   EXPECT_NE(design_text(read(spine)).find("grip: [[1, 0], [2, 4]]}"), std::string::npos);
   EXPECT_FALSE(read(tee + "drive: {kind: plates, compression: 0.1}").drive->grip);
 }
 
-TEST(DesignFile, TakesTheBranchAndTheSideOfABifurcation) {
-  const DesignFile file = read(strip + "drive: {kind: plates, compression: 0.15, branch: -1, side: -1}");
+TEST(Design, TakesTheBranchAndTheSideOfABifurcation) {
+  const Design file = read(strip + "drive: {kind: plates, compression: 0.15, branch: -1, side: -1}");
   EXPECT_EQ(file.drive->branch, -1);
   EXPECT_EQ(file.side, -1);
-  const DesignFile side_alone = read(strip + "drive: {side: -1}");
+  const Design side_alone = read(strip + "drive: {side: -1}");
   EXPECT_FALSE(side_alone.drive);
   EXPECT_EQ(side_alone.side, -1);
   EXPECT_EQ(read(strip).side, 1);
 }
 
-TEST(DesignFile, TakesThePaperPatternAndLetsNamedHingesWin) {
-  const DesignFile file =
+TEST(Design, TakesThePaperPatternAndLetsNamedHingesWin) {
+  const Design file =
       read(strip +
            "design:\n  pattern: {even: {P: [0.2, 0.8, 0.2, 0.8]}, odd: {P: [0.8, 0.2, 0.8, 0.2]}}\n"
            "  hinges: [{wall: [[0, 0], [1, 0]], beta_deg: 5}]\n");
@@ -282,7 +282,7 @@ TEST(DesignFile, TakesThePaperPatternAndLetsNamedHingesWin) {
   EXPECT_EQ(hinge_of(file, {{1, 0}, model::Axis::y}).t, 0.8);
 }
 
-TEST(DesignFile, AveragesAPatternThatDisagreesOnlyWhenAsked) {
+TEST(Design, AveragesAPatternThatDisagreesOnlyWhenAsked) {
   const std::string pattern = "design:\n  pattern: {even: {P: [0.5, 0.8, 0.5, 0.5]}";
   EXPECT_DOUBLE_EQ(hinge_of(read(strip + pattern + ", shared: average}\n"), {{1, 0}, model::Axis::y}).t,
                    0.65);
@@ -290,7 +290,7 @@ TEST(DesignFile, AveragesAPatternThatDisagreesOnlyWhenAsked) {
               HasSubstr("sheet.yaml:4:12: design.pattern: cells [0, 0] and [1, 0] disagree"));
 }
 
-TEST(DesignFile, SurvivesWritingAndReadingBitForBit) {
+TEST(Design, SurvivesWritingAndReadingBitForBit) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(0, 1);
   TemporaryFolder folder;
@@ -299,7 +299,7 @@ TEST(DesignFile, SurvivesWritingAndReadingBitForBit) {
         std::array{model::Family::F1, model::Family::F2, model::Family::F3}[round % 3];
     const double edge = 1 + 20 * unit(random);
     const auto design = random_design(family, 1 + round % 7, 1 + round % 4, random);
-    DesignFile file{
+    Design file{
         .name = "round-" + std::to_string(round),
         .structure = structure_of(design, {edge, 0.4 * edge * unit(random) + 1e-3, 9 * unit(random) + 0.1})};
     for (int h = 0; h < file.structure.hinges(); ++h) file.structure.hinge(h).alpha = 0.01 + 3 * unit(random);
@@ -334,19 +334,19 @@ TEST(DesignFile, SurvivesWritingAndReadingBitForBit) {
   }
 }
 
-TEST(DesignFile, KeepsCellsThatFillNoRectangle) {
-  const DesignFile net = read("kinetix: 1\nstructure: {cells: [[1, 0], [0, 1], [1, 1], [2, 1], [1, 2]]}\n");
+TEST(Design, KeepsCellsThatFillNoRectangle) {
+  const Design net = read("kinetix: 1\nstructure: {cells: [[1, 0], [0, 1], [1, 1], [2, 1], [1, 2]]}\n");
   expect_same(read(design_text(net)), [&] {
-    DesignFile same = net;
+    Design same = net;
     same.name = "sheet";
     return same;
   }());
-  DesignFile away = read("kinetix: 1\nstructure: {cells: [[1, 1], [2, 1]]}\n");
+  Design away = read("kinetix: 1\nstructure: {cells: [[1, 1], [2, 1]]}\n");
   expect_same(read(design_text(away)), away);
 }
 
-TEST(DesignFile, WritesOnlyWhatDiffersFromTheBasicHinge) {
-  DesignFile file =
+TEST(Design, WritesOnlyWhatDiffersFromTheBasicHinge) {
+  Design file =
       read(strip + "design: {theta_deg: 20, hinges: [{wall: [[0, 0], [1, 0]], beta_deg: 54.7356}]}");
   EXPECT_EQ(design_text(file),
             "kinetix: 1\nname: \"sheet\"\nstructure:\n  cells: [6, 1]\n  cell_mm: 10\n"
@@ -358,14 +358,13 @@ TEST(DesignFile, WritesOnlyWhatDiffersFromTheBasicHinge) {
   EXPECT_THAT(design_text(file), Not(HasSubstr("hinges")));
 }
 
-TEST(DesignFile, ReadsBackADesignOfTenThousandCells) {
+TEST(Design, ReadsBackADesignOfTenThousandCells) {
   std::mt19937 random(3);
-  DesignFile file{.name = "large",
-                  .structure = structure_of(random_design(model::Family::F3, 100, 100, random))};
+  Design file{.name = "large", .structure = structure_of(random_design(model::Family::F3, 100, 100, random))};
   expect_same(read(design_text(file)), file);
 }
 
-TEST(DesignFile, SaysWhereAndWhatIsAllowed) {
+TEST(Design, SaysWhereAndWhatIsAllowed) {
   const auto hinges = [](const std::string& list) { return strip + "design: {hinges: [" + list + "]}\n"; };
   const auto hinge = [&](const std::string& wall) { return hinges("{wall: " + wall + "}"); };
   const auto with = [&](const std::string& more) { return hinges("{wall: [[0, 0], [1, 0]], " + more + "}"); };

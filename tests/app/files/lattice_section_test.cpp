@@ -41,13 +41,13 @@ const std::string drawn_squares =
     dxf(line(0, 0, 10, 0) + line(10, 0, 20, 0) + line(0, 10, 10, 10) + line(10, 10, 20, 10) +
         line(0, 0, 0, 10) + line(10, 0, 10, 10) + line(20, 0, 20, 10));
 
-DesignFile read(const std::string& text) {
+Design read(const std::string& text) {
   const TemporaryFolder folder;
   folder.write("squares.dxf", drawn_squares);
   return read_design(folder.write("sheet.yaml", text));
 }
 
-void expect_same(const DesignFile& a, const DesignFile& b) {
+void expect_same(const Design& a, const Design& b) {
   const model::Sheet &s = a.structure, &r = b.structure;
   EXPECT_EQ(lattice_name(s), lattice_name(r));
   EXPECT_EQ(s.size().edge_mm, r.size().edge_mm);
@@ -95,7 +95,7 @@ TEST(LatticeSection, SurvivesWritingAndReadingBitForBit) {
   for (const std::string& keys : sheets)
     for (int round = 0; round < 8; ++round) {
       SCOPED_TRACE(keys + " seed 21 round " + std::to_string(round));
-      DesignFile file = read(structure(keys));
+      Design file = read(structure(keys));
       const double edge = file.structure.size().edge_mm;
       for (int h = 0; h < file.structure.hinges(); ++h)
         if (random() % 3)
@@ -119,8 +119,8 @@ TEST(LatticeSection, KeepsVerticesOfAnyDrawingBitForBit) {
     const double edge = 0.1 + 30 * unit(random);
     model::PlanarGraph graph = testing::random_quads(4, round);
     for (Eigen::Vector2d& p : graph.vertices) p = (p * 17.3 + Eigen::Vector2d(-30, 5)) / edge;
-    DesignFile file{.name = "drawn", .structure = make_planar_structure(graph, {edge, edge / 10, edge})};
-    const DesignFile once = read(design_text(file));
+    Design file{.name = "drawn", .structure = make_planar_structure(graph, {edge, edge / 10, edge})};
+    const Design once = read(design_text(file));
     expect_same(read(design_text(once)), once);
     for (int v = 0; v < file.structure.bodies(); ++v)
       EXPECT_LE((once.structure.rest_position(v) - file.structure.rest_position(v)).norm(), 1e-13);
@@ -132,7 +132,7 @@ TEST(LatticeSection, GivesBlocksSlenderWallsWhicheverOfTheirSizesAFileGives) {
   for (const auto& [keys, thickness, height] : {std::tuple("", 1.0, 1.0),
                                                 {", wall_mm: {thickness: 0.9}", 0.9, 1.0},
                                                 {", wall_mm: {height: 2}", 1.0, 2.0}}) {
-    const DesignFile file = read(structure(std::string("lattice: sodalite, cells: [1, 1, 1]") + keys));
+    const Design file = read(structure(std::string("lattice: sodalite, cells: [1, 1, 1]") + keys));
     EXPECT_EQ(file.structure.size().thickness_mm, thickness) << keys;
     EXPECT_EQ(file.structure.size().height_mm, height) << keys;
   }
@@ -165,8 +165,8 @@ TEST(LatticeSection, KeepsTheSizeOfAPatternThatSaysItsUnit) {
 }
 
 TEST(LatticeSection, DrawsTheSameByListAndByDrawing) {
-  const DesignFile listed = read(structure("lattice: graph, " + two_squares)),
-                   drawn = read(structure("lattice: graph, drawing: squares.dxf"));
+  const Design listed = read(structure("lattice: graph, " + two_squares)),
+               drawn = read(structure("lattice: graph, drawing: squares.dxf"));
   EXPECT_EQ(drawn.structure.size().edge_mm, 10) << "the mean length of the walls";
   ASSERT_EQ(drawn.structure.bodies(), 6);
   for (int v = 0; v < 6; ++v) EXPECT_EQ(drawn.structure.rest_position(v), listed.structure.rest_position(v));
@@ -189,8 +189,8 @@ TEST(LatticeSection, RefusesAGapThatIsLongerThanItsOwnWall) {
 }
 
 TEST(LatticeSection, DrawsRegularLatticesAsTheModelDoes) {
-  const DesignFile file = read(structure("lattice: honeycomb, cells: [4, 3], rim: closed, cell_mm: 20") +
-                               "design: {hinges: [{wall: [0, 4], t: 0.25, offset_mm: 3}]}\n");
+  const Design file = read(structure("lattice: honeycomb, cells: [4, 3], rim: closed, cell_mm: 20") +
+                           "design: {hinges: [{wall: [0, 4], t: 0.25, offset_mm: 3}]}\n");
   const model::PlanarGraph graph = closed_rim(lattice_graph(model::honeycomb_lattice, 4, 3));
   ASSERT_EQ(file.structure.bodies(), static_cast<int>(graph.vertices.size()));
   EXPECT_EQ(file.structure.planar()->graph.edges, graph.edges);
@@ -207,7 +207,7 @@ TEST(LatticeSection, ClosesTheRimOfADrawing) {
       "vertices_mm: [[2, 0], [1, 1.7], [-1, 1.7], [-2, 0], [-1, -1.7], [1, -1.7]],\n"
       "  walls: [[0, 1], [1, 2], [2, 3], [3, 4], [4, 5], [5, 0]]";
   EXPECT_EQ(read(structure("lattice: graph, " + hexagon)).structure.hinges(), 6);
-  const DesignFile closed = read(structure("lattice: graph, " + hexagon + ", rim: closed"));
+  const Design closed = read(structure("lattice: graph, " + hexagon + ", rim: closed"));
   EXPECT_EQ(closed.structure.hinges(), 7);
   EXPECT_EQ(closed.structure.cells(), 2);
   expect_same(read(design_text(closed)), closed);

@@ -12,8 +12,8 @@ double area(std::span<const int> b, const model::State& state) {
 
 std::vector<NamedContent> write(const Run& run) {
   std::string text;
-  for (int c = 0; c < run.structure.cells(); ++c)
-    text += std::to_string(area(run.structure.cell_bodies(c), run.states.front().poses)) + "\n";
+  for (int c = 0; c < run.design.structure.cells(); ++c)
+    text += std::to_string(area(run.design.structure.cell_bodies(c), run.states.front().poses)) + "\n";
   return {{"areas/flat.txt", text}};
 }
 

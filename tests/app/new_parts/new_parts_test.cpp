@@ -111,9 +111,9 @@ TEST(NewLattice, GoesFromItsFileToResultJson) {
   EXPECT_EQ(json["structure"]["cells"][5]["bodies"].size(), 6u);
   EXPECT_EQ(json["plan"]["family"], "planar");
   EXPECT_LE(json["states"][0]["hinge_gap_max"].get<double>(), 1e-12);
-  const DesignFile again = read_design(folder.path("design.yaml"));
+  const Design again = read_design(folder.path("design.yaml"));
   EXPECT_EQ(lattice_name(again.structure), "window");
-  EXPECT_EQ(again.structure.hinges(), run.structure.hinges());
+  EXPECT_EQ(again.structure.hinges(), run.design.structure.hinges());
 }
 
 }  // namespace

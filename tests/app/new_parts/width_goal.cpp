@@ -68,12 +68,12 @@ struct WidthScene final : Scene {
   Forecast forecast() const override { return {sheet()}; }
 
   void solve(Run& run, const RunOptions&) const override {
-    run.structure = sheet();
-    const model::ExactMotion exact = exact_motion(run.structure);
+    run.design.structure = sheet();
+    const model::ExactMotion exact = exact_motion(run.design.structure);
     double narrow = widest_theta, wide = 0;
     for (int k = 0; k < 60; ++k) {
       run.theta = (narrow + wide) / 2;
-      (width(run.structure, exact.at(run.theta)) > width_mm_ ? wide : narrow) = run.theta;
+      (width(run.design.structure, exact.at(run.theta)) > width_mm_ ? wide : narrow) = run.theta;
     }
     auto outcome = std::make_unique<WidthOutcome>();
     outcome->asked_mm = width_mm_;
@@ -85,12 +85,12 @@ struct WidthScene final : Scene {
 
   void judge(Run& run, const RunOptions&) const override {
     auto& outcome = outcome_of<WidthOutcome>(run);
-    outcome.found_mm = width(run.structure, run.states.front().poses);
+    outcome.found_mm = width(run.design.structure, run.states.front().poses);
     if (!(std::abs(outcome.found_mm - width_mm_) <= 1e-9)) outcome.violations = {"no theta has this width"};
   }
 
   std::optional<PhysicsTask> physics_task(const Run& run) const override {
-    return PhysicsTask{run.states.front().poses, drive_to(run.structure, run.theta),
+    return PhysicsTask{run.states.front().poses, drive_to(run.design.structure, run.theta),
                        physics_options({}, cell_mm_)};
   }
 

@@ -218,7 +218,7 @@ TEST(Certify, CoversShippedTargetsWithinOnePercentOfWallsThatOverlap) {
          {&run.certified->designed.negative, &run.certified->designed.positive}) {
       ASSERT_TRUE(end->contact) << name;
       EXPECT_GE(std::abs(end->theta), 0.99 * std::abs(*end->contact)) << name;
-      model::WallContact contact(run.structure);
+      model::WallContact contact(run.design.structure);
       EXPECT_TRUE(contact.overlapping(run.plan.exact.at(end->theta)).empty()) << name;
       EXPECT_FALSE(contact.overlapping(run.plan.exact.at(*end->contact * (1 + 1e-6))).empty()) << name;
     }

@@ -338,7 +338,7 @@ TEST(Equilibrium, TriesDrivesToTheSameThetaAndSaysWhichNeedsTheLeastForce) {
 
 TEST(Equilibrium, StoppedAmongDrivesComparesThoseTriedAndNamesTheOthers) {
   const Scratch scratch;
-  const app::DesignFile design =
+  const app::Design design =
       app::read_design(scratch.write("d.yaml",
                                      "kinetix: 1\nstructure: {cells: [4, 4], cell_mm: 10}\ndesign: "
                                      "{theta_deg: 25}\nhinge: {model: elastic}\n"));

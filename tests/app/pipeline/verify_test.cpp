@@ -22,11 +22,11 @@ struct Folded {
   PhysicsTask task;
 
   explicit Folded(double physics_theta = theta) {
-    run.structure = testing::bending_strip();
-    run.plan = make_plan(run.structure);
+    run.design.structure = testing::bending_strip();
+    run.plan = make_plan(run.design.structure);
     add_exact_state(run, theta);
     task = folding_task(run);
-    task.drive = drive_to(run.structure, physics_theta);
+    task.drive = drive_to(run.design.structure, physics_theta);
   }
 
   void verify() { add(app::verify(run, task, {}).value(), task, {}, run); }
@@ -53,7 +53,7 @@ TEST(Verify, LeavesTheVerdictOnAWrongStateToTheUsualStep) {
 
 TEST(Verify, TakesTheStepThatWasAskedFor) {
   Folded folded;
-  folded.run.physics.step_s = 2e-3;
+  folded.run.design.physics.step_s = 2e-3;
   folded.task = folding_task(folded.run);
   folded.verify();
   ASSERT_TRUE(folded.run.verification);
@@ -62,7 +62,7 @@ TEST(Verify, TakesTheStepThatWasAskedFor) {
 
 TEST(Verify, HoldsHingesThatCannotStretchAtTheReachOfTheFile) {
   Folded folded;
-  folded.run.hinge.reach_mm = 0.3 * folded.run.structure.size().edge_mm;
+  folded.run.design.hinge.reach_mm = 0.3 * folded.run.design.structure.size().edge_mm;
   EXPECT_DOUBLE_EQ(folding_task(folded.run).options.reach, 0.3);
 }
 

@@ -56,7 +56,7 @@ TEST(Export, MakesFilmsOfTheWallsMaterialWhereTheProcessPrintsThem) {
 /// Of a sheet in memory: files have at least one wall.
 TEST(Export, RefusesADesignWithoutHinges) {
   const Scratch scratch;
-  app::DesignFile design = app::read_design(scratch.write("panel.yaml", panel));
+  app::Design design = app::read_design(scratch.write("panel.yaml", panel));
   design.structure.squares()->hinges.clear();
   const app::PrintPath flat{{0}, {rest_state(model::Linkage(design.structure))}};
   try {

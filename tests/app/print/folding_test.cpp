@@ -51,7 +51,7 @@ app::PrintRequest request_of(const std::string& process, const std::string& hing
 }
 
 /// Why no print is prepared; nothing where one is.
-std::optional<std::string> refusal(const app::DesignFile& design, const app::PrintRequest& request) {
+std::optional<std::string> refusal(const app::Design& design, const app::PrintRequest& request) {
   const model::Process& process = *model::find_process(request.process);
   std::optional<std::string> why;
   for (const model::HingeKind kind : {model::HingeKind::pin, model::HingeKind::block})
@@ -65,7 +65,7 @@ std::optional<std::string> refusal(const app::DesignFile& design, const app::Pri
 }
 
 /// Exports a design and folds the meshes that were written.
-Judged judged(const app::DesignFile& design, const app::PrintRequest& asked) {
+Judged judged(const app::Design& design, const app::PrintRequest& asked) {
   const Scratch scratch;
   app::PrintRequest request = asked;
   request.formats = {"glb"};
@@ -94,24 +94,24 @@ Judged judged(const app::DesignFile& design, const app::PrintRequest& asked) {
                   allowed_mm)};
 }
 
-app::DesignFile design_of(const model::Structure& squares, double theta, const std::string& name) {
-  app::DesignFile design;
+app::Design design_of(const model::Structure& squares, double theta, const std::string& name) {
+  app::Design design;
   design.name = name;
   design.structure = squares;
   design.theta = theta;
   return design;
 }
 
-app::DesignFile read(const std::string& text, const std::string& name) {
+app::Design read(const std::string& text, const std::string& name) {
   const Scratch scratch;
-  app::DesignFile design = app::read_design(scratch.write(name + ".yaml", text));
+  app::Design design = app::read_design(scratch.write(name + ".yaml", text));
   design.name = name;
   return design;
 }
 
 /// A strip of columns that bend and shear by turns, which winds round an axis: a helix whose turns pass each other.
-app::DesignFile helix(int columns, double t, double beta_deg, double theta_deg, double height_mm,
-                      double thickness_mm = 0.8) {
+app::Design helix(int columns, double t, double beta_deg, double theta_deg, double height_mm,
+                  double thickness_mm = 0.8) {
   auto design = model::ExactDesign<double>::basic(columns, 1);
   for (int c = 0; c < columns; ++c)
     (c % 2 == 0 ? design.t[c] : design.beta[c]) = c % 2 == 0 ? t : beta_deg * radians_per_degree;
@@ -121,7 +121,7 @@ app::DesignFile helix(int columns, double t, double beta_deg, double theta_deg, 
 
 /// What a helix of the issue does: exported plates were 1.1 mm in each other between two of twenty steps, and free in all of them.
 TEST(Folding, HelicesWhoseTurnsCrossBetweenTwoStepsAreRefused) {
-  const auto beyond = [](const app::DesignFile& design, const app::PrintRequest& request) {
+  const auto beyond = [](const app::Design& design, const app::PrintRequest& request) {
     const std::string why = refusal(design, request).value_or("");
     EXPECT_THAT(why, HasSubstr("from theta")) << design.theta;
     EXPECT_TRUE(why.find("run into each other") != std::string::npos ||
@@ -136,13 +136,13 @@ TEST(Folding, HelicesWhoseTurnsCrossBetweenTwoStepsAreRefused) {
 
 /// The first theta of the message is that of the meshes, to 0.1 degrees.
 TEST(Folding, RefusalNamesThePartsAndWhereTheyMeet) {
-  const app::DesignFile design = helix(24, 0.35, 35, 25.325, 3);
+  const app::Design design = helix(24, 0.35, 35, 25.325, 3);
   const std::string why = refusal(design, request_of("polyjet", "block")).value_or("");
   double theta_deg = 0;
   const auto at = why.find("from theta ");
   ASSERT_NE(at, std::string::npos) << why;
   theta_deg = std::stod(why.substr(at + 11));
-  app::DesignFile before = design;
+  app::Design before = design;
   before.theta = (theta_deg - 0.2) * radians_per_degree;
   const Judged free = judged(before, request_of("polyjet", "block"));
   EXPECT_EQ(free.refused, "");
@@ -150,7 +150,7 @@ TEST(Folding, RefusalNamesThePartsAndWhereTheyMeet) {
 }
 
 /// Sheets that have a closed form and sheets that have none, by turns.
-app::DesignFile random_sheet(std::mt19937& random, int k) {
+app::Design random_sheet(std::mt19937& random, int k) {
   const auto uniform = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
@@ -167,8 +167,8 @@ app::DesignFile random_sheet(std::mt19937& random, int k) {
   const model::Family families[] = {model::Family::F1, model::Family::F2, model::Family::F3};
   switch (k % 8) {
     case 0: {
-      app::DesignFile design = helix(whole(14, 26), uniform(0.3, 0.45), uniform(20, 50), uniform(-35, 35),
-                                     uniform(2, 6), size.thickness_mm);
+      app::Design design = helix(whole(14, 26), uniform(0.3, 0.45), uniform(20, 50), uniform(-35, 35),
+                                 uniform(2, 6), size.thickness_mm);
       design.name = name;
       return design;
     }
@@ -208,7 +208,7 @@ TEST(Folding, NoExportOfRandomSheetsCrosses) {
   double deepest = 0;
   for (int k = one ? count - 1 : 0; k < count; ++k) {
     std::mt19937 random(1000 + k);
-    const app::DesignFile design = random_sheet(random, k);
+    const app::Design design = random_sheet(random, k);
     const std::string process = processes[random() % 4];
     const app::PrintRequest request = request_of(process, hinges[random() % 3]);
     const Judged found = judged(design, request);
@@ -226,7 +226,9 @@ TEST(Folding, NoExportOfRandomSheetsCrosses) {
         << "sheet " << k << ", theta " << design.theta / radians_per_degree << ", " << request.process << ": "
         << found.crossing.first << " and " << found.crossing.second << " at step " << found.crossing.step;
     if (request.hinge.empty()) {
-      const app::PrintAnswer answer = answer_as_fits(design, *model::find_process(process));
+      app::Design printed = design;
+      printed.process = *model::find_process(process);
+      const app::PrintAnswer answer = answer_of_export(printed);
       EXPECT_EQ(answer.is_taken, found.refused.empty())
           << "sheet " << k << ": " << answer.why << found.refused;
       EXPECT_EQ(answer.why.empty(), answer.is_taken) << "sheet " << k;
@@ -241,7 +243,7 @@ TEST(Folding, NoExportOfRandomSheetsCrosses) {
 /// The judge itself sees a crossing, and how deep it is: of the design's solids, which `--cell-mm` is not asked to mend.
 TEST(Folding, JudgeSeesWhatTheExporterIsNotAskedAbout) {
   const Scratch scratch;
-  const app::DesignFile design = read(panel, "panel");
+  const app::Design design = read(panel, "panel");
   app::PrintRequest request = request_of("polyjet", "block");
   request.formats = {"glb"};
   ASSERT_NO_THROW(export_design(design, request, scratch / "out"));

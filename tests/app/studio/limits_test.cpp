@@ -220,7 +220,7 @@ TEST_F(Studio, OutlivesASaveIntoAPlaceThatIsGone) {
 }
 
 TEST_F(Studio, RefusesASheetThatNoPageCanShow) {
-  app::DesignFile large = file;
+  app::Design large = file;
   large.structure.squares()->bodies.resize(app::studio::most_bodies);
   EXPECT_NO_THROW(app::studio::require_showable(large));
   large.structure.squares()->bodies.resize(app::studio::most_bodies + 1);
@@ -238,7 +238,7 @@ TEST_F(Studio, ForgetsTheOldestStepsOfLargeSheets) {
   int steps = 0;
   while (history.undo()) ++steps;
   EXPECT_EQ(steps, 99);
-  app::DesignFile large = file;
+  app::Design large = file;
   large.structure = model::make_sheet(200, 200, file.structure.size());
   app::studio::DesignHistory heavy(large);
   for (int k = 0; k < 40; ++k) heavy.add(large, 0);

@@ -21,8 +21,8 @@ TEST_F(Studio, ExportsFilesForThePrinter) {
 }
 
 /// Between plates that close in by 0.3: theta 45.6 degrees.
-app::DesignFile pressed_panel() {
-  app::DesignFile design = app::studio::template_design("panel");
+app::Design pressed_panel() {
+  app::Design design = app::studio::template_design("panel");
   design.drive.emplace();
   design.drive->compression = 0.3;
   return design;
@@ -47,11 +47,11 @@ TEST(StudioExport, TakesTheDesignUnlessItIsAskedForAsItIsShown) {
 }
 
 TEST(StudioExport, TakesTheDriveOfADesignWithoutClosedFormAsFarAsTheSlider) {
-  app::DesignFile design = pressed_panel();
+  app::Design design = pressed_panel();
   design.structure.hinge(30).t += 0.05;
   const app::studio::Moving moving(design);
   ASSERT_FALSE(bool(moving.exact));
-  const app::DesignFile shown = app::studio::as_far_as_shown(design, moving, -0.2, -0.2);
+  const app::Design shown = app::studio::as_far_as_shown(design, moving, -0.2, -0.2);
   ASSERT_TRUE(shown.drive);
   EXPECT_NEAR(app::drive_of(shown).theta(), -0.2, 1e-12);
   EXPECT_EQ(shown.theta, -0.2);

@@ -118,7 +118,7 @@ TEST_F(Studio, KnowsTheGoalOfADesignThatLiesBesideItsResult) {
   const json found = client.text("result");
   client.send(R"({"type": "save"})");
   const std::string path = client.text("saved")["path"];
-  app::DesignFile saved = app::read_design(path);
+  app::Design saved = app::read_design(path);
   const auto again = app::studio::earlier_result(path, saved);
   ASSERT_FALSE(again.is_null());
   EXPECT_EQ(again["met"], true);
@@ -168,7 +168,7 @@ TEST_F(Studio, KnowsNoGoalOfADesignThatWasChangedSince) {
   const std::string path = client.text("saved")["path"];
   EXPECT_TRUE(app::studio::earlier_result(path, file).is_null());
   EXPECT_TRUE(app::studio::earlier_result(path + "/none/design.yaml", app::read_design(path)).is_null());
-  app::DesignFile higher = app::read_design(path);
+  app::Design higher = app::read_design(path);
   ASSERT_FALSE(app::studio::earlier_result(path, higher).is_null());
   higher.structure.squares()->size.height_mm *= 5;
   EXPECT_TRUE(app::studio::earlier_result(path, higher).is_null()) << "its walls are other ones";

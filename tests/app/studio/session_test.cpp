@@ -64,7 +64,7 @@ int body_at(const model::Structure& sheet, double i, double j) {
 
 TEST(Templates, MoveAsTheyAreSaidTo) {
   for (const app::studio::Template& one : app::studio::templates()) {
-    const app::DesignFile design = app::studio::template_design(one.name);
+    const app::Design design = app::studio::template_design(one.name);
     const model::Structure& sheet = *design.structure.squares();
     EXPECT_EQ(design.name, one.name);
     const auto exact = exact_motion(sheet);
@@ -164,7 +164,7 @@ TEST_F(Studio, ShowsAnEditedColumnAsItsSavedDesignFolds) {
   EXPECT_EQ(frame.head(8), 0);
   client.send(R"({"type": "save", "at_fold": true})");
   const std::string path = client.text("saved")["path"];
-  const app::DesignFile saved = app::read_design(path);
+  const app::Design saved = app::read_design(path);
   EXPECT_LT(difference(frame, exact_motion(saved.structure).at(saved.theta)), 1e-9);
 }
 
@@ -184,7 +184,7 @@ TEST_F(Studio, SavesTheDesignWhereverTheSliderStands) {
   EXPECT_NEAR(saved(client, R"({"type": "save"})"), 30 * radians_per_degree, 1e-12) << "as it says now";
   client.ask({{"type", "undo"}});
   EXPECT_EQ(saved(client, R"({"type": "save"})"), 0) << "the fold was a step that can be undone";
-  app::DesignFile folded = file;
+  app::Design folded = file;
   folded.theta = 0.4;
   OpenStudio one{folded};
   Client page{one.port()};
@@ -198,7 +198,7 @@ TEST_F(Studio, SavesTheDesignWhereverTheSliderStands) {
 }
 
 TEST_F(Studio, SavesADriveThatEndsWhereItIsShown) {
-  app::DesignFile pressed = app::studio::template_design("panel");
+  app::Design pressed = app::studio::template_design("panel");
   pressed.drive.emplace();
   pressed.drive->compression = 0.3;
   OpenStudio one{pressed};
@@ -208,7 +208,7 @@ TEST_F(Studio, SavesADriveThatEndsWhereItIsShown) {
   page.send(R"({"type": "save"})");
   EXPECT_EQ(app::read_design(page.text("saved")["path"].get<std::string>()).drive, pressed.drive);
   page.send(R"({"type": "save", "at_fold": true})");
-  const app::DesignFile saved = app::read_design(page.text("saved")["path"].get<std::string>());
+  const app::Design saved = app::read_design(page.text("saved")["path"].get<std::string>());
   ASSERT_TRUE(saved.drive);
   EXPECT_NEAR(app::drive_of(saved).theta(), 30 * radians_per_degree, 1e-12);
 }
@@ -276,7 +276,7 @@ Received in_equilibrium(Client& client, double theta) {
 }
 
 TEST_F(Studio, OpensADesignWithoutClosedFormInEquilibrium) {
-  app::DesignFile twist = app::read_design(std::string(KINETIX_SOURCE) + "/targets/sweeps/twist.yaml");
+  app::Design twist = app::read_design(std::string(KINETIX_SOURCE) + "/targets/sweeps/twist.yaml");
   twist.theta = -30 * radians_per_degree;
   EXPECT_EQ(app::studio::Player(twist).sheet_theta(), twist.theta) << "before its equilibrium is known";
   OpenStudio one{twist};
@@ -288,7 +288,7 @@ TEST_F(Studio, OpensADesignWithoutClosedFormInEquilibrium) {
   EXPECT_NEAR(frame.head(3), twist.theta, 1e-6);
   EXPECT_GT(difference(frame, rest_state(linkage)), 1) << "it is not flat";
   page.send(R"({"type": "save"})");
-  const app::DesignFile saved = app::read_design(page.text("saved")["path"].get<std::string>());
+  const app::Design saved = app::read_design(page.text("saved")["path"].get<std::string>());
   EXPECT_GT(std::abs(saved.theta), 0.1);
   EXPECT_NEAR(saved.theta, twist.theta, 1e-6) << "to which it goes when it is opened again";
   Client later{one.port()};
@@ -312,7 +312,7 @@ Received folded_to(Client& client, double deg) {
 
 TEST_F(Studio, ThePhysicsFoldsByTheDesignsOwnDrive) {
   const model::Structure& squares = *file.structure.squares();
-  app::DesignFile pulled = file, turned = file, hot = file;
+  app::Design pulled = file, turned = file, hot = file;
   const auto wall = [&](int column) { return *squares.hinge_at({{column, 0}, model::Axis::y}); };
   pulled.drive = app::DriveSection{
       .kind = app::DriveSection::Kind::cord, .through = {wall(0), wall(12)}, .shorten_mm = 20};
@@ -320,7 +320,7 @@ TEST_F(Studio, ThePhysicsFoldsByTheDesignsOwnDrive) {
       .kind = app::DriveSection::Kind::hinge, .hinge = wall(6), .angle = -40 * radians_per_degree};
   hot.drive = app::DriveSection{
       .kind = app::DriveSection::Kind::shape_memory, .angle = 80 * radians_per_degree, .k_turn = 100};
-  for (const app::DesignFile& driven : {pulled, turned, hot}) {
+  for (const app::Design& driven : {pulled, turned, hot}) {
     const bool is_hot = driven.drive->kind == app::DriveSection::Kind::shape_memory;
     OpenStudio one{driven};
     Client page{one.port()};
@@ -363,7 +363,7 @@ TEST_F(Studio, MadeHingesFollowTheirWalls) {
 }
 
 TEST_F(Studio, KeepsTheDriveWhileItsCellsStay) {
-  app::DesignFile pulled = file;
+  app::Design pulled = file;
   const auto wall = [&](int column) {
     return *file.structure.squares()->hinge_at({{column, 0}, model::Axis::y});
   };

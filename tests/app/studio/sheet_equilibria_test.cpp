@@ -19,7 +19,7 @@ constexpr double deg = radians_per_degree;  // rad: thetas of the tests are in d
 const auto nobody = [](const model::DrivenState&) {};
 
 TEST(StudioEquilibria, GoesOnFromWhereItCameToAndEndsAsFromFlat) {
-  const app::DesignFile design = app::studio::template_design("strip");
+  const app::Design design = app::studio::template_design("strip");
   const SheetEquilibria equilibria(design);
   std::string why;
   const auto first = equilibria.go(12 * deg, nullptr, {}, nobody, why);
@@ -37,7 +37,7 @@ TEST(StudioEquilibria, GoesOnFromWhereItCameToAndEndsAsFromFlat) {
 }
 
 TEST(StudioEquilibria, ComesBackWithoutAWayFromFlat) {
-  const app::DesignFile design = app::studio::template_design("strip");
+  const app::Design design = app::studio::template_design("strip");
   const SheetEquilibria equilibria(design);
   std::string why;
   const auto way = equilibria.go(20 * deg, nullptr, {}, nobody, why);
@@ -51,8 +51,8 @@ TEST(StudioEquilibria, ComesBackWithoutAWayFromFlat) {
 }
 
 /// A strip that one hinge, a cord, or springs fold.
-app::DesignFile driven(app::DriveSection::Kind kind) {
-  app::DesignFile design = app::studio::template_design("strip");
+app::Design driven(app::DriveSection::Kind kind) {
+  app::Design design = app::studio::template_design("strip");
   const auto wall = [&](int column) {
     return *design.structure.squares()->hinge_at({{column, 0}, model::Axis::y});
   };
@@ -67,7 +67,7 @@ TEST(StudioEquilibria, GoesUnderTheDesignsOwnDrive) {
   using Kind = app::DriveSection::Kind;
   for (const Kind kind : {Kind::hinge, Kind::cord, Kind::shape_memory}) {
     SCOPED_TRACE(static_cast<int>(kind));
-    const app::DesignFile design = driven(kind);
+    const app::Design design = driven(kind);
     const model::LinkageDrive drive = app::studio::drive_to(design, 15 * deg);
     const SheetEquilibria equilibria(design);
     std::string why;

@@ -18,7 +18,7 @@ class OpenStudio {
  public:
   using Maker = std::function<std::unique_ptr<app::studio::SessionLoop>(app::studio::Outlet)>;
 
-  explicit OpenStudio(app::DesignFile design, const std::string& target_file = "")
+  explicit OpenStudio(app::Design design, const std::string& target_file = "")
       : OpenStudio([&](app::studio::Outlet outlet) {
           return std::make_unique<app::studio::Session>(app::studio::Opened{std::move(design),
                                                                             folder.path("design.yaml"),
@@ -86,7 +86,7 @@ class Studio : public ::testing::Test {
     design = client.text("design");
   }
 
-  app::DesignFile file = app::studio::template_design("strip");
+  app::Design file = app::studio::template_design("strip");
   OpenStudio studio{file};
   Client client{studio.port()};
   nlohmann::json design;

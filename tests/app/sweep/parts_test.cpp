@@ -59,7 +59,7 @@ TEST(DocumentEditor, FindsAddsAndReplacesNumbers) {
 TEST(Edit, WritesEachNumberOfAHingeAndItsMirrorImage) {
   using Kind = app::Edit::Kind;
   for (const bool flipped : {false, true}) {
-    app::DesignFile design = app::studio::template_design("panel");  // cells of 10 mm
+    app::Design design = app::studio::template_design("panel");  // cells of 10 mm
     const model::HingeParameters& hinge = std::as_const(design.structure).hinge(3);
     const auto write = [&](Kind kind, double value) {
       app::apply({.kind = kind, .index = 3, .flipped = flipped}, value, design);
@@ -81,7 +81,7 @@ TEST(Edit, WritesEachNumberOfAHingeAndItsMirrorImage) {
 
 /// A sample is held to what `check` asks of a design.
 TEST(Edit, RefusesAnOffsetThatTheHingeCannotHave) {
-  app::DesignFile design = app::studio::template_design("panel");
+  app::Design design = app::studio::template_design("panel");
   const model::CellSize size = design.structure.size();
   design.hinge.model = app::HingeSection::Model::elastic;
   design.hinge.made = open_hinge(model::HingeKind::pin, model::processes().front(), size);

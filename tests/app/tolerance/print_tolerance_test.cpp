@@ -62,8 +62,8 @@ VectorXd distances(const Tried& one, const model::Sheet& sheet, const model::Sta
 class FreeDistance {
  public:
   FreeDistance(const Tried& one, const model::State& design) {
-    const auto points = one.target.goal->judged(one.run, one.run.structure, design)->points;
-    designed_ = distances(one, one.run.structure, design);
+    const auto points = one.target.goal->judged(one.run, one.run.design.structure, design)->points;
+    designed_ = distances(one, one.run.design.structure, design);
     Eigen::MatrixXd rigid(points.size(), 6);
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (const auto& p : points) middle += p.place / static_cast<double>(points.size());
@@ -110,20 +110,20 @@ struct FreeHinge {
 
 FreeHinge hinge_of(const Run& run) {
   const model::Elasticity e =
-      run.printed->taken ? elasticity_of(run.printed->taken->made) : elasticity_of(*run.hinge.made);
+      run.printed->taken ? elasticity_of(run.printed->taken->made) : elasticity_of(*run.design.hinge.made);
   return {stiffness_of(e), e.reach_mm};
 }
 
 FreeSheet free_sheet(const Run& run, const model::Sheet& sheet, const model::State& design, bool is_fold) {
   const FreeHinge hinge = hinge_of(run);
-  const std::vector<double> none(static_cast<std::size_t>(run.structure.hinges()), 0.0);
-  FreeSheet own(model::Linkage(run.structure), hinge.k, hinge.reach_mm, none);
+  const std::vector<double> none(static_cast<std::size_t>(run.design.structure.hinges()), 0.0);
+  FreeSheet own(model::Linkage(run.design.structure), hinge.k, hinge.reach_mm, none);
   const std::vector<double> at = own.turns(design);
   if (!run.matter || !is_fold) return {model::Linkage(sheet), hinge.k, hinge.reach_mm, at};
   FreeSheet out(model::Linkage(sheet), hinge.k, hinge.reach_mm, none);
   // The sheet reaches run.theta; the springs rest at a larger theta.
   const model::LinkageDrive& drive = run.equilibrium->drive;
-  const model::Linkage linkage(run.structure);
+  const model::Linkage linkage(run.design.structure);
   std::vector<double> rests;
   for (const model::RestHinge& h : linkage.hinges)
     rests.push_back(-linkage.bodies[h.lower].sense * drive.angle);
@@ -133,7 +133,7 @@ FreeSheet free_sheet(const Run& run, const model::Sheet& sheet, const model::Sta
 
 Sampled sample(const Tried& one, bool planar, unsigned seed) {
   const Run& run = one.run;
-  const FreeErrors sd{run.process.sd.t_mm, run.process.sd.tilt_deg * radians_per_degree};
+  const FreeErrors sd{run.design.process.sd.t_mm, run.design.process.sd.tilt_deg * radians_per_degree};
   const model::State design = design_state(one);
   std::vector<model::State> way;
   if (run.matter)
@@ -141,14 +141,14 @@ Sampled sample(const Tried& one, bool planar, unsigned seed) {
       if (state.name == "frame") way.push_back(state.poses);
   for (int k = 1; !run.matter && k < count_states(); ++k)
     way.push_back(run.plan.exact.at(run.theta * k / count_states()));
-  const WallSolids designed{model::Linkage(run.structure)};
-  const auto built = designed.touching(model::rest_state(run.structure), {});
+  const WallSolids designed{model::Linkage(run.design.structure)};
+  const auto built = designed.touching(model::rest_state(run.design.structure), {});
   const FreeDistance distance(one, design);
   std::mt19937_64 random(seed);
   Sampled out;
   std::vector<double> all;
   for (int k = 0; k < count_prints(); ++k) {
-    const model::Sheet print = with_errors(run.structure, sd, random);
+    const model::Sheet print = with_errors(run.design.structure, sd, random);
     model::State state = design;
     if (!free_sheet(run, print, design, true).settle(state, planar)) {
       ++out.failed;
@@ -247,9 +247,9 @@ TEST_P(PrintTolerance, IsThatOfPrintsFoundAnotherWay) {
   fmt::print(
       "{:12} bodies {:4}  designed {:.4f}  rms {:.4f} prints {:.4f} +- {:.4f} ratio {:.3f}  p95 {:.4f} "
       "prints {:.4f} ratio {:.3f}  touching {:.3f} +- {:.3f} of {} ({}) prints {:.3f}  failed {}\n",
-      GetParam().name, one.run.structure.bodies(), printed.made.designed_mm, printed.rms_mm(), seen.rms,
-      seen.rms_error, printed.rms_mm() / seen.rms, printed.p95_mm(), seen.p95, printed.p95_mm() / seen.p95,
-      share, printed.touching ? printed.touching->error() : NAN,
+      GetParam().name, one.run.design.structure.bodies(), printed.made.designed_mm, printed.rms_mm(),
+      seen.rms, seen.rms_error, printed.rms_mm() / seen.rms, printed.p95_mm(), seen.p95,
+      printed.p95_mm() / seen.p95, share, printed.touching ? printed.touching->error() : NAN,
       printed.touching ? printed.touching->prints : 0, printed.touching ? printed.touching->settled : 0,
       seen.touching, seen.failed);
   if (printed.runs)

@@ -6,7 +6,7 @@ using namespace kinetix;
 namespace {
 
 /// The text of a design is that of what is read of it.
-void expect_round_trip(const app::DesignFile& design) {
+void expect_round_trip(const app::Design& design) {
   const std::string text = design_text(design), file = fuzz::input_folder().path("again.yaml");
   try {
     if (design_text(app::read_design(targets::parse_document(text, file))) != text)

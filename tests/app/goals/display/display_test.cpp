@@ -514,8 +514,9 @@ app::Run searched(const std::string& text) {
 TEST(FarView, ARecogniserReadsTheLetterAfterCompressionAndNothingBefore) {
   for (const char* text : {"C", "Z"}) {
     const auto run = searched(text);
-    EXPECT_EQ(read_capitals(app::far_view(run.structure, run.states.front().poses, as_ink)), text);
-    EXPECT_EQ(read_capitals(app::far_view(run.structure, rest_state(run.structure), as_ink)), "");
+    EXPECT_EQ(read_capitals(app::far_view(run.design.structure, run.states.front().poses, as_ink)), text);
+    EXPECT_EQ(read_capitals(app::far_view(run.design.structure, rest_state(run.design.structure), as_ink)),
+              "");
   }
 }
 

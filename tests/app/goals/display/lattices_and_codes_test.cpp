@@ -43,7 +43,7 @@ TEST(DisplayOnHexagons, ShowsItsLetterBetweenPlates) {
       run_scene(*read_target(std::string(KINETIX_SOURCE) + "/targets/shapes/honeycomb_t.yaml").goal, {});
   ASSERT_TRUE(run.goal->met()) << run.goal->violations.front();
   EXPECT_TRUE(run.verification->agrees);
-  EXPECT_EQ(model::lattice_name(run.structure), "honeycomb");
+  EXPECT_EQ(model::lattice_name(run.design.structure), "honeycomb");
   EXPECT_EQ(run.plan.mobility->dofs_along, 1);
   const auto& display = outcome_of<DisplayOutcome>(run);
   EXPECT_EQ(display.after.channel.size(), 144u) << "the cells of the picture, not those of the rim";
@@ -52,7 +52,7 @@ TEST(DisplayOnHexagons, ShowsItsLetterBetweenPlates) {
   const auto result = write_results(run, folder.path("."));
   EXPECT_EQ(result["display"]["levels"].size(), 144u);
   EXPECT_GT(result["structure"]["cells"].size(), 144u);
-  EXPECT_EQ(read_design(folder.path("design.yaml")).structure.hinges(), run.structure.hinges());
+  EXPECT_EQ(read_design(folder.path("design.yaml")).structure.hinges(), run.design.structure.hinges());
 }
 
 // "20 columns in its proportions" were rows of squares: a round picture on bricks came out half as high.

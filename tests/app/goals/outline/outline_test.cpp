@@ -187,12 +187,12 @@ TEST(Outline, OfASquarePanelIsADiscWhenItIsPressed) {
 
 TEST(Outline, KeepsWallsApartAndHingesClosedAllTheWay) {
   app::Run run = run_of(target(ring(100, 60, 60), "structure: {cells: [8, 8]}\n"), false);
-  const model::ExactMotion exact = exact_motion(run.structure);
+  const model::ExactMotion exact = exact_motion(run.design.structure);
   ASSERT_TRUE(exact);
-  model::WallContact contact(run.structure);
+  model::WallContact contact(run.design.structure);
   for (const double part : {0.2, 0.5, 0.8, 1.0}) {
     const model::State state = exact.at(part * run.theta);
-    EXPECT_LE(hinge_gaps(run.structure, state).max, 1e-12);
+    EXPECT_LE(hinge_gaps(run.design.structure, state).max, 1e-12);
     EXPECT_TRUE(contact.overlapping(state).empty()) << part;
   }
 }
@@ -208,7 +208,7 @@ TEST(Outline, CutsTheLatticeToShapeWhereNoCellsAreGiven) {
 
 TEST(Outline, TakesHexagonsWithAClosedRim) {
   app::Run run = run_of(target(ring(100, 60, 60), "structure: {lattice: honeycomb, cells: [6, 6]}\n"), false);
-  EXPECT_EQ(model::lattice_name(run.structure), "honeycomb");
+  EXPECT_EQ(model::lattice_name(run.design.structure), "honeycomb");
   EXPECT_EQ(run.plan.mobility->dofs_along, 1);
   EXPECT_LE(written(run)["metrics"]["outline_rms"].get<double>(), 0.03);
 }
@@ -250,7 +250,8 @@ TEST(Outline, MovesExactlyWithAllHingesOnTheirWalls) {
     SCOPED_TRACE(rest);
     app::Run run = run_of(target("[[0, 0], [60, 0], [60, 40], [0, 40]]", rest), false);
     ASSERT_TRUE(run.plan.exact) << run.plan.exact.why;
-    for (int h = 0; h < run.structure.hinges(); ++h) EXPECT_EQ(run.structure.hinge(h).offset, 0);
+    for (int h = 0; h < run.design.structure.hinges(); ++h)
+      EXPECT_EQ(run.design.structure.hinge(h).offset, 0);
     EXPECT_LE(run.states.front().gaps.max, 1e-12);
     const auto result = written(run);
     EXPECT_NEAR(shown_rms(result), result["outline"]["exact"]["rms"].get<double>(), 1e-9);
@@ -275,7 +276,8 @@ TEST(Outline, IsTheSameForAnyNumberOfThreads) {
     const app::Run run =
         run_scene(*read_target(folder.write("rim.yaml", target(ring(60, 60, 50)))).goal, on_threads(threads));
     std::vector<double> all;
-    for (int h = 0; h < run.structure.hinges(); ++h) all.push_back(run.structure.hinge(h).offset);
+    for (int h = 0; h < run.design.structure.hinges(); ++h)
+      all.push_back(run.design.structure.hinge(h).offset);
     return all;
   };
   EXPECT_EQ(offsets(1), offsets(2));

@@ -32,7 +32,7 @@ TEST(SurfaceGoal, FoldsASheetOntoASaddle) {
   EXPECT_TRUE(outcome.design.within);
   EXPECT_EQ(run.plan.exact.name, "creased");
   EXPECT_LE(run.states.front().gaps.max, 1e-11);
-  EXPECT_EQ(run.structure.bodies(), 64);
+  EXPECT_EQ(run.design.structure.bodies(), 64);
   nlohmann::ordered_json metrics;
   outcome.add_metrics(metrics);
   EXPECT_LE(metrics["surface_rms"].get<double>(), 0.05);

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/files/design_file.hpp"
+#include "model/matter/hinge_strain.hpp"
+
+namespace kinetix::app {
+
+/// Returns the section of a hinge: its override, or that of all others.
+const HingeSection& hinge_section(const Design& design, int hinge);
+
+/// Lists how hinges are made, each kind once. Empty if the design does not say.
+std::vector<model::MadeHinge> made_hinges(const Design& design);
+
+/// Returns the pin with the largest clearance among those that do not move freely within it.
+std::optional<model::MadeHinge> loosest_pin(const Design& design);
+
+/// Returns by how much walls of prints are out of place and lean: errors of the process and clearance of the loosest pin.
+model::PrintError wall_error(const Design& design);
+
+/// Whether the material of every block and film withstands its strain in a state.
+bool bears_its_strain(const Design& design, const model::State& state);
+
+/// Describes the hinge that is strained farthest beyond the limit of its material in a state. Nothing if none is.
+std::optional<std::string> strained_too_far(const Design& design, const model::State& state);
+/// The same words of any hinge. @param wall its name   @param when "" or what follows, such as " on the way to the fold"
+std::string strained_words(const model::StrainedHinge& worst, const std::string& wall, const char* when = "");
+
+/// Lists what the process of the design cannot print, each problem once.
+std::vector<model::PrintProblem> print_problems(const Design& design);
+
+}  // namespace kinetix::app
