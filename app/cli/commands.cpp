@@ -77,13 +77,13 @@ int run_and_write(const CommandOptions& options, const Scene& scene, const std::
   if (asked == Model::bullet && run.stopped && !run.verification)
     throw Interrupted("the physics run was stopped before it settled");
   console.progress()("files", -1);
-  const auto json = write_results(run, folder.path());
+  const WrittenResults written = write_results(run, folder.path());
   folder.keep();
-  if (!run.kept_design.empty())
+  if (!written.kept_design.empty())
     console.warning(
         fmt::format("{0}/design.yaml had been changed since a run wrote it: that one is kept as {0}/{1}",
-                    folder.path(), run.kept_design));
-  print(run, json, folder.path(), options.json);
+                    folder.path(), written.kept_design));
+  print(run, written.result, folder.path(), options.json);
   if (options.open) open_report(folder.path() + "/report.html");
   return exit_code(verdict_of(run));
 }

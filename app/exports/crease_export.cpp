@@ -35,7 +35,7 @@ Json fold_angles(const model::CreasePattern& pattern, double theta) {
   return out;
 }
 
-std::vector<NamedContent> write_creases(const Run& run) {
+std::vector<NamedContent> write_creases(const Run& run, const nlohmann::ordered_json&) {
   const model::PlanarStructure* planar = run.design.structure.planar();
   if (!planar || run.plan.exact.name != model::creased_family) return {};
   try {

@@ -3,7 +3,7 @@
 namespace kinetix::app {
 namespace {
 
-std::vector<NamedContent> write_design(const Run& run) {
+std::vector<NamedContent> write_design(const Run& run, const nlohmann::ordered_json&) {
   return {{"design.yaml", design_text(written_design(run))}};
 }
 

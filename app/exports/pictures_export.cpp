@@ -3,7 +3,7 @@
 namespace kinetix::app {
 namespace {
 
-std::vector<NamedContent> write_pictures(const Run& run) {
+std::vector<NamedContent> write_pictures(const Run& run, const nlohmann::ordered_json&) {
   if (!run.goal) return {};
   return run.goal->pictures(run);
 }

@@ -5,15 +5,14 @@
 #include "app/io/base64.hpp"
 #include "app/report/light_result.hpp"
 #include "app/report/report.hpp"
-#include "app/result/result_json.hpp"
 #include "app/viewer/assets.hpp"
 
 namespace kinetix::app {
 namespace {
 
 /// The result with the pictures that belong into the page itself, without the time of writing: it is not known yet.
-std::vector<NamedContent> write_report(const Run& run) {
-  nlohmann::ordered_json shown = result_json(run);
+std::vector<NamedContent> write_report(const Run& run, const nlohmann::ordered_json& result) {
+  nlohmann::ordered_json shown = result;
   shown["timing_s"].erase("write");
   if (run.goal)
     for (const auto& [name, png] : run.goal->shown_pictures(run))

@@ -18,9 +18,9 @@ constexpr int indent = 1;  // spaces: small, and still one number a line
 
 constexpr const char* design_name = "design.yaml";  // which users change by hand
 
-void add_files(const Run& run, FileSet& files, FileRecord& record) {
+void add_files(const Run& run, const nlohmann::ordered_json& result, FileSet& files, FileRecord& record) {
   for (const Exporter* exporter : exporters())
-    for (const auto& [name, content] : exporter->write(run)) {
+    for (const auto& [name, content] : exporter->write(run, result)) {
       files.add(name, content);
       if (!exporter->of_every_run || name == design_name) record.add(name, content);
     }
@@ -45,19 +45,19 @@ std::string keep_changed_design(const std::string& folder, const FileRecord& rec
 
 }  // namespace
 
-nlohmann::ordered_json write_results(Run& run, const std::string& folder) {
+WrittenResults write_results(const Run& run, const std::string& folder) {
   Stopwatch watch;
+  WrittenResults out{result_json(run), ""};
   FileSet files(folder);
   FileRecord record(folder);
-  add_files(run, files, record);
-  run.kept_design = keep_changed_design(folder, record, files);
+  add_files(run, out.result, files, record);
+  out.kept_design = keep_changed_design(folder, record, files);
   files.add(FileRecord::name, record.text());
-  run.timings.write = watch.lap();
-  nlohmann::ordered_json json = result_json(run);
-  files.add("result.json", json.dump(indent) + "\n");
+  out.result["timing_s"]["write"] = watch.lap();
+  files.add("result.json", out.result.dump(indent) + "\n");
   files.commit();
   record.remove_what_is_left_over();
-  return json;
+  return out;
 }
 
 }  // namespace kinetix::app

@@ -1,16 +1,19 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "app/run/run.hpp"
 
 namespace kinetix::app {
 
-/// Writes DIR/result.json and what the exporters make of the run (app/exports/registry.hpp), all of them or
-/// none, and removes what an earlier run left there beside what every run writes; sets run.timings.write. A design.yaml there
-/// that somebody has changed since a run wrote it stays, under the name that run.kept_design then is.
-/// @return the JSON document. @throws InvalidInput where the folder cannot be written
-nlohmann::ordered_json write_results(Run& run, const std::string& folder);
+struct WrittenResults {
+  nlohmann::ordered_json result;  ///< result.json
+  std::string kept_design;  ///< new name of a design.yaml that was changed since a run wrote it; else empty
+};
+
+/// Writes DIR/result.json and the files of all exporters (app/exports/registry.hpp), or none of them. Removes files that only an
+/// earlier run had. Renames a changed design.yaml. @throws InvalidInput if the folder cannot be written
+WrittenResults write_results(const Run& run, const std::string& folder);
 
 }  // namespace kinetix::app

@@ -22,12 +22,12 @@ constexpr double across_the_plane = 1e-9;  // of a unit normal: less is rounding
 constexpr double one_length = 1e-9;        // of a cell edge: walls of equal length differ by rounding
 
 /// @param wall_mm length of the wall
-model::HingeScatter hinge_scatter(const Run& run, const model::PlayScatter& play, double wall_mm) {
+model::HingeScatter hinge_scatter(const Design& design, const model::PlayScatter& play, double wall_mm) {
   model::HingeScatter scatter;
-  scatter.t = std::hypot(run.design.process.sd.t_mm, play.place_mm) / wall_mm;
+  scatter.t = std::hypot(design.process.sd.t_mm, play.place_mm) / wall_mm;
   scatter.alpha = play.tilt;  // a rod leans along its wall as far as across it
-  scatter.beta = std::hypot(run.design.process.sd.tilt_deg * radians_per_degree, play.tilt);
-  scatter.offset = play.place_mm / run.design.structure.size().edge_mm;
+  scatter.beta = std::hypot(design.process.sd.tilt_deg * radians_per_degree, play.tilt);
+  scatter.offset = play.place_mm / design.structure.size().edge_mm;
   return scatter;
 }
 
@@ -41,21 +41,21 @@ std::vector<double> wall_lengths_mm(const model::Sheet& sheet) {
 }
 
 /// @param with_play of pins
-model::HingeScatter run_scatter(const Run& run, bool with_play) {
+model::HingeScatter scatter_with(const Design& design, bool with_play) {
   const auto of = [&](const HingeSection& hinge, double wall_mm) {
     const bool plays = with_play && hinge.made;
-    return hinge_scatter(run, plays ? play_scatter(*hinge.made, run.design.process.sd) : model::PlayScatter{},
+    return hinge_scatter(design, plays ? play_scatter(*hinge.made, design.process.sd) : model::PlayScatter{},
                          wall_mm);
   };
-  const double edge_mm = run.design.structure.size().edge_mm;
-  const std::vector<double> walls = wall_lengths_mm(run.design.structure);
+  const double edge_mm = design.structure.size().edge_mm;
+  const std::vector<double> walls = wall_lengths_mm(design.structure);
   const bool are_alike = std::all_of(walls.begin(), walls.end(), [&](double wall) {
     return std::abs(wall - edge_mm) <= one_length * edge_mm;
   });
-  model::HingeScatter scatter = of(run.design.hinge, edge_mm);
-  if (run.design.own_hinges.empty() && are_alike) return scatter;
-  for (int h = 0; h < run.design.structure.hinges(); ++h)
-    scatter.each.push_back(of(hinge_section(run.design, h), are_alike ? edge_mm : walls[h]));
+  model::HingeScatter scatter = of(design.hinge, edge_mm);
+  if (design.own_hinges.empty() && are_alike) return scatter;
+  for (int h = 0; h < design.structure.hinges(); ++h)
+    scatter.each.push_back(of(hinge_section(design, h), are_alike ? edge_mm : walls[h]));
   return scatter;
 }
 
@@ -93,14 +93,14 @@ std::optional<PrintedGoal> expected_with(const Run& run, const PrintedDesign& de
   PrintedGoal out;
   out.can_be_printed = print_problems(run.design).empty();
   out.taken = design.hinges.taken;
-  out.made = with(run_scatter(run, true));
+  out.made = with(scatter_with(run.design, true));
   if (const auto pin = loosest_pin(run.design); pin && play_scatter(*pin, run.design.process.sd).place_mm > 0)
-    out.without_play = with(run_scatter(run, false));
+    out.without_play = with(scatter_with(run.design, false));
   return out;
 }
 
-model::PrintedLinkage printed_of(const Run& run) {
-  return [&run](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.design.structure, errors); };
+model::PrintedLinkage printed_of(const Design& design) {
+  return [&design](const Eigen::Matrix4Xd& errors) { return printed_sheet(design.structure, errors); };
 }
 
 constexpr int states_on_the_way = 8;  // in which walls of prints are looked at
@@ -123,7 +123,7 @@ std::optional<model::TouchingPrints> count_touching(const Run& run, const Printe
             is_on_path ? *frames[k] : run.plan.exact.at(run.theta * (k + 1) / states_on_the_way);
         return model::HeldState{at, set_in(design.hinges.elasticity, linkage, at), none};
       }};
-  return touching_prints(printed_of(run), design.settled, way, scatter_of(run),
+  return touching_prints(printed_of(run.design), design.settled, way, scatter_of(run.design),
                          print_options(options, design.planar));
 }
 
@@ -136,14 +136,14 @@ std::optional<model::FlatStarts> press_from_flat(const Run& run, const PrintedDe
   const bool is_pressed = run.matter && drive.kind == model::LinkageDrive::Kind::plates;
   if (!is_pressed || !(mean_theta(run.design.structure, state) * drive.theta() > 0)) return std::nullopt;
   if (options.prints == 0 && run.design.structure.bodies() > most_bodies_to_press) return std::nullopt;
-  return flat_starts(printed_of(run), design.hinges.elasticity, drive, scatter_of(run), prints_of(options),
-                     print_options(options, design.planar), path_of_run(design.planar));
+  return flat_starts(printed_of(run.design), design.hinges.elasticity, drive, scatter_of(run.design),
+                     prints_of(options), print_options(options, design.planar), path_of_run(design.planar));
 }
 
 model::PrintRuns runs_of(const Run& run, const PrintedDesign& design,
                          const std::vector<model::ObservedPoint>& points, int prints,
                          const RunOptions& options) {
-  return print_runs(printed_of(run), design.settled, points, scatter_of(run), prints,
+  return print_runs(printed_of(run.design), design.settled, points, scatter_of(run.design), prints,
                     print_options(options, design.planar));
 }
 
@@ -159,7 +159,7 @@ model::AsMadeOptions print_options(const RunOptions& options, bool planar) {
   return out;
 }
 
-model::HingeScatter scatter_of(const Run& run) { return run_scatter(run, true); }
+model::HingeScatter scatter_of(const Design& design) { return scatter_with(design, true); }
 
 model::Sheet printed_sheet(model::Sheet sheet, const Eigen::Matrix4Xd& errors) {
   for (int h = 0; h < static_cast<int>(errors.cols()); ++h) {

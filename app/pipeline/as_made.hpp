@@ -14,7 +14,7 @@ int prints_of(const RunOptions& options);
 model::AsMadeOptions print_options(const RunOptions& options, bool planar);
 
 /// What the run's process, and the play of its pins (model::play_scatter), do to each hinge.
-model::HingeScatter scatter_of(const Run& run);
+model::HingeScatter scatter_of(const Design& design);
 /// A sheet whose hinges are off by so much (model::PrintedLinkage).
 model::Sheet printed_sheet(model::Sheet sheet, const Eigen::Matrix4Xd& errors);
 

@@ -149,8 +149,8 @@ struct PrintedGoal {
 };
 
 struct Timings {
-  double load = 0, plan = 0, optimise = 0, equilibrium = 0, matter = 0, as_made = 0, certify = 0, verify = 0,
-         write = 0;  ///< seconds
+  double load = 0, plan = 0, optimise = 0, equilibrium = 0, matter = 0, as_made = 0, certify = 0,
+         verify = 0;  ///< seconds
 };
 
 /// Everything one call of the program knows at its end: what result.json and the report show.
@@ -177,8 +177,6 @@ struct Run {
   std::vector<Fidelity> fidelity;
   double verify_tolerance = GoalSettings::usual_verify;  ///< of verification->distance.rms, cell edges
   Timings timings;
-  std::string
-      kept_design;  ///< where writing left a design.yaml that somebody had changed, its name; else empty
 
   /// Whether the sheet of a design stands folded to the other side than asked. What it shows of a goal is the goal's to judge.
   bool is_on_the_other_side() const {

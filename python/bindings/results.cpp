@@ -24,7 +24,7 @@ using SharedRun = std::shared_ptr<app::Run>;
 
 /// The one file of an exporter that writes one for every run.
 std::string content_of(const app::Exporter& exporter, const app::Run& run) {
-  return exporter.write(run).front().content;
+  return exporter.write(run, result_json(run)).front().content;
 }
 
 /// By a drive in elastic hinges; of all others nothing.
@@ -55,7 +55,7 @@ py::object path_of(const app::Run& run) {
   return out;
 }
 
-void write(app::Run& run, const std::string& where) {
+void write(const app::Run& run, const std::string& where) {
   app::OutputFolder folder(where);
   write_results(run, folder.path());
   folder.keep();
@@ -65,7 +65,7 @@ void write(app::Run& run, const std::string& where) {
 
 void add_results(py::module_& core) {
   py::class_<app::Run, SharedRun>(core, "Run")
-      .def_property_readonly("name", [](const app::Run& r) { return r.name; })
+      .def_property_readonly("name", [](const app::Run& r) { return r.design.name; })
       .def_property_readonly("theta", [](const app::Run& r) { return r.theta; })
       .def_property_readonly("exit_code",
                              [](const app::Run& r) { return static_cast<int>(exit_code(verdict_of(r))); })

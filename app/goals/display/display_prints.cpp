@@ -162,7 +162,7 @@ std::vector<std::string> reasons(const DisplayFile& file, const Run& run, const 
 std::optional<PrintedDisplay> display_prints(const DisplayFile& file, Run& run, const RunOptions& options) {
   run.prints_unknown = unjudged(file, run);
   if (!run.prints_unknown.empty()) return std::nullopt;
-  const model::HingeScatter scatter = scatter_of(run);
+  const model::HingeScatter scatter = scatter_of(run.design);
   const std::vector<double> levels = levels_of(file.goal, run.design.structure);
   model::State state = run.equilibrium->path.state;
   const auto by = derivatives(file, run, scatter, state, static_cast<Eigen::Index>(levels.size()));

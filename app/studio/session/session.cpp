@@ -327,7 +327,7 @@ void Session::save(const Message& message) {
   const Finding finding = history_.finding();
   const bool has_results = finding.run && file.filename() == "design.yaml";
   if (has_results)
-    write_results(const_cast<Run&>(*finding.run), file.parent_path().string());
+    write_results(*finding.run, file.parent_path().string());
   else if (file.filename() == "design.yaml")
     save_result_beside(file.parent_path().string());
   const bool is_moved = has_results && std::abs(design.theta - finding.theta) > same_fold;

@@ -10,7 +10,7 @@ double area(std::span<const int> b, const model::State& state) {
   return 0.5 * (state[b[2]].p - state[b[0]].p).cross(state[b[3]].p - state[b[1]].p).norm();
 }
 
-std::vector<NamedContent> write(const Run& run) {
+std::vector<NamedContent> write(const Run& run, const nlohmann::ordered_json&) {
   std::string text;
   for (int c = 0; c < run.design.structure.cells(); ++c)
     text += std::to_string(area(run.design.structure.cell_bodies(c), run.states.front().poses)) + "\n";

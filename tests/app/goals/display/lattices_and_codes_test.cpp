@@ -49,7 +49,7 @@ TEST(DisplayOnHexagons, ShowsItsLetterBetweenPlates) {
   EXPECT_EQ(display.after.channel.size(), 144u) << "the cells of the picture, not those of the rim";
   EXPECT_GE(display.physics->score.auc, 0.97);
   TemporaryFolder folder;
-  const auto result = write_results(run, folder.path("."));
+  const auto result = write_results(run, folder.path(".")).result;
   EXPECT_EQ(result["display"]["levels"].size(), 144u);
   EXPECT_GT(result["structure"]["cells"].size(), 144u);
   EXPECT_EQ(read_design(folder.path("design.yaml")).structure.hinges(), run.design.structure.hinges());

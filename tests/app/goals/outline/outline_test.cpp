@@ -55,7 +55,7 @@ app::Run run_of(const std::string& text, bool verify) {
 
 nlohmann::json written(app::Run& run) {
   TemporaryFolder folder;
-  return write_results(run, folder.path("."));
+  return write_results(run, folder.path(".")).result;
 }
 
 /// The figures of the table that the search is judged by, measured from the poses alone.
