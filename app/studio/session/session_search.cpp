@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "app/console/time_left.hpp"
-#include "app/exports/design_export.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/io/base64.hpp"
@@ -110,8 +109,7 @@ void Session::search_for(const std::string& file, std::shared_ptr<const void> ke
 
 void Session::found(std::shared_ptr<Run> run) {
   searching_ = false;
-  const std::string text = design_export.write(*run).front().content;
-  Design design = read_design(targets::parse_document(text, "the result"));
+  Design design = written_design(*run);
   const bool is_other = design.name != history_.current().name;
   Finding finding{run,
                   {{"type", "result"},
