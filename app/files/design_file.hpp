@@ -19,8 +19,9 @@ const targets::KeyTable& hinge_entry_keys();
 
 /// The content of a design.yaml. Angles in radians, lengths in mm.
 struct Design {
-  std::string name;                        ///< default: the file's name without its ending
-  model::Sheet structure;                  ///< with the parameters of every hinge
+  std::string name;                                     ///< default: the file's name without its ending
+  model::Sheet structure;                               ///< with the parameters of every hinge
+  model::Process process = model::processes().front();  ///< that prints it
   double theta = 0;                        ///< the state to show, rad, within (-pi/2, pi/2); default flat
   std::optional<DriveSection> drive = {};  ///< nothing: to theta
   int side = 1;  ///< `side` of the drive: which way to leave a bifurcation that it leaves open, 1 or -1
@@ -28,7 +29,6 @@ struct Design {
   std::map<int, HingeSection> own_hinges =
       {};  ///< of walls whose hinge is another one, by index of the hinge
   PhysicsSection physics = {};
-  model::Process process = model::processes().front();  ///< prints it
 };
 
 /// How its hinges are made: first those that have nothing of their own, where there are any, then each of the others.

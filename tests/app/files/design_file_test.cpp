@@ -57,7 +57,7 @@ void expect_same(const Design& a, const Design& b) {
   EXPECT_EQ(a.process, b.process);
 }
 
-TEST(Design, TakesHingesAsTheyAreMade) {
+TEST(DesignFile, TakesHingesAsTheyAreMade) {
   const Design file =
       read(strip +
            "hinge: {kind: block, material: tango, gap_mm: 1}\n"
@@ -88,7 +88,7 @@ TEST(Design, TakesHingesAsTheyAreMade) {
   expect_same(read(design_text(file)), file);
 }
 
-TEST(Design, TakesHingesThatAreMadeOtherwise) {
+TEST(DesignFile, TakesHingesThatAreMadeOtherwise) {
   const std::string sheet = "kinetix: 1\nname: sheet\nstructure: {cells: [4, 2], cell_mm: 20}\n",
                     film = "kind: film, material: pp, gap_mm: 3, thickness_mm: 0.4",
                     leaning =
@@ -123,7 +123,7 @@ TEST(Design, TakesHingesThatAreMadeOtherwise) {
   EXPECT_EQ(of(twice, {{1, 1}, model::Axis::y}).made->diameter_mm, 1);
 }
 
-TEST(Design, RefusesPartsThatASheetDoesNotHave) {
+TEST(DesignFile, RefusesPartsThatASheetDoesNotHave) {
   const TemporaryFolder folder;
   const std::string sheet = "kinetix: 1\nstructure: {cells: [4, 2]}\nhinge: {except: [{";
   const std::string k = ", k: {axial: 1, shear: 1, along: 1, turn: 1}}]}\n";
@@ -154,7 +154,7 @@ TEST(Design, RefusesPartsThatASheetDoesNotHave) {
                    [&] { read_design(folder.write("sheet.yaml", bad.text)); });
 }
 
-TEST(Design, WritesHingesAsMadeBitForBit) {
+TEST(DesignFile, WritesHingesAsMadeBitForBit) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0.1, 0.9);
   for (int round = 0; round < 30; ++round) {
@@ -185,7 +185,7 @@ TEST(Design, WritesHingesAsMadeBitForBit) {
   }
 }
 
-TEST(Design, HoldsOffsetsInMillimetres) {
+TEST(DesignFile, HoldsOffsetsInMillimetres) {
   const Design file = read(strip + "design: {hinges: [{wall: [[0, 0], [1, 0]], offset_mm: -0.7}]}\n");
   const model::HingeParameters& p = hinge_of(file, {{0, 0}, model::Axis::x});
   EXPECT_DOUBLE_EQ(p.offset, -0.07);
@@ -197,7 +197,7 @@ TEST(Design, HoldsOffsetsInMillimetres) {
   expect_same(file, read(design_text(file)));
 }
 
-TEST(Design, KeepsAnyOffsetThatIsANumberOfMillimetres) {
+TEST(DesignFile, KeepsAnyOffsetThatIsANumberOfMillimetres) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> by(-4, 4);
   Design file = read("kinetix: 1\nname: sheet\nstructure: {cells: [6, 3], cell_mm: 8.3}\n");
@@ -205,7 +205,7 @@ TEST(Design, KeepsAnyOffsetThatIsANumberOfMillimetres) {
   expect_same(file, read(design_text(file)));
 }
 
-TEST(Design, NeedsNoMoreThanAStructure) {
+TEST(DesignFile, NeedsNoMoreThanAStructure) {
   const Design file = read("kinetix: 1\nstructure: {cells: [6, 1]}\n");
   EXPECT_EQ(file.name, "sheet");
   EXPECT_EQ(file.structure.squares()->cells.size(), 6u);
@@ -216,7 +216,7 @@ TEST(Design, NeedsNoMoreThanAStructure) {
   for (const model::Hinge& hinge : file.structure.squares()->hinges) EXPECT_EQ(hinge.parameters.beta, 0);
 }
 
-TEST(Design, TakesEverySection) {
+TEST(DesignFile, TakesEverySection) {
   const Design file =
       read(strip +
            "name: arch\ndesign:\n  theta_deg: 20\n  hinges:\n    - {wall: [[0, 0], [1, 0]], t: 0.4, "
@@ -241,7 +241,7 @@ TEST(Design, TakesEverySection) {
   EXPECT_EQ(file.physics.step_s, 0.002);
 }
 
-TEST(Design, DrivesByPlatesAlongYUnlessToldOtherwise) {
+TEST(DesignFile, DrivesByPlatesAlongYUnlessToldOtherwise) {
   EXPECT_EQ(read(strip + "drive: {kind: plates, compression: 0.15}").drive,
             (DriveSection{.kind = DriveSection::Kind::plates, .axis = model::Axis::y, .compression = 0.15}));
   EXPECT_EQ(read(strip + "drive: {kind: plates, axis: x, compression: 0.15}").drive->axis, model::Axis::x);
@@ -254,14 +254,14 @@ const std::string tee =
     "kinetix: 1\nstructure: {cells: [[0, 0], [1, 0], [2, 0], [1, 1], [1, 2], [1, 3]]}\n"
     "design: {hinges: [{wall: [[1, 1], [1, 2]], beta_deg: -30}, {wall: [[2, 1], [2, 2]], beta_deg: 30}]}\n";
 
-TEST(Design, TakesThePartThatPlatesGrip) {
+TEST(DesignFile, TakesThePartThatPlatesGrip) {
   const std::string spine = tee + "drive: {kind: plates, axis: x, compression: 0.1, grip: [[1, 0], [2, 4]]}";
   EXPECT_EQ(read(spine).drive->grip, (model::Grip{{1, 0}, {2, 4}}));
   EXPECT_NE(design_text(read(spine)).find("grip: [[1, 0], [2, 4]]}"), std::string::npos);
   EXPECT_FALSE(read(tee + "drive: {kind: plates, compression: 0.1}").drive->grip);
 }
 
-TEST(Design, TakesTheBranchAndTheSideOfABifurcation) {
+TEST(DesignFile, TakesTheBranchAndTheSideOfABifurcation) {
   const Design file = read(strip + "drive: {kind: plates, compression: 0.15, branch: -1, side: -1}");
   EXPECT_EQ(file.drive->branch, -1);
   EXPECT_EQ(file.side, -1);
@@ -271,7 +271,7 @@ TEST(Design, TakesTheBranchAndTheSideOfABifurcation) {
   EXPECT_EQ(read(strip).side, 1);
 }
 
-TEST(Design, TakesThePaperPatternAndLetsNamedHingesWin) {
+TEST(DesignFile, TakesThePaperPatternAndLetsNamedHingesWin) {
   const Design file =
       read(strip +
            "design:\n  pattern: {even: {P: [0.2, 0.8, 0.2, 0.8]}, odd: {P: [0.8, 0.2, 0.8, 0.2]}}\n"
@@ -282,7 +282,7 @@ TEST(Design, TakesThePaperPatternAndLetsNamedHingesWin) {
   EXPECT_EQ(hinge_of(file, {{1, 0}, model::Axis::y}).t, 0.8);
 }
 
-TEST(Design, AveragesAPatternThatDisagreesOnlyWhenAsked) {
+TEST(DesignFile, AveragesAPatternThatDisagreesOnlyWhenAsked) {
   const std::string pattern = "design:\n  pattern: {even: {P: [0.5, 0.8, 0.5, 0.5]}";
   EXPECT_DOUBLE_EQ(hinge_of(read(strip + pattern + ", shared: average}\n"), {{1, 0}, model::Axis::y}).t,
                    0.65);
@@ -290,7 +290,7 @@ TEST(Design, AveragesAPatternThatDisagreesOnlyWhenAsked) {
               HasSubstr("sheet.yaml:4:12: design.pattern: cells [0, 0] and [1, 0] disagree"));
 }
 
-TEST(Design, SurvivesWritingAndReadingBitForBit) {
+TEST(DesignFile, SurvivesWritingAndReadingBitForBit) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(0, 1);
   TemporaryFolder folder;
@@ -334,7 +334,7 @@ TEST(Design, SurvivesWritingAndReadingBitForBit) {
   }
 }
 
-TEST(Design, KeepsCellsThatFillNoRectangle) {
+TEST(DesignFile, KeepsCellsThatFillNoRectangle) {
   const Design net = read("kinetix: 1\nstructure: {cells: [[1, 0], [0, 1], [1, 1], [2, 1], [1, 2]]}\n");
   expect_same(read(design_text(net)), [&] {
     Design same = net;
@@ -345,7 +345,7 @@ TEST(Design, KeepsCellsThatFillNoRectangle) {
   expect_same(read(design_text(away)), away);
 }
 
-TEST(Design, WritesOnlyWhatDiffersFromTheBasicHinge) {
+TEST(DesignFile, WritesOnlyWhatDiffersFromTheBasicHinge) {
   Design file =
       read(strip + "design: {theta_deg: 20, hinges: [{wall: [[0, 0], [1, 0]], beta_deg: 54.7356}]}");
   EXPECT_EQ(design_text(file),
@@ -358,13 +358,13 @@ TEST(Design, WritesOnlyWhatDiffersFromTheBasicHinge) {
   EXPECT_THAT(design_text(file), Not(HasSubstr("hinges")));
 }
 
-TEST(Design, ReadsBackADesignOfTenThousandCells) {
+TEST(DesignFile, ReadsBackADesignOfTenThousandCells) {
   std::mt19937 random(3);
   Design file{.name = "large", .structure = structure_of(random_design(model::Family::F3, 100, 100, random))};
   expect_same(read(design_text(file)), file);
 }
 
-TEST(Design, SaysWhereAndWhatIsAllowed) {
+TEST(DesignFile, SaysWhereAndWhatIsAllowed) {
   const auto hinges = [](const std::string& list) { return strip + "design: {hinges: [" + list + "]}\n"; };
   const auto hinge = [&](const std::string& wall) { return hinges("{wall: " + wall + "}"); };
   const auto with = [&](const std::string& more) { return hinges("{wall: [[0, 0], [1, 0]], " + more + "}"); };
