@@ -9,7 +9,7 @@
 #include "app/io/free_memory.hpp"
 #include "app/pipeline/certify.hpp"
 #include "app/pipeline/design_drive.hpp"
-#include "app/pipeline/design_scene.hpp"
+#include "app/pipeline/forecast_design.hpp"
 #include "app/result/certified_json.hpp"
 #include "app/result/state_json.hpp"
 #include "app/run/design_hinges.hpp"
@@ -75,9 +75,9 @@ nlohmann::ordered_json json_of(const Forecast& f) {
   return out;
 }
 
-std::optional<CheckedContact> contact_of(const Design& design, const Scene& scene) {
+std::optional<CheckedContact> contact_of(const Design& design) {
   const model::ExactMotion exact = exact_motion(design.structure);
-  if (!exact || scene.model() == Model::equilibrium) return std::nullopt;
+  if (!exact || plan_model(design, Model::bullet) == Model::equilibrium) return std::nullopt;
   return CheckedContact{certify(design.structure, wall_error(design)), exact_theta_of(design, exact)};
 }
 
@@ -131,15 +131,14 @@ CheckedFile check_file(const std::string& file, const Progress& progress) {
   }
   if (root.optional("target")) {
     const Target target = read_target(root);
-    return {file, "target", target.goal->name(), target.goal->forecast()};
+    return {file, "target", target.goal->name, target.goal->forecast()};
   }
   if (is_assembly(root)) return {file, "design", read_assembly(root).name};
   const Design design = read_design(root);
   announce_check(file, design.structure, progress);
-  const auto scene = make_scene(design, Model::bullet);
-  CheckedFile out{.file = file, .kind = "design", .name = scene->name(), .forecast = scene->forecast()};
+  CheckedFile out{.file = file, .kind = "design", .name = design.name, .forecast = forecast_design(design)};
   if (design.structure.bodies() <= most_bodies_for_contact)
-    out.contact = contact_of(design, *scene);
+    out.contact = contact_of(design);
   else
     out.forecast->notes.push_back(fmt::format(
         "the collision-free range is computed here for up to {} bodies; `simulate` needs {} for it",

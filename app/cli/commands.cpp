@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -16,7 +17,6 @@
 #include "app/goals/read_target.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/io/own_input.hpp"
-#include "app/pipeline/design_scene.hpp"
 #include "app/pipeline/drive_trials.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/print/fit.hpp"
@@ -43,10 +43,12 @@ RunOptions run_options(const CommandOptions& options, Console& console, const st
           .printable = answer_of_export};
 }
 
+using RunFunction = std::function<Run(const RunOptions&)>;
+
 /// Bad input that is found after reading gets the file's name.
-Run located(const std::string& file, const Scene& scene, const RunOptions& options) {
+Run located(const std::string& file, const RunFunction& run, const RunOptions& options) {
   try {
-    return run_scene(scene, options);
+    return run(options);
   } catch (const InvalidInput& e) {
     if (!e.place().file.empty()) throw;
     throw InvalidInput(e.reason(), {file, 0, 0, e.place().key});
@@ -62,17 +64,17 @@ void print(const Run& run, const nlohmann::ordered_json& json, const std::string
 }
 
 /// @param watch started before the file was read   @param asked of a design: the model that computes its state
-int run_and_write(const CommandOptions& options, const Scene& scene, const std::string& suffix,
-                  Stopwatch watch, std::optional<Model> asked = {}) {
+int run_and_write(const CommandOptions& options, const RunFunction& function, const std::string& name,
+                  const std::string& suffix, Stopwatch watch, std::optional<Model> asked = {}) {
   OutputFolder folder(
-      folder_beside_input(options.file, options.folder_of(scene.name(), suffix), options.folder_given));
+      folder_beside_input(options.file, options.folder_of(name, suffix), options.folder_given));
   const double load = watch.lap();
   Console console(options.quiet);
   // A closed form has no part that could be kept: Ctrl-C ends the program at once.
   std::optional<Stopper> stopper;
   if (asked != Model::exact || options.time_limit_s) stopper.emplace(options.time_limit_s);
   const std::stop_token stop = stopper ? stopper->token() : std::stop_token();
-  Run run = located(options.file, scene, run_options(options, console, stop));
+  Run run = located(options.file, function, run_options(options, console, stop));
   run.timings.load = load;
   if (asked == Model::bullet && run.stopped && !run.verification)
     throw Interrupted("the physics run was stopped before it settled");
@@ -136,28 +138,36 @@ int compare_drives(const CommandOptions& options) {
   return trials.least_force < 0 ? target_missed : done;
 }
 
-int run_design(const CommandOptions& options, Model model, const std::string& suffix) {
+int run_design_command(const CommandOptions& options, Model model, const std::string& suffix) {
   Stopwatch watch;
   const targets::Node root = document_of(options);
   if (is_assembly(root)) return run_assembly_command(options, root, model, suffix);
-  return run_and_write(options, *make_scene(design_of(options, root), model), suffix, watch, model);
+  const Design design = design_of(options, root);
+  return run_and_write(
+      options, [&](const RunOptions& of) { return run_design(design, model, of); }, design.name, suffix,
+      watch, model);
 }
 
 }  // namespace
 
 int optimise_command(const CommandOptions& options) {
   Stopwatch watch;
-  return run_and_write(options, *read_target(options.file).goal, "", watch);
+  const Target target = read_target(options.file);
+  return run_and_write(
+      options, [&](const RunOptions& of) { return run_goal(*target.goal, of); }, target.goal->name, "",
+      watch);
 }
 
-int verify_command(const CommandOptions& options) { return run_design(options, Model::bullet, "_verified"); }
+int verify_command(const CommandOptions& options) {
+  return run_design_command(options, Model::bullet, "_verified");
+}
 
 int simulate_command(const CommandOptions& options) {
   if (options.drives) return compare_drives(options);
   const Model model = options.model == "bullet"        ? Model::bullet
                       : options.model == "equilibrium" ? Model::equilibrium
                                                        : Model::exact;
-  return run_design(options, model, "_" + options.model);
+  return run_design_command(options, model, "_" + options.model);
 }
 
 int check_command(const CommandOptions& options) {

@@ -61,8 +61,9 @@ model::HingeScatter scatter_with(const Design& design, bool with_play) {
 
 /// Whether prints are looked at in the plane alone: errors tilt hinges that stand upright in the design, so that a flat print
 /// bends out of its plane, which goals that are read in the plane do not see.
-bool stays_in_plane(const Run& run, const std::vector<model::ObservedPoint>& points) {
-  return run.plan.planar && std::all_of(points.begin(), points.end(), [](const model::ObservedPoint& point) {
+bool stays_in_plane(const Found& found, const std::vector<model::ObservedPoint>& points) {
+  return found.plan.planar &&
+         std::all_of(points.begin(), points.end(), [](const model::ObservedPoint& point) {
            return std::abs(point.normal.z()) <= across_the_plane;
          });
 }
@@ -73,29 +74,30 @@ struct PrintedDesign {
   bool planar;
   model::SettledDesign settled;
 
-  PrintedDesign(const Run& run, const model::LinkageDrive& drive, const model::State& state,
+  PrintedDesign(const Found& found, const model::LinkageDrive& drive, const model::State& state,
                 const std::vector<model::ObservedPoint>& points)
-      : hinges(print_hinges(run, drive, state)),
-        planar(stays_in_plane(run, points)),
-        settled(run.design.structure, {state, hinges.elasticity, hinges.drive}, planar) {}
+      : hinges(print_hinges(found, drive, state)),
+        planar(stays_in_plane(found, points)),
+        settled(found.design.structure, {state, hinges.elasticity, hinges.drive}, planar) {}
 };
 
-std::optional<PrintedGoal> expected_with(const Run& run, const PrintedDesign& design,
+std::optional<PrintedGoal> expected_with(const Found& found, const PrintedDesign& design,
                                          const model::State& state,
                                          const std::vector<model::ObservedPoint>& points) {
   const model::SettledDesign& settled = design.settled;
   if (!settled.is_stable()) return std::nullopt;
-  if (!(aligned_distance(run.design.structure, settled.state(), state).rms <= near_design))
+  if (!(aligned_distance(found.design.structure, settled.state(), state).rms <= near_design))
     return std::nullopt;
   const auto with = [&](const model::HingeScatter& scatter) {
     return as_made(settled.system(), settled.state(), settled.theta(), settled.tangent(), points, scatter);
   };
   PrintedGoal out;
-  out.can_be_printed = print_problems(run.design).empty();
+  out.can_be_printed = print_problems(found.design).empty();
   out.taken = design.hinges.taken;
-  out.made = with(scatter_with(run.design, true));
-  if (const auto pin = loosest_pin(run.design); pin && play_scatter(*pin, run.design.process.sd).place_mm > 0)
-    out.without_play = with(scatter_with(run.design, false));
+  out.made = with(scatter_with(found.design, true));
+  if (const auto pin = loosest_pin(found.design);
+      pin && play_scatter(*pin, found.design.process.sd).place_mm > 0)
+    out.without_play = with(scatter_with(found.design, false));
   return out;
 }
 
@@ -172,11 +174,11 @@ model::Sheet printed_sheet(model::Sheet sheet, const Eigen::Matrix4Xd& errors) {
   return sheet;
 }
 
-std::optional<PrintedGoal> expected_of_prints(const Run& run, const model::LinkageDrive& drive,
+std::optional<PrintedGoal> expected_of_prints(const Found& found, const model::LinkageDrive& drive,
                                               const model::State& design,
                                               const std::vector<model::ObservedPoint>& points) {
   if (points.empty()) return std::nullopt;
-  return expected_with(run, {run, drive, design, points}, design, points);
+  return expected_with(found, {found, drive, design, points}, design, points);
 }
 
 std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& drive,

@@ -19,7 +19,7 @@ model::HingeScatter scatter_of(const Design& design);
 model::Sheet printed_sheet(model::Sheet sheet, const Eigen::Matrix4Xd& errors);
 
 /// What prints are expected to come to, to first order: as as_made(), without a print.
-std::optional<PrintedGoal> expected_of_prints(const Run& run, const model::LinkageDrive& drive,
+std::optional<PrintedGoal> expected_of_prints(const Found& found, const model::LinkageDrive& drive,
                                               const model::State& design,
                                               const std::vector<model::ObservedPoint>& points);
 

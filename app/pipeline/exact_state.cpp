@@ -2,43 +2,27 @@
 
 #include <utility>
 
-#include "app/pipeline/physics_settings.hpp"
 #include "app/run/stopwatch.hpp"
-#include "model/base/invalid_input.hpp"
-#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
 namespace {
 
 constexpr int timed_calls = 200;  // enough for the clock to resolve the mean, microseconds for small sheets
 
-void add(Run& run, const std::string& name, double theta) {
-  model::State state = run.plan.exact.at(theta);
-  const model::HingeGaps gaps = hinge_gaps(run.design.structure, state);
-  run.states.push_back({name, to_string(Model::exact), theta, std::move(state), gaps});
-}
-
 }  // namespace
 
-void require_exact(const Run& run) {
-  if (!run.plan.exact)
-    throw InvalidInput("the design that was found has no exact motion: " + run.plan.exact.why);
+NamedState exact_state(const Found& found, const std::string& name, double theta) {
+  model::State own = found.motion ? found.motion(theta) : found.plan.exact.at(theta);
+  const model::HingeGaps gaps = hinge_gaps(found.design.structure, own);
+  if (found.to_shown) own = moved(std::move(own), *found.to_shown);
+  return {name, to_string(Model::exact), theta, std::move(own), gaps};
 }
 
-void add_exact_state(Run& run, double theta) {
-  require_exact(run);
-  run.theta = theta;
-  add(run, "target", theta);
-  run.fidelity.push_back(exact_fidelity(run.plan.exact, run.design.structure, theta));
-}
-
-void add_exact_frames(Run& run) {
-  for (int k = 0; k < motion_states; ++k) add(run, "frame", run.theta * k / (motion_states - 1));
-}
-
-PhysicsTask folding_task(const Run& run) {
-  return {run.states.front().poses, drive_to(run.design.structure, run.theta),
-          rotary_physics(run.design.hinge, run.design.physics, run.design.structure.size().edge_mm)};
+std::vector<NamedState> exact_frames(const Found& found) {
+  std::vector<NamedState> out;
+  for (int k = 0; k < motion_states; ++k)
+    out.push_back(exact_state(found, "frame", found.theta * k / (motion_states - 1)));
+  return out;
 }
 
 Fidelity exact_fidelity(const model::ExactMotion& exact, const model::Linkage& structure, double theta) {

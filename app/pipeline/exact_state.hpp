@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/run/run.hpp"
-#include "app/run/scene.hpp"
 
 namespace kinetix::app {
 
@@ -9,18 +8,11 @@ namespace kinetix::app {
 /// adds all its poses to result.json.
 inline constexpr int motion_states = 13;
 
-/// @throws InvalidInput where the plan knows no closed form @pre planned
-void require_exact(const Run& run);
+/// The state of an exact family where results show it: at a theta, rad. @param name of the state   @pre planned, exact
+NamedState exact_state(const Found& found, const std::string& name, double theta);
 
-/// Adds the closed form's state at theta, rad, and its row of the speed-against-error table; sets run.theta.
-/// @throws InvalidInput where there is no closed form @pre planned
-void add_exact_state(Run& run, double theta);
-
-/// Adds states of the closed form's motion from flat to run.theta.
-void add_exact_frames(Run& run);
-
-/// The physics run that folds the sheet to run.theta, to be compared with the first of its states.
-PhysicsTask folding_task(const Run& run);
+/// The same of its motion from flat to found.theta.
+std::vector<NamedState> exact_frames(const Found& found);
 
 /// Row of the table for the exact model: time of one state, s, largest hinge gap, cell edges, as its error.
 /// @param theta rad

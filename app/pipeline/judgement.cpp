@@ -34,7 +34,7 @@ void correct_samples(Run& run) {
 /// Walls that do overlap on the way to a goal, whichever states its search has looked at.
 void judge_contact(Run& run) {
   if (!run.goal || run.plan.model != Model::exact || !run.certified->designed) return;
-  if (const auto why = contact_reason(run)) run.goal->violations.push_back(*why);
+  if (const auto why = contact_reason(run)) run.violations.push_back(*why);
 }
 
 /// Where nothing was to be proven: walls that overlap as built are seen in the flat state.
@@ -43,7 +43,7 @@ void judge_overlap(Run& run) {
   const model::Linkage linkage = run.design.structure;
   const model::WallContact contact(linkage);
   if (const auto& overlap = contact.overlap_at_rest())
-    run.goal->violations.push_back(overlap_words(*overlap, run.design.structure));
+    run.violations.push_back(overlap_words(*overlap, run.design.structure));
 }
 
 /// What is proven of walls where they are out of place, of the states that prints are judged in. Of equilibria near the closed
@@ -58,7 +58,7 @@ void judge_contact_of_prints(Run& run) {
 
 }  // namespace
 
-Judging::Judging(const Run& run, const Scene& scene, const RunOptions& options)
+Judging::Judging(const Run& run, const Scene* scene, const RunOptions& options)
     : run_(run), scene_(scene), options_(options) {}
 
 void Judging::work() {
@@ -68,20 +68,20 @@ void Judging::work() {
 }
 
 void Judging::judge_prints() {
-  if (!run_.goal || run_.states.empty()) return;
+  if (!scene_ || run_.states.empty()) return;
   if (run_.matter && !run_.equilibrium) {
     found_.prints_unknown = "elastic hinges find no equilibrium near the design: " + run_.matter->why;
     return;
   }
   Stopwatch watch;
-  const model::State state = run_.matter ? run_.equilibrium->path.state : scene_.own_state(run_);
-  const auto judged = scene_.judged(run_, run_.design.structure, state);
-  if (!judged) return;
+  const model::State& state = run_.matter ? run_.equilibrium->path.state : run_.own;
+  const auto observed = scene_->observe(run_, run_.design.structure, state);
+  if (!observed) return;
   found_.printed =
       as_made(run_, run_.matter ? run_.equilibrium->drive : drive_to(run_.design.structure, run_.theta),
-              state, judged->points, options_);
+              state, observed->points, options_);
   if (found_.printed)
-    found_.printed->tolerance_mm = judged->tolerance_mm;
+    found_.printed->tolerance_mm = observed->tolerance_mm;
   else
     found_.prints_unknown = "elastic hinges have no stable state near the design under its drive";
   found_.as_made_s = watch.lap();

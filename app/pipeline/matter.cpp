@@ -31,20 +31,21 @@ double stiffest_turn(const model::Elasticity& elasticity, int hinges) {
   return most;
 }
 
-model::SheetDrive springs(const Run& run, double theta) {
-  return {
-      .kind = model::LinkageDrive::Kind::shape_memory, .angle = 2 * theta, .k_turn = run.goal_drive.k_turn};
+model::SheetDrive springs(const GoalDrive& drive, double theta) {
+  return {.kind = model::LinkageDrive::Kind::shape_memory, .angle = 2 * theta, .k_turn = drive.k_turn};
 }
 
-double rms_mm(const Scene::Judged& judged) { return model::ObservedPoints(judged.points, true).rms_mm(); }
+double rms_mm(const Scene::Observed& observed) {
+  return model::ObservedPoints(observed.points, true).rms_mm();
+}
 
-optim::MatterGoal goal_of(const Run& run, const Scene& scene) {
+optim::MatterGoal goal_of(const Found& found, const Scene& scene) {
   optim::MatterGoal goal;
-  goal.observe = [&run, &scene](const model::Sheet& sheet, const model::State& state) {
-    const auto judged = scene.judged(run, sheet, state);
-    return judged ? judged->points : std::vector<model::ObservedPoint>{};
+  goal.observe = [&found, &scene](const model::Sheet& sheet, const model::State& state) {
+    const auto observed = scene.observe(found, sheet, state);
+    return observed ? observed->points : std::vector<model::ObservedPoint>{};
   };
-  goal.drive = [&run](const model::Sheet& sheet, double theta) { return goal_drive(run, sheet, theta); };
+  goal.drive = [&found](const model::Sheet& sheet, double theta) { return goal_drive(found, sheet, theta); };
   return goal;
 }
 
@@ -59,33 +60,35 @@ optim::CompensationOptions bounded(const TurnBounds& bounds, const GoalDrive& dr
   return options;
 }
 
-model::EquilibriumPath path_to(const Run& run, const model::Sheet& sheet, double theta,
+model::EquilibriumPath path_to(const Found& found, const model::Sheet& sheet, double theta,
                                const model::Elasticity& elasticity, const std::stop_token& stop) {
   model::EquilibriumPathOptions options;
-  options.planar = run.plan.planar;
+  options.planar = found.plan.planar;
   options.stop = stop;
-  return trace_equilibrium({sheet, goal_drive(run, sheet, theta), exact_motion(sheet)}, elasticity, options);
+  return trace_equilibrium({sheet, goal_drive(found, sheet, theta), exact_motion(sheet)}, elasticity,
+                           options);
 }
 
 /// @param path of the exact design, which came to its goal
-optim::Compensation made_up_for(const Run& run, const Scene& scene, const model::EquilibriumPath& path,
+optim::Compensation made_up_for(const Found& found, const Scene& scene, const model::EquilibriumPath& path,
                                 const model::Elasticity& elasticity, double tolerance_mm,
                                 const std::stop_token& stop) {
-  optim::CompensationOptions search = bounded(scene.turn_bounds(), run.goal_drive);
+  optim::CompensationOptions search = bounded(found.bounds, found.goal_drive);
   search.enough_mm = near_enough * tolerance_mm;
   search.stop = stop;
-  return compensate({run.design.structure, run.theta, path.state}, elasticity, goal_of(run, scene), search);
+  return compensate({found.design.structure, found.theta, path.state}, elasticity, goal_of(found, scene),
+                    search);
 }
 
 void miss(Run& run, const std::string& why) {
   run.matter->why = why;
-  run.goal->violations.push_back("equilibrium of the elastic hinges: " + why);
+  run.violations.push_back("equilibrium of the elastic hinges: " + why);
 }
 
 /// Hinges that are too soft for their drive leave the sheet far from its goal; what is missed otherwise no spring mends.
 bool is_far_off(const Run& run, const Scene& scene, const model::State& state) {
-  const auto judged = scene.judged(run, run.design.structure, state);
-  return !judged || rms_mm(*judged) > judged->tolerance_mm;
+  const auto observed = scene.observe(run, run.design.structure, state);
+  return !observed || rms_mm(*observed) > observed->tolerance_mm;
 }
 
 /// What counts is where the path from flat ends. That may be beside what the search found, which knows no contact.
@@ -94,15 +97,15 @@ void take_end_of_path(Run& run, const Scene& scene, const model::State& end, dou
   const std::string elsewhere = fmt::format(
       "the path from flat ends in another equilibrium than the one near the goal, {:.3g} mm from it",
       away * run.design.structure.size().edge_mm);
-  if (const auto judged = scene.judged(run, run.design.structure, end))
-    run.matter->after_mm = rms_mm(*judged);
-  if (!run.goal->met()) return miss(run, elsewhere);
+  if (const auto observed = scene.observe(run, run.design.structure, end))
+    run.matter->after_mm = rms_mm(*observed);
+  if (!run.met()) return miss(run, elsewhere);
   run.matter->why = elsewhere + ", and within tolerance as well";
 }
 
 /// The design that was found, in place of the exact one, and its path from flat. Of the plan what the search added stays: the
 /// rest was said of the exact design, whose states come from the closed form.
-void show(Run& run, const Scene& scene, const optim::InMatter& found, const model::Elasticity& elasticity,
+void show(Run& run, const optim::InMatter& found, const model::Elasticity& elasticity,
           const RunOptions& options) {
   const Plan exact = std::move(run.plan);
   run.design.structure = found.sheet;
@@ -114,45 +117,46 @@ void show(Run& run, const Scene& scene, const optim::InMatter& found, const mode
   run.fidelity.clear();
   run.design.drive = goal_drive_section(run);
   add_equilibrium(run, goal_drive(run, run.design.structure, run.theta), elasticity, motion_states, options);
-  for (NamedState& state : run.states) state.poses = scene.shown(run, state.poses);
+  if (!run.is_laid_over) return;
+  const model::State shown = run.to_shown ? moved(run.own, *run.to_shown) : run.own;
+  for (NamedState& state : run.states) state.poses = aligned(state.poses, shown);
 }
 
 }  // namespace
 
-model::LinkageDrive goal_drive(const Run& run, const model::Sheet& sheet, double theta) {
-  return run.goal_drive.kind == GoalDrive::Kind::usual ? drive_to(sheet, theta)
-                                                       : drive_on(sheet, springs(run, theta));
+model::LinkageDrive goal_drive(const Found& found, const model::Sheet& sheet, double theta) {
+  return found.goal_drive.kind == GoalDrive::Kind::usual ? drive_to(sheet, theta)
+                                                         : drive_on(sheet, springs(found.goal_drive, theta));
 }
 
-std::optional<DriveSection> goal_drive_section(const Run& run) {
-  if (run.goal_drive.kind == GoalDrive::Kind::usual) return std::nullopt;
+std::optional<DriveSection> goal_drive_section(const Found& found) {
+  if (found.goal_drive.kind == GoalDrive::Kind::usual) return std::nullopt;
   return DriveSection{
-      .kind = DriveSection::Kind::shape_memory, .angle = 2 * run.theta, .k_turn = run.goal_drive.k_turn};
+      .kind = DriveSection::Kind::shape_memory, .angle = 2 * found.theta, .k_turn = found.goal_drive.k_turn};
 }
 
-bool is_of_matter(const Scene& scene, const Run& run) {
-  return run.goal && run.design.hinge.model == HingeSection::Model::elastic &&
-         scene.model() != Model::equilibrium;
+bool is_of_matter(const Found& found) {
+  return found.goal && found.design.hinge.model == HingeSection::Model::elastic &&
+         found.plan.model != Model::equilibrium;
 }
 
-MatterPath path_in_matter(const Run& run, const Scene& scene, const std::stop_token& stop) {
-  require_exact(run);
-  const model::Elasticity elasticity = elasticity_of(run.design);
-  MatterPath out{run.design.structure, run.theta, goal_drive(run, run.design.structure, run.theta),
-                 path_to(run, run.design.structure, run.theta, elasticity, stop)};
-  const auto exact = scene.judged(run, run.design.structure, run.plan.exact.at(run.theta));
+MatterPath path_in_matter(const Found& found, const Scene& scene, const std::stop_token& stop) {
+  const model::Elasticity elasticity = elasticity_of(found.design);
+  MatterPath out{found.design.structure, found.theta, goal_drive(found, found.design.structure, found.theta),
+                 path_to(found, found.design.structure, found.theta, elasticity, stop)};
+  const auto exact = scene.observe(found, found.design.structure, found.own);
   if (!exact || out.path.stop != model::EquilibriumPath::Stop::reached) return out;
   const optim::InMatter after =
-      made_up_for(run, scene, out.path, elasticity, exact->tolerance_mm, stop).after;
-  const model::LinkageDrive drive = goal_drive(run, after.sheet, after.theta);
-  model::EquilibriumPathOptions options = path_of_run(run.plan.planar);
+      made_up_for(found, scene, out.path, elasticity, exact->tolerance_mm, stop).after;
+  const model::LinkageDrive drive = goal_drive(found, after.sheet, after.theta);
+  model::EquilibriumPathOptions options = path_of_run(found.plan.planar);
   options.stop = stop;
   return {after.sheet, after.theta, drive,
           trace_equilibrium({after.sheet, drive, exact_motion(after.sheet)}, elasticity, options)};
 }
 
 void settle_in_matter(Run& run, const Scene& scene, const RunOptions& options) {
-  const auto exact = scene.judged(run, run.design.structure, scene.own_state(run));
+  const auto exact = scene.observe(run, run.design.structure, run.own);
   if (!exact) return;
   options.progress("hinges in matter", 0);
   const model::Elasticity elasticity = elasticity_of(run.design);
@@ -171,13 +175,15 @@ void settle_in_matter(Run& run, const Scene& scene, const RunOptions& options) {
   matter.theta_change = found.after.theta - found.before.theta;
   matter.rounds = found.rounds;
   matter.why = found.why;
-  show(run, scene, found.after, elasticity, options);
+  show(run, found.after, elasticity, options);
   const model::EquilibriumPath& shown = run.equilibrium->path;
   if (!run.equilibrium->reached()) return miss(run, shown.why);
-  scene.judge_matter(run, shown.state);
-  if (!run.goal->met() && run.goal_drive.kind == GoalDrive::Kind::usual &&
-      is_far_off(run, scene, shown.state))
-    run.goal->violations.push_back(fmt::format(
+  if (auto measure = scene.measure(run, StateOf::equilibrium, shown.state, options)) {
+    run.violations = measure->violations;
+    run.by_equilibrium = std::move(measure);
+  }
+  if (!run.met() && run.goal_drive.kind == GoalDrive::Kind::usual && is_far_off(run, scene, shown.state))
+    run.violations.push_back(fmt::format(
         "plates and single hinges let soft hinges lean or buckle sooner than they fold them: try "
         "`drive: {{kind: shape_memory, k_turn: {:.3g}}}`, springs in all hinges, {:g} times as stiff as "
         "these, or "

@@ -5,12 +5,12 @@
 namespace kinetix::app {
 
 /// Whether the goal was searched for by closed form and its file says what elastic hinges are made of.
-bool is_of_matter(const Scene& scene, const Run& run);
+bool is_of_matter(const Found& found);
 
-/// The drive of the run's goal that takes a sheet to theta, rad, and the same as design.yaml has it: nothing where the
+/// The drive of a goal that takes a sheet to theta, rad, and the same as design.yaml has it: nothing where the
 /// file need not say it.
-model::LinkageDrive goal_drive(const Run& run, const model::Sheet& sheet, double theta);
-std::optional<DriveSection> goal_drive_section(const Run& run);
+model::LinkageDrive goal_drive(const Found& found, const model::Sheet& sheet, double theta);
+std::optional<DriveSection> goal_drive_section(const Found& found);
 
 /// A design that makes up for its elastic hinges, and its path from flat.
 struct MatterPath {
@@ -20,14 +20,14 @@ struct MatterPath {
   model::EquilibriumPath path;
 };
 
-/// Of the exact design of a run, which stays as it is. Where that has no equilibrium the path ends before its goal.
-/// @throws InvalidInput where its sheet has no closed form @pre solved, planned, is_of_matter
-MatterPath path_in_matter(const Run& run, const Scene& scene, const std::stop_token& stop);
+/// Of the exact design of a goal, which stays as it is. Where that has no equilibrium the path ends before its goal.
+/// @pre planned, is_of_matter
+MatterPath path_in_matter(const Found& found, const Scene& scene, const std::stop_token& stop);
 
 /// Takes a design that meets its goal exactly to the equilibrium of its elastic hinges, from flat by its drive, and
 /// brings that onto the goal (optim/matter/compensate.hpp). The run then shows the equilibrium of the new design, as
 /// the path from flat comes to it. Without an equilibrium the exact state stays, and the goal says why it is not met.
-/// @pre judged, is_of_matter
+/// @pre measured, is_of_matter
 void settle_in_matter(Run& run, const Scene& scene, const RunOptions& options);
 
 }  // namespace kinetix::app

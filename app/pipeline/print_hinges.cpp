@@ -16,23 +16,23 @@ namespace {
 constexpr double part = 1e-4;  // rad of theta, to either side: what differences of energies are taken over
 
 /// A block that does for all hinges in a state. Along an exact motion nothing pulls them apart: what rounding leaves is none.
-model::MadeHinge soft_block(const Run& run, const model::Linkage& linkage, const model::State& design) {
+model::MadeHinge soft_block(const Found& found, const model::Linkage& linkage, const model::State& design) {
   const model::CellSize size = linkage.size;
-  model::MadeHinge block = open_hinge(model::HingeKind::block, run.design.process, size);
-  for (int h = 0; h < run.design.structure.hinges(); ++h) {
-    const double stretch = run.plan.exact ? 0 : edge_stretch_mm(linkage, design, h, block.height_mm);
+  model::MadeHinge block = open_hinge(model::HingeKind::block, found.design.process, size);
+  for (int h = 0; h < found.design.structure.hinges(); ++h) {
+    const double stretch = found.plan.exact ? 0 : edge_stretch_mm(linkage, design, h, block.height_mm);
     block.gap_mm = std::max(block.gap_mm, open_gap_mm(block, size.thickness_mm,
-                                                      run.design.structure.hinge(h).offset * size.edge_mm,
+                                                      found.design.structure.hinge(h).offset * size.edge_mm,
                                                       hinge_turn(linkage, design, h), stretch));
   }
   return block;
 }
 
 /// Energy of all turns in the exact state at theta, N mm. @param k_turn of each hinge, N mm/rad
-double turning_energy(const Run& run, const model::Linkage& linkage, double k_turn, double theta) {
-  const model::State state = run.plan.exact.at(theta);
+double turning_energy(const Found& found, const model::Linkage& linkage, double k_turn, double theta) {
+  const model::State state = found.plan.exact.at(theta);
   double sum = 0;
-  for (int h = 0; h < run.design.structure.hinges(); ++h) {
+  for (int h = 0; h < found.design.structure.hinges(); ++h) {
     const double turn = hinge_turn(linkage, state, h);
     sum += k_turn * turn * turn / 2;
   }
@@ -51,11 +51,11 @@ double driven_way(const model::LinkageDrive& drive, const model::Linkage& linkag
 
 /// What the drive must hold if springs alone stand against it, N or N mm. Plates close in as the sheet does, which need not be
 /// by the cosine of its theta.
-double holding_load(const Run& run, const model::LinkageDrive& drive, const model::Linkage& linkage,
+double holding_load(const Found& found, const model::LinkageDrive& drive, const model::Linkage& linkage,
                     const model::Elasticity& elasticity) {
-  const auto energy = [&](double at) { return turning_energy(run, linkage, elasticity.k_turn, at); };
-  const auto way = [&](double at) { return driven_way(drive, linkage, run.plan.exact.at(at)); };
-  const double more = run.theta + part, less = run.theta - part;
+  const auto energy = [&](double at) { return turning_energy(found, linkage, elasticity.k_turn, at); };
+  const auto way = [&](double at) { return driven_way(drive, linkage, found.plan.exact.at(at)); };
+  const double more = found.theta + part, less = found.theta - part;
   return (energy(more) - energy(less)) / (way(more) - way(less));
 }
 
@@ -67,17 +67,17 @@ model::Elasticity set_at(const model::MadeHinge& made, double turn) {
 
 }  // namespace
 
-PrintHinges print_hinges(const Run& run, const model::LinkageDrive& drive, const model::State& design) {
-  if (run.design.hinge.model == HingeSection::Model::elastic)
-    return {elasticity_of(run.design), drive, std::nullopt};
-  const model::Linkage linkage(run.design.structure);
-  const model::MadeHinge block = soft_block(run, linkage, design);
+PrintHinges print_hinges(const Found& found, const model::LinkageDrive& drive, const model::State& design) {
+  if (found.design.hinge.model == HingeSection::Model::elastic)
+    return {elasticity_of(found.design), drive, std::nullopt};
+  const model::Linkage linkage(found.design.structure);
+  const model::MadeHinge block = soft_block(found, linkage, design);
   PrintHinges out{elasticity_of(block), {.kind = model::LinkageDrive::Kind::none}, std::nullopt};
   const model::Elasticity soft = out.elasticity;
   int open = 0;
   double largest_strain = 0;
-  for (int h = 0; h < run.design.structure.hinges(); ++h) {
-    const auto& made = hinge_section(run.design, h).made;
+  for (int h = 0; h < found.design.structure.hinges(); ++h) {
+    const auto& made = hinge_section(found.design, h).made;
     const double turn = hinge_turn(linkage, design, h);
     out.elasticity.each.push_back(set_at(made.value_or(block), turn));
     out.elasticity.k_point = std::max(out.elasticity.k_point, out.elasticity.each.back().k_point);
@@ -88,8 +88,8 @@ PrintHinges print_hinges(const Run& run, const model::LinkageDrive& drive, const
   if (open == 0) return out;
   out.taken = TakenHinges{.made = block, .strain = largest_strain};
   const bool has_load = drive.has_force() || drive.kind == model::LinkageDrive::Kind::hinge;
-  if (open == run.design.structure.hinges() && run.plan.exact && has_load)
-    out.taken->load = holding_load(run, drive, linkage, soft);
+  if (open == found.design.structure.hinges() && found.plan.exact && has_load)
+    out.taken->load = holding_load(found, drive, linkage, soft);
   out.taken->is_force = drive.has_force();
   return out;
 }

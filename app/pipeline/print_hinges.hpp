@@ -15,7 +15,7 @@ struct PrintHinges {
 /// have hinges that were set at the turns of the design and keep them, without a drive (model::SetHinge): each as the file
 /// makes it, else a soft block of the run's process, as long as the largest turn needs.
 /// @param drive that holds the design   @param design its state, exact where hinges turn freely
-PrintHinges print_hinges(const Run& run, const model::LinkageDrive& drive, const model::State& design);
+PrintHinges print_hinges(const Found& found, const model::LinkageDrive& drive, const model::State& design);
 
 /// The same hinges, each at rest at the turn that it has in a state of the sheet, as if it had been set there.
 model::Elasticity set_in(model::Elasticity elasticity, const model::Linkage& linkage,

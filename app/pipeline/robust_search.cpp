@@ -7,6 +7,7 @@
 
 #include "app/pipeline/as_made.hpp"
 #include "app/pipeline/matter.hpp"
+#include "app/pipeline/pipeline.hpp"
 #include "app/run/design_hinges.hpp"
 
 namespace kinetix::app {
@@ -26,16 +27,11 @@ struct Expected {
   bool hinges_bear = true;  ///< their strain
 };
 
-/// Of a run that was solved, which goes as far as the pipeline takes it without a physics run.
-std::optional<Expected> expected(Run& run, const Scene& scene, const RunOptions& options) {
-  run.design.own_hinges = own_hinges_of(run.design.structure, run.hinge_parts);
-  run.plan = make_plan(run.design.structure, scene.model());
-  scene.add_state(run, options);
-  scene.judge(run, options);
-  if (is_of_matter(scene, run)) settle_in_matter(run, scene, options);
+/// Of a run that has been through its models.
+std::optional<Expected> expected(const Run& run, const Scene& scene) {
   if (run.matter && !run.equilibrium) return std::nullopt;
-  const model::State state = run.matter ? run.equilibrium->path.state : scene.own_state(run);
-  const auto goal = scene.judged(run, run.design.structure, state);
+  const model::State& state = run.matter ? run.equilibrium->path.state : run.own;
+  const auto goal = scene.observe(run, run.design.structure, state);
   if (!goal) return std::nullopt;
   const auto drive = run.matter ? run.equilibrium->drive : goal_drive(run, run.design.structure, run.theta);
   const auto printed = expected_of_prints(run, drive, state, goal->points);
@@ -63,13 +59,6 @@ std::vector<RobustTrial> trials(const std::optional<optim::AngleRange>& theta, c
   return out;
 }
 
-void take_over(Run& run, Run&& better) {
-  run.design.structure = std::move(better.design.structure);
-  run.design.hinge = std::move(better.design.hinge);
-  run.theta = better.theta;
-  run.goal = std::move(better.goal);
-}
-
 RobustCandidate not_judged(double theta, double cell_mm, const HingeSection& hinge) {
   RobustCandidate out{.theta = theta,
                       .cell_mm = cell_mm,
@@ -86,7 +75,7 @@ std::string missed_in_words(const Run& run) {
 
 /// Empty where it may be taken.
 std::string why_not_taken(const Run& run, const Expected& found, const RunOptions& options) {
-  if (!run.goal->met()) return missed_in_words(run);
+  if (!run.met()) return missed_in_words(run);
   if (!(found.printed.made.designed_mm <= found.tolerance_mm)) return "it is too far off the goal";
   if (!found.printed.can_be_printed) return "the process cannot print it";
   if (!found.hinges_bear) return "its hinges are strained by more than their material bears";
@@ -96,12 +85,10 @@ std::string why_not_taken(const Run& run, const Expected& found, const RunOption
 }
 
 /// @param plain what the plain search found
-RobustCandidate tried(const Run& plain, const Scene& scene, const RobustTrial& trial,
+RobustCandidate tried(const Found& plain, const Scene& scene, const RobustTrial& trial,
                       const RobustSolve& solve, const RunOptions& options) {
   try {
-    Run run;
-    solve(run, trial, options);
-    return robust_candidate(std::move(run), scene, options);
+    return robust_candidate(solve(trial, options), scene, options);
   } catch (const InvalidInput& e) {
     RobustCandidate out = not_judged(trial.theta ? trial.theta->lower : plain.theta,
                                      plain.design.structure.size().edge_mm, trial.hinge);
@@ -112,45 +99,44 @@ RobustCandidate tried(const Run& plain, const Scene& scene, const RobustTrial& t
 
 }  // namespace
 
-RobustCandidate robust_candidate(Run run, const Scene& scene, const RunOptions& options) {
-  RobustCandidate out = not_judged(run.theta, run.design.structure.size().edge_mm, run.design.hinge);
+RobustCandidate robust_candidate(Found found, const Scene& scene, const RunOptions& options) {
+  RobustCandidate out = not_judged(found.theta, found.design.structure.size().edge_mm, found.design.hinge);
+  Run run = held(std::move(found), &scene, options);
   out.why_not = missed_in_words(run);
-  if (!run.goal->met()) return out;
-  const auto found = expected(run, scene, options);
-  out.why_not = run.goal->met() ? "what its prints come to is not known" : missed_in_words(run);
-  if (!found) return out;
-  const model::AsMade& made = found->printed.made;
+  if (!run.met()) return out;
+  run = settled(std::move(run), scene, options);
+  const auto prints = expected(run, scene);
+  out.why_not = run.met() ? "what its prints come to is not known" : missed_in_words(run);
+  if (!prints) return out;
+  const model::AsMade& made = prints->printed.made;
   out.designed_mm = made.designed_mm;
   out.as_made_mm = made.rms_mm;
   out.as_made_p95 = made.p95_mm;
-  out.why_not = why_not_taken(run, *found, options);
+  out.why_not = why_not_taken(run, *prints, options);
   out.is_allowed = out.why_not.empty();
   return out;
 }
 
-void search_robustly(Run& run, const Scene& scene, double weight,
-                     const std::optional<optim::AngleRange>& theta, const RobustSolve& solve,
-                     const RunOptions& options) {
+Found search_robustly(Found plain, const Scene& scene, double weight,
+                      const std::optional<optim::AngleRange>& theta, const RobustSolve& solve,
+                      const RunOptions& options) {
   RunOptions quiet = options;
   quiet.progress = {};
   RobustChoice choice;
-  const std::vector<RobustTrial> all = trials(theta, run.design.hinge);
+  const std::vector<RobustTrial> all = trials(theta, plain.design.hinge);
   for (std::size_t k = 0; k < all.size() && !options.stop.stop_requested(); ++k) {
     options.progress("robust search", static_cast<double>(k) / static_cast<double>(all.size()),
                      fmt::format("design {} of {}", k + 1, all.size()));
-    RobustCandidate next = tried(run, scene, all[k], solve, quiet);
+    RobustCandidate next = tried(plain, scene, all[k], solve, quiet);
     if (options.stop.stop_requested()) break;  // cut short, it says nothing of that design
     choice.tried.push_back(std::move(next));
     if (is_more_robust(weight, choice.tried.back(), choice.tried[choice.chosen])) choice.chosen = k;
   }
-  if (choice.tried.empty()) return;
-  if (choice.chosen > 0) {
-    quiet.stop = {};  // the design that was found, not what a search that is stopped at once has
-    Run better;
-    solve(better, all[choice.chosen], quiet);
-    take_over(run, std::move(better));
-  }
-  run.robust = std::move(choice);
+  if (choice.tried.empty()) return plain;
+  quiet.stop = {};  // the design that was found, not what a search that is stopped at once has
+  Found best = choice.chosen > 0 ? solve(all[choice.chosen], quiet) : std::move(plain);
+  best.robust = std::move(choice);
+  return best;
 }
 
 int designs_of_robust_search(const std::optional<optim::AngleRange>& theta, const HingeSection& hinge) {

@@ -13,20 +13,20 @@ struct RobustTrial {
   HingeSection hinge;                      ///< with another gap of its blocks or films
 };
 
-using RobustSolve = std::function<void(Run&, const RobustTrial&, const RunOptions&)>;
+using RobustSolve = std::function<Found(const RobustTrial&, const RunOptions&)>;
 
-/// What a run that was solved comes to as the pipeline would leave it, without a physics run.
-RobustCandidate robust_candidate(Run run, const Scene& scene, const RunOptions& options);
+/// What a design that was found comes to as the pipeline would leave it, without a physics run.
+RobustCandidate robust_candidate(Found found, const Scene& scene, const RunOptions& options);
 
 /// Of the plain design and others, at nine values of theta and three gaps of hinges, keeps the one with the least
 /// robust_cost(), prints to first order, among those that meet the goal once they have made up for elastic hinges and that
-/// their hinges bear: puts its structure, theta, hinge and goal into the run, and says in run.robust what was tried.
+/// their hinges bear: returns that one, and says in `robust` what was tried.
 /// One without an expectation, or further off than the goal allows, is not taken unless the plain one is as well.
-/// @param run solved plainly   @param weight of prints, (0, 1]   @param theta what may be tried of it, rad; nothing: theta is given
-/// @param solve a fresh run for a trial; one that throws InvalidInput cannot be made
-void search_robustly(Run& run, const Scene& scene, double weight,
-                     const std::optional<optim::AngleRange>& theta, const RobustSolve& solve,
-                     const RunOptions& options);
+/// @param plain what the plain search found   @param weight of prints, (0, 1]   @param theta what may be tried of it, rad; nothing: theta is given
+/// @param solve a trial; one that throws InvalidInput cannot be made
+Found search_robustly(Found plain, const Scene& scene, double weight,
+                      const std::optional<optim::AngleRange>& theta, const RobustSolve& solve,
+                      const RunOptions& options);
 
 /// How many designs it tries, likewise.
 int designs_of_robust_search(const std::optional<optim::AngleRange>& theta, const HingeSection& hinge);

@@ -129,7 +129,7 @@ void remove_coarse(Run& run) {
   run.states.pop_back();
   run.fidelity.pop_back();
   run.verification.reset();
-  if (run.goal) run.goal->physics_violations.clear();
+  run.by_physics.reset();
 }
 
 }  // namespace kinetix::app

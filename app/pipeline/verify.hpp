@@ -2,10 +2,17 @@
 
 #include <optional>
 
+#include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
-#include "app/run/scene.hpp"
 
 namespace kinetix::app {
+
+/// What the physics engine is to run, and what its last state is compared with.
+struct PhysicsTask {
+  model::State reference;  ///< of the same drive by the run's model; empty where no model knows one
+  model::LinkageDrive drive;
+  sim::PhysicsOptions options;
+};
 
 /// Runs the physics engine on run.design.structure and compares it with the reference state. Looks at the run and changes
 /// nothing of it. Where no step is given and there is a reference, coarser steps are tried first: a run in them that

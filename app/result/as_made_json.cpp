@@ -52,7 +52,7 @@ std::string holding_words(const PrintedGoal& printed) {
 std::string verdict_words(const Run& run) {
   const PrintedGoal& printed = *run.printed;
   if (!printed.can_be_printed) return "cannot be printed";
-  if (printed.holds() && !run.goal->met()) return "prints keep that, but the design itself misses the goal";
+  if (printed.holds() && !run.met()) return "prints keep that, but the design itself misses the goal";
   if (printed.holds()) return holding_words(printed);
   if (printed.runs && printed.runs->prints == 0)
     return "NOT EVERY PRINT HOLDS, and none settles in the elastic model";

@@ -79,8 +79,7 @@ Json state_json(const NamedState& state) {
 /// A design has no goal to be judged by.
 Json tolerance_json(const Run& run) {
   Json out = Json::object();
-  if (run.goal)
-    for (const auto& [key, limit] : run.goal->tolerances) out[key] = limit;
+  for (const auto& [key, limit] : run.tolerances) out[key] = limit;
   out["verify"] = run.verify_tolerance;
   return out;
 }
@@ -118,7 +117,7 @@ Json metrics_json(const Run& run) {
         run.theta < 0 ? run.plan.free_range->negative : run.plan.free_range->positive;
     if (limit.touches) metrics["theta_limit_rad"] = limit.theta;
   }
-  if (run.goal) run.goal->add_metrics(metrics);
+  if (run.goal) run.goal->add_metrics(run, metrics);
   if (run.equilibrium) add_equilibrium_metrics(*run.equilibrium, metrics);
   if (run.equilibrium)
     metrics["stretch_max_mm"] = run.equilibrium->path.gaps.max * run.design.structure.size().edge_mm;

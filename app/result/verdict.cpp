@@ -48,7 +48,7 @@ Reasons agreement_reasons(const Run& run) {
   const Verification& v = *run.verification;
   if (v.agrees) return {};
   if (!is_settled(v)) return {failed_simulation_reason(v)};
-  Reasons why = run.goal ? run.goal->physics_violations : Reasons{};
+  Reasons why = run.physics_violations();
   if (v.compared && !(v.distance.rms <= run.verify_tolerance)) {
     const double edge_mm = run.design.structure.size().edge_mm;
     why.push_back(fmt::format("the simulation ends {:.3g} mm (rms) from the model; {:.3g} mm are allowed{}",
@@ -97,7 +97,7 @@ void add_warnings(const Run& run, RunVerdict& verdict) {
   for (const auto& [label, words] : made_hinge_lines(run))
     if (label != "STRAINED") verdict.warn(words);  // that is an error of `reaches`
   if (!run.goal) return;
-  if (!run.goal->met()) warn_all(verdict, run.goal->physics_violations);
+  if (!run.met()) warn_all(verdict, run.physics_violations());
   warn_all(verdict, run.goal->warnings(run));
   if (!run.prints_unknown.empty()) verdict.warn("print tolerance is not known: " + run.prints_unknown);
   if (run.printed) warn_all(verdict, scatter_warnings(run));
@@ -146,7 +146,7 @@ std::string failed_simulation_reason(const Verification& v) {
 RunVerdict verdict_of(const Run& run) {
   RunVerdict out;
   const std::string hinges = hinges_of_model(run);
-  if (run.goal) out.set(&RunVerdict::met, run.goal->violations, hinges);
+  if (run.goal) out.set(&RunVerdict::met, run.violations, hinges);
   if (run.verification) out.set(&RunVerdict::agrees, agreement_reasons(run), hinges);
   if (run.print) out.set(&RunVerdict::printable, print_reasons(run), run.print->hinges);
   if (const auto why = drive_reasons(run)) out.set(&RunVerdict::reaches, *why, hinges);

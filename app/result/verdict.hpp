@@ -41,7 +41,7 @@ struct RunVerdict {
   std::string reasons() const;
 };
 
-/// The verdict on a search or a forward run of a sheet. What speaks against a goal comes from GoalOutcome::violations and
+/// The verdict on a search or a forward run of a sheet. What speaks against a goal comes from Run::violations and
 /// GoalOutcome::warnings(), all else from the parts of the run.
 RunVerdict verdict_of(const Run& run);
 

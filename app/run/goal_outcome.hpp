@@ -22,24 +22,10 @@ struct NamedContent {
   std::string name, content;
 };
 
-/// What a search for a goal contributes to a result; each kind of goal has its own.
+/// What a search for a goal contributes to a result; each kind of goal has its own. It does not change once the search is over.
 class GoalOutcome {
  public:
   virtual ~GoalOutcome() = default;
-
-  Tolerances tolerances;
-  std::vector<std::string> violations = {};  ///< in words, empty where the model is as the target asks
-  std::vector<std::string> physics_violations = {};  ///< likewise of the settled physics run
-
-  bool strained = false;  ///< the one violation is of a hinge, by more than its material bears
-
-  bool met() const { return violations.empty(); }
-  /// The end of a line of the summary. @param is_within whether what the line tells keeps its tolerance
-  const char* verdict(bool is_within) const {
-    if (met()) return "within tolerance";
-    if (strained) return "WITHIN TOLERANCE, BUT HINGES ARE STRAINED TOO FAR";
-    return is_within ? "WITHIN TOLERANCE, BUT NOT AS REQUIRED" : "MISSES THE TOLERANCE";
-  }
 
   /// What distances of points of the sheet are from, in words.
   virtual std::string judged_against() const { return "the goal"; }
@@ -52,7 +38,7 @@ class GoalOutcome {
   /// Adds the kind's own section and `optimiser`. @param run the run that this is the outcome of
   virtual void add_sections(const Run& run, nlohmann::ordered_json& result) const = 0;
   /// Adds the metrics that the kind names (GoalKind::metrics) to `metrics`.
-  virtual void add_metrics(nlohmann::ordered_json& metrics) const = 0;
+  virtual void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const = 0;
   virtual std::vector<SummaryLine> summary_lines(const Run& run) const = 0;
   /// What a person should know of the goal and what leaves it met, a sentence each. @param run as above
   virtual std::vector<std::string> warnings(const Run& /*run*/) const { return {}; }

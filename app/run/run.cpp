@@ -1,5 +1,7 @@
 #include "app/run/run.hpp"
 
+#include <array>
+
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::app {
@@ -21,6 +23,33 @@ double asked_theta(const Run& run) {
 }
 
 }  // namespace
+
+std::string in_words(StateOf of) {
+  constexpr std::array words = {"model", "equilibrium", "physics run"};
+  return words[static_cast<std::size_t>(of)];
+}
+
+Design asked_design(const Found& found) {
+  Design design = found.design;
+  design.theta = found.theta;
+  return design;
+}
+
+Found planned(Found found) {
+  if (found.goal) found.design.own_hinges = own_hinges_of(found.design.structure, found.hinge_parts);
+  found.plan = make_plan(found.design.structure, found.model);
+  if (!found.goal || found.plan.model == Model::equilibrium) return found;
+  if (!found.plan.exact)
+    throw InvalidInput("the design that was found has no exact motion: " + found.plan.exact.why);
+  found.own = found.motion ? found.motion(found.theta) : found.plan.exact.at(found.theta);
+  return found;
+}
+
+const char* tolerance_words(const Run& run, bool is_within) {
+  if (run.met()) return "within tolerance";
+  if (run.strained) return "WITHIN TOLERANCE, BUT HINGES ARE STRAINED TOO FAR";
+  return is_within ? "WITHIN TOLERANCE, BUT NOT AS REQUIRED" : "MISSES THE TOLERANCE";
+}
 
 Design written_design(const Run& run) {
   Design design = run.design;

@@ -7,12 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/files/design_file.hpp"
-#include "app/files/goal_settings.hpp"
 #include "app/run/certified.hpp"
-#include "app/run/goal_outcome.hpp"
-#include "app/run/plan.hpp"
-#include "app/run/robust_choice.hpp"
+#include "app/run/found.hpp"
 #include "app/run/run_options.hpp"
 #include "model/elastic/equilibrium_comparison.hpp"
 #include "model/elastic/path/stable_states.hpp"
@@ -153,57 +149,53 @@ struct Timings {
          verify = 0;  ///< seconds
 };
 
-/// Everything one call of the program knows at its end: what result.json and the report show.
-struct Run {
-  /// The design that was asked for or found. Its theta is that of `theta` below until it is written.
-  Design design;
+/// Everything one call of the program knows at its end, what result.json and the report show: what was found, and what each
+/// model says of it.
+struct Run : Found {
   std::uint64_t seed = 0;
-  Plan plan;
-  double theta = 0;                   ///< rad, of the state shown
-  std::unique_ptr<GoalOutcome> goal;  ///< nothing for a design, which was not searched for
   std::vector<NamedState> states;
-  GoalDrive goal_drive;                ///< of goals of exact families
-  std::vector<HingePart> hinge_parts;  ///< of a goal's file
   std::optional<Equilibrium> equilibrium;
   std::optional<Verification> verification;
   std::optional<MatterResult> matter;  ///< of goals of exact families whose hinges are elastic
-  std::optional<RobustChoice>
-      robust;  ///< of a robust search, but of curves, which have columns to choose as well
-  std::optional<PrintedGoal> printed;  ///< of goals that are judged by distances
-  std::optional<PrintAnswer> print;    ///< of `export` to the design; nothing where it was not asked
-  std::optional<Certified> certified;  ///< theta without contact; nothing where it was not asked for
-  bool stopped = false;                ///< the best so far, when it was told to stop
+  /// Of a goal: how far the state is from it that its model holds it in, that of the equilibrium which takes its place where hinges
+  /// are elastic, and that of the settled physics run; each where there is one.
+  std::shared_ptr<const Measure> by_model, by_equilibrium, by_physics;
+  std::vector<std::string> violations;  ///< why the goal is not met, in words
+  bool strained = false;                ///< the one violation is of a hinge, by more than its material bears
+  std::optional<PrintedGoal> printed;   ///< of goals that are judged by distances
+  std::optional<PrintAnswer> print;     ///< of `export` to the design; nothing where it was not asked
+  std::optional<Certified> certified;   ///< theta without contact; nothing where it was not asked for
+  bool stopped = false;                 ///< the best so far, when it was told to stop
   std::string prints_unknown;  ///< why it is not known what prints of a goal come to; empty where it is
   std::vector<Fidelity> fidelity;
-  double verify_tolerance = GoalSettings::usual_verify;  ///< of verification->distance.rms, cell edges
   Timings timings;
 
+  bool met() const { return violations.empty(); }
+  /// What the settled physics run lacks of the goal.
+  std::vector<std::string> physics_violations() const {
+    return by_physics ? by_physics->violations : std::vector<std::string>{};
+  }
   /// Whether the sheet of a design stands folded to the other side than asked. What it shows of a goal is the goal's to judge.
   bool is_on_the_other_side() const {
     return !goal && equilibrium && equilibrium->is_on_the_other_side(theta);
   }
 };
 
-inline void take_settings(Run& run, const GoalSettings& asked) {
-  run.design.physics = asked.physics;
-  run.design.hinge = asked.hinge;
-  run.hinge_parts = asked.hinge_parts;
-  run.goal_drive = asked.drive;
-  run.design.process = asked.process;
-  run.verify_tolerance = asked.verify_tolerance;
+/// How far the state that results show is from the goal. @pre the run has been through its models
+template <class Kind>
+const Kind& measure_of(const Run& run) {
+  return dynamic_cast<const Kind&>(run.by_equilibrium ? *run.by_equilibrium : *run.by_model);
 }
+/// That of the settled physics run; null where there is none.
+template <class Kind>
+const Kind* physics_measure_of(const Run& run) {
+  return dynamic_cast<const Kind*>(run.by_physics.get());
+}
+
+/// The end of a line of the summary. @param is_within whether what the line tells keeps its tolerance
+const char* tolerance_words(const Run& run, bool is_within);
 
 /// Returns the design as design.yaml has it, with the requested theta.
 Design written_design(const Run& run);
-
-/// The outcome of a goal of the caller's own kind. @pre run.goal is one
-template <class Outcome>
-Outcome& outcome_of(Run& run) {
-  return dynamic_cast<Outcome&>(*run.goal);
-}
-template <class Outcome>
-const Outcome& outcome_of(const Run& run) {
-  return dynamic_cast<const Outcome&>(*run.goal);
-}
 
 }  // namespace kinetix::app

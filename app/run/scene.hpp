@@ -1,81 +1,46 @@
 #pragma once
 
-#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "app/run/forecast.hpp"
 #include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
-#include "optim/matter/tilt_ties.hpp"
-#include "optim/solvers/variables.hpp"
 
 namespace kinetix::app {
 
-/// What the physics engine is to run, and what its last state is compared with.
-struct PhysicsTask {
-  model::State reference;  ///< of the same drive by the run's model; empty where no model knows one
-  model::LinkageDrive drive;
-  sim::PhysicsOptions options;
-};
-
-/// What a file allows tilts and theta to be.
-struct TurnBounds {
-  double tilt = 75 * radians_per_degree;  ///< of either sign, rad, (0, pi/2)
-  optim::AngleRange theta{2 * radians_per_degree, 44 * radians_per_degree};  ///< rad, (0, pi/2)
-  /// Of a sheet that its search has found: which tilts it keeps alike, and within what.
-  std::function<std::vector<optim::TiltTie>(const model::Sheet&)> ties = optim::tilt_ties;
-};
-
-/// What the pipeline runs: the goal of a target, or a design. Each stage adds what it finds to the run.
+/// The goal of a target: how a design is found for it, and how far any state of a design is from it.
 class Scene {
  public:
+  explicit Scene(std::string name_of_results) : name(std::move(name_of_results)) {}
   virtual ~Scene() = default;
 
-  /// Names folders of results.
-  virtual std::string name() const = 0;
-  /// The model that the states come from. Nothing: exact where a family fits, else bullet.
-  virtual std::optional<Model> model() const { return {}; }
+  const std::string name;  ///< names folders of results
 
   /// What can be said without a search.
   virtual Forecast forecast() const = 0;
+  /// @throws InvalidInput for a target that leaves nothing to search
+  virtual Found search(const RunOptions& options) const = 0;
+  /// How far a state is from the goal. Nothing of states that the kind does not judge.
+  /// @param run as far as it has come   @param state anywhere in space; of the model: Found::own
+  virtual std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State& state,
+                                                 const RunOptions& options) const = 0;
 
-  /// Sets the structure, theta, and what the file asks of hinges, drive and physics. Searches for them
-  /// where there is a goal, and sets run.goal. @throws InvalidInput for a target that leaves nothing to
-  /// search
-  virtual void solve(Run& run, const RunOptions& options) const = 0;
-  /// Adds the state in which the model holds the structure. @pre planned
-  virtual void add_state(Run& run, const RunOptions& options) const = 0;
-  /// Says what the state lacks of the goal.
-  virtual void judge(Run&, const RunOptions&) const {}
   /// The points by which the goal is judged, and what their rms may be.
-  struct Judged {
+  struct Observed {
     std::vector<model::ObservedPoint> points;
     double tolerance_mm = 0;
   };
-  /// How far a state is from the goal. Nothing of goals that are not judged by distances.
-  /// @param sheet that the state is of: the run's, or one with other hinges
-  /// @param state anywhere in space; points are in its own frame. @pre solved
-  virtual std::optional<Judged> judged(const Run&, const model::Sheet& /*sheet*/,
-                                       const model::State& /*state*/) const {
+  /// How far points of a state are from the goal. Nothing of goals that are not judged by distances.
+  /// @param found planned   @param sheet that the state is of: the design's, or one with other hinges
+  /// @param state anywhere in space; points are in its own frame
+  virtual std::optional<Observed> observe(const Found& /*found*/, const model::Sheet& /*sheet*/,
+                                          const model::State& /*state*/) const {
     return std::nullopt;
   }
-  /// Of scenes with a goal: whether judged() may have something.
-  virtual bool is_judged_by_distances() const { return true; }
-  /// How far tilts and theta may go to make up for elastic hinges: what the file allows its search.
-  virtual TurnBounds turn_bounds() const { return {}; }
-  /// Says what the equilibrium of elastic hinges lacks of a goal that was searched for exactly, in place of what
-  /// the exact state lacks.
-  virtual void judge_matter(Run&, const model::State&) const {}
-  /// The same state where results show it.
-  virtual model::State shown(const Run&, const model::State& state) const { return state; }
-  /// The state in which the model holds the structure, not yet where results show it. @pre state added
-  virtual model::State own_state(const Run& run) const { return run.states.front().poses; }
-  /// Nothing where a physics run is not worth its time.
-  virtual std::optional<PhysicsTask> physics_task(const Run& run) const = 0;
-  /// Says what the settled physics run lacks of the goal.
-  virtual void judge_physics(Run&) const {}
-  /// Adds states that show the motion.
-  virtual void add_frames(Run&) const {}
 };
 
 }  // namespace kinetix::app

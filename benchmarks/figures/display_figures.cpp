@@ -26,7 +26,7 @@ app::Run shown(targets::DisplayGoal goal, bool verify = true,
   file.goal = std::move(goal);
   app::RunOptions options;
   options.verify = verify;
-  return run_scene(*make_scene(file), options);
+  return run_goal(*make_scene(file), options);
 }
 
 targets::DisplayGoal letter(const std::string& text, int columns, int rows) {
@@ -50,11 +50,13 @@ targets::DisplayGoal circle(int side) {
   return targets::make_goal({side, side}, levels);
 }
 
-const app::DisplayOutcome& display_of(const app::Run& run) {
-  return app::outcome_of<app::DisplayOutcome>(run);
+const app::DisplayMeasure& shown_by(const app::Run& run) { return app::measure_of<app::DisplayMeasure>(run); }
+bool settled(const app::Run& run) { return run.by_physics != nullptr; }
+/// @pre settled
+const app::DisplayReading& physics_of(const app::Run& run) {
+  return app::physics_measure_of<app::DisplayMeasure>(run)->reading;
 }
-bool settled(const app::Run& run) { return display_of(run).physics.has_value(); }
-double auc(const app::Run& run) { return settled(run) ? display_of(run).physics->score.auc : 0; }
+double auc(const app::Run& run) { return settled(run) ? physics_of(run).score.auc : 0; }
 
 std::string in_words(const targets::DisplayScore& score) {
   return fmt::format("auc {:.3f}, contrast {:.1f}, {:.3f} apart", score.auc, score.contrast,
@@ -63,14 +65,15 @@ std::string in_words(const targets::DisplayScore& score) {
 
 std::vector<Figure> letter_t() {
   const app::Run run = shown(letter("T", 10, 10));
-  const app::DisplayOutcome& d = display_of(run);
-  const targets::DisplayScore &model = d.after.score, rule = d.design.starts[0].view.score;
-  const targets::DisplayScore physics = settled(run) ? d.physics->score : targets::DisplayScore{};
+  const app::DisplayMeasure& d = shown_by(run);
+  const targets::DisplayScore &model = d.reading.score,
+                              rule = app::outcome_of<app::DisplayOutcome>(run).design.starts[0].view.score;
+  const targets::DisplayScore physics = settled(run) ? physics_of(run).score : targets::DisplayScore{};
   const std::string scene = "letter T, 10 x 10 cells, 12 % compression";
   return {
       {scene + ": model", "auc 1, contrast >= 6, 0.075 apart, stretch <= 0.12",
-       fmt::format("{}, stretch {:.3f}", in_words(model), d.design.view.stretch),
-       model.auc == 1 && model.contrast >= 6 && model.separation() >= 0.075 && d.design.view.stretch <= 0.12},
+       fmt::format("{}, stretch {:.3f}", in_words(model), d.stretch),
+       model.auc == 1 && model.contrast >= 6 && model.separation() >= 0.075 && d.stretch <= 0.12},
       {scene + ": physics run", "auc >= 0.99, contrast >= 4, 0.065 apart", in_words(physics),
        physics.auc >= 0.99 && physics.contrast >= 4 && physics.separation() >= 0.065},
       {scene + ": before compression", "contrast 0", fmt::format("{:g}", d.before.score.contrast),
@@ -92,7 +95,7 @@ Capital capital(char c, optim::Channel channel) {
   Capital out;
   out.settled = settled(run);
   out.auc = auc(run);
-  out.stretch = display_of(run).design.view.stretch;
+  out.stretch = shown_by(run).stretch;
   if (!out.settled) return out;
   const auto& physics = run.verification->physics;
   out.restless = physics.residual_motion > 0;
@@ -151,13 +154,13 @@ std::vector<Figure> capitals() {
 
 Figure picture(const std::string& name, targets::DisplayGoal goal) {
   const app::Run run = shown(std::move(goal));
-  const std::string status = settled(run) ? in_words(display_of(run).physics->score) : "not settled";
+  const std::string status = settled(run) ? in_words(physics_of(run).score) : "not settled";
   return {name + ", in the physics run", "auc >= 0.97", status, auc(run) >= 0.97};
 }
 
 Figure grey() {
   const app::Run run = shown(ramp(10, 10));
-  const double rank = settled(run) ? display_of(run).physics->rank : 0;
+  const double rank = settled(run) ? physics_of(run).rank : 0;
   return {"grey ramp, 10 x 10 cells, in the physics run", "rank correlation >= 0.9",
           fmt::format("{:.3f}", rank), rank >= 0.9};
 }
@@ -165,7 +168,7 @@ Figure grey() {
 Figure large() {
   const app::Run run = shown(letter("T", 20, 20), false);
   return {"letter T, 20 x 20 cells: time of the search", "<= 60 s",
-          fmt::format("{:.3g} s, {}", run.timings.optimise, in_words(display_of(run).after.score)),
+          fmt::format("{:.3g} s, {}", run.timings.optimise, in_words(shown_by(run).reading.score)),
           run.timings.optimise <= 60};
 }
 

@@ -18,7 +18,7 @@ app::Run folded(const targets::FoldGoal& goal, bool verify) {
   file.size = {10, 0.8, 6};
   app::RunOptions options;
   options.verify = verify;
-  return run_scene(*make_scene(file), options);
+  return run_goal(*make_scene(file), options);
 }
 
 double largest_miss_deg(const targets::FoldNet& net, const targets::FoldError& error) {
@@ -33,12 +33,13 @@ std::vector<Figure> cube() {
   const auto& fold = app::outcome_of<app::FoldOutcome>(run);
   const optim::FoldedNet& net = fold.design.folded;
   const double miss = largest_miss_deg(net.net, net.error), rms = net.error.rms;
-  const double physics = fold.physics ? fold.physics->rms : INFINITY;
+  const auto* settled = app::physics_measure_of<app::FoldMeasure>(run);
+  const double physics = settled ? settled->error.rms : INFINITY;
   const double verify = run.verification ? run.verification->distance.rms : INFINITY;
   const std::string scene = "cube, 4 x 4 x 4 cells";
   return {{scene + ": crease angles", "90 deg within 1e-6",
            fmt::format("within {:.1e} deg, {} columns a crease", miss, net.layout.creases[0].columns()),
-           fold.met() && miss <= 1e-6},
+           run.met() && miss <= 1e-6},
           {scene + ": faces against the solid, model", "rms <= 0.02 of the edge", fmt::format("{:.1e}", rms),
            rms <= 0.02},
           {scene + ": faces against the solid, physics run", "rms <= 0.03 of the edge",
@@ -56,14 +57,14 @@ std::vector<Figure> boxes() {
     for (int b = 1; b <= std::min(a, 4); ++b)
       for (int c = 1; c <= std::min(b, 3); ++c) {
         const app::Run run = folded(targets::box_goal({a, b, c}), true);
-        const auto& fold = app::outcome_of<app::FoldOutcome>(run);
+        const auto* physics = app::physics_measure_of<app::FoldMeasure>(run);
         ++count;
-        folding += fold.met();
+        folding += run.met();
         slowest = std::max(slowest, run.timings.optimise);
-        if (!fold.met()) refused += fmt::format("; {} x {} x {}: {}", a, b, c, fold.violations.back());
-        if (!fold.physics) continue;
+        if (!run.met()) refused += fmt::format("; {} x {} x {}: {}", a, b, c, run.violations.back());
+        if (!physics) continue;
         ++settled;
-        worst_faces = std::max(worst_faces, fold.physics->rms);
+        worst_faces = std::max(worst_faces, physics->error.rms);
         worst_verify = std::max(worst_verify, run.verification->distance.rms);
       }
   const std::string scene = fmt::format("{} boxes from 1 x 1 x 1 to 6 x 4 x 3 cells", count);
@@ -79,7 +80,7 @@ std::vector<Figure> boxes() {
 Figure unfoldings() {
   const targets::FoldGoal cube = targets::box_goal({4, 4, 4});
   int folding = 0;
-  for (const targets::FoldNet& net : cube.nets) folding += folded(targets::net_goal(net), false).goal->met();
+  for (const targets::FoldNet& net : cube.nets) folding += folded(targets::net_goal(net), false).met();
   return {"cube, 4 x 4 x 4 cells: unfoldings that fold without a face crossing another", "of 11",
           std::to_string(folding), folding == 11};
 }

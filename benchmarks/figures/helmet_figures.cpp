@@ -25,10 +25,9 @@ std::string in_words(const optim::RibsError& error) {
 }
 
 std::vector<Figure> headform_figures() {
-  const app::Run run = run_scene(*app::make_scene(headform()), {});
-  const auto& helmet = app::outcome_of<app::HelmetOutcome>(run);
-  const optim::RibsError& error = helmet.design.error;
-  const bool settled = helmet.physics.has_value();
+  const app::Run run = run_goal(*app::make_scene(headform()), {});
+  const optim::RibsError& error = app::measure_of<app::HelmetMeasure>(run).error;
+  const auto* settled = app::physics_measure_of<app::HelmetMeasure>(run);
   const double apart = run.verification->distance.rms;
   const std::string scene = "headform, 8 ribs, 6 mm cells";
   return {{scene + ": distance from head plus clearance", "rms <= 0.8 mm, max <= 3 mm", in_words(error),
@@ -43,7 +42,7 @@ std::vector<Figure> headform_figures() {
                        run.design.structure.bodies()),
            "verify_rms <= 2e-2 cell edges",
            settled ? fmt::format("rms {:.1e} cell edges, {} from the head, {:.3g} s", apart,
-                                 in_words(*helmet.physics), run.verification->physics.seconds)
+                                 in_words(settled->error), run.verification->physics.seconds)
                    : to_string(run.verification->physics.status) + ": " + run.verification->physics.why,
            settled && apart <= 2e-2}};
 }

@@ -26,7 +26,7 @@ app::Run run_of(const std::string& text, int count, bool verify) {
   options.prints = count;
   options.verify = verify;
   const targets::Node root = targets::parse_document("kinetix: 1\n" + text, shape("bench.yaml"));
-  return run_scene(*app::read_target(root).goal, options);
+  return run_goal(*app::read_target(root).goal, options);
 }
 
 const std::string
@@ -73,7 +73,7 @@ std::vector<Figure> first_order() {
       confirmed("the same of the cube of 4 x 4 x 4 cells", cube + rubber + springs),
       confirmed("the same of the helmet of 844 bodies", head + rubber + springs)};
   const app::Run run = run_of(soft_t + "tolerance: {strain: 0.3}\n", prints, false);
-  const auto& printed = app::outcome_of<app::DisplayOutcome>(run).printed;
+  const auto& printed = app::measure_of<app::DisplayMeasure>(run).printed;
   figures.push_back(
       {"the same of a letter T, 10 x 10 cells: contrast", "within 10 %",
        fmt::format(
@@ -105,13 +105,13 @@ std::vector<Figure> compensation() {
            "{:.3g} mm, {:.3g} mm ({:.0f} times), {:.3g} mm allowed; physics run within {:.1e} cell edges",
            m.before_mm, m.after_mm, m.before_mm / m.after_mm, m.tolerance_mm,
            soft.verification->distance.rms),
-       soft.goal->met() && soft.verification->agrees && m.after_mm * 10 <= m.before_mm},
+       soft.met() && soft.verification->agrees && m.after_mm * 10 <= m.before_mm},
       {"the same, what prints come to: time of the whole run", "<= 20 %",
        fmt::format("{:.1f} %, with twenty prints", 100 * share_of_time(soft)), share_of_time(soft) <= 0.2},
       {"the same, robust: as made against the plain search, design within tolerance", "<= 0.5",
        fmt::format("{:.3f} mm, {:.3f} mm ({:.2f}); design {:.3f} mm off in matter; search {:.1f} s", better,
                    plain, better / plain, robust.matter->after_mm, robust.timings.optimise),
-       robust.goal->met() && robust.verification->agrees && better <= 0.5 * plain}};
+       robust.met() && robust.verification->agrees && better <= 0.5 * plain}};
 }
 
 std::vector<Figure> limits() {
@@ -123,7 +123,8 @@ std::vector<Figure> limits() {
                                                 display.unlimited->hinges.force_N,
                                                 display.unlimited->hinges.strain, display.unlimited->auc)
                                   : std::string("; limits cost nothing");
-  const double seen = display.physics ? display.physics->score.auc : 0;
+  const auto* physics = app::physics_measure_of<app::DisplayMeasure>(run);
+  const double seen = physics ? physics->reading.score.auc : 0;
   return {{"letter T, 10 x 10 cells of 20 mm, rubber blocks of 2 x 1.2 mm, at most 50 N and strain 0.3",
            "auc >= 0.98 in model and physics run",
            fmt::format("auc {:.3f} and {:.3f}, {:.1f} N, strain {:.2f}{}", loads.auc, seen,

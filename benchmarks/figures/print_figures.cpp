@@ -20,7 +20,7 @@ const char* const shapes = KINETIX_SHAPES;
 /// A shipped target as its search leaves it.
 Design searched(const std::string& name) {
   const app::Run run =
-      run_scene(*app::read_target(std::string(shapes) + "/" + name + ".yaml").goal, {.verify = false});
+      run_goal(*app::read_target(std::string(shapes) + "/" + name + ".yaml").goal, {.verify = false});
   Design design;
   design.name = run.design.name;
   design.structure = run.design.structure;

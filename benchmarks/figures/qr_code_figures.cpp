@@ -40,9 +40,9 @@ Reading read(const std::string& text, int cells_a_module, bool in_equilibrium) {
   app::RunOptions options;
   options.verify = false;
   if (in_equilibrium)
-    run = run_scene(*scene, options);
+    run = run_goal(*scene, options);
   else
-    scene->solve(run, options);
+    static_cast<app::Found&>(run) = scene->search(options);
   const app::FarViewOptions view =
       testing::as_ink_on_paper(app::far_view_options(file.goal), !file.goal.inverted);
   const auto seen = [&](const model::State& state) {

@@ -33,7 +33,7 @@ app::Run shown_by(DriveKind drive, bool press, targets::DisplayGoal goal) {
   file.goal = std::move(goal);
   file.drive = drive;
   file.press = press;
-  return run_scene(*make_scene(file), {});
+  return run_goal(*make_scene(file), {});
 }
 
 app::Run shown(targets::DisplayGoal goal, double offset, bool verify,
@@ -45,11 +45,21 @@ app::Run shown(targets::DisplayGoal goal, double offset, bool verify,
   file.offset = offset;
   app::RunOptions options;
   options.verify = verify;
-  return run_scene(*make_scene(file), options);
+  return run_goal(*make_scene(file), options);
 }
 
 const app::DisplayOutcome& display_of(const app::Run& run) {
   return app::outcome_of<app::DisplayOutcome>(run);
+}
+
+/// Auc of the settled physics run; 0 where it did not settle.
+double physics_auc(const app::Run& run) {
+  const auto* physics = app::physics_measure_of<app::DisplayMeasure>(run);
+  return physics ? physics->reading.score.auc : 0;
+}
+/// @pre its physics run settled
+double physics_contrast(const app::Run& run) {
+  return app::physics_measure_of<app::DisplayMeasure>(run)->reading.score.contrast;
 }
 
 double load_of(const app::Run& run) { return std::abs(run.equilibrium->path.steps.back().load); }
@@ -71,7 +81,7 @@ void add(const app::Run& run, Letters& all) {
   all.area = std::min(all.area, area.auc);
   all.ratio = std::min(all.ratio, area.letter / area.rest);
   all.free = std::min(all.free, run.plan.free_range->positive.theta);
-  all.physics_light = std::min(all.physics_light, display.physics ? display.physics->score.auc : 0);
+  all.physics_light = std::min(all.physics_light, physics_auc(run));
   all.load = std::max(all.load, load_of(run));
   all.stretch_mm =
       std::max(all.stretch_mm, run.verification->physics.gaps.max * run.design.structure.size().edge_mm);
@@ -130,7 +140,7 @@ Figure disturbed() {
   for (const app::Run& run : runs) {
     right += run.verification->agrees ? 1 : 0;
     farthest = std::max(farthest, run.verification->distance.max);
-    light = std::min(light, display_of(run).physics ? display_of(run).physics->score.auc : 0);
+    light = std::min(light, physics_auc(run));
   }
   return {fmt::format("T, B, E, S, R, Q, 12 x 12 cells: physics run from {} disturbed starts", starts),
           "all on the right side, auc of light >= 0.97",
@@ -187,14 +197,14 @@ Figure strained() {
     file.name = "display";
     file.goal = targets::glyph_goal("T", side, side);
     file.strain = strain;
-    return run_scene(*make_scene(file), {});
+    return run_goal(*make_scene(file), {});
   };
   const app::Run plain = letter_t(0), run = letter_t(0.005);
   const auto words = [](const app::Run& of) {
-    return fmt::format("contrast {:.1f}, {:.1f} N, {:.3f} mm", display_of(of).physics->score.contrast,
+    return fmt::format("contrast {:.1f}, {:.1f} N, {:.3f} mm", physics_contrast(of),
                        load_of(of), of.verification->physics.gaps.max * of.structure.size().edge_mm);
   };
-  const double gain = display_of(run).physics->score.contrast / display_of(plain).physics->score.contrast;
+  const double gain = physics_contrast(run) / physics_contrast(plain);
   return {"T, 12 x 12 cells, hinges strained on purpose by up to 0.05 mm: physics run",
           "clearer than without, stretch <= 0.05 mm (no figure asked)",
           fmt::format("{}; without: {}; search {:.1f} s", words(run), words(plain), run.timings.optimise),

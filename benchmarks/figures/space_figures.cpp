@@ -33,14 +33,14 @@ Figure helix_figure() {
   app::SpaceCurveFile file(helix());
   file.name = "helix";
   file.variables.size = {5, 0.5, 3};
-  const app::Run run = run_scene(*make_scene(file), {});
-  const auto& outcome = dynamic_cast<const app::SpaceCurveOutcome&>(*run.goal);
+  const app::Run run = run_goal(*make_scene(file), {});
+  const targets::SpaceError& error = app::measure_of<app::SpaceCurveMeasure>(run).error;
   const double seconds = run.timings.optimise;
   const bool agrees = run.verification && run.verification->agrees;
   return {"helix of two turns, 96 columns", "rms <= 2.4e-3 of the diagonal, <= 1 s, physics agrees",
-          fmt::format("rms {:.2e}, largest {:.2e}, {:.2f} s, {}", outcome.error().rms, outcome.error().max,
+          fmt::format("rms {:.2e}, largest {:.2e}, {:.2f} s, {}", error.rms, error.max,
                       seconds, agrees ? "physics agrees" : "physics does not agree"),
-          outcome.error().rms <= 2.4e-3 && seconds <= 1 && agrees};
+          error.rms <= 2.4e-3 && seconds <= 1 && agrees};
 }
 
 constexpr model::CellSize block_size = {10, 0.8, 1};  // mm: low walls, which do not meet
@@ -78,9 +78,10 @@ Figure block_figure() {
   const targets::Node root = targets::parse_document(
       "kinetix: 1\ntarget: {kind: space_block, factor: [0.82, 0.86, 0.88], size_mm: [120, 120, 120]}\n",
       "block.yaml");
-  const app::Run run = run_scene(*app::read_target(root).goal, {});
-  const auto& outcome = app::outcome_of<app::SpaceBlockOutcome>(run);
-  const double model = outcome.error.off, physics = outcome.physics ? outcome.physics->off : INFINITY;
+  const app::Run run = run_goal(*app::read_target(root).goal, {});
+  const auto* settled = app::physics_measure_of<app::SpaceBlockMeasure>(run);
+  const double model = app::measure_of<app::SpaceBlockMeasure>(run).error.off,
+               physics = settled ? settled->error.off : INFINITY;
   return {"block of 120 mm that shrinks to 0.82, 0.86 and 0.88 along x, y and z",
           "factors within 1e-12, within 1e-4 in the physics run",
           fmt::format("{} bodies, off by {:.0e} and {:.0e}", run.design.structure.bodies(), model, physics),

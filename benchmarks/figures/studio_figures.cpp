@@ -34,7 +34,7 @@ constexpr double sleep_s = 10, watch_s = 5;  // how long a page sleeps, and is w
 
 app::Design searched(const std::string& name) {
   const app::Run run =
-      run_scene(*app::read_target(std::string(shapes) + "/" + name + ".yaml").goal, {.verify = false});
+      run_goal(*app::read_target(std::string(shapes) + "/" + name + ".yaml").goal, {.verify = false});
   app::Design design;
   design.name = run.design.name;
   design.structure = run.design.structure;

@@ -4,6 +4,7 @@
 
 #include "app/files/file_header.hpp"
 #include "app/files/structure_section.hpp"
+#include "app/pipeline/pipeline.hpp"
 #include "model/base/invalid_input.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
@@ -112,7 +113,9 @@ void add_own_goals(py::module_& core) {
       .def("gradient_error", gradient_error);
   core.def("make_goal", make_goal);
   core.def("optimise_own", [](const std::shared_ptr<OwnGoal>& goal, RunChoice choice) {
-    return run_in_python(*make_scene(*goal), "", std::move(choice));
+    return run_in_python(
+        [&](const app::RunOptions& options) { return run_goal(*make_scene(*goal), options); }, "",
+        std::move(choice));
   });
 }
 

@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/pipeline/exact_state.hpp"
 #include "app/result/search_json.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/contact/wall_contact.hpp"
@@ -44,9 +43,7 @@ optim::MultiStartResult searched(const OwnGoal& goal, const OwnFit& fit, const a
 
 class OwnScene final : public app::Scene {
  public:
-  explicit OwnScene(OwnGoal goal) : goal_(std::move(goal)) {}
-
-  std::string name() const override { return goal_.name; }
+  explicit OwnScene(OwnGoal goal) : Scene(goal.name), goal_(std::move(goal)) {}
 
   app::Forecast forecast() const override {
     app::Forecast out{sheet_of(model::ExactDesign<double>::basic(goal_.columns, goal_.rows), goal_.size)};
@@ -55,60 +52,51 @@ class OwnScene final : public app::Scene {
     return out;
   }
 
-  void solve(app::Run& run, const app::RunOptions& options) const override {
+  app::Found search(const app::RunOptions& options) const override {
     options.progress("search", 0);
     OwnFit fit = goal_.fit();
     fit.end_when(options.stop);
     auto outcome = std::make_unique<OwnOutcome>();
     outcome->name = goal_.name;
     outcome->tolerance = goal_.tolerance;
-    outcome->tolerances = {{"error", goal_.tolerance}};
     outcome->solver = goal_.search.solver.name;
     outcome->search = searched(goal_, fit, options);
     const auto design = fit.design(outcome->search.best_run().x);
-    run.design.structure = sheet_of(design, goal_.size);
-    run.theta = design.theta;
-    run.goal = std::move(outcome);
+    app::Found out;
+    out.tolerances = {{"error", goal_.tolerance}};
+    out.design.structure = sheet_of(design, goal_.size);
+    out.theta = design.theta;
+    out.goal = std::move(outcome);
+    return out;
   }
 
-  void add_state(app::Run& run, const app::RunOptions&) const override { add_exact_state(run, run.theta); }
-
-  void judge(app::Run& run, const app::RunOptions&) const override {
-    auto& outcome = app::outcome_of<OwnOutcome>(run);
-    const double norm = norm_of(run.states.front().poses, &outcome.residuals);
-    if (!(norm <= goal_.tolerance)) outcome.violations.push_back(missing(norm, goal_.tolerance, ""));
+  /// Of the model's state and of where the physics run ended, laid over that.
+  std::shared_ptr<const app::Measure> measure(const app::Run& run, app::StateOf of, const model::State& state,
+                                              const app::RunOptions&) const override {
+    auto out = std::make_shared<OwnMeasure>();
+    const bool in_physics = of == app::StateOf::physics;
+    const double norm = norm_of(in_physics ? aligned(state, run.own) : state, out->residuals);
+    if (!(norm <= goal_.tolerance))
+      out->violations.push_back(missing(norm, goal_.tolerance, in_physics ? "in the physics run " : ""));
+    if (in_physics) return out;
     model::ThetaRangeOptions until;
     until.limit = run.theta;
-    const auto touch = theta_range(run.design.structure, exact_motion(run.design.structure), until).positive;
+    const auto touch = theta_range(run.design.structure, run.plan.exact, until).positive;
     if (touch.touches)
-      outcome.violations.push_back(
+      out->violations.push_back(
           fmt::format("walls run into each other at theta {:.2f} deg, before the {:.2f} deg of the goal: use "
                       "lower or thinner walls, "
                       "or larger cells",
                       to_degrees(touch.theta), to_degrees(run.theta)));
+    return out;
   }
-
-  std::optional<app::PhysicsTask> physics_task(const app::Run& run) const override {
-    return folding_task(run);
-  }
-
-  /// Where the physics run ended, laid over the exact state.
-  void judge_physics(app::Run& run) const override {
-    const double norm = norm_of(aligned(run.verification->physics.state, run.states.front().poses), nullptr);
-    if (!(norm <= goal_.tolerance))
-      run.goal->physics_violations.push_back(missing(norm, goal_.tolerance, "in the physics run "));
-  }
-
-  void add_frames(app::Run& run) const override { app::add_exact_frames(run); }
 
  private:
   /// Not a number where the error is none. @throws what Python raised
-  double norm_of(const model::State& state, Eigen::VectorXd* residuals) const {
-    Eigen::VectorXd r;
-    const bool known = goal_.error->at(state, r);
+  double norm_of(const model::State& state, Eigen::VectorXd& residuals) const {
+    const bool known = goal_.error->at(state, residuals);
     goal_.error->raise_again();
-    if (residuals) *residuals = r;
-    return known ? r.norm() : std::numeric_limits<double>::quiet_NaN();
+    return known ? residuals.norm() : std::numeric_limits<double>::quiet_NaN();
   }
 
   OwnGoal goal_;
@@ -141,23 +129,25 @@ OwnFit OwnGoal::fit() const {
 
 Json OwnOutcome::target_json() const { return {{"kind", "own"}, {"name", name}}; }
 
-void OwnOutcome::add_sections(const app::Run&, Json& result) const {
+void OwnOutcome::add_sections(const app::Run& run, Json& result) const {
+  const Eigen::VectorXd& residuals = app::measure_of<OwnMeasure>(run).residuals;
   result["own"] = {{"residuals", std::vector<double>(residuals.begin(), residuals.end())},
-                   {"reasons", violations},
-                   {"reasons_physics", physics_violations}};
+                   {"reasons", run.violations},
+                   {"reasons_physics", run.physics_violations()}};
   result["optimiser"] = app::search_json(search, search.best, solver);
 }
 
-void OwnOutcome::add_metrics(Json& metrics) const {
-  metrics["error"] = residuals.norm();
-  metrics["met"] = met();
+void OwnOutcome::add_metrics(const app::Run& run, Json& metrics) const {
+  metrics["error"] = app::measure_of<OwnMeasure>(run).residuals.norm();
+  metrics["met"] = run.met();
 }
 
 std::vector<app::SummaryLine> OwnOutcome::summary_lines(const app::Run& run) const {
+  const Eigen::VectorXd& residuals = app::measure_of<OwnMeasure>(run).residuals;
   std::vector<app::SummaryLine> lines;
   lines.push_back(
       {"error", fmt::format("{:.3g} of {} numbers (root of the sum of squares): {}", residuals.norm(),
-                            residuals.size(), met() ? "within tolerance" : "MISSES THE TOLERANCE")});
+                            residuals.size(), run.met() ? "within tolerance" : "MISSES THE TOLERANCE")});
   lines.push_back(
       {"search", fmt::format("{:.3f} s, {} from {} starts, {}", run.timings.optimise, to_string(solver),
                              search.runs.size(), to_string(search.best_run().status))});

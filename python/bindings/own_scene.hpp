@@ -31,13 +31,17 @@ class OwnOutcome final : public app::GoalOutcome {
   std::string name;
   optim::MultiStartResult search;
   optim::SolverName solver = optim::SolverName::ceres;
-  Eigen::VectorXd residuals;  ///< of the state found, in units of the error
-  double tolerance = 0;       ///< of their norm, in units of the error
+  double tolerance = 0;  ///< of the norm of the residuals, in units of the error
 
   nlohmann::ordered_json target_json() const override;
   void add_sections(const app::Run& run, nlohmann::ordered_json& result) const override;
-  void add_metrics(nlohmann::ordered_json& metrics) const override;
+  void add_metrics(const app::Run& run, nlohmann::ordered_json& metrics) const override;
   std::vector<app::SummaryLine> summary_lines(const app::Run& run) const override;
+};
+
+class OwnMeasure final : public app::Measure {
+ public:
+  Eigen::VectorXd residuals;  ///< of the state, in units of the error
 };
 
 /// The goal for the pipeline: search, closed form, physics run.

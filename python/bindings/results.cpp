@@ -72,9 +72,7 @@ void add_results(py::module_& core) {
       .def("verdict", [](const app::Run& r) { return verdict_json(verdict_of(r)).dump(); })
       .def_property_readonly("reached", reached)
       .def_property_readonly("stopped", [](const app::Run& r) { return r.stopped; })
-      .def_property_readonly(
-          "violations",
-          [](const app::Run& r) { return r.goal ? r.goal->violations : std::vector<std::string>(); })
+      .def_property_readonly("violations", [](const app::Run& r) { return r.violations; })
       .def_property_readonly("states",
                              [](const SharedRun& r) {
                                std::vector<std::shared_ptr<RunState>> out;

@@ -19,8 +19,11 @@ struct RunChoice {
   bool keeps_best = true;     ///< whether a run that is stopped has something to give
 };
 
-/// Runs a scene, interruptibly. @param file as messages of what is found after reading name it; may be empty
+using RunFunction = std::function<app::Run(const app::RunOptions&)>;
+
+/// Makes a run, interruptibly. @param file as messages of what is found after reading name it; may be empty
 /// @throws what a callable of Python raised. @pre the lock is held
-std::shared_ptr<app::Run> run_in_python(const app::Scene& scene, const std::string& file, RunChoice choice);
+std::shared_ptr<app::Run> run_in_python(const RunFunction& function, const std::string& file,
+                                        RunChoice choice);
 
 }  // namespace kinetix::python

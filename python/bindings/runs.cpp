@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "app/goals/read_target.hpp"
-#include "app/pipeline/design_scene.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/print/fit.hpp"
 #include "model/base/invalid_input.hpp"
@@ -52,9 +51,9 @@ class Listener {
   std::optional<py::error_already_set> raised_;
 };
 
-app::Run located_run(const app::Scene& scene, const std::string& file, const app::RunOptions& options) {
+app::Run located_run(const RunFunction& run, const std::string& file, const app::RunOptions& options) {
   try {
-    return run_scene(scene, options);
+    return run(options);
   } catch (const InvalidInput& e) {
     if (file.empty() || !e.place().file.empty()) throw;
     throw InvalidInput(e.reason(), {file, 0, 0, e.place().key});
@@ -69,7 +68,8 @@ void check_options(const RunChoice& choice) {
 }
 
 std::shared_ptr<app::Run> optimise(const PythonTarget& target, RunChoice choice) {
-  return run_in_python(*target.target.goal, target.file, std::move(choice));
+  return run_in_python([&](const app::RunOptions& options) { return run_goal(*target.target.goal, options); },
+                       target.file, std::move(choice));
 }
 
 std::shared_ptr<app::Run> simulate(const Design& design, const std::string& file, const std::string& model,
@@ -80,7 +80,9 @@ std::shared_ptr<app::Run> simulate(const Design& design, const std::string& file
                                                  : app::Model::exact;
   if (model != to_string(of))
     throw InvalidInput("model `" + model + "` is not known; allowed: exact, equilibrium, bullet");
-  return run_in_python(*make_scene(design.file(), of), file, std::move(choice));
+  const app::Design asked = design.file();
+  return run_in_python([&](const app::RunOptions& options) { return run_design(asked, of, options); }, file,
+                       std::move(choice));
 }
 
 RunChoice choice_of(int threads, std::uint64_t seed, bool verify, int prints, bool fidelity,
@@ -92,7 +94,8 @@ RunChoice choice_of(int threads, std::uint64_t seed, bool verify, int prints, bo
 
 }  // namespace
 
-std::shared_ptr<app::Run> run_in_python(const app::Scene& scene, const std::string& file, RunChoice choice) {
+std::shared_ptr<app::Run> run_in_python(const RunFunction& function, const std::string& file,
+                                        RunChoice choice) {
   check_options(choice);
   std::shared_ptr<app::Run> run;
   std::unique_ptr<Listener> listener;
@@ -104,7 +107,7 @@ std::shared_ptr<app::Run> run_in_python(const app::Scene& scene, const std::stri
       options.progress = [&](const std::string& stage, double done, const std::string& words) {
         (*listener)(stage, done, words);
       };
-    run = std::make_shared<app::Run>(located_run(scene, file, options));
+    run = std::make_shared<app::Run>(located_run(function, file, options));
   };
   run_interruptibly(
       [&](const std::stop_source& stop) {
@@ -126,7 +129,7 @@ void add_runs(py::module_& core) {
         read_dict(text, file, [](const targets::Node& root) { return app::read_target(root); }), ""};
   });
   py::class_<PythonTarget>(core, "Target")
-      .def_property_readonly("name", [](const PythonTarget& t) { return t.target.goal->name(); })
+      .def_property_readonly("name", [](const PythonTarget& t) { return t.target.goal->name; })
       .def_property_readonly("kind", [](const PythonTarget& t) { return std::string(t.target.kind->name); });
   py::class_<RunChoice>(core, "RunChoice");
   core.def("choice", choice_of);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/goals/read_target.hpp"
-#include "app/pipeline/design_scene.hpp"
+#include "app/pipeline/forecast_design.hpp"
 #include "tests/fuzz/input_folder.hpp"
 
 namespace kinetix::fuzz {
@@ -12,9 +12,7 @@ inline void check_target(const targets::Node& root) {
 }
 
 /// The same of a design.
-inline void check_design(const targets::Node& root) {
-  make_scene(app::read_design(root), app::Model::bullet)->forecast();
-}
+inline void check_design(const targets::Node& root) { forecast_design(app::read_design(root)); }
 
 /// A document of our own in the folder of inputs, which names one of them.
 inline targets::Node document_of(const std::string& text) {

@@ -49,14 +49,14 @@ Json robust_json(const RobustCurve& robust) {
   return out;
 }
 
-Json curve_json(const CurveOutcome& curve) {
-  const optim::CurveDesign& found = curve.found.design;
-  return {{"folded_mm", points_json(found.midline_mm)},
-          {"goal_mm", points_json(found.error.goal_mm)},
-          {"error", error_json(found.error)},
-          {"scale_mm", found.error.scale_mm},
-          {"turn", turns_json(found.reach)},
-          {"reasons", curve.violations}};
+Json curve_json(const CurveOutcome& curve, const Run& run) {
+  const auto& shape = measure_of<CurveMeasure>(run);
+  return {{"folded_mm", points_json(shape.midline_mm)},
+          {"goal_mm", points_json(shape.error.goal_mm)},
+          {"error", error_json(shape.error)},
+          {"scale_mm", shape.error.scale_mm},
+          {"turn", turns_json(curve.found.design.reach)},
+          {"reasons", run.violations}};
 }
 
 std::string robust_text(const RobustCurve& robust) {
@@ -75,9 +75,9 @@ std::string robust_text(const RobustCurve& robust) {
       std::isfinite(plain.as_made_mm) ? fmt::format("{:.3g} mm", plain.as_made_mm) : "that is not known");
 }
 
-std::string verdict_of(const CurveOutcome& curve) {
-  const bool close = curve.found.design.error.rms <= curve.shape_tolerance;
-  if (curve.met() || curve.strained || !close) return curve.verdict(close);
+std::string tolerance_words_of(const CurveOutcome& curve, const Run& run) {
+  const bool close = measure_of<CurveMeasure>(run).error.rms <= curve.shape_tolerance;
+  if (run.met() || run.strained || !close) return tolerance_words(run, close);
   return curve.found.walls_are_free ? "WITHIN TOLERANCE, BUT DOES NOT HOLD"
                                     : "WITHIN TOLERANCE, BUT WALLS COLLIDE";
 }
@@ -86,25 +86,27 @@ std::string verdict_of(const CurveOutcome& curve) {
 
 Json CurveOutcome::target_json() const { return {{"kind", "curve"}, {"points_mm", points_json(target_mm)}}; }
 
-void CurveOutcome::add_sections(const Run&, Json& result) const {
-  result["curve"] = curve_json(*this);
+void CurveOutcome::add_sections(const Run& run, Json& result) const {
+  result["curve"] = curve_json(*this, run);
   if (robust) result["curve"]["robust"] = robust_json(*robust);
   result["optimiser"] = search_json(found.design.search, found.design.chosen, solver.name);
 }
 
-void CurveOutcome::add_metrics(Json& metrics) const {
-  metrics["shape_rms"] = found.design.error.rms;
-  metrics["shape_max"] = found.design.error.max;
-  metrics["met"] = met();
+void CurveOutcome::add_metrics(const Run& run, Json& metrics) const {
+  const targets::CurveError& error = measure_of<CurveMeasure>(run).error;
+  metrics["shape_rms"] = error.rms;
+  metrics["shape_max"] = error.max;
+  metrics["met"] = run.met();
 }
 
 std::vector<SummaryLine> CurveOutcome::summary_lines(const Run& run) const {
-  const targets::CurveError& error = found.design.error;
+  const targets::CurveError& error = measure_of<CurveMeasure>(run).error;
   std::vector<SummaryLine> lines;
   lines.push_back(
       {"shape",
        fmt::format("rms {:.2e} of the goal's diagonal ({:.3f} mm from curve to curve), largest {:.3f} mm: {}",
-                   error.rms, error.rms * error.scale_mm, error.max * error.scale_mm, verdict_of(*this))});
+                   error.rms, error.rms * error.scale_mm, error.max * error.scale_mm,
+                   tolerance_words_of(*this, run))});
   if (robust) lines.push_back({"robust", robust_text(*robust)});
   const optim::SolveResult& best = found.design.search.runs[found.design.chosen];
   lines.push_back(

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/goals/curve/robust_curve.hpp"
-#include "app/run/goal_outcome.hpp"
+#include "app/run/found.hpp"
 #include "optim/curve/fit_curve.hpp"
 
 namespace kinetix::app {
@@ -12,7 +12,6 @@ class CurveOutcome final : public GoalOutcome {
   std::vector<Eigen::Vector2d> target_mm;  ///< as given
   optim::FreeCurveDesign found;
   std::optional<RobustCurve> robust;  ///< where `found` was chosen by what its prints come to
-  model::State exact;                 ///< in which the model holds the strip, upright along y
   optim::SolverOptions solver;
   double shape_tolerance = 0.01;  ///< of found.design.error.rms, over the diagonal of the goal
 
@@ -20,8 +19,14 @@ class CurveOutcome final : public GoalOutcome {
   nlohmann::ordered_json target_json() const override;
   /// Adds `curve` and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
-  void add_metrics(nlohmann::ordered_json& metrics) const override;
+  void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
+};
+
+class CurveMeasure final : public Measure {
+ public:
+  std::vector<Eigen::Vector2d> midline_mm;  ///< (x, z), as the model's state lies
+  targets::CurveError error;
 };
 
 }  // namespace kinetix::app

@@ -8,7 +8,6 @@
 #include "app/goals/curve/curve_outcome.hpp"
 #include "app/goals/curve/curve_points.hpp"
 #include "app/goals/curve/curve_search.hpp"
-#include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/robust_search.hpp"
 #include "app/run/midline.hpp"
 #include "model/sheet/sheet_motion.hpp"
@@ -64,20 +63,23 @@ std::vector<std::string> why_too_far(const CurveFile& file, const optim::FreeCur
   return why;
 }
 
+/// What is in the way. @pre walls are
+std::string obstacle(const optim::FreeCurveDesign& found) {
+  return found.notes.back() + ": use lower or thinner walls, or larger cells";
+}
+
 std::vector<std::string> violations(const CurveFile& file, const optim::FreeCurveDesign& found) {
   std::vector<std::string> why;
   if (!(found.design.error.rms <= file.shape_tolerance)) why = why_too_far(file, found);
-  if (!found.walls_are_free)
-    why.push_back(found.notes.back() + ": use lower or thinner walls, or larger cells");
+  if (!found.walls_are_free) why.push_back(obstacle(found));
   return why;
 }
 
 class CurveScene final : public Scene {
  public:
-  explicit CurveScene(CurveFile file) : file_(std::move(file)) {}
+  explicit CurveScene(CurveFile file) : Scene(file.name), file_(std::move(file)) {}
 
   const targets::Curve& curve() const { return file_.curve; }
-  std::string name() const override { return file_.name; }
 
   Forecast forecast() const override {
     Forecast out{sheet_of(model::ExactDesign<double>::basic(file_.columns, file_.rows), file_.size)};
@@ -93,91 +95,88 @@ class CurveScene final : public Scene {
     return out;
   }
 
-  void solve(Run& run, const RunOptions& options) const override {
+  Found search(const RunOptions& options) const override {
     const optim::MultiStartOptions search = curve_search(file_, options);
     options.progress("search", 0);
     optim::FreeCurveDesign found =
         fit_free_curve(file_.curve, curve_variables(file_), file_.size, search, file_.shape_tolerance);
-    if (!file_.robust) return take(run, file_, std::move(found));
+    if (!file_.robust) return found_for(file_, std::move(found));
+    RunOptions quiet = options;
+    quiet.progress = {};
+    const StripOf strip_of = [&](const CurveFile& file, const auto& strip) { return found_for(file, strip); };
     RobustCurve robust =
-        robust_curve(file_, found, search, options, [&](const CurveFile& file, const auto& strip) {
-          RunOptions quiet = options;
-          quiet.progress = RunOptions{}.progress;
-          Run trial;
-          take(trial, file, strip);
-          return robust_candidate(std::move(trial), *this, quiet);
+        robust_curve(file_, found, search, options, strip_of, [&](const CurveFile& file, const auto& strip) {
+          return robust_candidate(strip_of(file, strip), *this, quiet);
         });
     CurveFile chosen = file_;
     chosen.size = robust.size;
     chosen.hinge = robust.hinge;
     chosen.hinge_parts = robust.hinge_parts;
-    take(run, chosen, robust.found);
-    outcome_of<CurveOutcome>(run).robust = std::move(robust);
+    optim::FreeCurveDesign strip = robust.found;
+    return found_for(chosen, std::move(strip), std::move(robust));
   }
 
-  void add_state(Run& run, const RunOptions&) const override {
-    const std::vector<std::string>& notes = outcome_of<CurveOutcome>(run).found.notes;
-    run.plan.why.insert(run.plan.why.end(), notes.begin(), notes.end());
-    add_exact_state(run, run.theta);
-    outcome_of<CurveOutcome>(run).exact = run.states.front().poses;
-  }
-
-  /// As the goal is drawn: the strip's width along y.
-  model::State shown(const Run& run, const model::State& state) const override {
-    return aligned(state, outcome_of<CurveOutcome>(run).exact);
+  /// In the equilibrium how elastic hinges keep the goal. The physics run is judged by its distance from the model alone.
+  std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State& state,
+                                         const RunOptions&) const override {
+    if (of == StateOf::physics) return nullptr;
+    const optim::FreeCurveDesign& found = outcome_of<CurveOutcome>(run).found;
+    auto out = std::make_shared<CurveMeasure>();
+    if (of == StateOf::model) {
+      out->midline_mm = found.design.midline_mm;
+      out->error = found.design.error;
+      out->violations = violations(file_, found);
+      return out;
+    }
+    out->midline_mm = column_midline(run.design.structure, aligned(state, run.own));
+    out->error = curve_error(out->midline_mm, file_.curve);
+    if (!(out->error.rms <= file_.shape_tolerance))
+      out->violations.push_back(
+          fmt::format("equilibrium: rms {:.3g} of the goal's diagonal; at most {:g} is allowed",
+                      out->error.rms, file_.shape_tolerance));
+    if (!found.walls_are_free) out->violations.push_back(obstacle(found));
+    return out;
   }
 
   /// Each column's place against the goal as it was laid over the midline.
-  std::optional<Judged> judged(const Run& run, const model::Sheet& sheet,
-                               const model::State& state) const override {
-    const CurveOutcome& curve = outcome_of<CurveOutcome>(run);
-    return Judged{curve_points(file_.curve, sheet, state, curve.exact),
-                  file_.shape_tolerance * curve.found.design.error.scale_mm};
+  std::optional<Observed> observe(const Found& found, const model::Sheet& sheet,
+                                  const model::State& state) const override {
+    const targets::CurveError& error = outcome_of<CurveOutcome>(found).found.design.error;
+    return Observed{curve_points(file_.curve, sheet, state, found.own),
+                    file_.shape_tolerance * error.scale_mm};
   }
 
-  TurnBounds turn_bounds() const override {
+ private:
+  TurnBounds bounds() const {
     const double tilt = std::max(std::abs(file_.beta.lower), std::abs(file_.beta.upper));
-    return {tilt, file_.theta, [this](const model::Sheet& sheet) {
+    return {tilt, file_.theta,
+            [rows = file_.rows, per = file_.per, symmetry = file_.symmetry,
+             beta = file_.beta](const model::Sheet& sheet) {
               const model::Structure& strip = *sheet.squares();
-              const int columns = static_cast<int>(strip.cells.size()) / file_.rows;
-              return tied_tilts(strip, make_bend_ties(columns, file_.per, file_.symmetry, file_.beta));
+              const int columns = static_cast<int>(strip.cells.size()) / rows;
+              return tied_tilts(strip, make_bend_ties(columns, per, symmetry, beta));
             }};
   }
 
-  /// How elastic hinges keep the goal.
-  void judge_matter(Run& run, const model::State& state) const override {
-    auto& curve = outcome_of<CurveOutcome>(run);
-    const model::State upright = aligned(state, curve.exact);
-    optim::CurveDesign& design = curve.found.design;
-    design.midline_mm = column_midline(run.design.structure, upright);
-    design.error = curve_error(design.midline_mm, file_.curve);
-    curve.violations.clear();
-    if (!(design.error.rms <= file_.shape_tolerance))
-      curve.violations.push_back(
-          fmt::format("equilibrium: rms {:.3g} of the goal's diagonal; at most {:g} is allowed",
-                      design.error.rms, file_.shape_tolerance));
-    if (!curve.found.walls_are_free)
-      curve.violations.push_back(curve.found.notes.back() + ": use lower or thinner walls, or larger cells");
-  }
-
-  std::optional<PhysicsTask> physics_task(const Run& run) const override { return folding_task(run); }
-
-  void add_frames(Run& run) const override { add_exact_frames(run); }
-
- private:
-  /// A run of a strip that was found for a file.
-  void take(Run& run, const CurveFile& file, optim::FreeCurveDesign found) const {
-    take_settings(run, file);
+  /// A strip that was found for a file.
+  Found found_for(const CurveFile& file, optim::FreeCurveDesign strip,
+                  std::optional<RobustCurve> robust = {}) const {
+    Found out;
+    take_settings(out, file);
+    out.tolerances = {{"shape", file.shape_tolerance}};
+    out.design.structure = sheet_of(strip.design.design, file.size);
+    out.theta = strip.design.design.theta;
+    out.is_laid_over = true;
+    out.bounds = bounds();
+    out.notes = strip.notes;
     auto curve = std::make_unique<CurveOutcome>();
-    curve->tolerances = {{"shape", file.shape_tolerance}};
     curve->shape_tolerance = file.shape_tolerance;
     curve->target_mm = file.curve.points();
     curve->solver = curve_search(file, {}).solver;
-    curve->violations = violations(file, found);
-    run.design.structure = sheet_of(found.design.design, file.size);
-    run.theta = found.design.design.theta;
-    curve->found = std::move(found);
-    run.goal = std::move(curve);
+    curve->found = std::move(strip);
+    curve->robust = std::move(robust);
+    out.goal = std::move(curve);
+    return out;
   }
 
   CurveFile file_;

@@ -55,7 +55,8 @@ std::optional<CurveFile> with_gaps(CurveFile file, double share) {
   return file;
 }
 
-CurveCandidate judged(const CurveFile& file, const optim::FreeCurveDesign& found, const RunOptions& options) {
+CurveCandidate judged(const CurveFile& file, const optim::FreeCurveDesign& found, const StripOf& strip_of,
+                      const RunOptions& options) {
   const optim::CurveDesign& design = found.design;
   CurveCandidate out{.columns = file.columns,
                      .cell_mm = file.size.edge_mm,
@@ -65,31 +66,24 @@ CurveCandidate judged(const CurveFile& file, const optim::FreeCurveDesign& found
                      .as_made_mm = std::nan(""),
                      .as_made_p95 = std::nan("")};
   if (has_gap(file.hinge)) out.gap_mm = file.hinge.made->gap_mm;
-  Run run;
-  run.design.structure = sheet_of(design.design, file.size);
-  run.plan = make_plan(run.design.structure, Model::exact);
-  run.theta = out.theta;
-  run.design.hinge = file.hinge;
-  run.design.own_hinges = own_hinges_of(run.design.structure, file.hinge_parts);
-  run.goal_drive = file.drive;
-  run.design.process = file.process;
-  run.design.physics = file.physics;
-  const model::State state = exact_motion(run.design.structure).at(out.theta);
-  const auto printed = expected_of_prints(run, goal_drive(run, run.design.structure, out.theta), state,
-                                          curve_points(file.curve, run.design.structure, state, state));
+  const Found strip = planned(strip_of(file, found));
+  const model::Sheet& sheet = strip.design.structure;
+  const auto printed = expected_of_prints(strip, goal_drive(strip, sheet, out.theta), strip.own,
+                                          curve_points(file.curve, sheet, strip.own, strip.own));
   if (printed)
     std::tie(out.as_made_mm, out.as_made_p95) = std::pair{printed->made.rms_mm, printed->made.p95_mm};
   out.is_allowed = printed && printed->can_be_printed && found.walls_are_free &&
-                   bears_its_strain(run.design, state) && design.error.rms <= file.shape_tolerance &&
-                   (!options.printable || options.printable(written_design(run)).is_taken);
+                   bears_its_strain(strip.design, strip.own) && design.error.rms <= file.shape_tolerance &&
+                   (!options.printable || options.printable(asked_design(strip)).is_taken);
   return out;
 }
 
-Tried tried(const CurveFile& file, optim::MultiStartOptions search, const RunOptions& options) {
+Tried tried(const CurveFile& file, optim::MultiStartOptions search, const StripOf& strip_of,
+            const RunOptions& options) {
   search.starts = std::min(search.starts, starts);
   Tried out{
       file, fit_free_curve(file.curve, curve_variables(file), file.size, search, file.shape_tolerance), {}};
-  out.candidate = judged(file, out.found, options);
+  out.candidate = judged(file, out.found, strip_of, options);
   return out;
 }
 
@@ -168,8 +162,8 @@ std::vector<int> columns_of(const CurveFile& file) {
 
 RobustCurve robust_curve(const CurveFile& file, const optim::FreeCurveDesign& plain,
                          const optim::MultiStartOptions& search, const RunOptions& options,
-                         const StripJudge& judge) {
-  std::vector<Tried> all = {{file, plain, judged(file, plain, options)}};
+                         const StripOf& strip_of, const StripJudge& judge) {
+  std::vector<Tried> all = {{file, plain, judged(file, plain, strip_of, options)}};
   std::size_t best = 0;
   const auto take = [&](Tried next) {
     all.push_back(std::move(next));
@@ -184,13 +178,13 @@ RobustCurve robust_curve(const CurveFile& file, const optim::FreeCurveDesign& pl
       options.progress("robust search", static_cast<double>(all.size() - 1) / rounds,
                        fmt::format("design {} of {:.0f}, prints of the best {:.2g} mm off", all.size(),
                                    rounds, all[best].candidate.as_made_mm));
-      take(tried(with(file, count, theta_at(file, k)), quiet, options));
+      take(tried(with(file, count, theta_at(file, k)), quiet, strip_of, options));
     }
   if (has_gap(file.hinge)) {
     const Tried strip = all[best];
     for (const double share : strip_gap_shares)
       if (const auto other = with_gaps(strip.file, share); other && !options.stop.stop_requested())
-        take({*other, strip.found, judged(*other, strip.found, options)});
+        take({*other, strip.found, judged(*other, strip.found, strip_of, options)});
   }
   if (file.hinge.model == HingeSection::Model::elastic) best = best_in_matter(all, judge, options);
   return chosen_of(std::move(all), best);

@@ -3,8 +3,8 @@
 #include <functional>
 
 #include "app/goals/curve/curve_file.hpp"
+#include "app/run/found.hpp"
 #include "app/run/robust_choice.hpp"
-#include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
 #include "optim/curve/fit_curve.hpp"
 
@@ -38,6 +38,9 @@ struct RobustCurve {
 /// Strips whose elastic hinges are made up for, which takes about a second each: their closed forms rank the others.
 inline constexpr std::size_t robust_finalists = 6;
 
+/// A strip that was found for a file, for the pipeline.
+using StripOf = std::function<Found(const CurveFile&, const optim::FreeCurveDesign&)>;
+
 /// What a strip comes to once its elastic hinges are made up for.
 using StripJudge = std::function<RobustCandidate(const CurveFile&, const optim::FreeCurveDesign&)>;
 
@@ -48,6 +51,6 @@ using StripJudge = std::function<RobustCandidate(const CurveFile&, const optim::
 /// @pre file.robust   @param plain what a search for the least error of the design found
 RobustCurve robust_curve(const CurveFile& file, const optim::FreeCurveDesign& plain,
                          const optim::MultiStartOptions& search, const RunOptions& options,
-                         const StripJudge& judge);
+                         const StripOf& strip_of, const StripJudge& judge);
 
 }  // namespace kinetix::app

@@ -91,8 +91,7 @@ Json printed_json(const PrintedDisplay& printed) {
           {"confirmed", printed.is_confirmed()}};
 }
 
-std::string printed_text(const DisplayOutcome& display, const Run& run) {
-  const PrintedDisplay& printed = *display.printed;
+std::string printed_text(const PrintedDisplay& printed, const Run& run) {
   std::string text = fmt::format(
       "printed by {}: contrast {:.1f}, above {:.1f} in 95 of 100 prints, auc {:.3f}; {} prints in the model: "
       "{:.1f}, "
@@ -122,16 +121,18 @@ void add_levels(const std::vector<double>& levels, Json& cells) {
   }
 }
 
-Json display_json(const DisplayOutcome& display, const model::Sheet& panel) {
+Json display_json(const DisplayOutcome& display, const Run& run) {
+  const model::Sheet& panel = run.design.structure;
+  const auto& shown = measure_of<DisplayMeasure>(run);
   Json out = {{"channel", to_string(display.channel)}};
   add_drive(display.design.view, out);
   out["levels"] = levels_of(display.goal, panel);
-  out["before"] = score_json(display, display.before);
-  out["after"] = score_json(display, display.after);
-  out["stretch_max"] = display.design.view.stretch;
+  out["before"] = score_json(display, shown.before);
+  out["after"] = score_json(display, shown.reading);
+  out["stretch_max"] = shown.stretch;
   out["starts"] = starts_json(display.design);
-  out["reasons"] = display.violations;
-  out["reasons_physics"] = display.physics_violations;
+  out["reasons"] = run.violations;
+  out["reasons_physics"] = run.physics_violations();
   if (const auto& scaled = display.design.scaled)
     out["scaled"] = {{"offset_mm", scaled->offset * panel.size().edge_mm},
                      {"theta_rad", scaled->theta},
@@ -139,12 +140,13 @@ Json display_json(const DisplayOutcome& display, const model::Sheet& panel) {
                      {"strained", display.design.refined},
                      {"rounds", scaled->rounds},
                      {"exact", score_json(display, display.exact)}};
-  if (display.printed) out["printed"] = printed_json(*display.printed);
+  if (shown.printed) out["printed"] = printed_json(*shown.printed);
   if (display.loads) out["loads"] = loads_json(*display.loads);
   if (display.unlimited) out["unlimited"] = loads_json(*display.unlimited);
-  if (display.physics) out["physics"] = score_json(display, *display.physics);
+  if (const auto* physics = physics_measure_of<DisplayMeasure>(run))
+    out["physics"] = score_json(display, physics->reading);
   if (!display.goal.whole && display.goal.needed) out["needed_cells"] = *display.goal.needed;
-  if (display.estimated) out["estimated_cells"] = *display.estimated;
+  if (shown.estimated) out["estimated_cells"] = *shown.estimated;
   return out;
 }
 
@@ -174,35 +176,39 @@ std::string DisplayOutcome::solver() const {
 Json DisplayOutcome::target_json() const { return {{"kind", "display"}, {"rows", goal.row_texts()}}; }
 
 void DisplayOutcome::add_sections(const Run& run, Json& result) const {
-  result["display"] = display_json(*this, run.design.structure);
+  result["display"] = display_json(*this, run);
   add_levels(levels_of(goal, run.design.structure), result["structure"]["cells"]);
   result["optimiser"] = optimiser_json(*this);
 }
 
-void DisplayOutcome::add_metrics(Json& metrics) const {
+void DisplayOutcome::add_metrics(const Run& run, Json& metrics) const {
+  const auto& shown = measure_of<DisplayMeasure>(run);
+  const DisplayReading& after = shown.reading;
   metrics["auc"] = after.score.auc;
   metrics["contrast"] = after.score.contrast;
   metrics["separation"] = after.score.separation();
   metrics["rank"] = after.rank;
-  metrics["auc_rest"] = before.score.auc;
-  metrics["contrast_rest"] = before.score.contrast;
-  metrics["stretch_max"] = design.view.stretch;
+  metrics["auc_rest"] = shown.before.score.auc;
+  metrics["contrast_rest"] = shown.before.score.contrast;
+  metrics["stretch_max"] = shown.stretch;
   if (const auto light = light_of(*this, after)) {
     metrics["light_letter"] = (*light)[0];
     metrics["light_rest"] = (*light)[1];
     metrics["light_ratio"] = (*light)[0] / (*light)[1];
   }
-  metrics["met"] = met();
+  metrics["met"] = run.met();
+  const auto* physics = physics_measure_of<DisplayMeasure>(run);
   if (!physics) return;
-  metrics["auc_physics"] = physics->score.auc;
-  metrics["contrast_physics"] = physics->score.contrast;
-  metrics["separation_physics"] = physics->score.separation();
-  metrics["rank_physics"] = physics->rank;
+  metrics["auc_physics"] = physics->reading.score.auc;
+  metrics["contrast_physics"] = physics->reading.score.contrast;
+  metrics["separation_physics"] = physics->reading.score.separation();
+  metrics["rank_physics"] = physics->reading.rank;
 }
 
 std::vector<SummaryLine> DisplayOutcome::summary_lines(const Run& run) const {
+  const auto& shown = measure_of<DisplayMeasure>(run);
   std::vector<SummaryLine> lines;
-  lines.push_back({"picture", in_words(*this, after) + (met() ? "" : ": NOT AS REQUIRED")});
+  lines.push_back({"picture", in_words(*this, shown.reading) + (run.met() ? "" : ": NOT AS REQUIRED")});
   if (!design.starts.empty())
     lines.push_back({"rule", "the paper's rule alone: auc " +
                                  fmt::format("{:.3f}, contrast {:.1f}", design.starts[0].view.score.auc,
@@ -210,15 +216,17 @@ std::vector<SummaryLine> DisplayOutcome::summary_lines(const Run& run) const {
   lines.push_back(
       {"search", fmt::format("{:.2f} s, {}, {} {}, {}", run.timings.optimise, solver(), design.evaluations,
                              design.scaled ? "iterations" : "evaluations", to_string(design.status))});
-  if (printed) lines.push_back({"as made", printed_text(*this, run)});
+  if (shown.printed) lines.push_back({"as made", printed_text(*shown.printed, run)});
   if (loads) lines.push_back({"limits", loads_text(*loads)});
   if (unlimited) lines.push_back({"", "without them " + loads_text(*unlimited)});
   if (design.refined) lines.push_back({"strain", "on purpose: without it " + in_words(*this, exact)});
-  if (physics) lines.push_back({"seen", "in the physics run: " + in_words(*this, *physics)});
+  if (const auto* physics = physics_measure_of<DisplayMeasure>(run))
+    lines.push_back({"seen", "in the physics run: " + in_words(*this, physics->reading)});
   return lines;
 }
 
-std::vector<std::string> DisplayOutcome::warnings(const Run&) const {
+std::vector<std::string> DisplayOutcome::warnings(const Run& run) const {
+  const auto& printed = measure_of<DisplayMeasure>(run).printed;
   return printed ? printed->why : std::vector<std::string>{};
 }
 

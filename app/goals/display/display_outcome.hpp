@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/run/goal_outcome.hpp"
+#include "app/run/found.hpp"
 #include "app/run/hinge_loads.hpp"
 #include "optim/display/as_made_display.hpp"
 #include "optim/display/fit_display.hpp"
@@ -58,19 +58,14 @@ class DisplayOutcome final : public GoalOutcome {
   optim::Channel channel = optim::Channel::aperture;
   optim::DisplayOptions options;
   optim::DisplayDesign design;
-  std::optional<targets::PanelSize>
-      estimated;                 ///< an estimate of the panel that is clear enough, if this one is not
-  DisplayReading before, after;  ///< flat, and the equilibrium under the plates
-  DisplayReading exact;          ///< of a search by the scales of walls: its state, without any strain
-  std::optional<DisplayReading> physics;  ///< the settled physics run
-  std::optional<PanelLoads> loads;        ///< of a panel with limits
-  std::optional<PanelLoads> unlimited;    ///< what it would be without them, where they made a difference
-  double pressed = 1;                     ///< part of the drive's way that they leave
+  DisplayReading exact;                 ///< of a search by the scales of walls: its state, without any strain
+  std::optional<PanelLoads> loads;      ///< of a panel with limits
+  std::optional<PanelLoads> unlimited;  ///< what it would be without them, where they made a difference
+  double pressed = 1;                   ///< part of the drive's way that they leave
   std::optional<double>
       least_pressed;            ///< the smallest part that was tried, where none that was tried keeps them
   bool faint = false;           ///< a smaller part does, but then an eye does not tell letter and rest apart
   bool limits_stopped = false;  ///< the search for such a part was, before it found one
-  std::optional<PrintedDisplay> printed;  ///< of pictures of two levels
 
   /// What found the design, in words.
   std::string solver() const;
@@ -80,11 +75,22 @@ class DisplayOutcome final : public GoalOutcome {
   /// Adds `display` (channel, levels and readings of all cells in the order of structure.cells, starts,
   /// reasons) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
-  void add_metrics(nlohmann::ordered_json& metrics) const override;
+  void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
   std::vector<std::string> warnings(const Run& run) const override;
   std::vector<NamedContent> pictures(const Run& run) const override;
   std::vector<NamedContent> shown_pictures(const Run& run) const override;
+};
+
+class DisplayMeasure final : public Measure {
+ public:
+  DisplayReading reading;
+  // Of the equilibrium under the drive alone:
+  DisplayReading before;  ///< flat
+  double stretch = 0;     ///< largest gap of a hinge, cell edges
+  std::optional<targets::PanelSize>
+      estimated;  ///< an estimate of the panel that is clear enough, if this one is not
+  std::optional<PrintedDisplay> printed;  ///< of pictures of two levels
 };
 
 }  // namespace kinetix::app

@@ -45,8 +45,7 @@ std::vector<NamedContent> display_pictures(const Run& run) {
   add_panel(files, "hinges", run.design.structure, flat, true);
   add_panel(files, "after", run.design.structure, after);
   for (NamedContent& file : far_pictures(run)) files.push_back(std::move(file));
-  if (outcome_of<DisplayOutcome>(run).physics)
-    add_panel(files, "physics", run.design.structure, run.verification->physics.state);
+  if (run.by_physics) add_panel(files, "physics", run.design.structure, run.verification->physics.state);
   add_frames(files, run);
   return files;
 }

@@ -159,23 +159,20 @@ std::vector<std::string> reasons(const DisplayFile& file, const Run& run, const 
 
 }  // namespace
 
-std::optional<PrintedDisplay> display_prints(const DisplayFile& file, Run& run, const RunOptions& options) {
-  run.prints_unknown = unjudged(file, run);
-  if (!run.prints_unknown.empty()) return std::nullopt;
+std::pair<std::optional<PrintedDisplay>, std::string> display_prints(const DisplayFile& file, const Run& run,
+                                                                     const RunOptions& options) {
+  if (std::string why = unjudged(file, run); !why.empty()) return {std::nullopt, std::move(why)};
   const model::HingeScatter scatter = scatter_of(run.design);
   const std::vector<double> levels = levels_of(file.goal, run.design.structure);
   model::State state = run.equilibrium->path.state;
   const auto by = derivatives(file, run, scatter, state, static_cast<Eigen::Index>(levels.size()));
-  if (!by) {
-    run.prints_unknown = "the panel's equilibrium is not stable";
-    return std::nullopt;
-  }
+  if (!by) return {std::nullopt, "the panel's equilibrium is not stable"};
   const FirstOrderPanel panel{levels, read_panel(file, run.design.structure, state).channel, *by};
   PrintedDisplay out;
   out.expected = optim::as_made_display(panel.readings, levels, panel.by_errors);
   add_prints(file, run, scatter, state, panel, options, out);
   out.why = reasons(file, run, out);
-  return out;
+  return {std::move(out), ""};
 }
 
 }  // namespace kinetix::app

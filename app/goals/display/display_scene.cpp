@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "app/files/process_section.hpp"
@@ -14,12 +15,9 @@
 #include "app/goals/display/display_violations.hpp"
 #include "app/goals/display/panel_memory.hpp"
 #include "app/goals/display/search_panel.hpp"
-#include "app/pipeline/equilibrium.hpp"
-#include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/hinge_loads.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "model/base/angle.hpp"
-#include "model/closure/drive_theta.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "targets/display/panel_levels.hpp"
 
@@ -92,8 +90,8 @@ bool can_use_more_cells(const DisplayFile& file, const DisplayOutcome& display, 
 }
 
 /// Cells that are darker than dark, which is where walls lie over each other.
-std::string below_zero(const DisplayOutcome& display) {
-  const std::vector<double>& light = display.after.channel;
+std::string below_zero(const DisplayOutcome& display, const DisplayReading& after) {
+  const std::vector<double>& light = after.channel;
   const auto dark =
       std::count_if(light.begin(), light.end(), [](double of_cell) { return of_cell < least_light; });
   if (display.channel != optim::Channel::light || dark == 0) return "";
@@ -102,19 +100,19 @@ std::string below_zero(const DisplayOutcome& display) {
 }
 
 std::vector<std::string> all_violations(const DisplayFile& file, const DisplayOutcome& display,
-                                        const Run& run) {
+                                        const DisplayMeasure& shown, const Run& run) {
   std::vector<std::string> why;
   if (!display.design.view.at_equilibrium) {
     why.push_back("no equilibrium of the panel was found at this compression: compress less");
     return why;
   }
-  why = violations(file, display.after.score, display.after.rank, "model");
+  why = violations(file, shown.reading.score, shown.reading.rank, "model");
   if (const std::string lost = lost_in_equilibrium(file, display, run); !why.empty() && !lost.empty())
     why.push_back(lost);
-  if (const std::string dark = below_zero(display); !dark.empty()) why.push_back(dark);
-  if (!(display.design.view.stretch <= file.stretch))
+  if (const std::string dark = below_zero(display, shown.reading); !dark.empty()) why.push_back(dark);
+  if (!(shown.stretch <= file.stretch))
     why.push_back(fmt::format("a hinge stretches by {:.3f} cell edges; at most {:.3f} is allowed",
-                              display.design.view.stretch, file.stretch));
+                              shown.stretch, file.stretch));
   if (display.loads)
     for (const std::string& limit :
          violations(file.limits, display.loads->hinges, pressed_less(file, display)))
@@ -122,9 +120,9 @@ std::vector<std::string> all_violations(const DisplayFile& file, const DisplayOu
   if (display.faint)
     why.push_back("pressed less still it keeps its limits, but then letter and rest differ by less than 1 %");
   if (!display.goal.whole) why.push_back(lost_strokes(display.goal));
-  if (const std::string melted = describe_melting(display.goal, display.after); !melted.empty())
+  if (const std::string melted = describe_melting(display.goal, shown.reading); !melted.empty())
     why.push_back(melted);
-  if (display.estimated) why.push_back(describe_estimate(*display.estimated));
+  if (shown.estimated) why.push_back(describe_estimate(*shown.estimated));
   return why;
 }
 
@@ -134,26 +132,15 @@ constexpr double seconds_a_cell = 2e-4, seconds_a_cell_stretched = 0.07;
 // s, of the path from flat: 0.92 s for 32 x 32 cells, 51 s for 100 x 100.
 constexpr double path_seconds_of_1024 = 0.92, path_exponent = 1.76;
 
-/// Shows the state that the search knows of its design, in place of a path that was stopped before its end.
-void take_state_of_search(const optim::DisplayDesign& design, Run& run) {
-  if (!design.view.at_equilibrium || design.view.state.empty()) return;
-  NamedState& shown = run.states.front();
-  shown.poses = design.view.state;
-  shown.model = to_string(design.scaled ? Model::exact : Model::equilibrium);
-  shown.gaps = hinge_gaps(run.design.structure, shown.poses);
-  run.theta = shown.theta = model::mean_theta(run.design.structure, shown.poses);
-  run.plan.why.push_back("the path of the equilibrium was stopped: the state shown is that of the search");
+/// A state that the search knows of its design.
+std::optional<Found::Known> known_state(const optim::DisplayDesign& design) {
+  if (!design.view.at_equilibrium || design.view.state.empty()) return std::nullopt;
+  return Found::Known{design.scaled ? Model::exact : Model::equilibrium, design.view.state};
 }
-
-/// Whether a physics run is not worth its time: a step costs seconds, and there are thousands.
-bool is_too_large(const Run& run) { return run.design.structure.bodies() > most_bodies_of_physics; }
 
 class DisplayScene final : public Scene {
  public:
-  explicit DisplayScene(DisplayFile file) : file_(std::move(file)) {}
-
-  std::string name() const override { return file_.name; }
-  std::optional<Model> model() const override { return Model::equilibrium; }
+  explicit DisplayScene(DisplayFile file) : Scene(file.name), file_(std::move(file)) {}
 
   Forecast forecast() const override {
     Forecast out{make_panel(file_, {file_.goal.columns, file_.goal.rows})};
@@ -168,14 +155,13 @@ class DisplayScene final : public Scene {
     return out;
   }
 
-  void solve(Run& run, const RunOptions& options) const override {
+  Found search(const RunOptions& options) const override {
     auto display = std::make_unique<DisplayOutcome>();
     display->options = search_options(file_, elasticity(), options);
     if (!(file_.offset > 0))
       check_memory({file_.goal.columns, file_.goal.rows}, options.threads,
                    display->options.starts * static_cast<int>(file_.axes.size()), memory_of_machine());
     model::Sheet panel = make_panel(file_, {file_.goal.columns, file_.goal.rows});
-    display->tolerances = tolerances_of(file_);
     display->goal = file_.goal;
     display->channel = file_.channel;
     const auto search = [&](const DisplayFile& file) {
@@ -188,54 +174,44 @@ class DisplayScene final : public Scene {
       display->exact = {exact.channel, exact.score, exact.rank};
       if (file_.strain > 0) strain(panel, options, *display);
     }
-    describe(run, display->design.view);
+    Found out = described(display->design.view);
     if (display->design.view.at_equilibrium) place_hinges(display->design.view, panel);
-    run.design.structure = std::move(panel);
-    run.goal = std::move(display);
+    out.design.structure = std::move(panel);
+    out.known = known_state(display->design);
+    out.goal = std::move(display);
+    if (out.design.structure.bodies() <= most_bodies_of_physics) return out;
+    out.physics.when = PhysicsWish::When::never;  // a step costs seconds, and there are thousands
+    out.notes.push_back(fmt::format(
+        "no physics run: {} bodies would take hours; `verify` makes one of design.yaml all the same",
+        out.design.structure.bodies()));
+    return out;
   }
 
-  void add_state(Run& run, const RunOptions& options) const override {
-    auto& display = outcome_of<DisplayOutcome>(run);
-    add_equilibrium(run, drive_on(run.design.structure, display.design.view), elasticity(), motion_states,
-                    options);
-    if (options.stop.stop_requested() && !run.equilibrium->reached())
-      take_state_of_search(display.design, run);
-    if (is_too_large(run))
-      run.plan.why.push_back(fmt::format(
-          "no physics run: {} bodies would take hours; `verify` makes one of design.yaml all the same",
-          run.design.structure.bodies()));
-    display.before = read_shown_panel(file_, run.design.structure, rest_state(run.design.structure));
-    display.after = read_shown_panel(file_, run.design.structure, run.states.front().poses);
-    display.design.view.stretch = run.states.front().gaps.max;
-  }
-
-  void judge(Run& run, const RunOptions& options) const override {
-    auto& display = outcome_of<DisplayOutcome>(run);
+  std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State& state,
+                                         const RunOptions& options) const override {
+    const auto& display = outcome_of<DisplayOutcome>(run);
+    const model::Sheet& panel = run.design.structure;
+    auto out = std::make_shared<DisplayMeasure>();
+    out->reading = read_shown_panel(file_, panel, state);
+    if (of == StateOf::physics) {
+      out->violations = violations(file_, out->reading.score, out->reading.rank, in_words(of));
+      if (const std::string melted = describe_melting(display.goal, out->reading); !melted.empty())
+        out->violations.push_back("in the physics run " + melted);
+      return out;
+    }
+    out->before = read_shown_panel(file_, panel, rest_state(panel));
+    out->stretch = run.states.front().gaps.max;
     const bool stopped = options.stop.stop_requested();
     if (can_use_more_cells(file_, display, run))
-      display.estimated =
-          estimate_panel(file_.goal, display.after.score.contrast, file_.contrast,
+      out->estimated =
+          estimate_panel(file_.goal, out->reading.score.contrast, file_.contrast,
                          display.design.scaled ? usual_growth : std::numeric_limits<double>::infinity());
-    if (!stopped) options.progress("prints", 0);
-    if (!stopped) display.printed = display_prints(file_, run, options);
-    display.violations = all_violations(file_, display, run);
-  }
-
-  std::optional<PhysicsTask> physics_task(const Run& run) const override {
-    if (!run.equilibrium->reached() || is_too_large(run)) return std::nullopt;
-    return PhysicsTask{run.states.front().poses, run.equilibrium->drive,
-                       elastic_physics(elasticity(), file_.physics, file_.size.edge_mm, run.plan.planar)};
-  }
-
-  bool is_judged_by_distances() const override { return false; }
-
-  void judge_physics(Run& run) const override {
-    auto& display = outcome_of<DisplayOutcome>(run);
-    display.physics = read_shown_panel(file_, run.design.structure, run.verification->physics.state);
-    display.physics_violations =
-        violations(file_, display.physics->score, display.physics->rank, "physics run");
-    if (const std::string melted = describe_melting(display.goal, *display.physics); !melted.empty())
-      display.physics_violations.push_back("in the physics run " + melted);
+    if (!stopped) {
+      options.progress("prints", 0);
+      std::tie(out->printed, out->prints_unknown) = display_prints(file_, run, options);
+    }
+    out->violations = all_violations(file_, display, *out, run);
+    return out;
   }
 
  private:
@@ -262,21 +238,25 @@ class DisplayScene final : public Scene {
     if (!display.unlimited && !display.least_pressed) display.unlimited = loads;
   }
 
-  /// The panel as the search left it; as asked where it found no equilibrium.
-  void describe(Run& run, optim::DisplayView& view) const {
-    run.design.physics = file_.physics;
-    run.design.hinge = file_.hinge;
-    run.design.process = file_.process;
-    run.design.hinge.model = HingeSection::Model::elastic;
-    run.verify_tolerance = file_.verify;
+  /// What drives the panel as the search left it; as asked where it found no equilibrium.
+  Found described(optim::DisplayView& view) const {
+    Found out;
+    out.model = Model::equilibrium;
+    out.tolerances = tolerances_of(file_);
+    out.design.physics = file_.physics;
+    out.design.hinge = file_.hinge;
+    out.design.process = file_.process;
+    out.design.hinge.model = HingeSection::Model::elastic;
+    out.verify_tolerance = file_.verify;
     if (!view.at_equilibrium) view.plates = plates_of(file_);
     view.plates.press = file_.press;
     if (view.turn)
-      run.design.drive = DriveSection{
+      out.design.drive = DriveSection{
           .kind = DriveSection::Kind::hinge, .hinge = view.turn->hinge, .angle = view.turn->angle};
     else
-      run.design.drive = DriveSection{
+      out.design.drive = DriveSection{
           .axis = view.plates.axis, .compression = view.plates.compression, .press = view.plates.press};
+    return out;
   }
 
   DisplayFile file_;

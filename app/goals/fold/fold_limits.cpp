@@ -30,30 +30,26 @@ bool meets_goal(const FoldFile& file, const optim::FoldDesign& design, const Mat
          violations(file, outcome.creases(net.error), net.error.rms, "equilibrium").empty();
 }
 
-Borne borne_by(const FoldFile& file, const Run& run, const Scene& scene, const optim::FoldDesign& design,
+Borne borne_by(const FoldFile& file, Found trial, const Scene& scene, const optim::FoldDesign& design,
                const std::stop_token& stop) {
-  Run trial;
-  trial.design = run.design;
-  trial.goal_drive = run.goal_drive;
   trial.design.structure = design.folded.structure;
   trial.theta = design.folded.theta;
-  trial.design.own_hinges = own_hinges_of(trial.design.structure, run.hinge_parts);
-  trial.plan = make_plan(trial.design.structure, Model::exact);
   auto fold = std::make_unique<FoldOutcome>();
   fold->design = design;
   trial.goal = std::move(fold);
+  trial = planned(std::move(trial));
   const MatterPath found = path_in_matter(trial, scene, stop);
   return {{model::mean_theta(found.sheet, found.path.state),
-           hinge_loads(found.path, found.drive, found.sheet, run.design.hinge, trial.design.own_hinges)},
+           hinge_loads(found.path, found.drive, found.sheet, trial.design.hinge, trial.design.own_hinges)},
           meets_goal(file, design, found)};
 }
 
 }  // namespace
 
-void keep_limits(const FoldFile& file, const Run& run, const Scene& scene, FoldOutcome& fold,
+void keep_limits(const FoldFile& file, const Found& asked_of, const Scene& scene, FoldOutcome& fold,
                  const std::function<optim::FoldDesign(double)>& search, const RunOptions& options) {
   if (!file.limits.any() || !fold.design.folds) return;
-  const FoldLoads asked = borne_by(file, run, scene, fold.design, options.stop).loads;
+  const FoldLoads asked = borne_by(file, asked_of, scene, fold.design, options.stop).loads;
   if (options.stop.stop_requested()) return;  // cut short, its path says nothing of the fold
   fold.loads = asked;
   if (share_of(file.limits, asked.hinges) <= HingeLimits::in_hand) return;
@@ -67,7 +63,7 @@ void keep_limits(const FoldFile& file, const Run& run, const Scene& scene, FoldO
       kept = theta;
       continue;
     }
-    const Borne borne = borne_by(file, run, scene, design, options.stop);
+    const Borne borne = borne_by(file, asked_of, scene, design, options.stop);
     if (options.stop.stop_requested()) return;
     if (!(share_of(file.limits, borne.loads.hinges) <= HingeLimits::in_hand)) {
       too_much = theta;

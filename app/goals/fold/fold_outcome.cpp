@@ -15,7 +15,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json faces_json(const FoldOutcome& fold) {
+Json faces_json(const FoldOutcome& fold, const Run& run) {
+  const auto& error = measure_of<FoldMeasure>(run).error;
+  const auto* physics = physics_measure_of<FoldMeasure>(run);
   const optim::FoldedNet& net = fold.design.folded;
   Json faces = Json::array();
   for (std::size_t f = 0; f < net.net.faces.size(); ++f) {
@@ -23,13 +25,14 @@ Json faces_json(const FoldOutcome& fold) {
     faces.push_back({{"name", net.net.faces[f].name},
                      {"cell", label(placed.low)},
                      {"cells", {placed.width, placed.height}},
-                     {"rms", net.error.face_rms[f]}});
-    if (fold.physics) faces.back()["rms_physics"] = fold.physics->face_rms[f];
+                     {"rms", error.face_rms[f]}});
+    if (physics) faces.back()["rms_physics"] = physics->error.face_rms[f];
   }
   return faces;
 }
 
-Json crease_json(const FoldOutcome& fold, std::size_t c) {
+Json crease_json(const FoldOutcome& fold, const Run& run, std::size_t c) {
+  const auto& shape = measure_of<FoldMeasure>(run);
   const optim::FoldedNet& net = fold.design.folded;
   const targets::PlacedCrease& placed = net.layout.creases[c];
   Json out = {{"name", crease_name(net.net, net.net.creases[c])},
@@ -39,9 +42,10 @@ Json crease_json(const FoldOutcome& fold, std::size_t c) {
               {"cells", {placed.cells.width, placed.cells.height}},
               {"columns", placed.columns()},
               {"angle_deg", to_degrees(net.net.creases[c].angle)},
-              {"fold_deg", to_degrees(net.error.fold[c])},
-              {"tilt_deg", to_degrees(net.tilt[c])}};
-  if (fold.physics) out["fold_physics_deg"] = to_degrees(fold.physics->fold[c]);
+              {"fold_deg", to_degrees(shape.error.fold[c])},
+              {"tilt_deg", to_degrees(shape.tilt[c])}};
+  if (const auto* physics = physics_measure_of<FoldMeasure>(run))
+    out["fold_physics_deg"] = to_degrees(physics->error.fold[c]);
   return out;
 }
 
@@ -74,9 +78,10 @@ std::string size_text(const FoldOutcome& fold) {
   return text;
 }
 
-Json creases_json(const FoldOutcome& fold) {
+Json creases_json(const FoldOutcome& fold, const Run& run) {
   Json out = Json::array();
-  for (std::size_t c = 0; c < fold.design.folded.net.creases.size(); ++c) out.push_back(crease_json(fold, c));
+  for (std::size_t c = 0; c < fold.design.folded.net.creases.size(); ++c)
+    out.push_back(crease_json(fold, run, c));
   return out;
 }
 
@@ -89,16 +94,16 @@ std::string loads_text(const FoldLoads& loads) {
                      loads.hinges.force_N, lever_words(loads.hinges), loads.hinges.strain);
 }
 
-Json fold_json(const FoldOutcome& fold) {
-  Json out = {{"faces", faces_json(fold)},
-              {"creases", creases_json(fold)},
+Json fold_json(const FoldOutcome& fold, const Run& run) {
+  Json out = {{"faces", faces_json(fold, run)},
+              {"creases", creases_json(fold, run)},
               {"unfoldings", fold.goal.nets.size()},
               {"unfolding", fold.design.net},
               {"attempts", attempts_json(fold.design)},
-              {"reasons", fold.violations},
-              {"reasons_physics", fold.physics_violations}};
+              {"reasons", run.violations},
+              {"reasons_physics", run.physics_violations()}};
   if (fold.goal.box) out["edges_mm"] = fold.edges_mm();
-  if (fold.loads) out["loads"] = loads_json(*fold.loads);
+  if (const auto& loads = measure_of<FoldMeasure>(run).loads) out["loads"] = loads_json(*loads);
   if (fold.unlimited) out["unlimited"] = loads_json(*fold.unlimited);
   return out;
 }
@@ -156,7 +161,7 @@ Json FoldOutcome::target_json() const {
 }
 
 void FoldOutcome::add_sections(const Run& run, Json& result) const {
-  result["fold"] = fold_json(*this);
+  result["fold"] = fold_json(*this, run);
   if (design.folds && !run.states.empty() && is_finite(run.states.front().poses))
     result["fold"]["ideal_mm"] = ideal_json(*this, run.states.front().poses);
   result["optimiser"] =
@@ -164,28 +169,32 @@ void FoldOutcome::add_sections(const Run& run, Json& result) const {
                        "no unfolding and no number of columns tried folds freely");
 }
 
-void FoldOutcome::add_metrics(Json& metrics) const {
-  const targets::FoldError& error = design.folded.error;
+void FoldOutcome::add_metrics(const Run& run, Json& metrics) const {
+  const targets::FoldError& error = measure_of<FoldMeasure>(run).error;
   add_fold_metrics(creases(error), error.rms, "", metrics);
-  metrics["met"] = met();
-  if (physics) add_fold_metrics(creases(*physics), physics->rms, "_physics", metrics);
+  metrics["met"] = run.met();
+  if (const auto* physics = physics_measure_of<FoldMeasure>(run))
+    add_fold_metrics(creases(physics->error), physics->error.rms, "_physics", metrics);
 }
 
 std::vector<SummaryLine> FoldOutcome::summary_lines(const Run& run) const {
   const optim::FoldedNet& net = design.folded;
+  const targets::FoldError& error = measure_of<FoldMeasure>(run).error;
+  const std::optional<FoldLoads>& borne = measure_of<FoldMeasure>(run).loads;
   std::vector<SummaryLine> lines;
   lines.push_back(
-      {"solid", in_words(creases(net.error), net.error.rms) + (met() ? "" : ": DOES NOT FOLD AS REQUIRED")});
+      {"solid", in_words(creases(error), error.rms) + (run.met() ? "" : ": DOES NOT FOLD AS REQUIRED")});
   lines.push_back({"net", fmt::format("{} face{}, {} per crease, unfolding {} of {}", net.net.faces.size(),
                                       net.net.faces.size() == 1 ? "" : "s", columns_in_words(net.layout),
                                       design.net + 1, goal.nets.size())});
   if (goal.box) lines.push_back({"size", size_text(*this)});
   lines.push_back(
       {"search", fmt::format("{:.3f} s, {} motions examined", run.timings.optimise, design.evaluations)});
-  if (loads) lines.push_back({"limits", loads_text(*loads)});
+  if (borne) lines.push_back({"limits", loads_text(*borne)});
   if (unlimited) lines.push_back({"", "without them " + loads_text(*unlimited)});
-  if (physics)
-    lines.push_back({"folded", "in the physics run: " + in_words(creases(*physics), physics->rms)});
+  if (const auto* physics = physics_measure_of<FoldMeasure>(run))
+    lines.push_back(
+        {"folded", "in the physics run: " + in_words(creases(physics->error), physics->error.rms)});
   return lines;
 }
 

@@ -9,7 +9,6 @@
 #include "app/goals/fold/fold_kind.hpp"
 #include "app/goals/fold/fold_limits.hpp"
 #include "app/goals/fold/fold_outcome.hpp"
-#include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/hinge_loads.hpp"
 #include "app/pipeline/robust_search.hpp"
 #include "model/sheet/sheet_motion.hpp"
@@ -100,9 +99,7 @@ std::string other_size(const FoldFile& file, const FoldOutcome& found, const Run
 
 class FoldScene final : public Scene {
  public:
-  explicit FoldScene(FoldFile file) : file_(std::move(file)) {}
-
-  std::string name() const override { return file_.name; }
+  explicit FoldScene(FoldFile file) : Scene(file.name), file_(std::move(file)) {}
 
   Forecast forecast() const override {
     const targets::FoldNet& net = file_.goal.nets.front();
@@ -124,59 +121,59 @@ class FoldScene final : public Scene {
     return out;
   }
 
-  void solve(Run& run, const RunOptions& options) const override {
-    solve(file_, run, options);
-    if (!file_.robust) return;
-    search_robustly(
-        run, *this, *file_.robust, file_.theta,
-        [&](Run& other, const RobustTrial& trial, const RunOptions& quiet) {
+  Found search(const RunOptions& options) const override {
+    Found plain = search(file_, options);
+    if (!file_.robust) return plain;
+    return search_robustly(
+        std::move(plain), *this, *file_.robust, file_.theta,
+        [&](const RobustTrial& trial, const RunOptions& quiet) {
           FoldFile file = file_;
           file.hinge = trial.hinge;
           file.theta = trial.theta.value_or(file.theta);
-          solve(file, other, quiet);
+          return search(file, quiet);
         },
         options);
   }
 
-  void solve(const FoldFile& file, Run& run, const RunOptions& options) const {
-    take_settings(run, file);
-    auto found = std::make_unique<FoldOutcome>();
-    found->tolerances = {{"angle_deg", std::stod(targets::degrees_text(file.angle_tolerance))},
-                         {"shape", file.shape_tolerance}};
-    if (file.goal.box_mm) found->tolerances.push_back({"size", file.size_tolerance});
-    found->goal = file.goal;
-    optim::FoldOptions first = search_of(file);
-    first.threads = options.threads;
-    first.stop = options.stop;
-    found->design = fit_fold(file.goal, first, options.progress);
-    const auto search = [&](double largest_theta) {
-      optim::FoldOptions narrowed = first;
-      narrowed.theta.upper = largest_theta;
-      return fit_fold(file.goal, narrowed);
-    };
-    keep_limits(file, run, *this, *found, search, options);
-    const optim::FoldedNet& net = found->design.folded;
-    found->violations = found->design.folds
-                            ? violations(file, found->creases(net.error), net.error.rms, "model")
-                            : found->design.obstacles;
-    if (is_size_missed(*found)) found->instead = other_size(file, *found, options);
-    check_size(*found);
-    run.design.structure = net.structure;
-    run.theta = net.theta;
-    run.goal = std::move(found);
+  std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State& state,
+                                         const RunOptions&) const override {
+    const auto& found = outcome_of<FoldOutcome>(run);
+    const optim::FoldedNet& net = found.design.folded;
+    auto out = std::make_shared<FoldMeasure>();
+    out->error = net.error;
+    out->tilt = net.tilt;
+    out->loads = found.loads;
+    if (of == StateOf::model) {
+      out->violations = found.design.folds
+                            ? violations(file_, found.creases(net.error), net.error.rms, in_words(of))
+                            : found.design.obstacles;
+      check_size(found, out->violations);
+      return out;
+    }
+    out->error = fold_error(net.net, net.layout, net.structure, state, net.theta);
+    out->violations = violations(file_, found.creases(out->error), out->error.rms, in_words(of));
+    if (of == StateOf::physics) return out;
+    for (std::size_t c = 0; c < out->tilt.size(); ++c)
+      out->tilt[c] = mean_tilt(run.design.structure, net.layout.creases[c]);
+    check_size(found, out->violations);
+    if (!found.loads) return out;
+    const HingeLoads loads = hinge_loads(run.equilibrium->path, run.equilibrium->drive, run.design.structure,
+                                         run.design.hinge, run.design.own_hinges);
+    out->loads = FoldLoads{run.theta, loads};
+    for (const std::string& why : violations(file_.limits, loads, "a smaller theta"))
+      out->violations.push_back(why);
+    return out;
   }
 
-  void add_state(Run& run, const RunOptions&) const override { add_exact_state(run, run.theta); }
-
   /// Each vertex of a face, in all directions, from the solid of the size that the search chose.
-  std::optional<Judged> judged(const Run& run, const model::Sheet& sheet,
-                               const model::State& state) const override {
-    const optim::FoldedNet& net = outcome_of<FoldOutcome>(run).design.folded;
-    if (!outcome_of<FoldOutcome>(run).design.folds || !is_finite(state)) return std::nullopt;
+  std::optional<Observed> observe(const Found& found, const model::Sheet& sheet,
+                                  const model::State& state) const override {
+    const optim::FoldedNet& net = outcome_of<FoldOutcome>(found).design.folded;
+    if (!outcome_of<FoldOutcome>(found).design.folds || !is_finite(state)) return std::nullopt;
     double sides = 0;  // cells
     for (const model::CellRectangle& face : net.layout.faces)
       sides += (face.width + face.height) / 2.0 / static_cast<double>(net.layout.faces.size());
-    Judged out{{}, file_.shape_tolerance * sides * sheet.size().edge_mm * std::cos(net.theta)};
+    Observed out{{}, file_.shape_tolerance * sides * sheet.size().edge_mm * std::cos(net.theta)};
     for (const targets::IdealPoint& v :
          ideal_vertices(net.net, net.layout, *sheet.squares(), state, net.theta))
       for (int k = 0; k < 3; ++k)
@@ -185,43 +182,34 @@ class FoldScene final : public Scene {
     return out;
   }
 
-  std::optional<PhysicsTask> physics_task(const Run& run) const override {
-    if (!run.goal->met()) return std::nullopt;
-    return folding_task(run);
-  }
-
-  /// How the run's last state keeps the goal.
-  void judge_physics(Run& run) const override {
-    auto& found = outcome_of<FoldOutcome>(run);
-    const optim::FoldedNet& net = found.design.folded;
-    found.physics =
-        fold_error(net.net, net.layout, net.structure, run.verification->physics.state, net.theta);
-    found.physics_violations =
-        violations(file_, found.creases(*found.physics), found.physics->rms, "physics run");
-  }
-
-  TurnBounds turn_bounds() const override { return {file_.tilt, file_.theta}; }
-
-  /// How elastic hinges keep the goal.
-  void judge_matter(Run& run, const model::State& state) const override {
-    auto& found = outcome_of<FoldOutcome>(run);
-    optim::FoldedNet& net = found.design.folded;
-    net.error = fold_error(net.net, net.layout, net.structure, state, net.theta);
-    for (std::size_t c = 0; c < net.tilt.size(); ++c)
-      net.tilt[c] = mean_tilt(run.design.structure, net.layout.creases[c]);
-    found.violations = violations(file_, found.creases(net.error), net.error.rms, "equilibrium");
-    check_size(found);
-    if (!found.loads) return;
-    const HingeLoads loads = hinge_loads(run.equilibrium->path, run.equilibrium->drive, run.design.structure,
-                                         run.design.hinge, run.design.own_hinges);
-    found.loads = FoldLoads{run.theta, loads};
-    for (const std::string& why : violations(file_.limits, loads, "a smaller theta"))
-      found.violations.push_back(why);
-  }
-
-  void add_frames(Run& run) const override { add_exact_frames(run); }
-
  private:
+  Found search(const FoldFile& file, const RunOptions& options) const {
+    Found out;
+    take_settings(out, file);
+    out.tolerances = {{"angle_deg", std::stod(targets::degrees_text(file.angle_tolerance))},
+                      {"shape", file.shape_tolerance}};
+    if (file.goal.box_mm) out.tolerances.emplace_back("size", file.size_tolerance);
+    out.physics.when = PhysicsWish::When::if_met;
+    out.bounds = {file_.tilt, file_.theta};
+    auto found = std::make_unique<FoldOutcome>();
+    found->goal = file.goal;
+    optim::FoldOptions first = search_of(file);
+    first.threads = options.threads;
+    first.stop = options.stop;
+    found->design = fit_fold(file.goal, first, options.progress);
+    const auto narrower = [&](double largest_theta) {
+      optim::FoldOptions narrowed = first;
+      narrowed.theta.upper = largest_theta;
+      return fit_fold(file.goal, narrowed);
+    };
+    keep_limits(file, out, *this, *found, narrower, options);
+    if (is_size_missed(*found)) found->instead = other_size(file, *found, options);
+    out.design.structure = found->design.folded.structure;
+    out.theta = found->design.folded.theta;
+    out.goal = std::move(found);
+    return out;
+  }
+
   /// Of edges, over those that are asked for; 0 of what is asked for in cells.
   double likely_miss() const {
     return file_.box ? optim::size_miss(file_.box_folded_mm, file_.box->asked_mm) : 0;
@@ -251,9 +239,9 @@ class FoldScene final : public Scene {
            !(optim::size_miss(found.edges_mm(), *found.goal.box_mm) <= file_.size_tolerance);
   }
 
-  void check_size(FoldOutcome& found) const {
+  void check_size(const FoldOutcome& found, std::vector<std::string>& why) const {
     if (!is_size_missed(found)) return;
-    found.violations.push_back(fmt::format(
+    why.push_back(fmt::format(
         "an edge of the box is {:.1f} % longer or shorter than asked for; at most {:.1f} % is allowed: {}",
         100 * optim::size_miss(found.edges_mm(), *found.goal.box_mm), 100 * file_.size_tolerance,
         found.instead));

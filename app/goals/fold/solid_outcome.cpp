@@ -23,32 +23,32 @@ Json places_json(const targets::SolidNet& net, const std::vector<int>& bodies) {
   return out;
 }
 
-Json face_json(const SolidOutcome& found, std::size_t f) {
+Json face_json(const SolidOutcome& found, const Run& run, std::size_t f) {
   const targets::SolidNet& net = found.design.net;
   std::vector<int> ends;
   for (const auto& side : net.faces[f].sides) ends.insert(ends.end(), {side.front(), side.back()});
   Json out = {{"name", face_name(static_cast<int>(f))},
               {"corners", places_json(net, ends)},
-              {"rms", found.design.error.face_rms[f]}};
-  if (found.physics) out["rms_physics"] = found.physics->face_rms[f];
+              {"rms", measure_of<SolidMeasure>(run).error.face_rms[f]}};
+  if (const auto* physics = physics_measure_of<SolidMeasure>(run))
+    out["rms_physics"] = physics->error.face_rms[f];
   return out;
 }
 
-Json crease_json(const SolidOutcome& found, std::size_t c) {
+Json crease_json(const SolidOutcome& found, const Run& run, std::size_t c) {
+  const auto& shape = measure_of<SolidMeasure>(run);
   const targets::SolidNet& net = found.design.net;
   const targets::SolidCrease& crease = net.creases[c];
   const auto& edges = net.structure.graph.edges;
   const auto &near = crease.hinges.front(), &far = crease.hinges.back();
   const std::vector<int> corners = {edges[near.front()].from, edges[near.back()].from, edges[far.back()].to,
                                     edges[far.front()].to};
-  Json out = {{"name", crease_name(crease)},
-              {"faces", {crease.first, crease.second}},
-              {"corners", places_json(net, corners)},
-              {"columns", net.columns},
-              {"angle_deg", to_degrees(crease.angle)},
-              {"fold_deg", to_degrees(found.design.error.fold[c])},
-              {"tilt_deg", to_degrees(found.design.tilt[c])}};
-  if (found.physics) out["fold_physics_deg"] = to_degrees(found.physics->fold[c]);
+  Json out = {{"name", crease_name(crease)},           {"faces", {crease.first, crease.second}},
+              {"corners", places_json(net, corners)},  {"columns", net.columns},
+              {"angle_deg", to_degrees(crease.angle)}, {"fold_deg", to_degrees(shape.error.fold[c])},
+              {"tilt_deg", to_degrees(shape.tilt[c])}};
+  if (const auto* physics = physics_measure_of<SolidMeasure>(run))
+    out["fold_physics_deg"] = to_degrees(physics->error.fold[c]);
   return out;
 }
 
@@ -78,17 +78,18 @@ Json ideal_faces_json(const optim::SolidDesign& design, const model::State& stat
   return out;
 }
 
-Json fold_json(const SolidOutcome& found) {
+Json fold_json(const SolidOutcome& found, const Run& run) {
   Json out = {{"faces", Json::array()},
               {"creases", Json::array()},
               {"unfoldings", 1},
               {"unfolding", 0},
               {"attempts", Json::array()},
-              {"reasons", found.violations},
-              {"reasons_physics", found.physics_violations}};
-  for (std::size_t f = 0; f < found.design.net.faces.size(); ++f) out["faces"].push_back(face_json(found, f));
+              {"reasons", run.violations},
+              {"reasons_physics", run.physics_violations()}};
+  for (std::size_t f = 0; f < found.design.net.faces.size(); ++f)
+    out["faces"].push_back(face_json(found, run, f));
   for (std::size_t c = 0; c < found.design.net.creases.size(); ++c)
-    out["creases"].push_back(crease_json(found, c));
+    out["creases"].push_back(crease_json(found, run, c));
   for (const optim::SolidAttempt& attempt : found.design.attempts)
     out["attempts"].push_back(
         {{"unfolding", 0}, {"columns", std::vector<int>{attempt.columns}}, {"why", attempt.why}});
@@ -122,23 +123,26 @@ Json SolidOutcome::target_json() const {
 }
 
 void SolidOutcome::add_sections(const Run& run, Json& result) const {
-  result["fold"] = fold_json(*this);
+  result["fold"] = fold_json(*this, run);
   if (design.folds && !run.states.empty() && is_finite(run.states.front().poses))
     result["fold"]["ideal_mm"] = ideal_faces_json(design, run.states.front().poses);
   result["optimiser"] = closed_form_json(design.attempts.size(), design.evaluations, design.stopped,
                                          design.folds, "no number of columns tried folds freely");
 }
 
-void SolidOutcome::add_metrics(Json& metrics) const {
-  add_fold_metrics(creases(design.error), design.error.rms, "", metrics);
-  metrics["met"] = met();
-  if (physics) add_fold_metrics(creases(*physics), physics->rms, "_physics", metrics);
+void SolidOutcome::add_metrics(const Run& run, Json& metrics) const {
+  const targets::SolidError& error = measure_of<SolidMeasure>(run).error;
+  add_fold_metrics(creases(error), error.rms, "", metrics);
+  metrics["met"] = run.met();
+  if (const auto* physics = physics_measure_of<SolidMeasure>(run))
+    add_fold_metrics(creases(physics->error), physics->error.rms, "_physics", metrics);
 }
 
 std::vector<SummaryLine> SolidOutcome::summary_lines(const Run& run) const {
+  const targets::SolidError& error = measure_of<SolidMeasure>(run).error;
   std::vector<SummaryLine> lines;
-  lines.push_back({"solid", in_words(creases(design.error), design.error.rms) +
-                                (met() ? "" : ": DOES NOT FOLD AS REQUIRED")});
+  lines.push_back(
+      {"solid", in_words(creases(error), error.rms) + (run.met() ? "" : ": DOES NOT FOLD AS REQUIRED")});
   lines.push_back(
       {"net", fmt::format("{} face{} of {} cells a side, {} {} per crease", design.net.faces.size(),
                           design.net.faces.size() == 1 ? "" : "s", 2 * goal.cells, design.net.columns,
@@ -146,8 +150,9 @@ std::vector<SummaryLine> SolidOutcome::summary_lines(const Run& run) const {
   lines.push_back({"size", fmt::format("edges of {:.1f} mm when it is closed", edge_mm())});
   lines.push_back(
       {"search", fmt::format("{:.3f} s, {} motions examined", run.timings.optimise, design.evaluations)});
-  if (physics)
-    lines.push_back({"folded", "in the physics run: " + in_words(creases(*physics), physics->rms)});
+  if (const auto* physics = physics_measure_of<SolidMeasure>(run))
+    lines.push_back(
+        {"folded", "in the physics run: " + in_words(creases(physics->error), physics->error.rms)});
   return lines;
 }
 

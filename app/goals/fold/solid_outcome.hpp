@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "app/goals/fold/crease_checks.hpp"
-#include "app/run/goal_outcome.hpp"
+#include "app/run/found.hpp"
 #include "optim/fold/fit_solid.hpp"
 #include "targets/fold/fold_goal.hpp"
 
@@ -17,7 +17,6 @@ class SolidOutcome final : public GoalOutcome {
  public:
   targets::SolidGoal goal;
   optim::SolidDesign design;
-  std::optional<targets::SolidError> physics;  ///< of the settled physics run
 
   std::vector<FoldedCrease> creases(const targets::SolidError& error) const;
   /// Of the solid between the middles of its walls, mm, when it is closed.
@@ -26,8 +25,14 @@ class SolidOutcome final : public GoalOutcome {
   nlohmann::ordered_json target_json() const override;
   /// Adds `fold` (faces and creases as polygons of the flat net) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
-  void add_metrics(nlohmann::ordered_json& metrics) const override;
+  void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
+};
+
+class SolidMeasure final : public Measure {
+ public:
+  targets::SolidError error;
+  std::vector<double> tilt;  ///< size of those along each crease, rad
 };
 
 }  // namespace kinetix::app

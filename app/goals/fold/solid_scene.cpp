@@ -7,7 +7,6 @@
 
 #include "app/goals/fold/fold_kind.hpp"
 #include "app/goals/fold/solid_outcome.hpp"
-#include "app/pipeline/exact_state.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "targets/document/number.hpp"
 
@@ -53,9 +52,7 @@ constexpr double seconds_a_solid_body = 0.005;  // measured: of a search of colu
 
 class SolidScene final : public Scene {
  public:
-  explicit SolidScene(FoldFile file) : file_(std::move(file)) {}
-
-  std::string name() const override { return file_.name; }
+  explicit SolidScene(FoldFile file) : Scene(file.name), file_(std::move(file)) {}
 
   Forecast forecast() const override {
     const targets::SolidGoal& goal = *file_.goal.solid;
@@ -68,66 +65,56 @@ class SolidScene final : public Scene {
     return out;
   }
 
-  void solve(Run& run, const RunOptions& options) const override {
-    take_settings(run, file_);
+  Found search(const RunOptions& options) const override {
+    Found out;
+    take_settings(out, file_);
+    out.tolerances = {{"angle_deg", std::stod(targets::degrees_text(file_.angle_tolerance))},
+                      {"shape", file_.shape_tolerance}};
+    out.physics.when = PhysicsWish::When::if_met;
+    out.bounds = {file_.tilt, file_.theta};
     auto found = std::make_unique<SolidOutcome>();
-    found->tolerances = {{"angle_deg", std::stod(targets::degrees_text(file_.angle_tolerance))},
-                         {"shape", file_.shape_tolerance}};
     found->goal = *file_.goal.solid;
     optim::FoldOptions search = search_of(file_);
     search.threads = options.threads;
     search.stop = options.stop;
     found->design = fit_solid(targets::named_solid(found->goal.solid), found->goal.cells, found->goal.columns,
                               search, options.progress);
-    const optim::SolidDesign& design = found->design;
-    if (design.folds)
-      found->violations = violations(file_, found->creases(design.error), design.error.rms, "model");
-    for (const optim::SolidAttempt& attempt : design.attempts)
-      if (!design.folds) found->violations.push_back(attempt.why);
-    run.design.structure = design.net.structure;
-    run.theta = design.theta;
-    run.goal = std::move(found);
+    out.design.structure = found->design.net.structure;
+    out.theta = found->design.theta;
+    out.goal = std::move(found);
+    return out;
   }
 
-  void add_state(Run& run, const RunOptions&) const override { add_exact_state(run, run.theta); }
+  std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State& state,
+                                         const RunOptions&) const override {
+    const auto& found = outcome_of<SolidOutcome>(run);
+    const optim::SolidDesign& design = found.design;
+    auto out = std::make_shared<SolidMeasure>();
+    out->error = of == StateOf::model ? design.error : solid_error(design.net, state, design.theta);
+    out->tilt = design.tilt;
+    if (of == StateOf::model && !design.folds) {
+      for (const optim::SolidAttempt& attempt : design.attempts) out->violations.push_back(attempt.why);
+      return out;
+    }
+    out->violations = violations(file_, found.creases(out->error), out->error.rms, in_words(of));
+    if (of == StateOf::equilibrium)
+      for (std::size_t c = 0; c < out->tilt.size(); ++c)
+        out->tilt[c] = mean_crease_tilt(run.design.structure, design.net.creases[c]);
+    return out;
+  }
 
   /// Each vertex of a face, in all directions.
-  std::optional<Judged> judged(const Run& run, const model::Sheet& sheet,
-                               const model::State& state) const override {
-    const optim::SolidDesign& design = outcome_of<SolidOutcome>(run).design;
+  std::optional<Observed> observe(const Found& found, const model::Sheet& sheet,
+                                  const model::State& state) const override {
+    const optim::SolidDesign& design = outcome_of<SolidOutcome>(found).design;
     if (!design.folds || !is_finite(state)) return std::nullopt;
-    Judged out{{}, file_.shape_tolerance * design.net.edge * sheet.size().edge_mm * std::cos(design.theta)};
+    Observed out{{}, file_.shape_tolerance * design.net.edge * sheet.size().edge_mm * std::cos(design.theta)};
     for (const auto& [body, place] : ideal_places(design.net, state, design.theta))
       for (int k = 0; k < 3; ++k)
         out.points.push_back(
             {{body}, state[body].p, Eigen::Vector3d::Unit(k), (state[body].p - place)[k], 3});
     return out;
   }
-
-  std::optional<PhysicsTask> physics_task(const Run& run) const override {
-    if (!run.goal->met()) return std::nullopt;
-    return folding_task(run);
-  }
-
-  void judge_physics(Run& run) const override {
-    auto& found = outcome_of<SolidOutcome>(run);
-    found.physics = solid_error(found.design.net, run.verification->physics.state, found.design.theta);
-    found.physics_violations =
-        violations(file_, found.creases(*found.physics), found.physics->rms, "physics run");
-  }
-
-  TurnBounds turn_bounds() const override { return {file_.tilt, file_.theta}; }
-
-  void judge_matter(Run& run, const model::State& state) const override {
-    auto& found = outcome_of<SolidOutcome>(run);
-    optim::SolidDesign& design = found.design;
-    design.error = solid_error(design.net, state, design.theta);
-    for (std::size_t c = 0; c < design.tilt.size(); ++c)
-      design.tilt[c] = mean_crease_tilt(run.design.structure, design.net.creases[c]);
-    found.violations = violations(file_, found.creases(design.error), design.error.rms, "equilibrium");
-  }
-
-  void add_frames(Run& run) const override { add_exact_frames(run); }
 
  private:
   FoldFile file_;

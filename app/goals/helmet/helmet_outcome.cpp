@@ -111,23 +111,25 @@ std::string in_words(const optim::RibsError& error) {
 }
 
 /// Of distances; walls may lie in the head all the same.
-bool keeps_tolerances(const HelmetOutcome& helmet) {
-  const std::map<std::string, double> most(helmet.tolerances.begin(), helmet.tolerances.end());
+bool keeps_tolerances(const HelmetOutcome& helmet, const Run& run) {
+  const std::map<std::string, double> most(run.tolerances.begin(), run.tolerances.end());
+  const optim::RibsError& error = measure_of<HelmetMeasure>(run).error;
   const auto covered = most.find("covered_share");
-  return helmet.design.error.rms <= most.at("rms_mm") && helmet.design.error.max <= most.at("max_mm") &&
+  return error.rms <= most.at("rms_mm") && error.max <= most.at("max_mm") &&
          (covered == most.end() || helmet.cover.share >= covered->second);
 }
 
-Json helmet_json(const HelmetOutcome& helmet, const model::Structure& structure) {
+Json helmet_json(const HelmetOutcome& helmet, const Run& run, const model::Structure& structure) {
+  const auto& shape = measure_of<HelmetMeasure>(run);
   const optim::RibsDesign& design = helmet.design;
   Json out = {
       {"clearance_mm", helmet.spec.clearance_mm},
       {"coverage_mm", helmet.spec.coverage_mm},
       {"ribs", ribs_json(design)},
       {"spine_cells", design.layout.spine_and_ribs.rows},
-      {"error", error_json(design.error, helmet.inside)},
-      {"body_mm", design.error.of_body},
-      {"cell_mm", by_cell(structure, design.error)},
+      {"error", error_json(shape.error, shape.inside)},
+      {"body_mm", shape.error.of_body},
+      {"cell_mm", by_cell(structure, shape.error)},
       {"cells_trimmed", design.trimmed},
       {"covered_share", helmet.cover.share},
       {"goal_rms_mm", helmet.cover.rms},
@@ -139,9 +141,10 @@ Json helmet_json(const HelmetOutcome& helmet, const model::Structure& structure)
       {"openings", openings_json(helmet.head.openings)},
       {"invented", invented(helmet.head.openings)},
       {"notes", design.layout.notes},
-      {"reasons", helmet.violations},
-      {"reasons_physics", helmet.physics_violations}};
-  if (helmet.physics) out["physics"] = error_json(*helmet.physics, helmet.physics_inside);
+      {"reasons", run.violations},
+      {"reasons_physics", run.physics_violations()}};
+  if (const auto* physics = physics_measure_of<HelmetMeasure>(run))
+    out["physics"] = error_json(physics->error, physics->inside);
   return out;
 }
 
@@ -169,24 +172,26 @@ Json HelmetOutcome::target_json() const {
   return {{"kind", "helmet"}, {"spine_mm", polyline(head, design.layout.spine)}, {"sections_mm", sections}};
 }
 
-void HelmetOutcome::add_sections(const Run&, Json& result) const {
-  result["helmet"] = helmet_json(*this, design.fishbone.structure);
+void HelmetOutcome::add_sections(const Run& run, Json& result) const {
+  result["helmet"] = helmet_json(*this, run, design.fishbone.structure);
   result["optimiser"] = optimiser_json(design.search);
 }
 
-void HelmetOutcome::add_metrics(Json& metrics) const {
-  metrics["distance_rms_mm"] = design.error.rms;
-  metrics["distance_max_mm"] = design.error.max;
-  metrics["rib_rms_mm"] = worst_rib(design.error);
+void HelmetOutcome::add_metrics(const Run& run, Json& metrics) const {
+  const auto& shape = measure_of<HelmetMeasure>(run);
+  metrics["distance_rms_mm"] = shape.error.rms;
+  metrics["distance_max_mm"] = shape.error.max;
+  metrics["rib_rms_mm"] = worst_rib(shape.error);
   metrics["covered_share"] = cover.share;
   metrics["goal_rms_mm"] = cover.rms;
   metrics["goal_max_mm"] = cover.max;
-  metrics["walls_inside"] = inside.hinges.size();
-  metrics["met"] = met();
+  metrics["walls_inside"] = shape.inside.hinges.size();
+  metrics["met"] = run.met();
+  const auto* physics = physics_measure_of<HelmetMeasure>(run);
   if (!physics) return;
-  metrics["distance_rms_mm_physics"] = physics->rms;
-  metrics["distance_max_mm_physics"] = physics->max;
-  metrics["walls_inside_physics"] = physics_inside.hinges.size();
+  metrics["distance_rms_mm_physics"] = physics->error.rms;
+  metrics["distance_max_mm_physics"] = physics->error.max;
+  metrics["walls_inside_physics"] = physics->inside.hinges.size();
 }
 
 std::vector<std::string> HelmetOutcome::warnings(const Run&) const {
@@ -201,13 +206,14 @@ std::vector<SummaryLine> HelmetOutcome::summary_lines(const Run& run) const {
                    design.layout.spine_and_ribs.ribs.size(), design.layout.spine_and_ribs.rows,
                    spec.clearance_mm, spec.coverage_mm)});
   lines.push_back(
-      {"fit", in_words(design.error) +
+      {"fit", in_words(measure_of<HelmetMeasure>(run).error) +
                   fmt::format(", {:.0f} % of the head within a cell edge of a rib: ", 100 * cover.share) +
-                  verdict(keeps_tolerances(*this))});
+                  tolerance_words(run, keeps_tolerances(*this, run))});
   for (const std::string& note : design.layout.notes) lines.push_back({"note", note});
   lines.push_back({"search", fmt::format("{:.2f} s, ceres, {} evaluations, {}", run.timings.optimise,
                                          design.search.evaluations, to_string(design.search.status))});
-  if (physics) lines.push_back({"worn", "in the physics run: " + in_words(*physics)});
+  if (const auto* physics = physics_measure_of<HelmetMeasure>(run))
+    lines.push_back({"worn", "in the physics run: " + in_words(physics->error)});
   return lines;
 }
 

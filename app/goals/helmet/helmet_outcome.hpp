@@ -1,8 +1,6 @@
 #pragma once
 
-#include <optional>
-
-#include "app/run/goal_outcome.hpp"
+#include "app/run/found.hpp"
 #include "optim/helmet/fit_helmet.hpp"
 #include "optim/ribs/ribs_cover.hpp"
 #include "targets/helmet/head.hpp"
@@ -17,20 +15,23 @@ class HelmetOutcome final : public GoalOutcome {
 
   targets::Head head;
   optim::HelmetSpec spec;
-  optim::RibsDesign design;                  ///< in the head's frame
-  optim::RibsReach reach;                    ///< of the design's cells
-  optim::RibsCover cover;                    ///< the dome above the rim against them
-  targets::WallsInside inside = {};          ///< walls in the head that was given
-  std::optional<optim::RibsError> physics;   ///< the settled physics run, laid on the model's state
-  targets::WallsInside physics_inside = {};  ///< walls in the head in that run
+  optim::RibsDesign design;  ///< in the head's frame
+  optim::RibsReach reach;    ///< of the design's cells
+  optim::RibsCover cover;    ///< the dome above the rim against them
 
   /// The curves that spine and ribs are to follow, in the mesh's frame, mm.
   nlohmann::ordered_json target_json() const override;
   /// Adds `helmet` (ribs, distances of bodies and cells, reasons) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
-  void add_metrics(nlohmann::ordered_json& metrics) const override;
+  void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
   std::vector<std::string> warnings(const Run& run) const override;
+};
+
+class HelmetMeasure final : public Measure {
+ public:
+  optim::RibsError error;
+  targets::WallsInside inside;  ///< walls in the head that was given
 };
 
 }  // namespace kinetix::app

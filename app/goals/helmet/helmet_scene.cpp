@@ -4,8 +4,7 @@
 
 #include "app/goals/helmet/helmet_kind.hpp"
 #include "app/goals/helmet/helmet_outcome.hpp"
-#include "app/pipeline/exact_state.hpp"
-#include "app/pipeline/physics_settings.hpp"
+#include "app/goals/surface/fishbone_motion.hpp"
 #include "app/run/search_words.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
@@ -20,11 +19,6 @@ optim::SolverOptions search_of(const HelmetFile& file) {
   optim::SolverOptions options;
   options.max_evaluations = file.solver.max_evaluations.value_or(helmet_evaluations);
   return options;
-}
-
-model::State in_mesh(const targets::Head& head, model::State state) {
-  for (model::Pose& pose : state) pose = {head.to_mesh.linear() * pose.R, head.to_mesh * pose.p};
-  return state;
 }
 
 /// That walls lie in the head, and whether the clearance alone makes them.
@@ -87,9 +81,7 @@ constexpr double seconds_a_helmet_body = 3e-4;  // s of search, measured
 
 class HelmetScene final : public Scene {
  public:
-  explicit HelmetScene(HelmetFile file) : file_(std::move(file)) {}
-
-  std::string name() const override { return file_.name; }
+  explicit HelmetScene(HelmetFile file) : Scene(file.name), file_(std::move(file)) {}
 
   Forecast forecast() const override {
     const optim::RibsLayout layout = plan_helmet(file_.head.dome, crown, file_.spec);
@@ -101,96 +93,56 @@ class HelmetScene final : public Scene {
     return out;
   }
 
-  void solve(Run& run, const RunOptions& options) const override {
-    take_settings(run, file_);
+  Found search(const RunOptions& options) const override {
+    Found out;
+    take_settings(out, file_);
     options.progress("search", 0);
     auto helmet = std::make_unique<HelmetOutcome>(
         file_.head, file_.spec, fit_helmet(file_.head.dome, crown, file_.spec, followed(options)));
-    helmet->tolerances = {{"rms_mm", file_.rms_mm}, {"max_mm", file_.max_mm}};
-    if (file_.covered_share) helmet->tolerances.emplace_back("covered_share", *file_.covered_share);
-    run.design.structure = helmet->design.fishbone.structure;
-    run.theta = helmet->design.shape.theta;
-    run.goal = std::move(helmet);
+    out.tolerances = {{"rms_mm", file_.rms_mm}, {"max_mm", file_.max_mm}};
+    if (file_.covered_share) out.tolerances.emplace_back("covered_share", *file_.covered_share);
+    out.design.structure = helmet->design.fishbone.structure;
+    out.theta = helmet->design.shape.theta;
+    out.motion = motion_of(helmet->design);
+    out.to_shown = pose_of(file_.head.to_mesh);
+    out.is_laid_over = true;
+    out.bounds = {file_.spec.tilt, file_.spec.theta};
+    out.goal = std::move(helmet);
+    return out;
   }
 
-  void add_state(Run& run, const RunOptions&) const override {
-    const model::State& folded = outcome_of<HelmetOutcome>(run).design.state;
-    run.states.push_back({"target", to_string(Model::exact), run.theta, in_mesh(file_.head, folded),
-                          hinge_gaps(run.design.structure, folded)});
-    run.fidelity.push_back(exact_fidelity(run.plan.exact, run.design.structure, run.theta));
-  }
-
-  void judge(Run& run, const RunOptions&) const override {
-    auto& helmet = outcome_of<HelmetOutcome>(run);
-    helmet.inside = walls_inside(run.design.structure, helmet.design.state, file_.head.scan);
-    helmet.violations = violations(file_, helmet.design.error, helmet.inside, "model");
-    append(helmet.violations, bare(file_, helmet.cover));
-    append(helmet.violations, helmet.design.collisions);
-    append(helmet.violations, collisions(run));
+  std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State& state,
+                                         const RunOptions&) const override {
+    const auto& helmet = outcome_of<HelmetOutcome>(run);
+    const model::State on_head = of == StateOf::model ? state : aligned(state, run.own);
+    auto out = std::make_shared<HelmetMeasure>();
+    out->error = of == StateOf::model ? helmet.design.error
+                                      : optim::ribs_error(helmet.design.fishbone, on_head, file_.head.dome,
+                                                          file_.spec.clearance_mm);
+    out->inside = walls_inside(run.design.structure, on_head, file_.head.scan);
+    out->violations = violations(file_, out->error, out->inside, in_words(of));
+    if (of == StateOf::physics) {
+      out->shown = moved(on_head, pose_of(file_.head.to_mesh));
+      return out;
+    }
+    append(out->violations, bare(file_, helmet.cover));
+    append(out->violations, helmet.design.collisions);
+    append(out->violations, collisions(run));
+    return out;
   }
 
   /// Every body, from head plus clearance.
-  std::optional<Judged> judged(const Run& run, const model::Sheet&,
-                               const model::State& state) const override {
-    const model::Pose motion = motion_onto(state, own_state(run));
+  std::optional<Observed> observe(const Found& found, const model::Sheet&,
+                                  const model::State& state) const override {
+    const model::Pose motion = motion_onto(state, found.own);
     const model::State on_head = moved(state, motion);
-    Judged out{{}, file_.rms_mm};
+    Observed out{{}, file_.rms_mm};
     for (int body = 0; body < static_cast<int>(state.size()); ++body) {
       const targets::ClosestMeshPoint at = file_.head.dome.closest(on_head[body].p);
       out.points.push_back(
           {{body}, state[body].p, motion.R.transpose() * at.normal, at.distance - file_.spec.clearance_mm});
     }
     return out;
-  }
-
-  TurnBounds turn_bounds() const override { return {file_.spec.tilt, file_.spec.theta}; }
-
-  /// On the head.
-  model::State shown(const Run& run, const model::State& state) const override {
-    return in_mesh(file_.head, aligned(state, own_state(run)));
-  }
-
-  model::State own_state(const Run& run) const override {
-    return outcome_of<HelmetOutcome>(run).design.state;
-  }
-
-  std::optional<PhysicsTask> physics_task(const Run& run) const override {
-    return PhysicsTask{outcome_of<HelmetOutcome>(run).design.state, drive_to(run.design.structure, run.theta),
-                       rotary_physics(file_.hinge, file_.physics, file_.spec.size.edge_mm)};
-  }
-
-  void judge_physics(Run& run) const override {
-    auto& helmet = outcome_of<HelmetOutcome>(run);
-    const model::State on_head = aligned(run.verification->physics.state, helmet.design.state);
-    run.states.back().poses = in_mesh(file_.head, on_head);
-    helmet.physics =
-        optim::ribs_error(helmet.design.fishbone, on_head, file_.head.dome, file_.spec.clearance_mm);
-    helmet.physics_inside = walls_inside(run.design.structure, on_head, file_.head.scan);
-    helmet.physics_violations = violations(file_, *helmet.physics, helmet.physics_inside, "physics run");
-  }
-
-  /// How elastic hinges keep the goal.
-  void judge_matter(Run& run, const model::State& state) const override {
-    auto& helmet = outcome_of<HelmetOutcome>(run);
-    const model::State on_head = aligned(state, helmet.design.state);
-    helmet.design.error =
-        optim::ribs_error(helmet.design.fishbone, on_head, file_.head.dome, file_.spec.clearance_mm);
-    helmet.inside = walls_inside(run.design.structure, on_head, file_.head.scan);
-    helmet.violations = violations(file_, helmet.design.error, helmet.inside, "equilibrium");
-    append(helmet.violations, bare(file_, helmet.cover));
-    append(helmet.violations, helmet.design.collisions);
-    append(helmet.violations, collisions(run));
-  }
-
-  void add_frames(Run& run) const override {
-    const optim::RibsDesign& design = outcome_of<HelmetOutcome>(run).design;
-    for (int k = 0; k < motion_states; ++k) {
-      const double theta = run.theta * k / (motion_states - 1);
-      model::State state = placed_fishbone(design.fishbone, design.shape, theta);
-      const model::HingeGaps gaps = hinge_gaps(run.design.structure, state);
-      run.states.push_back(
-          {"frame", to_string(Model::exact), theta, in_mesh(file_.head, std::move(state)), gaps});
-    }
   }
 
  private:

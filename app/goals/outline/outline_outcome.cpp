@@ -65,11 +65,12 @@ void OutlineOutcome::add_sections(const Run& run, Json& result) const {
                   {"at_bounds", {{"offset", design.at_bounds_offset}, {"turn", design.at_bounds_shift}}},
                   {"walls_meet", !design.clear},
                   {"cuts", cuts},
-                  {"reasons", violations},
-                  {"reasons_physics", physics_violations}};
+                  {"reasons", run.violations},
+                  {"reasons_physics", run.physics_violations()}};
   if (file.flat) section["flat"] = error_json(design.flat);
-  if (matter) section["equilibrium"] = error_json(*matter);
-  if (physics) section["physics"] = error_json(*physics);
+  if (run.by_equilibrium) section["equilibrium"] = error_json(measure_of<OutlineMeasure>(run).error);
+  if (const auto* physics = physics_measure_of<OutlineMeasure>(run))
+    section["physics"] = error_json(physics->error);
   result["outline"] = section;
   result["optimiser"] = {
       {"solver", "alternating directions"}, {"starts", std::max(1, cuts)}, {"evaluations", design.rounds}};
@@ -83,35 +84,37 @@ void OutlineOutcome::add_sections(const Run& run, Json& result) const {
     result["optimiser"]["status"] = to_string(optim::SolveStatus::evaluation_limit);
 }
 
-void OutlineOutcome::add_metrics(Json& metrics) const {
-  metrics["outline_rms"] = error().rms;
-  metrics["outline_max"] = error().max;
-  metrics["iou"] = error().iou;
+void OutlineOutcome::add_metrics(const Run& run, Json& metrics) const {
+  const targets::OutlineError& error = measure_of<OutlineMeasure>(run).error;
+  metrics["outline_rms"] = error.rms;
+  metrics["outline_max"] = error.max;
+  metrics["iou"] = error.iou;
   if (file.flat) {
     metrics["flat_rms"] = design.flat.rms;
     metrics["flat_iou"] = design.flat.iou;
   }
-  if (physics) {
-    metrics["outline_rms_physics"] = physics->rms;
-    metrics["iou_physics"] = physics->iou;
+  if (const auto* physics = physics_measure_of<OutlineMeasure>(run)) {
+    metrics["outline_rms_physics"] = physics->error.rms;
+    metrics["iou_physics"] = physics->error.iou;
   }
-  metrics["met"] = met();
+  metrics["met"] = run.met();
 }
 
 std::vector<SummaryLine> OutlineOutcome::summary_lines(const Run& run) const {
   const double edge = run.design.structure.size().edge_mm;
+  const targets::OutlineError& error = measure_of<OutlineMeasure>(run).error;
   std::vector<SummaryLine> lines;
   lines.push_back(
       {"outline",
        fmt::format("rim {:.2f} % of the diagonal off the outline (rms, {:.3f} mm), area {:.1f} % "
                    "shared, {}: {}",
-                   100 * error().rms, error().rms * size(edge) * file.folded.diagonal(), 100 * error().iou,
-                   size_words(size(edge)), verdict(app::violations(file, error(), "").empty()))});
+                   100 * error.rms, error.rms * size(edge) * file.folded.diagonal(), 100 * error.iou,
+                   size_words(size(edge)), tolerance_words(run, app::violations(file, error, "").empty()))});
   if (file.flat)
     lines.push_back(
         {"flat", fmt::format("rim {:.2f} % of the diagonal off its outline (rms), area {:.1f} % shared",
                              100 * design.flat.rms, 100 * design.flat.iou)});
-  if (!met()) lines.push_back({"bounds", what_binds(design)});
+  if (!run.met()) lines.push_back({"bounds", what_binds(design)});
   lines.push_back(
       {"hinges", fmt::format("up to {:.2f} mm off the middle of their walls, t from {:.2f} to {:.2f}",
                              design.offset * edge, 0.5 - design.shift / 2, 0.5 + design.shift / 2)});

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "app/goals/outline/search_outline.hpp"
-#include "app/run/goal_outcome.hpp"
+#include "app/run/found.hpp"
 
 namespace kinetix::app {
 
@@ -15,26 +15,25 @@ class OutlineOutcome final : public GoalOutcome {
   OutlineFile file;
   double turn = 0;  ///< of the outline as it lies on the lattice from where it was drawn, rad
   optim::OutlineDesign design;
-  int cuts = 0;                                  ///< of the lattice that were tried
-  std::vector<int> rim;                          ///< bodies round the outside, counter-clockwise
-  model::State exact;                            ///< without any strain: where results show the panel
-  std::optional<targets::OutlineError> matter;   ///< of the equilibrium of elastic hinges
-  std::optional<targets::OutlineError> physics;  ///< of the settled physics run
-
+  int cuts = 0;          ///< of the lattice that were tried
+  std::vector<int> rim;  ///< bodies round the outside, counter-clockwise
   /// Points of the outline where the panel in the model's state should lie on it, mm.
   std::vector<Eigen::Vector2d> placed(double edge_mm) const;
-  /// Of the state that results show.
-  const targets::OutlineError& error() const { return matter ? *matter : design.error; }
   /// mm of the panel a mm of the outline: 1 where the panel comes out as large as drawn.
   double size(double edge_mm) const { return edge_mm / design.scale; }
 
   nlohmann::ordered_json target_json() const override;
   /// Adds `outline` (placed outline, rim, errors, what binds) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
-  void add_metrics(nlohmann::ordered_json& metrics) const override;
+  void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
   /// The panel from above, flat and pressed, as SVG and as PNG.
   std::vector<NamedContent> pictures(const Run& run) const override;
+};
+
+class OutlineMeasure final : public Measure {
+ public:
+  targets::OutlineError error;
 };
 
 /// What a state lacks, in words. @param who "model" or "physics run"

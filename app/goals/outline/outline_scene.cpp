@@ -2,7 +2,6 @@
 
 #include "app/goals/outline/outline_kind.hpp"
 #include "app/goals/outline/outline_outcome.hpp"
-#include "app/pipeline/exact_state.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
@@ -14,8 +13,9 @@ model::Pose turned_about_z(double angle) {
 }
 
 /// Of a state anywhere in space, laid over the exact one.
-targets::OutlineError error_of(const OutlineOutcome& outline, const model::State& state, double edge_mm) {
-  const model::State placed = aligned(state, outline.exact);
+targets::OutlineError error_of(const OutlineOutcome& outline, const model::State& exact,
+                               const model::State& state, double edge_mm) {
+  const model::State placed = aligned(state, exact);
   std::vector<Eigen::Vector2d> rim;
   for (const int body : outline.rim) rim.push_back(placed[body].p.head<2>());
   return outline_error(targets::Outline(outline.placed(edge_mm)), rim);
@@ -33,8 +33,8 @@ void move_outline(const model::State& shown, double edge_mm, double turn, optim:
 
 /// @param who the state is of that results show
 std::vector<std::string> all_violations(const OutlineFile& file, const OutlineOutcome& outline,
-                                        const std::string& who) {
-  std::vector<std::string> why = violations(file, outline.error(), who);
+                                        const targets::OutlineError& error, const std::string& who) {
+  std::vector<std::string> why = violations(file, error, who);
   if (file.flat)
     for (const std::string& lacks : violations(file, outline.design.flat, "flat")) why.push_back(lacks);
   if (!outline.design.clear)
@@ -50,9 +50,7 @@ constexpr double seconds_a_wall = 0.005, seconds_a_wall_of_both = 0.02;
 
 class OutlineScene final : public Scene {
  public:
-  explicit OutlineScene(OutlineFile file) : file_(std::move(file)) {}
-
-  std::string name() const override { return file_.name; }
+  explicit OutlineScene(OutlineFile file) : Scene(file.name), file_(std::move(file)) {}
 
   Forecast forecast() const override {
     Eigen::AlignedBox2d box;
@@ -65,51 +63,52 @@ class OutlineScene final : public Scene {
     return out;
   }
 
-  void solve(Run& run, const RunOptions& options) const override {
-    take_settings(run, file_);
+  Found search(const RunOptions& options) const override {
+    Found out;
+    take_settings(out, file_);
+    out.tolerances = {{"shape", file_.shape_tolerance}, {"iou", file_.iou_tolerance}};
     auto outline = std::make_unique<OutlineOutcome>(file_);
-    outline->tolerances = {{"shape", file_.shape_tolerance}, {"iou", file_.iou_tolerance}};
     FoundOutline found = search_outline(file_, options);
     outline->design = std::move(found.design);
     outline->cuts = found.cuts;
     outline->turn = found.turn;
     outline->rim = outer_rim(outline->design.panel.graph).vertices;
-    outline->violations = all_violations(file_, *outline, "model");
-    run.design.structure = std::move(found.sheet);
-    run.theta = outline->design.theta;
-    run.goal = std::move(outline);
-  }
-
-  void add_state(Run& run, const RunOptions&) const override {
-    if (!run.plan.exact)
-      throw InvalidInput("no panel with such offsets moves exactly: " + run.plan.exact.why,
+    out.design.structure = std::move(found.sheet);
+    out.theta = outline->design.theta;
+    const model::ExactMotion motion = exact_motion(out.design.structure);
+    if (!motion)
+      throw InvalidInput("no panel with such offsets moves exactly: " + motion.why,
                          {"", 0, 0, "variables.offset_mm"});
-    add_exact_state(run, run.theta);
-    auto& outline = outcome_of<OutlineOutcome>(run);
-    turn_back(run, 0);
-    outline.exact = run.states.front().poses;
-    move_outline(outline.exact, run.design.structure.size().edge_mm, outline.turn, outline.design);
+    // As the outline was drawn; along the lattice its drive goes.
+    if (outline->turn != 0) out.to_shown = turned_about_z(-outline->turn);
+    const model::State exact = shown(motion.at(out.theta), outline->turn);
+    move_outline(exact, out.design.structure.size().edge_mm, outline->turn, outline->design);
+    out.goal = std::move(outline);
+    out.is_laid_over = true;
+    out.bounds = {.theta = {file_.theta[0], file_.theta[1]}};
+    return out;
   }
 
-  /// As it lies on the lattice, along which its drive goes.
-  model::State own_state(const Run& run) const override {
+  std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State& state,
+                                         const RunOptions&) const override {
     const auto& outline = outcome_of<OutlineOutcome>(run);
-    return moved(outline.exact, turned_about_z(outline.turn));
-  }
-
-  /// In the place of the exact state.
-  model::State shown(const Run& run, const model::State& state) const override {
-    return aligned(state, outcome_of<OutlineOutcome>(run).exact);
+    const double edge_mm = run.design.structure.size().edge_mm;
+    auto out = std::make_shared<OutlineMeasure>();
+    out->error = of == StateOf::model ? outline.design.error
+                                      : error_of(outline, shown(run.own, outline.turn), state, edge_mm);
+    out->violations = of == StateOf::physics ? violations(file_, out->error, in_words(of))
+                                             : all_violations(file_, outline, out->error, in_words(of));
+    return out;
   }
 
   /// Each vertex of the rim.
-  std::optional<Judged> judged(const Run& run, const model::Sheet&,
-                               const model::State& state) const override {
-    const auto& outline = outcome_of<OutlineOutcome>(run);
-    const targets::Outline goal(outline.placed(run.design.structure.size().edge_mm));
-    const model::Pose motion = motion_onto(state, outline.exact);
+  std::optional<Observed> observe(const Found& found, const model::Sheet&,
+                                  const model::State& state) const override {
+    const auto& outline = outcome_of<OutlineOutcome>(found);
+    const targets::Outline goal(outline.placed(found.design.structure.size().edge_mm));
+    const model::Pose motion = motion_onto(state, shown(found.own, outline.turn));
     const model::State placed = moved(state, motion);
-    Judged out{{}, file_.shape_tolerance * goal.diagonal()};
+    Observed out{{}, file_.shape_tolerance * goal.diagonal()};
     for (const int body : outline.rim) {
       const Eigen::Vector3d& place = placed[body].p;
       const targets::Outline::Nearest at = goal.nearest(place.head<2>());
@@ -120,39 +119,10 @@ class OutlineScene final : public Scene {
     return out;
   }
 
-  TurnBounds turn_bounds() const override { return {.theta = {file_.theta[0], file_.theta[1]}}; }
-
-  /// How elastic hinges keep the goal.
-  void judge_matter(Run& run, const model::State& state) const override {
-    auto& outline = outcome_of<OutlineOutcome>(run);
-    outline.matter = error_of(outline, state, run.design.structure.size().edge_mm);
-    outline.violations = all_violations(file_, outline, "equilibrium");
-  }
-
-  std::optional<PhysicsTask> physics_task(const Run& run) const override {
-    PhysicsTask task = folding_task(run);
-    task.reference = own_state(run);
-    return task;
-  }
-
-  void judge_physics(Run& run) const override {
-    auto& outline = outcome_of<OutlineOutcome>(run);
-    outline.physics = error_of(outline, run.verification->physics.state, run.design.structure.size().edge_mm);
-    outline.physics_violations = violations(file_, *outline.physics, "physics run");
-  }
-
-  void add_frames(Run& run) const override {
-    const std::size_t first = run.states.size();
-    add_exact_frames(run);
-    turn_back(run, first);
-  }
-
  private:
-  /// States from this one on: as the outline was drawn.
-  static void turn_back(Run& run, std::size_t first) {
-    const double turn = outcome_of<OutlineOutcome>(run).turn;
-    for (std::size_t k = first; turn != 0 && k < run.states.size(); ++k)
-      run.states[k].poses = moved(std::move(run.states[k].poses), turned_about_z(-turn));
+  /// As the outline was drawn. @param own as the panel lies on the lattice
+  static model::State shown(model::State own, double turn) {
+    return turn == 0 ? own : moved(std::move(own), turned_about_z(-turn));
   }
 
   OutlineFile file_;

@@ -29,16 +29,18 @@ Json SpaceBlockOutcome::target_json() const {
   return out;
 }
 
-void SpaceBlockOutcome::add_sections(const Run&, Json& result) const {
+void SpaceBlockOutcome::add_sections(const Run& run, Json& result) const {
+  const targets::SpaceBlockError& error = measure_of<SpaceBlockMeasure>(run).error;
   const optim::SpaceBlockDesign& found = file.found;
   Json section = {{"cells", found.cells},
                   {"gussets", by_direction(found.gusset)},
                   {"rest_mm", by_direction(found.size_mm)},
                   {"pressed_mm", by_direction(error.factors.cwiseProduct(found.size_mm))},
                   {"factors", by_direction(error.factors)},
-                  {"reasons", violations},
-                  {"reasons_physics", physics_violations}};
-  if (physics) section["physics"] = {{"factors", by_direction(physics->factors)}};
+                  {"reasons", run.violations},
+                  {"reasons_physics", run.physics_violations()}};
+  if (const auto* physics = physics_measure_of<SpaceBlockMeasure>(run))
+    section["physics"] = {{"factors", by_direction(physics->error.factors)}};
   result["space_block"] = section;
   result["optimiser"] = {{"solver", "closed form"},
                          {"starts", 1},
@@ -47,14 +49,16 @@ void SpaceBlockOutcome::add_sections(const Run&, Json& result) const {
                          {"why", "gussets and theta follow from the factors"}};
 }
 
-void SpaceBlockOutcome::add_metrics(Json& metrics) const {
-  metrics["factor_off"] = error.off;
+void SpaceBlockOutcome::add_metrics(const Run& run, Json& metrics) const {
+  metrics["factor_off"] = measure_of<SpaceBlockMeasure>(run).error.off;
   if (file.goal.size_mm) metrics["size_off"] = file.found.size_off;
-  if (physics) metrics["factor_off_physics"] = physics->off;
-  metrics["met"] = met();
+  if (const auto* physics = physics_measure_of<SpaceBlockMeasure>(run))
+    metrics["factor_off_physics"] = physics->error.off;
+  metrics["met"] = run.met();
 }
 
-std::vector<SummaryLine> SpaceBlockOutcome::summary_lines(const Run&) const {
+std::vector<SummaryLine> SpaceBlockOutcome::summary_lines(const Run& run) const {
+  const targets::SpaceBlockError& error = measure_of<SpaceBlockMeasure>(run).error;
   const optim::SpaceBlockDesign& found = file.found;
   const Eigen::Vector3d& g = found.gusset;
   std::vector<SummaryLine> lines = {
@@ -62,14 +66,14 @@ std::vector<SummaryLine> SpaceBlockOutcome::summary_lines(const Run&) const {
        fmt::format(
            "{} at rest between its outermost rotors, {} pressed: {} of its lengths, off by {:.1e}: {}",
            lengths_text(found.size_mm), lengths_text(error.factors.cwiseProduct(found.size_mm)),
-           factors_text(error.factors), error.off, verdict(error.off <= file.factor_tolerance))},
+           factors_text(error.factors), error.off, tolerance_words(run, error.off <= file.factor_tolerance))},
       {"lattice",
        fmt::format("sodalite, {} x {} x {} cells with edges of {:.3g} mm, gussets of {:.3g}, {:.3g} "
                    "and {:.3g} edges in squares normal to x, y and z",
                    found.cells[0], found.cells[1], found.cells[2], found.edge_mm, g.x(), g.y(), g.z())}};
-  if (physics)
+  if (const auto* physics = physics_measure_of<SpaceBlockMeasure>(run))
     lines.push_back({"pressed", fmt::format("in the physics run: {} of its lengths, off by {:.1e}",
-                                            factors_text(physics->factors), physics->off)});
+                                            factors_text(physics->error.factors), physics->error.off)});
   return lines;
 }
 

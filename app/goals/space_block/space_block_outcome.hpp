@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "app/goals/space_block/space_block_file.hpp"
-#include "app/run/goal_outcome.hpp"
+#include "app/run/found.hpp"
 
 namespace kinetix::app {
 
@@ -14,15 +14,17 @@ class SpaceBlockOutcome final : public GoalOutcome {
   explicit SpaceBlockOutcome(SpaceBlockFile asked) : file(std::move(asked)) {}
 
   SpaceBlockFile file;
-  model::State exact;                               ///< in which the model holds the block
-  targets::SpaceBlockError error;                   ///< of that
-  std::optional<targets::SpaceBlockError> physics;  ///< of the settled physics run
 
   nlohmann::ordered_json target_json() const override;
   /// Adds `space_block` (cells, gusset, lengths at rest and pressed) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
-  void add_metrics(nlohmann::ordered_json& metrics) const override;
+  void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
+};
+
+class SpaceBlockMeasure final : public Measure {
+ public:
+  targets::SpaceBlockError error;
 };
 
 /// What a state lacks, in words. @param who "model" or "physics run"

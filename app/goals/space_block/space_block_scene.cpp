@@ -2,7 +2,6 @@
 
 #include "app/goals/space_block/space_block_kind.hpp"
 #include "app/goals/space_block/space_block_outcome.hpp"
-#include "app/pipeline/exact_state.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
@@ -16,9 +15,7 @@ std::string size_advice(const optim::SpaceBlockVariables& given) {
 
 class SpaceBlockScene final : public Scene {
  public:
-  explicit SpaceBlockScene(SpaceBlockFile file) : file_(std::move(file)) {}
-
-  std::string name() const override { return file_.name; }
+  explicit SpaceBlockScene(SpaceBlockFile file) : Scene(file.name), file_(std::move(file)) {}
 
   Forecast forecast() const override {
     Forecast out{block()};
@@ -28,63 +25,52 @@ class SpaceBlockScene final : public Scene {
     return out;
   }
 
-  void solve(Run& run, const RunOptions&) const override {
-    take_settings(run, file_);
-    auto outcome = std::make_unique<SpaceBlockOutcome>(file_);
-    outcome->tolerances = {{"factor", file_.factor_tolerance}};
-    if (file_.goal.size_mm) outcome->tolerances.emplace_back("size", file_.size_tolerance);
-    run.design.structure = block();
-    run.theta = file_.found.theta;
-    run.goal = std::move(outcome);
+  Found search(const RunOptions&) const override {
+    Found out;
+    take_settings(out, file_);
+    out.tolerances = {{"factor", file_.factor_tolerance}};
+    if (file_.goal.size_mm) out.tolerances.emplace_back("size", file_.size_tolerance);
+    out.design.structure = block();
+    out.theta = file_.found.theta;
+    out.goal = std::make_unique<SpaceBlockOutcome>(file_);
+    return out;
   }
 
-  void add_state(Run& run, const RunOptions&) const override {
-    add_exact_state(run, run.theta);
-    outcome_of<SpaceBlockOutcome>(run).exact = run.states.front().poses;
-  }
-
-  void judge(Run& run, const RunOptions&) const override {
-    auto& outcome = outcome_of<SpaceBlockOutcome>(run);
-    outcome.error = error_of(run, outcome.exact);
-    outcome.violations = violations(file_, outcome.error, "model");
+  std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State& state,
+                                         const RunOptions&) const override {
+    if (of == StateOf::equilibrium) return nullptr;
+    auto out = std::make_shared<SpaceBlockMeasure>();
+    out->error = error_of(run, of == StateOf::physics ? aligned(state, run.own) : state);
+    out->violations = violations(file_, out->error, in_words(of));
+    if (of == StateOf::physics) return out;
     if (file_.goal.size_mm && !(file_.found.size_off <= file_.size_tolerance))
-      outcome.violations.push_back(
+      out->violations.push_back(
           fmt::format("lengths at rest are up to {:.1f} % off those asked for; at most {:g} % is allowed: {}",
                       100 * file_.found.size_off, 100 * file_.size_tolerance, size_advice(file_.variables)));
     const auto& range = run.plan.free_range;
     if (range && range->positive.touches && run.theta > range->positive.theta)
-      outcome.violations.push_back(fmt::format(
+      out->violations.push_back(fmt::format(
           "walls collide on the way, at theta {:.2f} deg: use lower or thinner walls, or longer gussets",
           to_degrees(range->positive.theta)));
+    return out;
   }
 
   /// Outermost rotors against the sides of the exact state.
-  std::optional<Judged> judged(const Run& run, const model::Sheet&,
-                               const model::State& state) const override {
-    const auto& outcome = outcome_of<SpaceBlockOutcome>(run);
-    const model::Pose motion = motion_onto(state, outcome.exact);
+  std::optional<Observed> observe(const Found& found, const model::Sheet&,
+                                  const model::State& state) const override {
+    const model::Pose motion = motion_onto(state, found.own);
     const model::State placed = moved(state, motion);
-    const auto rotors = optim::side_rotors(*run.design.structure.sodalite());
-    Judged out{{}, file_.factor_tolerance * file_.found.size_mm.minCoeff()};
+    const auto rotors = optim::side_rotors(*found.design.structure.sodalite());
+    Observed out{{}, file_.factor_tolerance * file_.found.size_mm.minCoeff()};
     for (int d = 0; d < 3; ++d)
       for (const std::vector<int>& side : rotors[d])
         for (const int r : side)
           out.points.push_back({{r},
                                 state[r].p,
                                 motion.R.transpose() * Eigen::Vector3d::Unit(d),
-                                placed[r].p[d] - outcome.exact[r].p[d]});
+                                placed[r].p[d] - found.own[r].p[d]});
     return out;
   }
-
-  std::optional<PhysicsTask> physics_task(const Run& run) const override { return folding_task(run); }
-
-  void judge_physics(Run& run) const override {
-    auto& outcome = outcome_of<SpaceBlockOutcome>(run);
-    outcome.physics = error_of(run, aligned(run.verification->physics.state, outcome.exact));
-    outcome.physics_violations = violations(file_, *outcome.physics, "physics run");
-  }
-
-  void add_frames(Run& run) const override { add_exact_frames(run); }
 
  private:
   model::Sheet block() const { return block_of(file_.found, file_.size()); }

@@ -44,26 +44,25 @@ Json columns_json(const std::vector<Eigen::Vector3d>& midline) {
 
 }  // namespace
 
-targets::SpaceError SpaceCurveOutcome::error_of(const model::State& state) const {
-  return space_error(optim::space_midline(aligned(state, exact)), file.wanted, place);
-}
-
 Json SpaceCurveOutcome::target_json() const {
   return {{"kind", "space_curve"}, {"points_mm", space_points_json(file.wanted.points())}};
 }
 
-void SpaceCurveOutcome::add_sections(const Run&, Json& result) const {
+void SpaceCurveOutcome::add_sections(const Run& run, Json& result) const {
+  const auto& shape = measure_of<SpaceCurveMeasure>(run);
+  const targets::SpaceError& error = shape.error;
   Json section = {
-      {"goal_mm", space_points_json(error().goal_mm)},
-      {"error", distances_json(error())},
-      {"diagonal_mm", error().scale_mm},
+      {"goal_mm", space_points_json(error.goal_mm)},
+      {"error", distances_json(error)},
+      {"diagonal_mm", error.scale_mm},
       {"slope", found.across.slope},
       {"across", {found.across.direction.x(), found.across.direction.y(), found.across.direction.z()}},
-      {"columns", columns_json(midline)},
+      {"columns", columns_json(shape.midline)},
       {"walls_meet", !found.walls_are_free},
-      {"reasons", violations},
-      {"reasons_physics", physics_violations}};
-  if (physics) section["physics"] = {{"rms", physics->rms}, {"max", physics->max}};
+      {"reasons", run.violations},
+      {"reasons_physics", run.physics_violations()}};
+  if (const auto* physics = physics_measure_of<SpaceCurveMeasure>(run))
+    section["physics"] = {{"rms", physics->error.rms}, {"max", physics->error.max}};
   result["space_curve"] = section;
   result["optimiser"] = {{"solver", "ceres"},
                          {"starts", std::max(1, found.tried)},
@@ -72,20 +71,23 @@ void SpaceCurveOutcome::add_sections(const Run&, Json& result) const {
                          {"why", found.search.why}};
 }
 
-void SpaceCurveOutcome::add_metrics(Json& metrics) const {
-  metrics["shape_rms"] = error().rms;
-  metrics["shape_max"] = error().max;
-  if (physics) metrics["shape_rms_physics"] = physics->rms;
-  metrics["met"] = met();
+void SpaceCurveOutcome::add_metrics(const Run& run, Json& metrics) const {
+  const targets::SpaceError& error = measure_of<SpaceCurveMeasure>(run).error;
+  metrics["shape_rms"] = error.rms;
+  metrics["shape_max"] = error.max;
+  if (const auto* physics = physics_measure_of<SpaceCurveMeasure>(run))
+    metrics["shape_rms_physics"] = physics->error.rms;
+  metrics["met"] = run.met();
 }
 
 std::vector<SummaryLine> SpaceCurveOutcome::summary_lines(const Run& run) const {
+  const targets::SpaceError& error = measure_of<SpaceCurveMeasure>(run).error;
   std::vector<SummaryLine> lines;
   lines.push_back(
       {"shape",
        fmt::format("rms {:.2e} of the goal's diagonal ({:.3f} mm from curve to curve), largest {:.3f} mm: {}",
-                   error().rms, error().rms * error().scale_mm, error().max * error().scale_mm,
-                   verdict(error().rms <= file.shape_tolerance))});
+                   error.rms, error.rms * error.scale_mm, error.max * error.scale_mm,
+                   tolerance_words(run, error.rms <= file.shape_tolerance))});
   const Eigen::Vector3d& y = found.across.direction;
   lines.push_back(
       {"across", fmt::format("the strip's width lies along [{:.3f}, {:.3f}, {:.3f}], along which the curve "

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "app/goals/space_curve/space_curve_file.hpp"
-#include "app/run/goal_outcome.hpp"
+#include "app/run/found.hpp"
 
 namespace kinetix::app {
 
@@ -14,23 +14,20 @@ class SpaceCurveOutcome final : public GoalOutcome {
 
   SpaceCurveFile file;
   optim::SpaceDesign found;
-  model::State exact;                          ///< in which the model holds the strip
-  model::Pose place;                           ///< of the goal, in that state's frame
-  std::vector<Eigen::Vector3d> midline;        ///< of the state that results show, in the same frame, mm
-  std::optional<targets::SpaceError> matter;   ///< of the equilibrium of elastic hinges
-  std::optional<targets::SpaceError> physics;  ///< of the settled physics run
-
-  /// Of the state that results show.
-  const targets::SpaceError& error() const { return matter ? *matter : found.error; }
-  /// Of a state anywhere in space.
-  targets::SpaceError error_of(const model::State& state) const;
+  model::Pose place;  ///< of the goal, in the frame of the state in which the model holds the strip
 
   bool is_strip() const override { return true; }
   nlohmann::ordered_json target_json() const override;
   /// Adds `space_curve` (placed goal, distances, turns and climbs by column) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
-  void add_metrics(nlohmann::ordered_json& metrics) const override;
+  void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
+};
+
+class SpaceCurveMeasure final : public Measure {
+ public:
+  std::vector<Eigen::Vector3d> midline;  ///< in the frame of the model's state, mm
+  targets::SpaceError error;
 };
 
 /// What a state lacks, in words. @param who "model", "equilibrium" or "physics run"

@@ -4,8 +4,6 @@
 
 #include "app/goals/space_curve/space_curve_kind.hpp"
 #include "app/goals/space_curve/space_curve_outcome.hpp"
-#include "app/pipeline/exact_state.hpp"
-#include "app/pipeline/physics_settings.hpp"
 #include "app/pipeline/robust_search.hpp"
 #include "app/run/search_words.hpp"
 #include "model/lattice/square/family/drive.hpp"
@@ -23,23 +21,18 @@ constexpr double settle_seconds_a_column = 0.06;
 // Part of the goal's length to either side of a point over which its direction there is taken.
 constexpr double direction_reach = 1e-3;
 
-/// @param who the state is of that results show
-std::vector<std::string> all_violations(const SpaceCurveOutcome& outcome, const std::string& who) {
-  std::vector<std::string> why = violations(outcome.file, outcome.error(), who);
-  if (!outcome.found.walls_are_free)
-    why.push_back(
-        fmt::format("walls run into each other at theta {:.2f} deg, before the {:.2f} deg of the goal: use "
-                    "lower or thinner walls, or another number of columns: where cell_mm is given, fewer",
-                    to_degrees(outcome.found.meet_theta), to_degrees(outcome.found.design.theta)));
-  return why;
+/// That walls are in the way, if they are.
+std::vector<std::string> obstacles(const optim::SpaceDesign& found) {
+  if (found.walls_are_free) return {};
+  return {
+      fmt::format("walls run into each other at theta {:.2f} deg, before the {:.2f} deg of the goal: use "
+                  "lower or thinner walls, or another number of columns: where cell_mm is given, fewer",
+                  to_degrees(found.meet_theta), to_degrees(found.design.theta))};
 }
 
 class SpaceCurveScene final : public Scene {
  public:
-  explicit SpaceCurveScene(SpaceCurveFile file) : file_(std::move(file)) {}
-
-  const SpaceCurveFile& file() const { return file_; }
-  std::string name() const override { return file_.name; }
+  explicit SpaceCurveScene(SpaceCurveFile file) : Scene(file.name), file_(std::move(file)) {}
 
   Forecast forecast() const override {
     const int columns = file_.variables.columns;
@@ -53,59 +46,42 @@ class SpaceCurveScene final : public Scene {
     return out;
   }
 
-  void solve(Run& run, const RunOptions& options) const override {
-    solve(file_, run, options);
-    if (!file_.robust) return;
-    search_robustly(
-        run, *this, *file_.robust, tried_theta(),
-        [&](Run& other, const RobustTrial& trial, const RunOptions& quiet) {
+  Found search(const RunOptions& options) const override {
+    Found plain = search(file_, options);
+    if (!file_.robust) return plain;
+    return search_robustly(
+        std::move(plain), *this, *file_.robust, tried_theta(),
+        [&](const RobustTrial& trial, const RunOptions& quiet) {
           SpaceCurveFile file = file_;
           file.hinge = trial.hinge;
           file.variables.theta = trial.theta.value_or(file.variables.theta);
           if (trial.theta) file.variables.thetas = 1;
-          solve(file, other, quiet);
+          return search(file, quiet);
         },
         options);
   }
 
-  void solve(const SpaceCurveFile& file, Run& run, const RunOptions& options) const {
-    take_settings(run, file);
-    options.progress("search", 0);
-    auto outcome = std::make_unique<SpaceCurveOutcome>(file);
-    outcome->tolerances = {{"shape", file.shape_tolerance}};
-    optim::SolverOptions solver;
-    follow(options, file.wanted.diagonal(), solver);
-    outcome->found = fit_space_curve(file.wanted, file.variables, solver);
-    outcome->violations = all_violations(*outcome, "model");
-    run.design.structure = sheet_of(outcome->found.design, outcome->found.size);
-    run.theta = outcome->found.design.theta;
-    run.goal = std::move(outcome);
-  }
-
-  void add_state(Run& run, const RunOptions&) const override {
-    add_exact_state(run, run.theta);
-    auto& outcome = outcome_of<SpaceCurveOutcome>(run);
-    outcome.exact = run.states.front().poses;
-    const model::Pose motion =
-        motion_onto(fold(outcome.found.design, *run.design.structure.squares()), outcome.exact);
-    outcome.place = {motion.R * outcome.found.place.R, motion.R * outcome.found.place.p + motion.p};
-    outcome.found.error = outcome.error_of(outcome.exact);
-    outcome.midline = optim::space_midline(outcome.exact);
-  }
-
-  model::State shown(const Run& run, const model::State& state) const override {
-    return aligned(state, outcome_of<SpaceCurveOutcome>(run).exact);
+  std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State& state,
+                                         const RunOptions&) const override {
+    const auto& outcome = outcome_of<SpaceCurveOutcome>(run);
+    auto out = std::make_shared<SpaceCurveMeasure>();
+    out->midline = optim::space_midline(aligned(state, run.own));
+    out->error = space_error(out->midline, file_.wanted, outcome.place);
+    out->violations = violations(outcome.file, out->error, in_words(of));
+    if (of != StateOf::physics)
+      for (const std::string& why : obstacles(outcome.found)) out->violations.push_back(why);
+    return out;
   }
 
   /// Each column's place against the goal, where that is nearest.
-  std::optional<Judged> judged(const Run& run, const model::Sheet& sheet,
-                               const model::State& state) const override {
-    const auto& outcome = outcome_of<SpaceCurveOutcome>(run);
-    const model::Pose motion = motion_onto(state, outcome.exact);
+  std::optional<Observed> observe(const Found& found, const model::Sheet& sheet,
+                                  const model::State& state) const override {
+    const auto& outcome = outcome_of<SpaceCurveOutcome>(found);
+    const model::Pose motion = motion_onto(state, found.own);
     const std::vector<Eigen::Vector3d> midline = optim::space_midline(moved(state, motion));
     const targets::SpaceCurve goal(space_error(midline, file_.wanted, outcome.place).goal_mm);
     const std::vector<std::vector<int>> columns = body_columns(sheet);
-    Judged out{{}, file_.shape_tolerance * file_.wanted.diagonal()};
+    Observed out{{}, file_.shape_tolerance * file_.wanted.diagonal()};
     const Eigen::Matrix3d back = motion.R.transpose();
     for (std::size_t k = 0; k < midline.size(); ++k) {
       const double s = goal.nearest(midline[k]);
@@ -121,35 +97,31 @@ class SpaceCurveScene final : public Scene {
     return out;
   }
 
-  TurnBounds turn_bounds() const override { return {file_.variables.beta, file_.variables.theta}; }
-
-  /// How elastic hinges keep the goal.
-  void judge_matter(Run& run, const model::State& state) const override {
-    auto& outcome = outcome_of<SpaceCurveOutcome>(run);
-    outcome.matter = outcome.error_of(state);
-    outcome.midline = optim::space_midline(aligned(state, outcome.exact));
-    outcome.violations = all_violations(outcome, "equilibrium");
-  }
-
-  std::optional<PhysicsTask> physics_task(const Run& run) const override {
-    const model::Structure& strip = *run.design.structure.squares();
-    const model::Wall middle = {{file_.variables.columns / 2, 0}, model::Axis::y};
-    sim::PhysicsOptions options =
-        rotary_physics(run.design.hinge, run.design.physics, run.design.structure.size().edge_mm);
-    options.settle_seconds =
-        std::max(options.settle_seconds, settle_seconds_a_column * file_.variables.columns);
-    return PhysicsTask{run.states.front().poses, hinge_drive_to(middle, run.theta).on(strip), options};
-  }
-
-  void judge_physics(Run& run) const override {
-    auto& outcome = outcome_of<SpaceCurveOutcome>(run);
-    outcome.physics = outcome.error_of(run.verification->physics.state);
-    outcome.physics_violations = violations(file_, *outcome.physics, "physics run");
-  }
-
-  void add_frames(Run& run) const override { add_exact_frames(run); }
-
  private:
+  Found search(const SpaceCurveFile& file, const RunOptions& options) const {
+    Found out;
+    take_settings(out, file);
+    options.progress("search", 0);
+    auto outcome = std::make_unique<SpaceCurveOutcome>(file);
+    out.tolerances = {{"shape", file.shape_tolerance}};
+    optim::SolverOptions solver;
+    follow(options, file.wanted.diagonal(), solver);
+    outcome->found = fit_space_curve(file.wanted, file.variables, solver);
+    const model::Structure strip = sheet_of(outcome->found.design, outcome->found.size);
+    out.design.structure = strip;
+    out.theta = outcome->found.design.theta;
+    const model::Pose motion =
+        motion_onto(fold(outcome->found.design, strip), exact_motion(strip).at(out.theta));
+    outcome->place = {motion.R * outcome->found.place.R, motion.R * outcome->found.place.p + motion.p};
+    out.goal = std::move(outcome);
+    out.is_laid_over = true;
+    out.bounds = {file_.variables.beta, file_.variables.theta};
+    const model::Wall middle = {{file_.variables.columns / 2, 0}, model::Axis::y};
+    out.physics = {.drive = hinge_drive_to(middle, out.theta).on(strip),
+                   .least_settle_s = settle_seconds_a_column * file_.variables.columns};
+    return out;
+  }
+
   /// What a robust search may try.
   std::optional<optim::AngleRange> tried_theta() const {
     return file_.variables.free_edge ? std::optional(file_.variables.theta) : std::nullopt;

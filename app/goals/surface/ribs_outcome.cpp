@@ -66,7 +66,6 @@ Json bare_lines_json(const targets::RibbedSurface& surface, const optim::RibsRea
 RibsOutcome::RibsOutcome(RibsFile asked, optim::RibsDesign found)
     : file(std::move(asked)),
       design(std::move(found)),
-      ways({fishbone_way(design, file.surface)}),
       reach(design.fishbone.structure, design.state, file.surface.surface, file.spec.clearance_mm),
       cover(cover_by(reach, file.surface.surface.mesh())) {}
 
@@ -78,7 +77,8 @@ Json RibsOutcome::target_json() const {
           {"lines_mm", lines_json(file.surface)}};
 }
 
-void RibsOutcome::add_sections(const Run&, Json& result) const {
+void RibsOutcome::add_sections(const Run& run, Json& result) const {
+  const std::vector<SurfaceWay>& ways = measure_of<RibsMeasure>(run).ways;
   const SurfaceWay& way = ways.front();
   result["surface"] = {{"lines_mm", lines_json(file.surface)},
                        {"bare_mm", bare_lines_json(file.surface, reach)},
@@ -95,8 +95,8 @@ void RibsOutcome::add_sections(const Run&, Json& result) const {
                        {"cells_trimmed", design.trimmed},
                        {"body_mm", design.error.of_body},
                        {"ways", ways_json(ways)},
-                       {"reasons", violations},
-                       {"reasons_physics", physics_violations}};
+                       {"reasons", run.violations},
+                       {"reasons_physics", run.physics_violations()}};
   result["optimiser"] = {{"solver", "ceres"},
                          {"starts", 1},
                          {"evaluations", design.search.evaluations},
@@ -104,25 +104,27 @@ void RibsOutcome::add_sections(const Run&, Json& result) const {
                          {"why", design.search.why}};
 }
 
-void RibsOutcome::add_metrics(Json& metrics) const {
-  metrics["surface_rms"] = ways.front().rms;
-  metrics["surface_max"] = ways.front().max;
-  metrics["cover"] = 1 - ways.front().open;
+void RibsOutcome::add_metrics(const Run& run, Json& metrics) const {
+  const SurfaceWay& way = measure_of<RibsMeasure>(run).ways.front();
+  metrics["surface_rms"] = way.rms;
+  metrics["surface_max"] = way.max;
+  metrics["cover"] = 1 - way.open;
   metrics["covered_share"] = cover.share;
   metrics["goal_rms"] = cover.rms / file.surface.diagonal;
   metrics["goal_max"] = cover.max / file.surface.diagonal;
-  metrics["met"] = met();
+  metrics["met"] = run.met();
 }
 
 std::vector<SummaryLine> RibsOutcome::summary_lines(const Run& run) const {
+  const std::vector<SurfaceWay>& ways = measure_of<RibsMeasure>(run).ways;
   const SurfaceWay& way = ways.front();
   std::vector<SummaryLine> lines;
   const bool is_within = app::violations(file, way, "").empty() && app::violations(file, cover).empty();
   lines.push_back(
-      {"surface",
-       fmt::format("bodies {:.3f} % of the diagonal off it (rms, {:.3f} mm), {:.0f} % of its area "
-                   "within a cell edge of a rib: {}",
-                   100 * way.rms, way.rms * file.surface.diagonal, 100 * cover.share, verdict(is_within))});
+      {"surface", fmt::format("bodies {:.3f} % of the diagonal off it (rms, {:.3f} mm), {:.0f} % of its area "
+                              "within a cell edge of a rib: {}",
+                              100 * way.rms, way.rms * file.surface.diagonal, 100 * cover.share,
+                              tolerance_words(run, is_within))});
   lines.push_back(
       {"ribs",
        fmt::format(
@@ -137,9 +139,10 @@ std::vector<SummaryLine> RibsOutcome::summary_lines(const Run& run) const {
   if (ways.size() > 1) lines.push_back({"beside", in_words({ways.begin() + 1, ways.end()})});
   lines.push_back({"search", fmt::format("{:.2f} s, ceres, {} evaluations, {}", run.timings.optimise,
                                          design.search.evaluations, to_string(design.search.status))});
-  if (settled)
-    lines.push_back({"settled", fmt::format("in the physics run: bodies {:.3f} % off, largest {:.3f} %",
-                                            100 * settled->rms, 100 * settled->max)});
+  if (const auto* physics = physics_measure_of<RibsMeasure>(run))
+    lines.push_back(
+        {"settled", fmt::format("in the physics run: bodies {:.3f} % off, largest {:.3f} %",
+                                100 * physics->ways.front().rms, 100 * physics->ways.front().max)});
   return lines;
 }
 

@@ -4,7 +4,7 @@
 
 #include "app/goals/surface/beside.hpp"
 #include "app/goals/surface/ribs_file.hpp"
-#include "app/run/goal_outcome.hpp"
+#include "app/run/found.hpp"
 #include "optim/ribs/ribs_cover.hpp"
 
 namespace kinetix::app {
@@ -15,17 +15,20 @@ class RibsOutcome final : public GoalOutcome {
   RibsOutcome(RibsFile asked, optim::RibsDesign found);
 
   RibsFile file;
-  optim::RibsDesign design;                ///< in the frame of the ribs
-  std::vector<SurfaceWay> ways;            ///< the fishbone, and the same ribs loose
-  optim::RibsReach reach;                  ///< of the design's cells
-  optim::RibsCover cover;                  ///< the surface against them
-  std::optional<SurfaceWay> settled = {};  ///< the physics run, laid on the model's state
+  optim::RibsDesign design;  ///< in the frame of the ribs
+  optim::RibsReach reach;    ///< of the design's cells
+  optim::RibsCover cover;    ///< the surface against them
 
   nlohmann::ordered_json target_json() const override;
   /// Adds `surface` (lines of surface, spine and ribs, errors, ways) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
-  void add_metrics(nlohmann::ordered_json& metrics) const override;
+  void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
+};
+
+class RibsMeasure final : public Measure {
+ public:
+  std::vector<SurfaceWay> ways;  ///< the fishbone, and of the model's state the same ribs loose
 };
 
 /// How far the bodies of a fishbone are from their surface, in sentences, empty within the tolerance.

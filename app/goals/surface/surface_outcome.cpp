@@ -76,7 +76,7 @@ Json SurfaceOutcome::target_json() const {
           {"lines_mm", grid(file.patch)}};
 }
 
-void SurfaceOutcome::add_sections(const Run&, Json& result) const {
+void SurfaceOutcome::add_sections(const Run& run, Json& result) const {
   Json vertices = Json::array(), flat = Json::array();
   for (const Eigen::Vector3d& vertex : design.vertices) vertices.push_back(point(vertex));
   for (const Eigen::Vector2d& vertex : design.mesh.vertices) flat.push_back({vertex.x(), vertex.y()});
@@ -96,21 +96,21 @@ void SurfaceOutcome::add_sections(const Run&, Json& result) const {
                        {"free_height", free_height},
                        {"walls_meet", !clear},
                        {"curvature_missing", 1 - curvature.share},
-                       {"ways", ways_json(ways)},
-                       {"reasons", violations}};
+                       {"ways", ways_json(measure_of<SurfaceMeasure>(run).ways)},
+                       {"reasons", run.violations}};
   result["optimiser"] = {{"solver", "ceres"}, {"starts", design.starts}, {"evaluations", design.evaluations}};
   add_end(design.stopped, design.within, "the best of all starts keeps to its bounds",
           "no start led to a mesh that keeps to its bounds", result["optimiser"]);
 }
 
-void SurfaceOutcome::add_metrics(Json& metrics) const {
+void SurfaceOutcome::add_metrics(const Run& run, Json& metrics) const {
   metrics["surface_rms"] = design.error.rms;
   metrics["surface_max"] = design.error.max;
   metrics["cover"] = design.error.cover;
   metrics["free_height"] = free_height;
   metrics["curvature_share"] = curvature.share;
   metrics["developable_rms"] = cone_rms;
-  metrics["met"] = met();
+  metrics["met"] = run.met();
 }
 
 std::vector<SummaryLine> SurfaceOutcome::summary_lines(const Run& run) const {
@@ -120,7 +120,7 @@ std::vector<SummaryLine> SurfaceOutcome::summary_lines(const Run& run) const {
        fmt::format(
            "vertices {:.2f} % of the diagonal off its two layers (rms, {:.3f} mm), area {:.0f} % shared: {}",
            100 * design.error.rms, design.error.rms * diagonal_mm, 100 * design.error.cover,
-           verdict(why_off_surface(*this).empty()))});
+           tolerance_words(run, why_off_surface(*this).empty()))});
   if (needs_curvature())
     lines.push_back(
         {"curvature",
@@ -138,6 +138,7 @@ std::vector<SummaryLine> SurfaceOutcome::summary_lines(const Run& run) const {
        fmt::format("a mean wall is {:.2f} mm; {}", edge,
                    free_height > 0 ? fmt::format("plates up to {:.2f} mm high never meet", free_height * edge)
                                    : "plates of any height meet on the way")});
+  const std::vector<SurfaceWay>& ways = measure_of<SurfaceMeasure>(run).ways;
   if (ways.size() > 1) lines.push_back({"beside", in_words({ways.begin() + 1, ways.end()})});
   lines.push_back(
       {"search", fmt::format("{:.2f} s, {} evaluations", run.timings.optimise, design.evaluations)});

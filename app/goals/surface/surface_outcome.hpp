@@ -2,7 +2,7 @@
 
 #include "app/goals/surface/beside.hpp"
 #include "app/goals/surface/surface_file.hpp"
-#include "app/run/goal_outcome.hpp"
+#include "app/run/found.hpp"
 #include "model/lattice/origami/origami_sheet.hpp"
 #include "optim/surface/fit_surface.hpp"
 #include "targets/surface/gauss_curvature.hpp"
@@ -24,7 +24,6 @@ class SurfaceOutcome final : public GoalOutcome {
   double free_height = 0;              ///< largest height of plates with which no walls meet, cell edges
   bool clear = false;                  ///< none meet as they are
   double diagonal_mm = 0;              ///< of the surface's box
-  std::vector<SurfaceWay> ways = {};   ///< the sheet, a fishbone with a rib a facet, and the same ribs loose
   targets::GaussShare curvature = {};  ///< of the sheet's middle over the surface's
   double cone_rms = 0;                 ///< of the surface from the best cylinder or cone, over the diagonal
 
@@ -34,8 +33,13 @@ class SurfaceOutcome final : public GoalOutcome {
   nlohmann::ordered_json target_json() const override;
   /// Adds `surface` (grid of the surface, vertices of the mesh, errors, what binds) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
-  void add_metrics(nlohmann::ordered_json& metrics) const override;
+  void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
+};
+
+class SurfaceMeasure final : public Measure {
+ public:
+  std::vector<SurfaceWay> ways;  ///< the sheet, a fishbone with a rib a facet, and the same ribs loose
 };
 
 /// What the design lacks, in sentences.

@@ -5,7 +5,6 @@
 #include "app/goals/surface/ribs_scene.hpp"
 #include "app/goals/surface/surface_kind.hpp"
 #include "app/goals/surface/surface_outcome.hpp"
-#include "app/pipeline/exact_state.hpp"
 #include "app/run/interrupted.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/base/rigid_fit.hpp"
@@ -91,9 +90,7 @@ constexpr double seconds_of_81 = 4;
 
 class SurfaceScene final : public Scene {
  public:
-  explicit SurfaceScene(SurfaceFile file) : file_(std::move(file)) {}
-
-  std::string name() const override { return file_.name; }
+  explicit SurfaceScene(SurfaceFile file) : Scene(file.name), file_(std::move(file)) {}
 
   Forecast forecast() const override {
     const optim::SurfaceStart start = optim::start_on(file_.patch, file_.columns, file_.rows, {});
@@ -109,12 +106,13 @@ class SurfaceScene final : public Scene {
     return out;
   }
 
-  void solve(Run& run, const RunOptions& options) const override {
-    take_settings(run, file_);
+  Found search(const RunOptions& options) const override {
+    Found out;
+    take_settings(out, file_);
     auto surface = std::make_unique<SurfaceOutcome>(file_);
-    surface->tolerances = {{"shape", file_.shape_tolerance},
-                           {"cover", file_.cover_tolerance},
-                           {"curvature_share", file_.curvature_tolerance}};
+    out.tolerances = {{"shape", file_.shape_tolerance},
+                      {"cover", file_.cover_tolerance},
+                      {"curvature_share", file_.curvature_tolerance}};
     surface->design = fit_surface(file_.patch, options_of(file_, options), options.progress);
     if (!surface->design.valid && options.stop.stop_requested())
       throw Interrupted("no sheet that folds flat was found before the search was stopped");
@@ -130,39 +128,46 @@ class SurfaceScene final : public Scene {
     model::OrigamiSheet sheet = sheet_of(surface->design.mesh, file_);
     surface->free_height = optim::free_height(sheet, file_.theta);
     surface->clear = optim::is_free(sheet, file_.theta);
-    surface->violations = violations(*surface);
     surface->exact = moved(fold(sheet, file_.theta), onto_surface(sheet, surface->design));
-    run.design.structure = std::move(sheet.structure);
-    run.theta = file_.theta;
-    run.goal = std::move(surface);
+    out.design.structure = std::move(sheet.structure);
+    out.theta = file_.theta;
+    out.to_shown = motion_onto(exact_motion(out.design.structure).at(out.theta), surface->exact);
+    out.is_laid_over = true;
+    out.goal = std::move(surface);
+    return out;
   }
 
-  /// Says how ribs would do.
-  void judge(Run& run, const RunOptions& options) const override {
-    auto& surface = outcome_of<SurfaceOutcome>(run);
+  /// Of the sheet that was found, and how ribs would do.
+  std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State&,
+                                         const RunOptions& options) const override {
+    if (of != StateOf::model) return nullptr;
+    const auto& surface = outcome_of<SurfaceOutcome>(run);
+    auto out = std::make_shared<SurfaceMeasure>();
+    out->violations = violations(surface);
     const targets::RibbedSurface ribbed = targets::ribbed_surface(file_.patch);
     const int facets = file_.patch.half.x() >= file_.patch.half.y() ? file_.columns : file_.rows;
-    surface.ways = {
+    out->ways = {
         {"sheet", surface.design.error.rms, surface.design.error.max, 1, 1 - surface.design.error.cover}};
     for (SurfaceWay& way : ways_by_ribs(ribbed, usual_ribs(ribbed, facets), true, options.stop))
-      surface.ways.push_back(std::move(way));
-    if (surface.ways.size() < 2) return;
-    const SurfaceWay& fishbone = surface.ways[1];
-    if (!surface.met() && fishbone.rms <= file_.shape_tolerance)
-      surface.violations.push_back(
+      out->ways.push_back(std::move(way));
+    if (out->ways.size() < 2 || out->violations.empty()) return out;
+    const SurfaceWay& fishbone = out->ways[1];
+    if (fishbone.rms <= file_.shape_tolerance)
+      out->violations.push_back(
           fmt::format("a fishbone would be {:.2f} % of the diagonal off, with {:.0f} % of the area open: "
                       "`target.ribs: {}`",
                       100 * fishbone.rms, 100 * fishbone.open, facets));
+    return out;
   }
 
   /// By the vertices of its mesh, as the search has it: each moves as the bodies next to it do.
-  std::optional<Judged> judged(const Run& run, const model::Sheet&,
-                               const model::State& state) const override {
-    const auto& surface = outcome_of<SurfaceOutcome>(run);
+  std::optional<Observed> observe(const Found& found, const model::Sheet&,
+                                  const model::State& state) const override {
+    const auto& surface = outcome_of<SurfaceOutcome>(found);
     const model::QuadMesh& mesh = surface.design.mesh;
     const model::Pose motion = motion_onto(state, surface.exact);
     const model::State placed = moved(state, motion);
-    Judged out{{}, file_.shape_tolerance * surface.diagonal_mm};
+    Observed out{{}, file_.shape_tolerance * surface.diagonal_mm};
     for (int j = 0; j <= mesh.rows; ++j)
       for (int i = 0; i <= mesh.columns; ++i) {
         const std::vector<int> bodies = bodies_at(mesh, i, j);
@@ -174,21 +179,6 @@ class SurfaceScene final : public Scene {
       }
     return out;
   }
-
-  void add_state(Run& run, const RunOptions&) const override {
-    add_exact_state(run, run.theta);
-    NamedState& state = run.states.front();
-    state.poses = shown(run, state.poses);
-  }
-
-  /// On the surface.
-  model::State shown(const Run& run, const model::State& state) const override {
-    return aligned(state, outcome_of<SurfaceOutcome>(run).exact);
-  }
-
-  std::optional<PhysicsTask> physics_task(const Run& run) const override { return folding_task(run); }
-
-  void add_frames(Run& run) const override { add_exact_frames(run); }
 
  private:
   SurfaceFile file_;

@@ -93,7 +93,7 @@ void Session::search_for(const std::string& file, std::shared_ptr<const void> ke
       options.stop = stop;
       options.engine = &engine_;
       options.printable = answer_of_export;
-      auto run = std::make_shared<Run>(run_scene(*target.goal, options));
+      auto run = std::make_shared<Run>(run_goal(*target.goal, options));
       enqueue([this, run] { found(run); });
     } catch (const std::exception& e) {
       enqueue([this, what = failure_message(e)] {

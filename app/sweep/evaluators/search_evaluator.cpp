@@ -23,7 +23,7 @@ const NamedState* shown_state(const Run& run, bool physics) {
 void SearchEvaluator::evaluate(SampleRow& row) {
   maker_.make(row.factors);
   const bool physics = plan_.doe.model == Model::bullet;
-  const Run run = run_scene(
+  const Run run = run_goal(
       *maker_.target().goal,
       {.threads = 1, .seed = plan_.seed, .verify = physics, .progress = {}, .printable = answer_of_export});
   const auto metrics = metrics_json(run);

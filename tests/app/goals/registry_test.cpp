@@ -27,11 +27,11 @@ TEST(GoalKind, NamesEveryMetricThatItsSearchesAdd) {
   TemporaryFolder folder;
   for (const std::string& text : small_targets) {
     const Target target = read_target(folder.write("t.yaml", text));
-    const app::Run run = run_scene(*target.goal, {.threads = 1, .seed = 0, .verify = false, .progress = {}});
+    const app::Run run = run_goal(*target.goal, {.threads = 1, .seed = 0, .verify = false, .progress = {}});
     std::set<std::string_view> named = {"met"};
     for (const GoalMetric& metric : target.kind->metrics) named.insert(metric.name);
     nlohmann::ordered_json metrics;
-    run.goal->add_metrics(metrics);
+    run.goal->add_metrics(run, metrics);
     for (const auto& [key, value] : metrics.items()) EXPECT_TRUE(named.contains(key)) << key;
   }
 }

@@ -11,7 +11,6 @@
 #include "app/exports/write_results.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/goals/registry.hpp"
-#include "app/pipeline/design_scene.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/result/result_json.hpp"
 #include "app/sweep/plan/metric.hpp"
@@ -34,7 +33,7 @@ std::string strip(double width_mm) {
 
 Run run_of(const std::string& text) {
   TemporaryFolder folder;
-  return run_scene(*read_target(folder.write("strip.yaml", text)).goal, {});
+  return run_goal(*read_target(folder.write("strip.yaml", text)).goal, {});
 }
 
 nlohmann::json written(const TemporaryFolder& folder, const std::string& name) {
@@ -63,8 +62,8 @@ TEST(NewGoalKind, GoesFromItsFileToResultJson) {
 
 TEST(NewGoalKind, SaysWhatItMissed) {
   const app::Run run = run_of(strip(61));
-  EXPECT_FALSE(run.goal->met());
-  EXPECT_THAT(run.goal->violations, Contains("no theta has this width"));
+  EXPECT_FALSE(run.met());
+  EXPECT_THAT(run.violations, Contains("no theta has this width"));
 }
 
 TEST(NewGoalKind, GivesSweepsItsMetrics) {
@@ -103,7 +102,7 @@ TEST(NewLattice, GoesFromItsFileToResultJson) {
   const std::string file = folder.write(
       "panel.yaml",
       "kinetix: 1\nstructure: {lattice: window, cells: [3, 2], cell_mm: 12}\ndesign: {theta_deg: 20}\n");
-  app::Run run = run_scene(*make_scene(read_design(file), Model::exact), {});
+  app::Run run = run_design(read_design(file), Model::exact, {});
   write_results(run, folder.path("."));
   const auto json = written(folder, "result.json");
   EXPECT_EQ(json["structure"]["lattice"], "window");

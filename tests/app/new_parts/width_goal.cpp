@@ -4,8 +4,6 @@
 #include "app/files/file_header.hpp"
 #include "app/files/physics_section.hpp"
 #include "app/goals/registry.hpp"
-#include "app/pipeline/exact_state.hpp"
-#include "app/pipeline/physics_settings.hpp"
 #include "app/run/midline.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
@@ -32,17 +30,23 @@ const targets::KeyTable& width_keys() {
   return keys;
 }
 
+struct WidthMeasure final : Measure {
+  double width_mm = 0;
+};
+
 struct WidthOutcome final : GoalOutcome {
-  double asked_mm = 0, found_mm = 0;
+  double asked_mm = 0;
 
   Json target_json() const override { return {{"kind", "width"}, {"width_mm", asked_mm}}; }
-  void add_sections(const Run&, Json& result) const override { result["width"] = {{"reasons", violations}}; }
-  void add_metrics(Json& metrics) const override {
-    metrics["width_mm"] = found_mm;
-    metrics["met"] = met();
+  void add_sections(const Run& run, Json& result) const override {
+    result["width"] = {{"reasons", run.violations}};
   }
-  std::vector<SummaryLine> summary_lines(const Run&) const override {
-    return {{"width", std::to_string(found_mm) + " mm"}};
+  void add_metrics(const Run& run, Json& metrics) const override {
+    metrics["width_mm"] = measure_of<WidthMeasure>(run).width_mm;
+    metrics["met"] = run.met();
+  }
+  std::vector<SummaryLine> summary_lines(const Run& run) const override {
+    return {{"width", std::to_string(measure_of<WidthMeasure>(run).width_mm) + " mm"}};
   }
 };
 
@@ -52,14 +56,12 @@ double width(const model::Sheet& structure, const model::State& state) {
 }
 
 struct WidthScene final : Scene {
-  explicit WidthScene(const targets::Section& root) : name_(read_name(root)) {
+  explicit WidthScene(const targets::Section& root) : Scene(read_name(root)) {
     const targets::Section target = root.section("target");
     target.read_needed("width_mm", "a width in mm", width_mm_);
     target.read_needed("cells", "how many", cells_);
     target.read_needed("cell_mm", "a cell's edge in mm", cell_mm_);
   }
-
-  std::string name() const override { return name_; }
 
   model::Sheet sheet() const {
     return model::make_sheet(cells_, 1, {cell_mm_, 0.08 * cell_mm_, 0.6 * cell_mm_});
@@ -67,34 +69,31 @@ struct WidthScene final : Scene {
 
   Forecast forecast() const override { return {sheet()}; }
 
-  void solve(Run& run, const RunOptions&) const override {
-    run.design.structure = sheet();
-    const model::ExactMotion exact = exact_motion(run.design.structure);
+  Found search(const RunOptions&) const override {
+    Found out;
+    out.design.structure = sheet();
+    const model::ExactMotion exact = exact_motion(out.design.structure);
     double narrow = widest_theta, wide = 0;
     for (int k = 0; k < 60; ++k) {
-      run.theta = (narrow + wide) / 2;
-      (width(run.design.structure, exact.at(run.theta)) > width_mm_ ? wide : narrow) = run.theta;
+      out.theta = (narrow + wide) / 2;
+      (width(out.design.structure, exact.at(out.theta)) > width_mm_ ? wide : narrow) = out.theta;
     }
     auto outcome = std::make_unique<WidthOutcome>();
     outcome->asked_mm = width_mm_;
-    outcome->tolerances = {{"width_mm", 1e-9}};
-    run.goal = std::move(outcome);
+    out.tolerances = {{"width_mm", 1e-9}};
+    out.goal = std::move(outcome);
+    return out;
   }
 
-  void add_state(Run& run, const RunOptions&) const override { add_exact_state(run, run.theta); }
-
-  void judge(Run& run, const RunOptions&) const override {
-    auto& outcome = outcome_of<WidthOutcome>(run);
-    outcome.found_mm = width(run.design.structure, run.states.front().poses);
-    if (!(std::abs(outcome.found_mm - width_mm_) <= 1e-9)) outcome.violations = {"no theta has this width"};
+  std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State& state,
+                                         const RunOptions&) const override {
+    if (of == StateOf::physics) return nullptr;
+    auto out = std::make_shared<WidthMeasure>();
+    out->width_mm = width(run.design.structure, state);
+    if (!(std::abs(out->width_mm - width_mm_) <= 1e-9)) out->violations = {"no theta has this width"};
+    return out;
   }
 
-  std::optional<PhysicsTask> physics_task(const Run& run) const override {
-    return PhysicsTask{run.states.front().poses, drive_to(run.design.structure, run.theta),
-                       physics_options({}, cell_mm_)};
-  }
-
-  std::string name_;
   double width_mm_ = 0, cell_mm_ = 0;
   int cells_ = 0;
 };

@@ -173,14 +173,14 @@ TEST(Certify, FailsGoalsWhoseWallsOverlapAsBuilt) {
       "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [40, 12], [80, 16], [120, 12], [160, 0]]}\n"
       "structure: {cells: [17, 1], cell_mm: 10, wall_mm: {thickness: 0.8, height: 12.5}}\n"
       "variables: {theta: {range_deg: [3, 12]}, beta: {range_deg: [-70, 70]}}\n");
-  const app::Run run = run_scene(*app::read_target(file).goal, {.verify = false});
+  const app::Run run = run_goal(*app::read_target(file).goal, {.verify = false});
   ASSERT_TRUE(run.certified && run.certified->designed.overlaps_as_built());
-  ASSERT_FALSE(run.goal->met());
-  EXPECT_THAT(run.goal->violations.back(), HasSubstr("overlap as built"));
-  const app::Run unproven = run_scene(*app::read_target(file).goal, {.verify = false, .certify = false});
+  ASSERT_FALSE(run.met());
+  EXPECT_THAT(run.violations.back(), HasSubstr("overlap as built"));
+  const app::Run unproven = run_goal(*app::read_target(file).goal, {.verify = false, .certify = false});
   EXPECT_FALSE(unproven.certified);
   EXPECT_EQ(verdict_of(unproven).met, false) << "as in a sweep";
-  EXPECT_EQ(unproven.goal->violations, run.goal->violations);
+  EXPECT_EQ(unproven.violations, run.violations);
 }
 
 TEST(Certify, ARunWhoseDriveStoppedOnItsWayMisses) {
@@ -210,8 +210,8 @@ TEST(Certify, CoversShippedTargetsWithinOnePercentOfWallsThatOverlap) {
   for (const char* name : {"helmet_rib", "half_circle", "s_curve", "cube", "open_tray", "tetrahedron",
                            "octahedron", "helix", "shrinking_block", "headform", "disc"}) {
     const app::Run run =
-        run_scene(*app::read_target(std::string(KINETIX_SOURCE) + "/targets/shapes/" + name + ".yaml").goal,
-                  {.verify = false});
+        run_goal(*app::read_target(std::string(KINETIX_SOURCE) + "/targets/shapes/" + name + ".yaml").goal,
+                 {.verify = false});
     ASSERT_TRUE(run.certified && run.certified->designed) << name;
     EXPECT_TRUE(run.certified->covers(run.theta)) << name;
     for (const model::CertifiedLimit* end :

@@ -224,9 +224,8 @@ TEST(Matter, AFoldThatIsStoppedWhileItLooksForItsLimitsTellsNothingThatItDidNotS
       if (stage == "limits") stop.request_stop();
     };
     if (at_once) stop.request_stop();
-    app::Run run;
-    target.goal->solve(run, options);
-    const auto& fold = app::outcome_of<app::FoldOutcome>(run);
+    const app::Found found = target.goal->search(options);
+    const auto& fold = app::outcome_of<app::FoldOutcome>(found);
     EXPECT_FALSE(fold.unlimited) << "no other theta was found";
     ASSERT_EQ(fold.loads.has_value(), !at_once);
     if (fold.loads) {
@@ -467,10 +466,9 @@ TEST(Matter, ARobustSearchAllowsWhatMeetsItsGoalInTheEquilibriumToo) {
   const Scratch scratch;
   const auto allowed = [&](const std::string& tolerance) {
     const app::Target target = app::read_target(scratch.write("goal.yaml", small_box + springs + tolerance));
-    app::Run run;
-    target.goal->solve(run, {});
-    EXPECT_TRUE(run.goal->met()) << "exactly";
-    const app::RobustCandidate found = robust_candidate(std::move(run), *target.goal, {});
+    const app::Found exact = target.goal->search({});
+    EXPECT_TRUE(held(exact, target.goal.get(), {}).met()) << "exactly";
+    const app::RobustCandidate found = robust_candidate(exact, *target.goal, {});
     EXPECT_EQ(found.is_allowed, found.why_not.empty());
     if (!found.is_allowed) {
       EXPECT_EQ(found.why_not, "its elastic hinges miss the goal");

@@ -80,13 +80,13 @@ TEST(Verify, RepeatsLongStepsThatMissAStricterGoal) {
   const auto physics_of = [](const std::string& degrees) {
     const testing::Scratch scratch;
     const app::Run run =
-        run_scene(*read_target(scratch.write("goal.yaml",
-                                             "kinetix: 1\ntarget: {kind: fold, box: [1, 1, 1], open: "
-                                             "top}\ntolerance: {angle_deg: " +
-                                                 degrees + "}\n"))
-                       .goal,
-                  {});
-    EXPECT_TRUE(run.goal->met() && run.verification && run.verification->agrees) << degrees;
+        run_goal(*read_target(scratch.write("goal.yaml",
+                                            "kinetix: 1\ntarget: {kind: fold, box: [1, 1, 1], open: "
+                                            "top}\ntolerance: {angle_deg: " +
+                                                degrees + "}\n"))
+                      .goal,
+                 {});
+    EXPECT_TRUE(run.met() && run.verification && run.verification->agrees) << degrees;
     const auto is_physics = [](const NamedState& state) { return state.model == to_string(Model::bullet); };
     EXPECT_EQ(std::count_if(run.states.begin(), run.states.end(), is_physics), 1) << degrees;
     return *run.verification;

@@ -33,7 +33,7 @@ PressedGoal pressed_arch(const std::string& rest) {
   RunOptions options;
   options.verify = false;
   options.threads = 1;
-  out.run = run_scene(*out.target.goal, options);
+  out.run = run_goal(*out.target.goal, options);
   return out;
 }
 

@@ -41,17 +41,17 @@ Tried tried(const std::string& text) {
   RunOptions options;
   options.verify = false;
   options.threads = 1;
-  out.run = run_scene(*out.target.goal, options);
+  out.run = run_goal(*out.target.goal, options);
   return out;
 }
 
 model::State design_state(const Tried& one) {
-  return one.run.matter ? one.run.equilibrium->path.state : one.target.goal->own_state(one.run);
+  return one.run.matter ? one.run.equilibrium->path.state : one.run.own;
 }
 
 /// Distances of a state from its goal, each point in its directions, as the goal finds its nearest places anew.
 VectorXd distances(const Tried& one, const model::Sheet& sheet, const model::State& state) {
-  const auto judged = one.target.goal->judged(one.run, sheet, state);
+  const auto judged = one.target.goal->observe(one.run, sheet, state);
   VectorXd out(judged->points.size());
   for (Eigen::Index k = 0; k < out.size(); ++k) out[k] = judged->points[k].miss_mm;
   return out;
@@ -62,7 +62,7 @@ VectorXd distances(const Tried& one, const model::Sheet& sheet, const model::Sta
 class FreeDistance {
  public:
   FreeDistance(const Tried& one, const model::State& design) {
-    const auto points = one.target.goal->judged(one.run, one.run.design.structure, design)->points;
+    const auto points = one.target.goal->observe(one.run, one.run.design.structure, design)->points;
     designed_ = distances(one, one.run.design.structure, design);
     Eigen::MatrixXd rigid(points.size(), 6);
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();

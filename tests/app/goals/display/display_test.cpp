@@ -367,16 +367,16 @@ TEST(DisplayScene, ShowsTheStateOfItsSearchWhereThePathIsStopped) {
         "kinetix: 1\ntarget: {kind: display, glyph: L, font: DejaVu Sans Bold}\nstructure: {cells: [10, "
         "10]}\n" +
         extra;
-    return run_scene(*make_scene(app::read_display_file(targets::parse_document(text, "l.yaml"))), options);
+    return run_goal(*make_scene(app::read_display_file(targets::parse_document(text, "l.yaml"))), options);
   };
   for (const char* extra : {"", "drive: {kind: hinge}\n", "drive: {press: true}\n"}) {
     const app::Run run = of(extra, "equilibrium path"), whole = of(extra, "never");
-    const auto& display = outcome_of<app::DisplayOutcome>(run);
+    const auto& display = app::measure_of<app::DisplayMeasure>(run);
     EXPECT_TRUE(run.stopped);
     EXPECT_NEAR(run.theta, whole.theta, 0.05) << extra;
     EXPECT_GT(std::abs(run.theta), 0.2) << extra;
     EXPECT_EQ(run.theta, run.states.front().theta);
-    EXPECT_GT(display.after.score.auc, 0.95) << extra;
+    EXPECT_GT(display.reading.score.auc, 0.95) << extra;
   }
 }
 
@@ -508,7 +508,7 @@ app::Run searched(const std::string& text) {
   file.solver.max_evaluations = 40;
   app::RunOptions options;
   options.verify = false;
-  return run_scene(*make_scene(file), options);
+  return run_goal(*make_scene(file), options);
 }
 
 TEST(FarView, ARecogniserReadsTheLetterAfterCompressionAndNothingBefore) {

@@ -40,14 +40,14 @@ TEST(QrCode, IsReadFromTheExactStateOfAPlainGridAndNotBefore) {
 
 TEST(DisplayOnHexagons, ShowsItsLetterBetweenPlates) {
   app::Run run =
-      run_scene(*read_target(std::string(KINETIX_SOURCE) + "/targets/shapes/honeycomb_t.yaml").goal, {});
-  ASSERT_TRUE(run.goal->met()) << run.goal->violations.front();
+      run_goal(*read_target(std::string(KINETIX_SOURCE) + "/targets/shapes/honeycomb_t.yaml").goal, {});
+  ASSERT_TRUE(run.met()) << run.violations.front();
   EXPECT_TRUE(run.verification->agrees);
   EXPECT_EQ(model::lattice_name(run.design.structure), "honeycomb");
   EXPECT_EQ(run.plan.mobility->dofs_along, 1);
-  const auto& display = outcome_of<DisplayOutcome>(run);
-  EXPECT_EQ(display.after.channel.size(), 144u) << "the cells of the picture, not those of the rim";
-  EXPECT_GE(display.physics->score.auc, 0.97);
+  const auto& display = measure_of<DisplayMeasure>(run);
+  EXPECT_EQ(display.reading.channel.size(), 144u) << "the cells of the picture, not those of the rim";
+  EXPECT_GE(physics_measure_of<DisplayMeasure>(run)->reading.score.auc, 0.97);
   TemporaryFolder folder;
   const auto result = write_results(run, folder.path(".")).result;
   EXPECT_EQ(result["display"]["levels"].size(), 144u);
@@ -74,7 +74,7 @@ TEST(DisplayOnOtherLattices, HasTheRowsThatKeepAnImagesProportions) {
 
 TEST(FarViewInReports, IsPartOfThePage) {
   app::Run run =
-      run_scene(*read_target(std::string(KINETIX_SOURCE) + "/targets/shapes/letter_t.yaml").goal, quick());
+      run_goal(*read_target(std::string(KINETIX_SOURCE) + "/targets/shapes/letter_t.yaml").goal, quick());
   TemporaryFolder folder;
   write_results(run, folder.path("."));
   const std::string page = testing::read_file(folder.path("report.html"));

@@ -27,22 +27,23 @@ TEST(SurfaceGoal, FoldsASheetOntoASaddle) {
   RunOptions options;
   options.verify = false;
   const Target target = read(folder, ", shape: saddle, rise: 0.15", "structure: {facets: [4, 4]}\n");
-  const auto run = run_scene(*target.goal, options);
+  const auto run = run_goal(*target.goal, options);
   const auto& outcome = outcome_of<SurfaceOutcome>(run);
   EXPECT_TRUE(outcome.design.within);
   EXPECT_EQ(run.plan.exact.name, "creased");
   EXPECT_LE(run.states.front().gaps.max, 1e-11);
   EXPECT_EQ(run.design.structure.bodies(), 64);
   nlohmann::ordered_json metrics;
-  outcome.add_metrics(metrics);
+  outcome.add_metrics(run, metrics);
   EXPECT_LE(metrics["surface_rms"].get<double>(), 0.05);
-  ASSERT_EQ(outcome.ways.size(), 3);
-  EXPECT_EQ(outcome.ways[0].rms, outcome.design.error.rms);
-  EXPECT_EQ(outcome.ways[1].pieces, 1);
-  EXPECT_EQ(outcome.ways[2].pieces, 4);
-  for (const SurfaceWay& way : {outcome.ways[1], outcome.ways[2]}) {
+  const std::vector<SurfaceWay>& ways = measure_of<SurfaceMeasure>(run).ways;
+  ASSERT_EQ(ways.size(), 3);
+  EXPECT_EQ(ways[0].rms, outcome.design.error.rms);
+  EXPECT_EQ(ways[1].pieces, 1);
+  EXPECT_EQ(ways[2].pieces, 4);
+  for (const SurfaceWay& way : {ways[1], ways[2]}) {
     EXPECT_LE(way.rms, 2e-3);
-    EXPECT_GT(way.open, outcome.ways[0].open);
+    EXPECT_GT(way.open, ways[0].open);
   }
 }
 
@@ -50,14 +51,15 @@ TEST(SurfaceGoal, LaysRibsOverAClosedMesh) {
   const testing::TemporaryFolder folder;
   folder.write("ball.obj", testing::obj_text(testing::ellipsoid({60, 40, 40})));
   const Target target = read(folder, ", mesh: ball.obj, ribs: 4", "tolerance: {covered_share: 0.2}\n");
-  const auto run = run_scene(*target.goal, {});
-  const auto& outcome = outcome_of<RibsOutcome>(run);
-  EXPECT_TRUE(outcome.met());
+  const auto run = run_goal(*target.goal, {});
+  const auto& outcome = measure_of<RibsMeasure>(run);
+  EXPECT_TRUE(run.met());
   EXPECT_LE(outcome.ways.front().rms, 5e-3);
   EXPECT_EQ(outcome.ways.back().pieces, 4);
   EXPECT_LE(run.states.front().gaps.max, 1e-11);
-  ASSERT_TRUE(outcome.settled.has_value());
-  EXPECT_NEAR(outcome.settled->rms, outcome.ways.front().rms, 1e-3);
+  const auto* settled = physics_measure_of<RibsMeasure>(run);
+  ASSERT_TRUE(settled);
+  EXPECT_NEAR(settled->ways.front().rms, outcome.ways.front().rms, 1e-3);
   for (const model::Pose& pose : run.states.front().poses)
     EXPECT_NEAR(pose.p.cwiseQuotient(Eigen::Vector3d(60, 40, 40)).norm(), 1, 0.1);
 }
@@ -67,11 +69,11 @@ TEST(SurfaceGoal, TurnsAProfileForASheetAndForRibs) {
   RunOptions options;
   options.verify = false;
   const std::string stool = ", profile: [[50, 0], [42, 30], [39, 60], [42, 90], [50, 120]]";
-  const auto sheet = run_scene(*read(folder, stool, "structure: {facets: [5, 3]}\n").goal, options);
+  const auto sheet = run_goal(*read(folder, stool, "structure: {facets: [5, 3]}\n").goal, options);
   EXPECT_LE(outcome_of<SurfaceOutcome>(sheet).design.error.rms, 0.02);
-  const auto ribs = run_scene(*read(folder, stool + ", ribs: 5").goal, options);
-  const auto& outcome = outcome_of<RibsOutcome>(ribs);
-  EXPECT_TRUE(outcome.met());
+  const auto ribs = run_goal(*read(folder, stool + ", ribs: 5").goal, options);
+  const auto& outcome = measure_of<RibsMeasure>(ribs);
+  EXPECT_TRUE(ribs.met());
   EXPECT_LE(outcome.ways.front().rms, 3e-3);
   double lowest = 0;  // mm: ribs run round to the back
   for (const model::Pose& pose : ribs.states.front().poses) lowest = std::min(lowest, pose.p.z());
@@ -84,10 +86,10 @@ TEST(SurfaceGoal, SaysHowMuchASheetLacksAndThatRibsWouldDo) {
   options.verify = false;
   const Target target =
       read(folder, ", shape: cap, arc_deg: 120", "structure: {facets: [3, 3]}\ntolerance: {shape: 0.01}\n");
-  const auto run = run_scene(*target.goal, options);
-  EXPECT_FALSE(run.goal->met());
-  EXPECT_THAT(run.goal->violations, ::testing::Contains(HasSubstr("of its curvature")));
-  EXPECT_THAT(run.goal->violations, ::testing::Contains(HasSubstr("`target.ribs: 3`")));
+  const auto run = run_goal(*target.goal, options);
+  EXPECT_FALSE(run.met());
+  EXPECT_THAT(run.violations, ::testing::Contains(HasSubstr("of its curvature")));
+  EXPECT_THAT(run.violations, ::testing::Contains(HasSubstr("`target.ribs: 3`")));
 }
 
 RunOptions without_physics() {
@@ -99,17 +101,17 @@ RunOptions without_physics() {
 /// A sheet that bends one way alone came within the usual tolerance of a shallow cap.
 TEST(SurfaceGoal, OfACapIsNotMetByNearlyACylinder) {
   const testing::TemporaryFolder folder;
-  const auto run = run_scene(*read(folder, ", shape: cap, arc_deg: 40",
-                                   "structure: {facets: [4, 4]}\ntolerance: {shape: 0.05, cover: 0}\n")
-                                  .goal,
-                             without_physics());
+  const auto run = run_goal(*read(folder, ", shape: cap, arc_deg: 40",
+                                  "structure: {facets: [4, 4]}\ntolerance: {shape: 0.05, cover: 0}\n")
+                                 .goal,
+                            without_physics());
   const auto& outcome = outcome_of<SurfaceOutcome>(run);
   EXPECT_NEAR(outcome.cone_rms, 0.0127, 0.002);
   EXPECT_EQ(outcome.curvature.share < 0.5 || outcome.design.error.rms > 0.5 * outcome.cone_rms,
-            !run.goal->met());
-  EXPECT_FALSE(run.goal->met());
+            !run.met());
+  EXPECT_FALSE(run.met());
   nlohmann::ordered_json metrics;
-  outcome.add_metrics(metrics);
+  outcome.add_metrics(run, metrics);
   EXPECT_EQ(metrics["curvature_share"], outcome.curvature.share);
 }
 
@@ -167,22 +169,22 @@ TEST(SurfaceGoal, AsksForNoneOfSurfacesThatHardlyCurve) {
 
 nlohmann::ordered_json metrics_of_ribs(const Run& run) {
   nlohmann::ordered_json metrics;
-  outcome_of<RibsOutcome>(run).add_metrics(metrics);
+  run.goal->add_metrics(run, metrics);
   return metrics;
 }
 
-std::string first_line(const Run& run) { return outcome_of<RibsOutcome>(run).summary_lines(run).front()[1]; }
+std::string first_line(const Run& run) { return run.goal->summary_lines(run).front()[1]; }
 
 TEST(SurfaceGoal, IsMissedByRibsThatLeaveMostOfItBare) {
   const testing::TemporaryFolder folder;
   for (const std::string goal : {", shape: cap, arc_deg: 60, ribs: 1", ", shape: saddle, rise: 0.2, ribs: 1",
                                  ", profile: [[8, 0], [40, 4], [62, 18], [75, 40]], ribs: 2"}) {
-    const auto run = run_scene(*read(folder, goal).goal, without_physics());
+    const auto run = run_goal(*read(folder, goal).goal, without_physics());
     const double share = metrics_of_ribs(run)["covered_share"];
     EXPECT_GT(share, 0.02) << goal;
     EXPECT_LT(share, 0.5) << goal;
-    EXPECT_FALSE(run.goal->met()) << goal;
-    EXPECT_THAT(run.goal->violations, ::testing::Contains(HasSubstr("`tolerance.covered_share`"))) << goal;
+    EXPECT_FALSE(run.met()) << goal;
+    EXPECT_THAT(run.violations, ::testing::Contains(HasSubstr("`tolerance.covered_share`"))) << goal;
     EXPECT_THAT(first_line(run), HasSubstr("within a cell edge of a rib: MISSES THE TOLERANCE")) << goal;
     EXPECT_GT(metrics_of_ribs(run)["goal_max"], 0.05) << goal;
   }
@@ -190,14 +192,14 @@ TEST(SurfaceGoal, IsMissedByRibsThatLeaveMostOfItBare) {
 
 TEST(SurfaceGoal, IsMetByRibsThatAreNearToMostOfIt) {
   const testing::TemporaryFolder folder;
-  const auto run = run_scene(*read(folder, ", shape: cap, arc_deg: 60, ribs: 8").goal, without_physics());
-  EXPECT_TRUE(run.goal->met()) << run.goal->violations.front();
+  const auto run = run_goal(*read(folder, ", shape: cap, arc_deg: 60, ribs: 8").goal, without_physics());
+  EXPECT_TRUE(run.met()) << run.violations.front();
   EXPECT_GT(metrics_of_ribs(run)["covered_share"], 0.9);
   EXPECT_THAT(first_line(run), HasSubstr("% of its area within a cell edge of a rib: within tolerance"));
-  const auto few = run_scene(
-      *read(folder, ", shape: cap, arc_deg: 60, ribs: 1", "tolerance: {covered_share: 0.05}\n").goal,
-      without_physics());
-  EXPECT_TRUE(few.goal->met());
+  const auto few =
+      run_goal(*read(folder, ", shape: cap, arc_deg: 60, ribs: 1", "tolerance: {covered_share: 0.05}\n").goal,
+               without_physics());
+  EXPECT_TRUE(few.met());
 }
 
 TEST(SurfaceGoal, NamesTheNewKeyToWhoAsksRibsForTheirCover) {

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/files/design_file.hpp"
+#include "app/files/goal_settings.hpp"
+#include "app/run/goal_outcome.hpp"
+#include "app/run/plan.hpp"
+#include "app/run/robust_choice.hpp"
+#include "model/linkage/state.hpp"
+#include "optim/matter/tilt_ties.hpp"
+#include "optim/solvers/variables.hpp"
+
+namespace kinetix::app {
+
+/// What a file allows tilts and theta to be.
+struct TurnBounds {
+  double tilt = 75 * radians_per_degree;  ///< of either sign, rad, (0, pi/2)
+  optim::AngleRange theta{2 * radians_per_degree, 44 * radians_per_degree};  ///< rad, (0, pi/2)
+  /// Of a sheet that its search has found: which tilts it keeps alike, and within what.
+  std::function<std::vector<optim::TiltTie>(const model::Sheet&)> ties = optim::tilt_ties;
+};
+
+/// What a goal asks of its physics run.
+struct PhysicsWish {
+  enum class When { always, if_met, never };
+  When when = When::always;
+  std::optional<model::LinkageDrive> drive = {};  ///< in place of the one that folds the sheet to theta
+  double least_settle_s = 0;                      ///< simulated s that it has to come to rest
+};
+
+/// What a search found, or a design that was given.
+struct Found {
+  /// Its theta is that of `theta` below until it is written.
+  Design design;
+  double theta = 0;                         ///< rad, of the state shown
+  std::shared_ptr<const GoalOutcome> goal;  ///< nothing for a design, which was not searched for
+  Tolerances tolerances;                    ///< of a goal
+  GoalDrive goal_drive;                     ///< of goals of exact families
+  std::vector<HingePart> hinge_parts;       ///< of a goal's file
+  std::optional<RobustChoice>
+      robust;  ///< of a robust search, but of curves, which have columns to choose as well
+  double verify_tolerance = GoalSettings::usual_verify;  ///< of Verification::distance.rms, cell edges
+
+  std::optional<Model> model =
+      {};  ///< that the states come from; nothing: exact where a family fits, else bullet
+  /// States on the way in which the model holds it, by theta, rad. Empty: those of the family.
+  std::function<model::State(double theta)> motion = {};
+  std::optional<model::Pose> to_shown =
+      {};  ///< where results show states of the model; nothing: where they are
+  bool is_laid_over =
+      false;  ///< equilibria are shown as near to the model's state as a rigid motion takes them
+  /// A state of its search: shown where the path to the equilibrium is stopped on its way.
+  struct Known {
+    Model model = Model::exact;
+    model::State state;
+  };
+  std::optional<Known> known = {};
+  PhysicsWish physics = {};
+  std::vector<std::string> notes = {};  ///< that the plan is to hold
+  TurnBounds bounds = {};               ///< how far tilts and theta may go to make up for elastic hinges
+
+  /// Set by planned().
+  Plan plan;
+  /// In which the model holds a goal's design, not yet where results show it. Set by planned(), of equilibria by their path.
+  model::State own;
+};
+
+/// The design with the theta that was found or given.
+Design asked_design(const Found& found);
+
+/// What was found, with its plan, the hinges that the file makes otherwise, and its state where its family has a closed form.
+Found planned(Found found);
+
+inline void take_settings(Found& found, const GoalSettings& asked) {
+  found.design.physics = asked.physics;
+  found.design.hinge = asked.hinge;
+  found.hinge_parts = asked.hinge_parts;
+  found.goal_drive = asked.drive;
+  found.design.process = asked.process;
+  found.verify_tolerance = asked.verify_tolerance;
+}
+
+/// The outcome of a goal of the caller's own kind. @pre found.goal is one
+template <class Outcome>
+const Outcome& outcome_of(const Found& found) {
+  return dynamic_cast<const Outcome&>(*found.goal);
+}
+
+/// Which state of a design is measured.
+enum class StateOf { model, equilibrium, physics };
+
+/// "model", "equilibrium" or "physics run": of elastic hinges that a goal of an exact family has, in the second case.
+std::string in_words(StateOf of);
+
+/// How far one state is from a goal; each kind of goal has its own.
+class Measure {
+ public:
+  virtual ~Measure() = default;
+
+  std::vector<std::string> violations =
+      {};                                  ///< what it lacks, in words; empty where it is as the target asks
+  std::optional<model::State> shown = {};  ///< the same state where results show it; nothing: where it is
+  std::string prints_unknown =
+      {};  ///< why it is not known what its prints come to, where the kind looks at them
+};
+
+}  // namespace kinetix::app
