@@ -9,6 +9,7 @@
 
 #include "app/pipeline/design_drive.hpp"
 #include "app/pipeline/exact_state.hpp"
+#include "model/base/append.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/closure_drive.hpp"
 #include "model/closure/drive_theta.hpp"
@@ -55,21 +56,21 @@ class FrameKeeper {
   NamedState latest_;
 };
 
-std::string stiffness_sentence(const Run& run, const model::Elasticity& e) {
-  const char* start = run.design.hinge.model == HingeSection::Model::rotary
+std::string stiffness_sentence(const Design& design, const model::Elasticity& e) {
+  const char* start = design.hinge.model == HingeSection::Model::rotary
                           ? "the design's hinges are rotary; for this model they are taken as elastic: "
                           : "elastic hinges: ";
   const std::string others =
-      run.design.own_hinges.empty() ? "" : fmt::format("; {} of their own", run.design.own_hinges.size());
+      design.own_hinges.empty() ? "" : fmt::format("; {} of their own", design.own_hinges.size());
   const std::string play = e.play_mm > 0 ? fmt::format(", play {:g} mm", e.play_mm) : "";
   const std::string end =
       fmt::format(", reach_mm {:g}, k_contact {:g} N/mm{}{}", e.reach_mm, e.k_contact, play, others);
-  if (const auto k = framed_stiffness(run.design.hinge))
+  if (const auto k = framed_stiffness(design.hinge))
     return fmt::format(
         "{}{:g} N/mm along the wall, {:g} across it, {:g} along the axis, {:g} N mm/rad about it{}", start,
         k->axial, k->shear, k->along, k->turn, end);
   return fmt::format("{}k_point {:g} N/mm, k_turn {:g} N mm/rad{}", start,
-                     run.design.own_hinges.empty() ? e.k_point : run.design.hinge.k_point, e.k_turn, end);
+                     design.own_hinges.empty() ? e.k_point : design.hinge.k_point, e.k_turn, end);
 }
 
 /// The drive, as far as the path came.
@@ -82,35 +83,29 @@ model::LinkageDrive reached_drive(model::LinkageDrive drive, const model::Equili
 }
 
 /// The closed form of the same drive, and how far the equilibrium is from it.
-void add_exact(Run& run) {
-  Equilibrium& equilibrium = *run.equilibrium;
+void add_exact(const Found& found, ElasticState& out) {
+  Equilibrium& equilibrium = out.equilibrium;
+  const model::Sheet& sheet = found.design.structure;
   try {
-    const double theta = exact_theta(
-        {run.design.structure, reached_drive(equilibrium.drive, equilibrium.path), run.plan.exact},
-        equilibrium.elasticity);
-    model::State exact = run.plan.exact.at(theta);
-    equilibrium.from_exact = aligned_distance(run.design.structure, equilibrium.path.state, exact);
-    equilibrium.turned_off = turn_distance(run.design.structure, equilibrium.path.state, exact);
-    const model::HingeGaps gaps = hinge_gaps(run.design.structure, exact);
-    run.states.push_back({"target", to_string(Model::exact), theta, std::move(exact), gaps});
-    run.fidelity.push_back(exact_fidelity(run.plan.exact, run.design.structure, theta));
+    const double theta =
+        exact_theta({sheet, reached_drive(equilibrium.drive, equilibrium.path), found.plan.exact},
+                    equilibrium.elasticity);
+    model::State exact = found.plan.exact.at(theta);
+    equilibrium.from_exact = aligned_distance(sheet, equilibrium.path.state, exact);
+    equilibrium.turned_off = turn_distance(sheet, equilibrium.path.state, exact);
+    const model::HingeGaps gaps = hinge_gaps(sheet, exact);
+    out.states.push_back({"target", to_string(Model::exact), theta, std::move(exact), gaps});
+    out.fidelity.push_back(exact_fidelity(found.plan.exact, sheet, theta));
   } catch (const InvalidInput& e) {
-    run.plan.why.push_back("no closed form to compare with: " + e.reason());
+    out.why.push_back("no closed form to compare with: " + e.reason());
   }
 }
 
-void add_frames(Run& run, const std::vector<NamedState>& frames) {
-  for (NamedState frame : frames) {
-    frame.gaps = hinge_gaps(run.design.structure, frame.poses);
-    run.states.push_back(std::move(frame));
-  }
-}
-
-void add_fidelity(Run& run, double seconds) {
-  const auto& distance = run.equilibrium->from_exact;
+Fidelity fidelity_of(const Equilibrium& equilibrium, double seconds) {
+  const auto& distance = equilibrium.from_exact;
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  run.fidelity.push_back({to_string(Model::equilibrium), seconds, distance ? distance->rms : nan,
-                          distance ? to_string(Model::exact) : "no closed form"});
+  return {to_string(Model::equilibrium), seconds, distance ? distance->rms : nan,
+          distance ? to_string(Model::exact) : "no closed form"};
 }
 
 }  // namespace
@@ -122,16 +117,18 @@ model::EquilibriumPathOptions path_of_run(bool planar) {
   return options;
 }
 
-void add_equilibrium(Run& run, const model::LinkageDrive& drive, const model::Elasticity& elasticity,
-                     int frames, const RunOptions& run_options) {
-  run.plan.why.push_back(stiffness_sentence(run, elasticity));
-  run.plan.why.emplace_back(
+ElasticState follow_drive(const Found& found, const model::LinkageDrive& drive,
+                          const model::Elasticity& elasticity, int frames, const RunOptions& options) {
+  ElasticState out;
+  out.why = {
+      stiffness_sentence(found.design, elasticity),
       "contact: each half wall is a plate cut along its hinge axis; pins, knuckles and blocks of hinges are "
-      "left out, and edges that meet head on may be in each other by up to half the thickness");
+      "left out, and edges that meet head on may be in each other by up to half the thickness"};
+  const model::Sheet& sheet = found.design.structure;
   const double goal = drive.theta();
-  model::EquilibriumPathOptions path_options = path_of_run(run.plan.planar);
-  path_options.side = run.design.side;
-  path_options.stop = run_options.stop;
+  model::EquilibriumPathOptions path_options = path_of_run(found.plan.planar);
+  path_options.side = found.design.side;
+  path_options.stop = options.stop;
   FrameKeeper keeper(goal, frames);
   model::EnergyTurns turns(drive);
   model::LoadTurns load_turns;
@@ -139,24 +136,36 @@ void add_equilibrium(Run& run, const model::LinkageDrive& drive, const model::El
     keeper.see(step.theta, state);
     turns.see(step, state);
     load_turns.see(step, state);
-    run_options.progress("equilibrium path", goal == 0 ? 1 : step.theta / goal);
+    options.progress("equilibrium path", goal == 0 ? 1 : step.theta / goal);
   };
   const auto start = std::chrono::steady_clock::now();
-  const model::DrivenLinkage driven{run.design.structure, drive, run.plan.exact};
+  const model::DrivenLinkage driven{sheet, drive, found.plan.exact};
   model::EquilibriumPath path = trace_equilibrium(driven, elasticity, path_options, see);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   add_limit_points(path,
                    located_limit_points(driven.linkage, elasticity, drive, path_options, load_turns, path));
   const double last = path.theta;
-  run.theta = reached_theta(run.design.structure, run.plan.exact, drive, path, elasticity);
-  run.states.push_back({"target", to_string(Model::equilibrium), run.theta, path.state, path.gaps});
+  out.theta = reached_theta(sheet, found.plan.exact, drive, path, elasticity);
+  out.states.push_back({"target", to_string(Model::equilibrium), out.theta, path.state, path.gaps});
   follow_fall(driven, elasticity, path_options, turns);
-  model::StableStates stable =
-      stable_states(run.design.structure, elasticity, {turns}, {.path = path_options});
-  run.equilibrium = Equilibrium{elasticity, drive, std::move(path), std::move(stable), {}};
-  if (run.plan.exact) add_exact(run);
-  add_fidelity(run, seconds);
-  add_frames(run, keeper.even(last, frames));
+  model::StableStates stable = stable_states(sheet, elasticity, {turns}, {.path = path_options});
+  out.equilibrium = Equilibrium{elasticity, drive, std::move(path), std::move(stable), {}};
+  if (found.plan.exact) add_exact(found, out);
+  out.fidelity.push_back(fidelity_of(out.equilibrium, seconds));
+  for (NamedState& frame : keeper.even(last, frames)) {
+    frame.gaps = hinge_gaps(sheet, frame.poses);
+    out.states.push_back(std::move(frame));
+  }
+  return out;
+}
+
+Run with_states(Run run, ElasticState state) {
+  run.theta = state.theta;
+  run.equilibrium = std::move(state.equilibrium);
+  model::append(std::move(state.states), run.states);
+  model::append(std::move(state.fidelity), run.fidelity);
+  model::append(std::move(state.why), run.plan.why);
+  return run;
 }
 
 double reached_theta(const model::Sheet& sheet, const model::ExactMotion& exact,

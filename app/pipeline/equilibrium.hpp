@@ -9,14 +9,24 @@ namespace kinetix::app {
 /// what a run reports takes the same steps.
 model::EquilibriumPathOptions path_of_run(bool planar);
 
-/// Follows the equilibrium of run.design.structure with elastic hinges to the drive's goal and adds what came out:
-/// the path, its last state, the stable states that a release on the way leads to, the closed form's state
-/// of the same drive where there is one, frames of the motion, rows of the speed-against-error table,
-/// sentences of the plan. Sets run.theta to where the path ended.
-/// Where it is told to stop, all of that of the path so far.
-/// @param frames about how many states of the motion to keep, flat and last included, >= 2
-void add_equilibrium(Run& run, const model::LinkageDrive& drive, const model::Elasticity& elasticity,
-                     int frames, const RunOptions& run_options);
+/// What following a drive with elastic hinges gives.
+struct ElasticState {
+  Equilibrium equilibrium;
+  double theta = 0;  ///< rad, where the path ended
+  std::vector<NamedState>
+      states;  ///< the last one, that of the closed form under the same drive, frames of the motion
+  std::vector<Fidelity> fidelity;  ///< a row for each of the first two
+  std::vector<std::string> why;    ///< sentences of the plan
+};
+
+/// Follows the equilibrium of a design to the goal of a drive, with the stable states that a release on the way leads to, and the
+/// closed form's state of the same drive where there is one. Where it is told to stop, all of that of the path so far.
+/// @param frames about how many states of the motion to keep, flat and last included, >= 2   @pre planned
+ElasticState follow_drive(const Found& found, const model::LinkageDrive& drive,
+                          const model::Elasticity& elasticity, int frames, const RunOptions& options);
+
+/// The run with these states after its own.
+Run with_states(Run run, ElasticState state);
 
 /// Theta of the sheet where a path came to, rad: that of the closed form under the same drive where it is near, else half the turns
 /// of its hinges. That of plates, by their distance alone, is another where rows lean; a cord and springs only pull that way.

@@ -25,35 +25,32 @@ void correct(model::ThetaLimit& sampled, const model::CertifiedLimit& proven, Pl
   sampled = {proven.theta, true, proven.walls};
 }
 
-void correct_samples(Run& run) {
-  if (!run.plan.free_range || !run.certified->designed) return;
-  correct(run.plan.free_range->negative, run.certified->designed.negative, run.plan);
-  correct(run.plan.free_range->positive, run.certified->designed.positive, run.plan);
+Plan corrected(Plan plan, const Certified& certified) {
+  if (!plan.free_range || !certified.designed) return plan;
+  correct(plan.free_range->negative, certified.designed.negative, plan);
+  correct(plan.free_range->positive, certified.designed.positive, plan);
+  return plan;
 }
 
-/// Walls that do overlap on the way to a goal, whichever states its search has looked at.
-void judge_contact(Run& run) {
-  if (!run.goal || run.plan.model != Model::exact || !run.certified->designed) return;
-  if (const auto why = contact_reason(run)) run.violations.push_back(*why);
-}
-
-/// Where nothing was to be proven: walls that overlap as built are seen in the flat state.
-void judge_overlap(Run& run) {
-  if (!run.goal || run.plan.model != Model::exact || !run.plan.exact || run.theta == 0) return;
+/// Walls that do overlap on the way to a goal, whichever states its search has looked at. Where nothing was to be proven those that
+/// overlap as built are seen in the flat state.
+std::optional<std::string> why_walls_meet(const Run& run) {
+  if (!run.goal || run.plan.model != Model::exact) return std::nullopt;
+  if (run.certified) return run.certified->designed ? contact_reason(run) : std::nullopt;
+  if (!run.plan.exact || run.theta == 0) return std::nullopt;
   const model::Linkage linkage = run.design.structure;
   const model::WallContact contact(linkage);
-  if (const auto& overlap = contact.overlap_at_rest())
-    run.violations.push_back(overlap_words(*overlap, run.design.structure));
+  const auto& overlap = contact.overlap_at_rest();
+  return overlap ? std::optional(overlap_words(*overlap, run.design.structure)) : std::nullopt;
 }
 
 /// What is proven of walls where they are out of place, of the states that prints are judged in. Of equilibria near the closed
 /// form nothing is; that even this form may touch is a warning all the same.
-void judge_contact_of_prints(Run& run) {
+std::optional<bool> are_prints_free(const Run& run) {
   const bool has_left = run.equilibrium && run.equilibrium->path.off_closed_form;
-  if (!run.printed || has_left || !run.certified->printed) return;
-  const bool covered = run.certified->covers_printed(run.theta);
-  const bool is_free = covered && !run.printed->touches_too_often();
-  if (!run.equilibrium || !is_free) run.printed->free_of_contact = is_free;
+  if (!run.printed || !run.certified || has_left || !run.certified->printed) return std::nullopt;
+  const bool is_free = run.certified->covers_printed(run.theta) && !run.printed->touches_too_often();
+  return run.equilibrium && is_free ? std::nullopt : std::optional(is_free);
 }
 
 }  // namespace
@@ -100,7 +97,7 @@ void Judging::ask_export() {
     found_.print = options_.printable(written_design(run_));
 }
 
-void add(Judgement judgement, Run& run) {
+Run with_judgement(Run run, Judgement judgement) {
   run.timings.as_made = judgement.as_made_s;
   run.timings.certify = judgement.certify_s;
   if (judgement.printed) {
@@ -112,11 +109,11 @@ void add(Judgement judgement, Run& run) {
     run.prints_unknown = std::move(judgement.prints_unknown);
     run.plan.why.push_back("what prints come to is not known: " + run.prints_unknown);
   }
-  if (!judgement.certified) return judge_overlap(run);
   run.certified = std::move(judgement.certified);
-  correct_samples(run);
-  judge_contact(run);
-  judge_contact_of_prints(run);
+  if (run.certified) run.plan = corrected(std::move(run.plan), *run.certified);
+  if (const auto why = why_walls_meet(run)) run.violations.push_back(*why);
+  if (const auto free = are_prints_free(run)) run.printed->free_of_contact = *free;
+  return run;
 }
 
 }  // namespace kinetix::app

@@ -42,8 +42,8 @@ class Judging {
   Judgement found_;  ///< each part writes fields of its own
 };
 
-/// Adds it to the run: ranges of theta that samples took for free end where walls are proven to meet, and a goal that lies
-/// beyond is missed. So is one whose walls overlap as built, where nothing was to be proven as well.
-void add(Judgement judgement, Run& run);
+/// The run with its judgement: ranges of theta that samples took for free end where walls are proven to meet, and a goal that
+/// lies beyond is missed. So is one whose walls overlap as built, where nothing was to be proven as well.
+Run with_judgement(Run run, Judgement judgement);
 
 }  // namespace kinetix::app

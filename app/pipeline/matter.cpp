@@ -80,33 +80,16 @@ optim::Compensation made_up_for(const Found& found, const Scene& scene, const mo
                     search);
 }
 
-void miss(Run& run, const std::string& why) {
-  run.matter->why = why;
-  run.violations.push_back("equilibrium of the elastic hinges: " + why);
-}
-
 /// Hinges that are too soft for their drive leave the sheet far from its goal; what is missed otherwise no spring mends.
 bool is_far_off(const Run& run, const Scene& scene, const model::State& state) {
   const auto observed = scene.observe(run, run.design.structure, state);
   return !observed || rms_mm(*observed) > observed->tolerance_mm;
 }
 
-/// What counts is where the path from flat ends. That may be beside what the search found, which knows no contact.
-/// @param away from it, cell edges
-void take_end_of_path(Run& run, const Scene& scene, const model::State& end, double away) {
-  const std::string elsewhere = fmt::format(
-      "the path from flat ends in another equilibrium than the one near the goal, {:.3g} mm from it",
-      away * run.design.structure.size().edge_mm);
-  if (const auto observed = scene.observe(run, run.design.structure, end))
-    run.matter->after_mm = rms_mm(*observed);
-  if (!run.met()) return miss(run, elsewhere);
-  run.matter->why = elsewhere + ", and within tolerance as well";
-}
-
 /// The design that was found, in place of the exact one, and its path from flat. Of the plan what the search added stays: the
 /// rest was said of the exact design, whose states come from the closed form.
-void show(Run& run, const optim::InMatter& found, const model::Elasticity& elasticity,
-          const RunOptions& options) {
+Run showing(Run run, const optim::InMatter& found, const model::Elasticity& elasticity,
+            const RunOptions& options) {
   const Plan exact = std::move(run.plan);
   run.design.structure = found.sheet;
   run.theta = found.theta;
@@ -116,10 +99,64 @@ void show(Run& run, const optim::InMatter& found, const model::Elasticity& elast
   run.states.clear();
   run.fidelity.clear();
   run.design.drive = goal_drive_section(run);
-  add_equilibrium(run, goal_drive(run, run.design.structure, run.theta), elasticity, motion_states, options);
-  if (!run.is_laid_over) return;
-  const model::State shown = run.to_shown ? moved(run.own, *run.to_shown) : run.own;
-  for (NamedState& state : run.states) state.poses = aligned(state.poses, shown);
+  const model::LinkageDrive drive = goal_drive(run, run.design.structure, run.theta);
+  ElasticState state = follow_drive(run, drive, elasticity, motion_states, options);
+  const model::State exact_shown = run.to_shown ? moved(run.own, *run.to_shown) : run.own;
+  if (run.is_laid_over)
+    for (NamedState& one : state.states) one.poses = aligned(one.poses, exact_shown);
+  return with_states(std::move(run), std::move(state));
+}
+
+std::string advise_springs(const model::Elasticity& elasticity, int hinges) {
+  return fmt::format(
+      "plates and single hinges let soft hinges lean or buckle sooner than they fold them: try "
+      "`drive: {{kind: shape_memory, k_turn: {:.3g}}}`, springs in all hinges, {:g} times as stiff as "
+      "these, or "
+      "stiffer hinges",
+      spring_over_hinge * stiffest_turn(elasticity, hinges), spring_over_hinge);
+}
+
+MatterResult result_of(const Scene::Observed& exact, const optim::Compensation& found) {
+  return {.exact_mm = rms_mm(exact),
+          .before_mm = found.before.rms_mm,
+          .after_mm = found.after.rms_mm,
+          .tolerance_mm = exact.tolerance_mm,
+          .largest_change = found.largest_change,
+          .theta_change = found.after.theta - found.before.theta,
+          .rounds = found.rounds,
+          .why = found.why};
+}
+
+Run missed(Run run, const std::string& why) {
+  run.matter->why = why;
+  run.violations.push_back("equilibrium of the elastic hinges: " + why);
+  return run;
+}
+
+/// How the equilibrium at the end of the path keeps the goal. @pre the drive came through
+Run measured(Run run, const Scene& scene, const RunOptions& options) {
+  const Equilibrium& equilibrium = *run.equilibrium;
+  const model::State& end = equilibrium.path.state;
+  if (auto measure = scene.measure(run, StateOf::equilibrium, end, options)) {
+    run.violations = measure->violations;
+    run.by_equilibrium = std::move(measure);
+  }
+  if (!run.met() && run.goal_drive.kind == GoalDrive::Kind::usual && is_far_off(run, scene, end))
+    run.violations.push_back(advise_springs(equilibrium.elasticity, run.design.structure.hinges()));
+  return run;
+}
+
+/// What counts is where the path from flat ends. That may be beside what the search found, which knows no contact.
+/// @param away from it, cell edges
+Run elsewhere(Run run, const Scene& scene, double away) {
+  const std::string where = fmt::format(
+      "the path from flat ends in another equilibrium than the one near the goal, {:.3g} mm from it",
+      away * run.design.structure.size().edge_mm);
+  if (const auto observed = scene.observe(run, run.design.structure, run.equilibrium->path.state))
+    run.matter->after_mm = rms_mm(*observed);
+  if (!run.met()) return missed(std::move(run), where);
+  run.matter->why = where + ", and within tolerance as well";
+  return run;
 }
 
 }  // namespace
@@ -155,42 +192,27 @@ MatterPath path_in_matter(const Found& found, const Scene& scene, const std::sto
           trace_equilibrium({after.sheet, drive, exact_motion(after.sheet)}, elasticity, options)};
 }
 
-void settle_in_matter(Run& run, const Scene& scene, const RunOptions& options) {
+Run settled_in_matter(Run run, const Scene& scene, const RunOptions& options) {
   const auto exact = scene.observe(run, run.design.structure, run.own);
-  if (!exact) return;
+  if (!exact) return run;
   options.progress("hinges in matter", 0);
   const model::Elasticity elasticity = elasticity_of(run.design);
-  run.matter = MatterResult{};
-  run.matter->exact_mm = rms_mm(*exact);
-  run.matter->before_mm = run.matter->after_mm = std::nan("");
-  run.matter->tolerance_mm = exact->tolerance_mm;
+  run.matter = MatterResult{.exact_mm = rms_mm(*exact),
+                            .before_mm = std::nan(""),
+                            .after_mm = std::nan(""),
+                            .tolerance_mm = exact->tolerance_mm,
+                            .why = ""};
   const model::EquilibriumPath path = path_to(run, run.design.structure, run.theta, elasticity, options.stop);
-  if (path.stop != model::EquilibriumPath::Stop::reached) return miss(run, path.why);
+  if (path.stop != model::EquilibriumPath::Stop::reached) return missed(std::move(run), path.why);
   const optim::Compensation found =
       made_up_for(run, scene, path, elasticity, exact->tolerance_mm, options.stop);
-  MatterResult& matter = *run.matter;
-  matter.before_mm = found.before.rms_mm;
-  matter.after_mm = found.after.rms_mm;
-  matter.largest_change = found.largest_change;
-  matter.theta_change = found.after.theta - found.before.theta;
-  matter.rounds = found.rounds;
-  matter.why = found.why;
-  show(run, found.after, elasticity, options);
-  const model::EquilibriumPath& shown = run.equilibrium->path;
-  if (!run.equilibrium->reached()) return miss(run, shown.why);
-  if (auto measure = scene.measure(run, StateOf::equilibrium, shown.state, options)) {
-    run.violations = measure->violations;
-    run.by_equilibrium = std::move(measure);
-  }
-  if (!run.met() && run.goal_drive.kind == GoalDrive::Kind::usual && is_far_off(run, scene, shown.state))
-    run.violations.push_back(fmt::format(
-        "plates and single hinges let soft hinges lean or buckle sooner than they fold them: try "
-        "`drive: {{kind: shape_memory, k_turn: {:.3g}}}`, springs in all hinges, {:g} times as stiff as "
-        "these, or "
-        "stiffer hinges",
-        spring_over_hinge * stiffest_turn(elasticity, run.design.structure.hinges()), spring_over_hinge));
-  const double away = aligned_distance(run.design.structure, shown.state, found.after.state).max;
-  if (!(away <= same_state)) take_end_of_path(run, scene, shown.state, away);
+  run.matter = result_of(*exact, found);
+  run = showing(std::move(run), found.after, elasticity, options);
+  if (!run.equilibrium->reached()) return missed(std::move(run), std::string(run.equilibrium->path.why));
+  run = measured(std::move(run), scene, options);
+  const double away =
+      aligned_distance(run.design.structure, run.equilibrium->path.state, found.after.state).max;
+  return away <= same_state ? run : elsewhere(std::move(run), scene, away);
 }
 
 }  // namespace kinetix::app

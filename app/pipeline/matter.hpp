@@ -28,6 +28,6 @@ MatterPath path_in_matter(const Found& found, const Scene& scene, const std::sto
 /// brings that onto the goal (optim/matter/compensate.hpp). The run then shows the equilibrium of the new design, as
 /// the path from flat comes to it. Without an equilibrium the exact state stays, and the goal says why it is not met.
 /// @pre measured, is_of_matter
-void settle_in_matter(Run& run, const Scene& scene, const RunOptions& options);
+Run settled_in_matter(Run run, const Scene& scene, const RunOptions& options);
 
 }  // namespace kinetix::app

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <future>
-#include <iterator>
 #include <utility>
 
 #include "app/pipeline/design_drive.hpp"
@@ -16,6 +15,7 @@
 #include "app/run/design_hinges.hpp"
 #include "app/run/drive_end.hpp"
 #include "app/run/stopwatch.hpp"
+#include "model/base/append.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/base/parallel_runs.hpp"
 #include "model/closure/drive_theta.hpp"
@@ -23,11 +23,6 @@
 
 namespace kinetix::app {
 namespace {
-
-template <class T>
-void append(std::vector<T> more, std::vector<T>& to) {
-  std::move(more.begin(), more.end(), std::back_inserter(to));
-}
 
 /// Of the equilibrium of elastic hinges; nothing where its drive did not come through.
 std::optional<PhysicsTask> elastic_task(const Run& run) {
@@ -65,96 +60,112 @@ std::future<void> work_beside(Judging& judging, int threads) {
   return std::async(policy, [&judging] { judging.work(); });
 }
 
-void judge_by_physics(Run& run, const Scene* scene, const RunOptions& options) {
-  if (!scene) return;
-  if (is_settled(*run.verification))
-    run.by_physics = scene->measure(run, StateOf::physics, run.verification->physics.state, options);
-  if (run.by_physics && run.by_physics->shown) run.states.back().poses = *run.by_physics->shown;
-  if (run.met())  // of a state that misses its goal, physics says so too
-    run.verification->agrees &= run.physics_violations().empty();
+/// How the settled physics run keeps the goal.
+std::shared_ptr<const Measure> measured(const Run& run, const Scene* scene, const Verification& verification,
+                                        const RunOptions& options) {
+  if (!scene || !is_settled(verification)) return nullptr;
+  return scene->measure(run, StateOf::physics, verification.physics.state, options);
 }
 
-std::optional<Verification> timed_physics(Run& run, const PhysicsTask& task, const RunOptions& options,
-                                          bool usual_steps = false) {
-  Stopwatch watch;
-  std::optional<Verification> out = verify(run, task, options, usual_steps);
-  run.timings.verify += watch.lap();
-  return out;
+/// Of a state that misses its goal, physics says so too.
+bool agrees(const Run& run, const Verification& verification, const Measure* measure) {
+  return verification.agrees && (!measure || !run.met() || measure->violations.empty());
 }
 
-/// Where coarser steps came near enough to the model's state, but not to the goal, which may be stricter.
-void repeat_finer(Run& run, const Scene* scene, const PhysicsTask& task, const RunOptions& options) {
-  const double spent = run.verification->physics.seconds;
-  remove_coarse(run);
-  std::optional<Verification> finer = timed_physics(run, task, options, true);
-  if (!finer) return;
-  finer->physics.seconds += spent;
-  add(std::move(*finer), task, options, run);
-  judge_by_physics(run, scene, options);
+/// Runs the physics engine. Where coarser steps came near enough to the model's state, but not to the goal, which may be stricter,
+/// it runs again in the usual ones.
+Run with_physics(Run run, const Scene* scene, Verification verification, const PhysicsTask& task,
+                 const RunOptions& options) {
+  std::shared_ptr<const Measure> measure = measured(run, scene, verification, options);
+  if (verification.coarse && !agrees(run, verification, measure.get())) {
+    Stopwatch watch;
+    std::optional<Verification> finer = verify(run, task, options, true);
+    run.timings.verify += watch.lap();
+    if (!finer) return run;
+    finer->physics.seconds += verification.physics.seconds;
+    verification = std::move(*finer);
+    measure = measured(run, scene, verification, options);
+  }
+  verification.agrees = agrees(run, verification, measure.get());
+  const sim::PhysicsResult& physics = verification.physics;
+  run.states.push_back({"target", to_string(Model::bullet), run.theta,
+                        measure && measure->shown ? *measure->shown : physics.state, physics.gaps});
+  model::append(fidelity_of(run, verification, task, options), run.fidelity);
+  run.by_physics = std::move(measure);
+  run.verification = std::move(verification);
+  return run;
 }
 
 /// By physics where there is a task for it, and by what else says how good the design is, side by side.
-void check(Run& run, const Scene* scene, const std::optional<PhysicsTask>& task, const RunOptions& options) {
+Run checked(Run run, const Scene* scene, const std::optional<PhysicsTask>& task, const RunOptions& options) {
   Judging judging(run, scene, options);
   std::future<void> beside = work_beside(judging, options.threads);
   std::optional<Verification> verification;
-  if (task) verification = timed_physics(run, *task, options);
+  Stopwatch watch;
+  if (task) verification = verify(run, *task, options);
+  const double seconds = watch.lap();
   options.progress(run.goal ? "prints, contact" : "contact", -1);
   judging.work();
   beside.get();
-  add(judging.judgement(), run);
-  if (!verification) return;
-  add(std::move(*verification), *task, options, run);
-  judge_by_physics(run, scene, options);
-  if (!run.verification->agrees && run.verification->coarse) repeat_finer(run, scene, *task, options);
+  run = with_judgement(std::move(run), judging.judgement());
+  if (task) run.timings.verify = seconds;
+  return verification ? with_physics(std::move(run), scene, std::move(*verification), *task, options)
+                      : std::move(run);
 }
 
 /// A goal counts in the state that its drive leads to: where the drive stops on its way there is none.
-void judge_drive(Run& run) {
-  if (run.goal && !run.matter && run.equilibrium && !run.equilibrium->reached())
-    run.violations.push_back(drive_stop_reason(run.equilibrium->path));
+std::optional<std::string> why_drive_stops(const Run& run) {
+  if (!run.goal || run.matter || !run.equilibrium || run.equilibrium->reached()) return std::nullopt;
+  return drive_stop_reason(run.equilibrium->path);
 }
 
 /// However well the shape is kept: what tears does not keep it. After the physics run, which judges the shape alone.
-void judge_strain(Run& run) {
-  if (!run.goal || run.states.empty()) return;
-  const auto why = strained_too_far(run.design, run.states.front().poses);
-  if (!why) return;
-  run.strained = run.met();
-  run.violations.push_back(*why);
+std::optional<std::string> why_hinges_tear(const Run& run) {
+  if (!run.goal || run.states.empty()) return std::nullopt;
+  return strained_too_far(run.design, run.states.front().poses);
 }
 
-/// Shows the state that the search knows of its design, in place of a path that was stopped before its end.
-void take_state_of_search(Run& run) {
-  NamedState& shown = run.states.front();
-  shown.poses = run.known->state;
-  shown.model = to_string(run.known->model);
-  shown.gaps = hinge_gaps(run.design.structure, shown.poses);
-  run.theta = shown.theta = model::mean_theta(run.design.structure, shown.poses);
-  run.plan.why.push_back("the path of the equilibrium was stopped: the state shown is that of the search");
+/// The state that the search knows of its design, in place of a path that was stopped before its end.
+NamedState known_state(const Run& run) {
+  const model::State& state = run.known->state;
+  return {"target", to_string(run.known->model), model::mean_theta(run.design.structure, state), state,
+          hinge_gaps(run.design.structure, state)};
 }
 
-/// Adds the states in which the model holds what was found, where it has any.
-void add_states(Run& run, const RunOptions& options) {
+/// The states in which the model holds what was found, where it has any.
+Run with_model_states(Run run, const RunOptions& options) {
   if (run.plan.model == Model::equilibrium) {
-    add_equilibrium(run, drive_of(run.design), elasticity_of(run.design), motion_states, options);
-    if (run.known && options.stop.stop_requested() && !run.equilibrium->reached()) take_state_of_search(run);
+    ElasticState state =
+        follow_drive(run, drive_of(run.design), elasticity_of(run.design), motion_states, options);
+    run = with_states(std::move(run), std::move(state));
+    if (run.known && options.stop.stop_requested() && !run.equilibrium->reached()) {
+      run.states.front() = known_state(run);
+      run.theta = run.states.front().theta;
+      run.plan.why.emplace_back(
+          "the path of the equilibrium was stopped: the state shown is that of the search");
+    }
     run.own = run.states.front().poses;
   } else if (run.plan.exact) {
     if (!run.goal) run.theta = exact_theta_of(run.design, run.plan.exact);
     run.states.push_back(exact_state(run, "target", run.theta));
     run.fidelity.push_back(exact_fidelity(run.plan.exact, run.design.structure, run.theta));
-    if (!run.goal) append(exact_frames(run), run.states);
+    if (!run.goal) model::append(exact_frames(run), run.states);
   }
-  append(std::move(run.notes), run.plan.why);
+  model::append(run.notes, run.plan.why);
+  return run;
 }
 
 Run finished(Run run, const Scene* scene, const RunOptions& options) {
   const bool verifies = options.verify && !options.stop.stop_requested();
-  check(run, scene, verifies ? physics_task(run) : std::nullopt, options);
-  judge_strain(run);
+  const std::optional<PhysicsTask> task = verifies ? physics_task(run) : std::nullopt;
+  run = checked(std::move(run), scene, task, options);
+  if (const auto why = why_hinges_tear(run)) {
+    run.strained = run.met();
+    run.violations.push_back(*why);
+  }
   run.stopped = options.stop.stop_requested();
-  if (scene && !run.matter && run.plan.model != Model::equilibrium) append(exact_frames(run), run.states);
+  if (scene && !run.matter && run.plan.model != Model::equilibrium)
+    model::append(exact_frames(run), run.states);
   return run;
 }
 
@@ -166,7 +177,7 @@ Run held(Found found, const Scene* scene, const RunOptions& options) {
   Stopwatch watch;
   static_cast<Found&>(run) = planned(std::move(found));
   run.timings.plan = watch.lap();
-  add_states(run, options);
+  run = with_model_states(std::move(run), options);
   run.timings.equilibrium = watch.lap();
   if (!scene) return run;
   run.by_model = scene->measure(run, StateOf::model, run.own, options);
@@ -177,8 +188,8 @@ Run held(Found found, const Scene* scene, const RunOptions& options) {
 
 Run settled(Run run, const Scene& scene, const RunOptions& options) {
   Stopwatch watch;
-  if (is_of_matter(run)) settle_in_matter(run, scene, options);
-  judge_drive(run);
+  if (is_of_matter(run)) run = settled_in_matter(std::move(run), scene, options);
+  if (const auto why = why_drive_stops(run)) run.violations.push_back(*why);
   run.timings.matter = watch.lap();
   return run;
 }

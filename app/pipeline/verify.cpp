@@ -52,22 +52,10 @@ std::optional<model::EquilibriumComparison> equilibria(const Run& run, const Ver
       v.physics.state, reference, run.verify_tolerance);
 }
 
-void add_fidelity(Run& run, const std::string& model, const sim::PhysicsResult& physics,
-                  const model::State& reference) {
+Fidelity row_of(const Run& run, const std::string& model, const sim::PhysicsResult& physics,
+                const model::State& reference) {
   const double rms = distance(run.design.structure, physics, reference).rms;
-  run.fidelity.push_back(
-      {model + " (" + to_string(physics.status) + ")", physics.seconds, rms, to_string(run.plan.model)});
-}
-
-/// Of quick runs of coarser steps.
-void add_coarser(Run& run, const Verification& v, const PhysicsTask& task, const RunOptions& options) {
-  const auto alone = hold_engine(options);
-  options.progress("speed against error", -1);
-  for (const double factor : {4.0, 16.0})
-    if (v.options.step_s * factor <= longest_step_s)
-      add_fidelity(run, fmt::format("bullet, {} x step", factor),
-                   run_compression(run.design.structure, task.drive, with_steps(v.options, factor)),
-                   task.reference);
+  return {model + " (" + to_string(physics.status) + ")", physics.seconds, rms, to_string(run.plan.model)};
 }
 
 /// Only where a model's state tells whether a coarse run came to the right end, and where nobody asked for a step.
@@ -117,19 +105,20 @@ std::optional<Verification> verify(const Run& run, const PhysicsTask& task, cons
   return v;
 }
 
-void add(Verification verification, const PhysicsTask& task, const RunOptions& options, Run& run) {
-  const sim::PhysicsResult& physics = verification.physics;
-  run.states.push_back({"target", to_string(Model::bullet), run.theta, physics.state, physics.gaps});
-  if (verification.compared) add_fidelity(run, "bullet", physics, task.reference);
-  if (verification.compared && options.fidelity) add_coarser(run, verification, task, options);
-  run.verification = std::move(verification);
-}
-
-void remove_coarse(Run& run) {
-  run.states.pop_back();
-  run.fidelity.pop_back();
-  run.verification.reset();
-  run.by_physics.reset();
+std::vector<Fidelity> fidelity_of(const Run& run, const Verification& verification, const PhysicsTask& task,
+                                  const RunOptions& options) {
+  if (!verification.compared) return {};
+  std::vector<Fidelity> rows = {row_of(run, "bullet", verification.physics, task.reference)};
+  if (!options.fidelity) return rows;
+  const auto alone = hold_engine(options);
+  options.progress("speed against error", -1);
+  for (const double factor : {4.0, 16.0}) {
+    const sim::PhysicsOptions coarser = with_steps(verification.options, factor);
+    if (coarser.step_s <= longest_step_s)
+      rows.push_back(row_of(run, fmt::format("bullet, {} x step", factor),
+                            run_compression(run.design.structure, task.drive, coarser), task.reference));
+  }
+  return rows;
 }
 
 }  // namespace kinetix::app

@@ -23,12 +23,9 @@ struct PhysicsTask {
 std::optional<Verification> verify(const Run& run, const PhysicsTask& task, const RunOptions& options,
                                    bool usual_steps = false);
 
-/// Adds it to the run with its state and its row of the table of speed against error; runs of coarser steps give further
-/// rows where `fidelity` asks for them, beside a run of the usual step.
-void add(Verification verification, const PhysicsTask& task, const RunOptions& options, Run& run);
-
-/// Takes away what add() did for a run of coarser steps.
-void remove_coarse(Run& run);
+/// Rows of the table of speed against error of a physics run, and where `fidelity` asks for them of runs of coarser steps.
+std::vector<Fidelity> fidelity_of(const Run& run, const Verification& verification, const PhysicsTask& task,
+                                  const RunOptions& options);
 
 bool is_settled(const Verification& verification);
 

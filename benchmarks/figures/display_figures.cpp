@@ -70,17 +70,16 @@ std::vector<Figure> letter_t() {
                               rule = app::outcome_of<app::DisplayOutcome>(run).design.starts[0].view.score;
   const targets::DisplayScore physics = settled(run) ? physics_of(run).score : targets::DisplayScore{};
   const std::string scene = "letter T, 10 x 10 cells, 12 % compression";
-  return {
-      {scene + ": model", "auc 1, contrast >= 6, 0.075 apart, stretch <= 0.12",
-       fmt::format("{}, stretch {:.3f}", in_words(model), d.stretch),
-       model.auc == 1 && model.contrast >= 6 && model.separation() >= 0.075 && d.stretch <= 0.12},
-      {scene + ": physics run", "auc >= 0.99, contrast >= 4, 0.065 apart", in_words(physics),
-       physics.auc >= 0.99 && physics.contrast >= 4 && physics.separation() >= 0.065},
-      {scene + ": before compression", "contrast 0", fmt::format("{:g}", d.before.score.contrast),
-       d.before.score.contrast == 0},
-      {scene + ": the paper's rule alone, k = 0.15", "", in_words(rule), true},
-      {scene + ": time of the search", "<= 10 s", fmt::format("{:.2g} s", run.timings.optimise),
-       run.timings.optimise <= 10}};
+  return {{scene + ": model", "auc 1, contrast >= 6, 0.075 apart, stretch <= 0.12",
+           fmt::format("{}, stretch {:.3f}", in_words(model), d.stretch),
+           model.auc == 1 && model.contrast >= 6 && model.separation() >= 0.075 && d.stretch <= 0.12},
+          {scene + ": physics run", "auc >= 0.99, contrast >= 4, 0.065 apart", in_words(physics),
+           physics.auc >= 0.99 && physics.contrast >= 4 && physics.separation() >= 0.065},
+          {scene + ": before compression", "contrast 0", fmt::format("{:g}", d.before.score.contrast),
+           d.before.score.contrast == 0},
+          {scene + ": the paper's rule alone, k = 0.15", "", in_words(rule), true},
+          {scene + ": time of the search", "<= 10 s", fmt::format("{:.2g} s", run.timings.optimise),
+           run.timings.optimise <= 10}};
 }
 
 /// What a capital came to in the physics run, and what a text recogniser reads in its far views.

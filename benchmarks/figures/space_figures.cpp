@@ -38,8 +38,8 @@ Figure helix_figure() {
   const double seconds = run.timings.optimise;
   const bool agrees = run.verification && run.verification->agrees;
   return {"helix of two turns, 96 columns", "rms <= 2.4e-3 of the diagonal, <= 1 s, physics agrees",
-          fmt::format("rms {:.2e}, largest {:.2e}, {:.2f} s, {}", error.rms, error.max,
-                      seconds, agrees ? "physics agrees" : "physics does not agree"),
+          fmt::format("rms {:.2e}, largest {:.2e}, {:.2f} s, {}", error.rms, error.max, seconds,
+                      agrees ? "physics agrees" : "physics does not agree"),
           error.rms <= 2.4e-3 && seconds <= 1 && agrees};
 }
 

@@ -6,6 +6,7 @@
 #include "app/goals/helmet/helmet_outcome.hpp"
 #include "app/goals/surface/fishbone_motion.hpp"
 #include "app/run/search_words.hpp"
+#include "model/base/append.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
@@ -62,10 +63,6 @@ std::vector<std::string> collisions(const Run& run) {
   return {
       fmt::format("walls collide on the way, at theta {:.2f} deg: use lower or thinner walls, or fewer ribs",
                   to_degrees(range->positive.theta))};
-}
-
-void append(std::vector<std::string>& to, const std::vector<std::string>& more) {
-  to.insert(to.end(), more.begin(), more.end());
 }
 
 /// Of the head down to where it is covered, and of walls around it, whose middles the clearance ends at.
@@ -125,9 +122,9 @@ class HelmetScene final : public Scene {
       out->shown = moved(on_head, pose_of(file_.head.to_mesh));
       return out;
     }
-    append(out->violations, bare(file_, helmet.cover));
-    append(out->violations, helmet.design.collisions);
-    append(out->violations, collisions(run));
+    model::append(bare(file_, helmet.cover), out->violations);
+    model::append(helmet.design.collisions, out->violations);
+    model::append(collisions(run), out->violations);
     return out;
   }
 

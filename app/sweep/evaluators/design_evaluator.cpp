@@ -22,8 +22,8 @@ Run equilibrium_run(const Design& design) {
   run.plan.model = Model::equilibrium;
   run.plan.planar = all_vertical(model::Linkage(design.structure));
   // As many frames as `simulate` has: they decide the steps of the path.
-  add_equilibrium(run, drive_of(design), elasticity_of(design), motion_states, {});
-  return run;
+  ElasticState state = follow_drive(run, drive_of(design), elasticity_of(design), motion_states, {});
+  return with_states(std::move(run), std::move(state));
 }
 
 /// Of the closed form, where a family fits.

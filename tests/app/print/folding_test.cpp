@@ -236,6 +236,7 @@ TEST(Folding, NoExportOfRandomSheetsCrosses) {
   }
   RecordProperty("exported", exported);
   if (many) std::cout << exported << " of " << count << " exported, deepest " << deepest << " mm\n";
+  if (one) return;
   EXPECT_GE(exported, count / 4) << "else little was judged";
   EXPECT_GT(largest_tests, 0);
 }

@@ -107,8 +107,7 @@ TEST(SurfaceGoal, OfACapIsNotMetByNearlyACylinder) {
                             without_physics());
   const auto& outcome = outcome_of<SurfaceOutcome>(run);
   EXPECT_NEAR(outcome.cone_rms, 0.0127, 0.002);
-  EXPECT_EQ(outcome.curvature.share < 0.5 || outcome.design.error.rms > 0.5 * outcome.cone_rms,
-            !run.met());
+  EXPECT_EQ(outcome.curvature.share < 0.5 || outcome.design.error.rms > 0.5 * outcome.cone_rms, !run.met());
   EXPECT_FALSE(run.met());
   nlohmann::ordered_json metrics;
   outcome.add_metrics(run, metrics);
