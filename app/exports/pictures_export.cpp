@@ -5,7 +5,7 @@ namespace {
 
 std::vector<NamedContent> write_pictures(const Run& run, const nlohmann::ordered_json&) {
   if (!run.goal) return {};
-  return run.goal->pictures(run);
+  return run.goal->pictures(run, false);
 }
 
 }  // namespace

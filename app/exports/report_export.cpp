@@ -15,7 +15,7 @@ std::vector<NamedContent> write_report(const Run& run, const nlohmann::ordered_j
   nlohmann::ordered_json shown = result;
   shown["timing_s"].erase("write");
   if (run.goal)
-    for (const auto& [name, png] : run.goal->shown_pictures(run))
+    for (const auto& [name, png] : run.goal->pictures(run, true))
       shown["pictures"][name] = "data:image/png;base64," + to_base64(png);
   return {{"report.html", report_html(light_result(std::move(shown), !scene_script().empty()).dump())}};
 }

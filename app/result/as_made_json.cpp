@@ -130,7 +130,7 @@ std::vector<std::string> scatter_reasons(const Run& run) {
   std::vector<std::string> why;
   if (printed.p95_mm() > printed.tolerance_mm)
     why.push_back(fmt::format("95 of 100 prints stay within {:.2f} mm of {}, and {:.2f} mm are allowed",
-                              printed.p95_mm(), run.goal->judged_against(), printed.tolerance_mm));
+                              printed.p95_mm(), run.judged_against, printed.tolerance_mm));
   if (!printed.runs) return why;
   const model::PrintRuns& runs = *printed.runs;
   if (runs.failed > 0)
@@ -140,7 +140,7 @@ std::vector<std::string> scatter_reasons(const Run& run) {
     why.push_back(
         fmt::format("of {} prints in the elastic model {} came within {:.2f} mm of {}, and "
                     "{:.2f} mm are allowed",
-                    runs.prints, runs.kept(), runs.p95_mm, run.goal->judged_against(), printed.tolerance_mm));
+                    runs.prints, runs.kept(), runs.p95_mm, run.judged_against, printed.tolerance_mm));
   return why;
 }
 
@@ -152,7 +152,7 @@ std::vector<PlaceSource> sources_by_place(const Run& run) {
   std::map<std::pair<std::string, int>, double> shares;
   for (const model::ScatterSource& source : run.printed->made.sources) {
     const model::Wall& wall = squares->hinges[static_cast<std::size_t>(source.hinge)].wall;
-    shares[{line_name(wall, run.goal->is_strip()), source.parameter}] += source.share;
+    shares[{line_name(wall, run.is_strip), source.parameter}] += source.share;
   }
   std::vector<PlaceSource> out;
   for (const auto& [at, share] : shares) out.push_back({at.first, at.second, share});
@@ -230,7 +230,7 @@ std::vector<std::string> scatter_warnings(const Run& run) {
   if (run.printed->touches_too_often()) all.push_back(*touching_words(*run.printed));
   if (auto starts = flat_start_words(*run.printed)) all.push_back(std::move(*starts));
   if (run.printed->runs && !run.printed->is_confirmed())
-    all.push_back(prints_words(*run.printed, run.goal->judged_against()));
+    all.push_back(prints_words(*run.printed, run.judged_against));
   return all;
 }
 
@@ -241,8 +241,8 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
       {"as made",
        fmt::format("printed by {}: {:.2f} mm off {} (rms over points of the sheet; {:.2f} "
                    "mm as designed), 95 of 100 prints within {:.2f} mm; {:.2f} mm are allowed: {}",
-                   run.design.process.name, run.printed->rms_mm(), run.goal->judged_against(),
-                   made.designed_mm, run.printed->p95_mm(), run.printed->tolerance_mm, verdict_words(run))}};
+                   run.design.process.name, run.printed->rms_mm(), run.judged_against, made.designed_mm,
+                   run.printed->p95_mm(), run.printed->tolerance_mm, verdict_words(run))}};
   if (const auto touching = touching_words(*run.printed); touching && !run.printed->touches_too_often())
     lines.push_back({"", *touching});  // else it is a warning
   if (const auto places = sources_by_place(run); !places.empty())
@@ -261,8 +261,8 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
          fmt::format("of which play of {:g} mm a side, {:.2f} deg: without it {:.2f} mm off {}, 95 of 100 "
                      "within {:.2f} mm",
                      loosest_pin(run.design)->clearance_mm, to_degrees(tilt_play(*loosest_pin(run.design))),
-                     tight->rms_mm, run.goal->judged_against(), tight->p95_mm)});
-  if (run.printed->runs) lines.push_back({"", prints_words(*run.printed, run.goal->judged_against())});
+                     tight->rms_mm, run.judged_against, tight->p95_mm)});
+  if (run.printed->runs) lines.push_back({"", prints_words(*run.printed, run.judged_against)});
   if (run.printed->taken) {
     lines.push_back({"", taken_words(*run.printed->taken)});
     lines.push_back({"", "`hinge:` and `drive:` in the file say what other hinges come to"});

@@ -37,7 +37,7 @@ std::vector<SummaryLine> matter_lines(const Run& run) {
       {"matter",
        fmt::format("with its hinges as made, points of the sheet are {:.3g} mm off {} (rms), where those of "
                    "the exact design would be {:.3g} mm off; its prints are allowed {:.3g} mm",
-                   matter.after_mm, run.goal->judged_against(), matter.before_mm, matter.tolerance_mm)},
+                   matter.after_mm, run.judged_against, matter.before_mm, matter.tolerance_mm)},
       {"", change_text(matter)}};
 }
 

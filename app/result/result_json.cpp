@@ -152,7 +152,7 @@ Json result_json(const Run& run) {
               {"name", run.design.name},
               {"kinetix_version", version},
               {"seed", run.seed},
-              {"target", run.goal ? run.goal->target_json() : Json(nullptr)},
+              {"target", nullptr},
               {"verdict", verdict_json(verdict_of(run))},
               {"plan", plan_json(run)},
               {"structure", structure_json(run.design, reach, elasticity)},

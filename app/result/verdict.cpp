@@ -98,7 +98,7 @@ void add_warnings(const Run& run, RunVerdict& verdict) {
     if (label != "STRAINED") verdict.warn(words);  // that is an error of `reaches`
   if (!run.goal) return;
   if (!run.met()) warn_all(verdict, run.physics_violations());
-  warn_all(verdict, run.goal->warnings(run));
+  warn_all(verdict, shown_measure(run).warnings);
   if (!run.prints_unknown.empty()) verdict.warn("print tolerance is not known: " + run.prints_unknown);
   if (run.printed) warn_all(verdict, scatter_warnings(run));
 }

@@ -40,6 +40,8 @@ struct Found {
   double theta = 0;                         ///< rad, of the state shown
   std::shared_ptr<const GoalOutcome> goal;  ///< nothing for a design, which was not searched for
   Tolerances tolerances;                    ///< of a goal
+  std::string judged_against = "the goal";  ///< what distances of points of the sheet are from, in words
+  bool is_strip = false;                    ///< whether its columns alone say where something is in the sheet
   GoalDrive goal_drive;                     ///< of goals of exact families
   std::vector<HingePart> hinge_parts;       ///< of a goal's file
   std::optional<RobustChoice>
@@ -105,6 +107,8 @@ class Measure {
   std::vector<std::string> violations =
       {};                                  ///< what it lacks, in words; empty where it is as the target asks
   std::optional<model::State> shown = {};  ///< the same state where results show it; nothing: where it is
+  std::vector<std::string> warnings =
+      {};  ///< what a person should know of the goal and what leaves it met, a sentence each
   std::string prints_unknown =
       {};  ///< why it is not known what its prints come to, where the kind looks at them
 };

@@ -27,24 +27,14 @@ class GoalOutcome {
  public:
   virtual ~GoalOutcome() = default;
 
-  /// What distances of points of the sheet are from, in words.
-  virtual std::string judged_against() const { return "the goal"; }
-
-  /// Whether its columns alone say where something is in the sheet.
-  virtual bool is_strip() const { return false; }
-
-  /// The section `target` of result.json, with the key `kind`.
-  virtual nlohmann::ordered_json target_json() const = 0;
-  /// Adds the kind's own section and `optimiser`. @param run the run that this is the outcome of
+  /// Adds what the kind says of the run: `target` with the key `kind`, its own section, `optimiser`. @param run that this is the
+  /// outcome of
   virtual void add_sections(const Run& run, nlohmann::ordered_json& result) const = 0;
   /// Adds the metrics that the kind names (GoalKind::metrics) to `metrics`.
   virtual void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const = 0;
   virtual std::vector<SummaryLine> summary_lines(const Run& run) const = 0;
-  /// What a person should know of the goal and what leaves it met, a sentence each. @param run as above
-  virtual std::vector<std::string> warnings(const Run& /*run*/) const { return {}; }
-  virtual std::vector<NamedContent> pictures(const Run&) const { return {}; }
-  /// PNG files that the report itself shows.
-  virtual std::vector<NamedContent> shown_pictures(const Run&) const { return {}; }
+  /// @param of_report those alone that the report itself shows, PNG
+  virtual std::vector<NamedContent> pictures(const Run& /*run*/, bool /*of_report*/) const { return {}; }
 
  protected:
   GoalOutcome() = default;

@@ -182,9 +182,12 @@ struct Run : Found {
 };
 
 /// How far the state that results show is from the goal. @pre the run has been through its models
+inline const Measure& shown_measure(const Run& run) {
+  return run.by_equilibrium ? *run.by_equilibrium : *run.by_model;
+}
 template <class Kind>
 const Kind& measure_of(const Run& run) {
-  return dynamic_cast<const Kind&>(run.by_equilibrium ? *run.by_equilibrium : *run.by_model);
+  return dynamic_cast<const Kind&>(shown_measure(run));
 }
 /// That of the settled physics run; null where there is none.
 template <class Kind>

@@ -127,9 +127,8 @@ OwnFit OwnGoal::fit() const {
   return made;
 }
 
-Json OwnOutcome::target_json() const { return {{"kind", "own"}, {"name", name}}; }
-
 void OwnOutcome::add_sections(const app::Run& run, Json& result) const {
+  result["target"] = {{"kind", "own"}, {"name", name}};
   const Eigen::VectorXd& residuals = app::measure_of<OwnMeasure>(run).residuals;
   result["own"] = {{"residuals", std::vector<double>(residuals.begin(), residuals.end())},
                    {"reasons", run.violations},

@@ -33,7 +33,6 @@ class OwnOutcome final : public app::GoalOutcome {
   optim::SolverName solver = optim::SolverName::ceres;
   double tolerance = 0;  ///< of the norm of the residuals, in units of the error
 
-  nlohmann::ordered_json target_json() const override;
   void add_sections(const app::Run& run, nlohmann::ordered_json& result) const override;
   void add_metrics(const app::Run& run, nlohmann::ordered_json& metrics) const override;
   std::vector<app::SummaryLine> summary_lines(const app::Run& run) const override;

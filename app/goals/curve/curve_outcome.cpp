@@ -84,9 +84,8 @@ std::string tolerance_words_of(const CurveOutcome& curve, const Run& run) {
 
 }  // namespace
 
-Json CurveOutcome::target_json() const { return {{"kind", "curve"}, {"points_mm", points_json(target_mm)}}; }
-
 void CurveOutcome::add_sections(const Run& run, Json& result) const {
+  result["target"] = {{"kind", "curve"}, {"points_mm", points_json(target_mm)}};
   result["curve"] = curve_json(*this, run);
   if (robust) result["curve"]["robust"] = robust_json(*robust);
   result["optimiser"] = search_json(found.design.search, found.design.chosen, solver.name);

@@ -15,8 +15,6 @@ class CurveOutcome final : public GoalOutcome {
   optim::SolverOptions solver;
   double shape_tolerance = 0.01;  ///< of found.design.error.rms, over the diagonal of the goal
 
-  bool is_strip() const override { return true; }
-  nlohmann::ordered_json target_json() const override;
   /// Adds `curve` and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
   void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;

@@ -166,6 +166,7 @@ class CurveScene final : public Scene {
     out.tolerances = {{"shape", file.shape_tolerance}};
     out.design.structure = sheet_of(strip.design.design, file.size);
     out.theta = strip.design.design.theta;
+    out.is_strip = true;
     out.is_laid_over = true;
     out.bounds = bounds();
     out.notes = strip.notes;

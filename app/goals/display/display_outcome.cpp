@@ -173,9 +173,8 @@ std::string DisplayOutcome::solver() const {
   return design.scaled ? "alternating directions" : to_string(options.solver.name);
 }
 
-Json DisplayOutcome::target_json() const { return {{"kind", "display"}, {"rows", goal.row_texts()}}; }
-
 void DisplayOutcome::add_sections(const Run& run, Json& result) const {
+  result["target"] = {{"kind", "display"}, {"rows", goal.row_texts()}};
   result["display"] = display_json(*this, run);
   add_levels(levels_of(goal, run.design.structure), result["structure"]["cells"]);
   result["optimiser"] = optimiser_json(*this);
@@ -225,13 +224,8 @@ std::vector<SummaryLine> DisplayOutcome::summary_lines(const Run& run) const {
   return lines;
 }
 
-std::vector<std::string> DisplayOutcome::warnings(const Run& run) const {
-  const auto& printed = measure_of<DisplayMeasure>(run).printed;
-  return printed ? printed->why : std::vector<std::string>{};
+std::vector<NamedContent> DisplayOutcome::pictures(const Run& run, bool of_report) const {
+  return of_report ? far_pictures(run) : display_pictures(run);
 }
-
-std::vector<NamedContent> DisplayOutcome::pictures(const Run& run) const { return display_pictures(run); }
-
-std::vector<NamedContent> DisplayOutcome::shown_pictures(const Run& run) const { return far_pictures(run); }
 
 }  // namespace kinetix::app

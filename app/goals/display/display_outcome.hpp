@@ -70,16 +70,12 @@ class DisplayOutcome final : public GoalOutcome {
   /// What found the design, in words.
   std::string solver() const;
 
-  /// The picture as rows, top row first.
-  nlohmann::ordered_json target_json() const override;
   /// Adds `display` (channel, levels and readings of all cells in the order of structure.cells, starts,
   /// reasons) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
   void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
-  std::vector<std::string> warnings(const Run& run) const override;
-  std::vector<NamedContent> pictures(const Run& run) const override;
-  std::vector<NamedContent> shown_pictures(const Run& run) const override;
+  std::vector<NamedContent> pictures(const Run& run, bool of_report) const override;
 };
 
 class DisplayMeasure final : public Measure {

@@ -210,6 +210,7 @@ class DisplayScene final : public Scene {
       options.progress("prints", 0);
       std::tie(out->printed, out->prints_unknown) = display_prints(file_, run, options);
     }
+    if (out->printed) out->warnings = out->printed->why;
     out->violations = all_violations(file_, display, *out, run);
     return out;
   }

@@ -142,7 +142,7 @@ std::vector<FoldedCrease> FoldOutcome::creases(const targets::FoldError& error) 
                         [&](const targets::FoldCrease& crease) { return crease_name(net, crease); });
 }
 
-Json FoldOutcome::target_json() const {
+void FoldOutcome::add_sections(const Run& run, Json& result) const {
   const targets::FoldNet& net = design.folded.net;
   Json out = {{"kind", "fold"}};
   if (goal.box) out["box"] = *goal.box;
@@ -157,10 +157,7 @@ Json FoldOutcome::target_json() const {
                               {"side", to_string(crease.side)},
                               {"angle_deg", to_degrees(crease.angle)},
                               {"shift", crease.shift}});
-  return out;
-}
-
-void FoldOutcome::add_sections(const Run& run, Json& result) const {
+  result["target"] = out;
   result["fold"] = fold_json(*this, run);
   if (design.folds && !run.states.empty() && is_finite(run.states.front().poses))
     result["fold"]["ideal_mm"] = ideal_json(*this, run.states.front().poses);

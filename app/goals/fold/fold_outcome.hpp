@@ -28,14 +28,6 @@ class FoldOutcome final : public GoalOutcome {
   /// Edges of the ideal box, mm: faces, and what the creases add at their ends, to the rim of an open one. @pre goal.box
   std::array<double, 3> edges_mm() const;
 
-  /// A box of a given size is another one than its cells fold to: tolerance.size is for that.
-  std::string judged_against() const override {
-    if (!goal.box_mm) return "the goal";
-    return goal.open ? "the open box of these cells" : "the closed box of these cells";
-  }
-
-  /// The net that was folded, as faces and creases; the box where one was asked for.
-  nlohmann::ordered_json target_json() const override;
   /// Adds `fold` (faces and creases on the lattice with their angles and errors, unfoldings tried, reasons)
   /// and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;

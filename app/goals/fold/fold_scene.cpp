@@ -62,6 +62,12 @@ double edge_of_cells(const FoldOutcome& found, int across) {
   return *shortest / edges[shortest - asked_mm.begin()];
 }
 
+/// A box of a given size is another one than its cells fold to: tolerance.size is for that.
+std::string judged_against(const targets::FoldGoal& goal) {
+  if (!goal.box_mm) return "the goal";
+  return goal.open ? "the open box of these cells" : "the closed box of these cells";
+}
+
 bool looks_for_other_cells(const FoldFile& file) { return !file.robust && !file.limits.any(); }
 
 /// What of such cells the file's process does not print, in words; empty where it prints them.
@@ -191,6 +197,7 @@ class FoldScene final : public Scene {
     if (file.goal.box_mm) out.tolerances.emplace_back("size", file.size_tolerance);
     out.physics.when = PhysicsWish::When::if_met;
     out.bounds = {file_.tilt, file_.theta};
+    out.judged_against = judged_against(file.goal);
     auto found = std::make_unique<FoldOutcome>();
     found->goal = file.goal;
     optim::FoldOptions first = search_of(file);

@@ -110,7 +110,7 @@ std::vector<FoldedCrease> SolidOutcome::creases(const targets::SolidError& error
   return folded_creases(design.net.creases, error.fold, crease_name);
 }
 
-Json SolidOutcome::target_json() const {
+void SolidOutcome::add_sections(const Run& run, Json& result) const {
   Json out = {{"kind", "fold"}, {"solid", targets::solid_names()[goal.solid]}, {"cells", goal.cells}};
   out["faces"] = Json::array();
   for (std::size_t f = 0; f < design.net.faces.size(); ++f)
@@ -119,10 +119,7 @@ Json SolidOutcome::target_json() const {
   for (const targets::SolidCrease& crease : design.net.creases)
     out["creases"].push_back({{"faces", {face_name(crease.first), face_name(crease.second)}},
                               {"angle_deg", to_degrees(crease.angle)}});
-  return out;
-}
-
-void SolidOutcome::add_sections(const Run& run, Json& result) const {
+  result["target"] = out;
   result["fold"] = fold_json(*this, run);
   if (design.folds && !run.states.empty() && is_finite(run.states.front().poses))
     result["fold"]["ideal_mm"] = ideal_faces_json(design, run.states.front().poses);

@@ -22,7 +22,6 @@ class SolidOutcome final : public GoalOutcome {
   /// Of the solid between the middles of its walls, mm, when it is closed.
   double edge_mm() const;
 
-  nlohmann::ordered_json target_json() const override;
   /// Adds `fold` (faces and creases as polygons of the flat net) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
   void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;

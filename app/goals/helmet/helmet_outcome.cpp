@@ -93,18 +93,6 @@ Json openings_json(const std::vector<targets::DomeOpening>& openings) {
   return out;
 }
 
-/// That there is no head under a part of the helmet; empty where there is.
-std::string invented(const std::vector<targets::DomeOpening>& openings) {
-  if (openings.empty()) return "";
-  double widest = 0;
-  for (const targets::DomeOpening& opening : openings) widest = std::max(widest, opening.width_mm);
-  const std::string holes = openings.size() == 1 ? "a hole" : fmt::format("{} holes", openings.size());
-  return fmt::format(
-      "the part of the head to be covered has {} in the mesh, {}{:.0f} mm across: there the "
-      "helmet follows an invented dome, not the head",
-      holes, openings.size() == 1 ? "" : "the widest ", widest);
-}
-
 std::string in_words(const optim::RibsError& error) {
   return fmt::format("rms {:.3f} mm, largest {:.3f} mm, ribs up to {:.3f} mm rms from their sections",
                      error.rms, error.max, worst_rib(error));
@@ -158,6 +146,17 @@ Json optimiser_json(const optim::SolveResult& search) {
 
 }  // namespace
 
+std::string invented(const std::vector<targets::DomeOpening>& openings) {
+  if (openings.empty()) return "";
+  double widest = 0;
+  for (const targets::DomeOpening& opening : openings) widest = std::max(widest, opening.width_mm);
+  const std::string holes = openings.size() == 1 ? "a hole" : fmt::format("{} holes", openings.size());
+  return fmt::format(
+      "the part of the head to be covered has {} in the mesh, {}{:.0f} mm across: there the "
+      "helmet follows an invented dome, not the head",
+      holes, openings.size() == 1 ? "" : "the widest ", widest);
+}
+
 HelmetOutcome::HelmetOutcome(targets::Head head_, optim::HelmetSpec spec_, optim::RibsDesign design_)
     : head(std::move(head_)),
       spec(std::move(spec_)),
@@ -165,14 +164,12 @@ HelmetOutcome::HelmetOutcome(targets::Head head_, optim::HelmetSpec spec_, optim
       reach(design.fishbone.structure, design.state, head.dome, spec.clearance_mm),
       cover(cover_by(reach, head.dome.mesh(), -spec.coverage_mm)) {}
 
-Json HelmetOutcome::target_json() const {
+void HelmetOutcome::add_sections(const Run& run, Json& result) const {
   Json sections = Json::array();
   for (const auto& [lower, upper] : design.layout.sections)
     sections.push_back({polyline(head, lower), polyline(head, upper)});
-  return {{"kind", "helmet"}, {"spine_mm", polyline(head, design.layout.spine)}, {"sections_mm", sections}};
-}
-
-void HelmetOutcome::add_sections(const Run& run, Json& result) const {
+  result["target"] = {
+      {"kind", "helmet"}, {"spine_mm", polyline(head, design.layout.spine)}, {"sections_mm", sections}};
   result["helmet"] = helmet_json(*this, run, design.fishbone.structure);
   result["optimiser"] = optimiser_json(design.search);
 }
@@ -192,10 +189,6 @@ void HelmetOutcome::add_metrics(const Run& run, Json& metrics) const {
   metrics["distance_rms_mm_physics"] = physics->error.rms;
   metrics["distance_max_mm_physics"] = physics->error.max;
   metrics["walls_inside_physics"] = physics->inside.hinges.size();
-}
-
-std::vector<std::string> HelmetOutcome::warnings(const Run&) const {
-  return head.openings.empty() ? std::vector<std::string>{} : std::vector{invented(head.openings)};
 }
 
 std::vector<SummaryLine> HelmetOutcome::summary_lines(const Run& run) const {

@@ -19,14 +19,14 @@ class HelmetOutcome final : public GoalOutcome {
   optim::RibsReach reach;    ///< of the design's cells
   optim::RibsCover cover;    ///< the dome above the rim against them
 
-  /// The curves that spine and ribs are to follow, in the mesh's frame, mm.
-  nlohmann::ordered_json target_json() const override;
   /// Adds `helmet` (ribs, distances of bodies and cells, reasons) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
   void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
-  std::vector<std::string> warnings(const Run& run) const override;
 };
+
+/// That there is no head under a part of the helmet; empty where there is.
+std::string invented(const std::vector<targets::DomeOpening>& openings);
 
 class HelmetMeasure final : public Measure {
  public:

@@ -117,6 +117,7 @@ class HelmetScene final : public Scene {
                                       : optim::ribs_error(helmet.design.fishbone, on_head, file_.head.dome,
                                                           file_.spec.clearance_mm);
     out->inside = walls_inside(run.design.structure, on_head, file_.head.scan);
+    if (!helmet.head.openings.empty()) out->warnings = {invented(helmet.head.openings)};
     out->violations = violations(file_, out->error, out->inside, in_words(of));
     if (of == StateOf::physics) {
       out->shown = moved(on_head, pose_of(file_.head.to_mesh));

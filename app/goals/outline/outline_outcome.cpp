@@ -46,13 +46,10 @@ std::vector<Eigen::Vector2d> OutlineOutcome::placed(double edge_mm) const {
   return out;
 }
 
-Json OutlineOutcome::target_json() const {
+void OutlineOutcome::add_sections(const Run& run, Json& result) const {
   Json target = {{"kind", "outline"}, {"points_mm", points_json(file.folded.points())}};
   if (file.flat) target["flat_mm"] = points_json(file.flat->points());
-  return target;
-}
-
-void OutlineOutcome::add_sections(const Run& run, Json& result) const {
+  result["target"] = target;
   const double edge = run.design.structure.size().edge_mm;
   Json section = {{"goal_mm", points_json(placed(edge))},
                   {"rim", rim},
@@ -124,7 +121,8 @@ std::vector<SummaryLine> OutlineOutcome::summary_lines(const Run& run) const {
   return lines;
 }
 
-std::vector<NamedContent> OutlineOutcome::pictures(const Run& run) const {
+std::vector<NamedContent> OutlineOutcome::pictures(const Run& run, bool of_report) const {
+  if (of_report) return {};
   std::vector<NamedContent> files;
   const model::State flat = rest_state(run.design.structure);
   for (const auto& [name, state] :

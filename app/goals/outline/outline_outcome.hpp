@@ -22,13 +22,12 @@ class OutlineOutcome final : public GoalOutcome {
   /// mm of the panel a mm of the outline: 1 where the panel comes out as large as drawn.
   double size(double edge_mm) const { return edge_mm / design.scale; }
 
-  nlohmann::ordered_json target_json() const override;
   /// Adds `outline` (placed outline, rim, errors, what binds) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
   void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
   /// The panel from above, flat and pressed, as SVG and as PNG.
-  std::vector<NamedContent> pictures(const Run& run) const override;
+  std::vector<NamedContent> pictures(const Run& run, bool of_report) const override;
 };
 
 class OutlineMeasure final : public Measure {

@@ -23,13 +23,10 @@ std::string factors_text(const Eigen::Vector3d& v) {
 
 }  // namespace
 
-Json SpaceBlockOutcome::target_json() const {
+void SpaceBlockOutcome::add_sections(const Run& run, Json& result) const {
   Json out = {{"kind", "space_block"}, {"factors", by_direction(file.goal.factors)}};
   if (file.goal.size_mm) out["size_mm"] = by_direction(*file.goal.size_mm);
-  return out;
-}
-
-void SpaceBlockOutcome::add_sections(const Run& run, Json& result) const {
+  result["target"] = out;
   const targets::SpaceBlockError& error = measure_of<SpaceBlockMeasure>(run).error;
   const optim::SpaceBlockDesign& found = file.found;
   Json section = {{"cells", found.cells},

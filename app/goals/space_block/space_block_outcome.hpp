@@ -15,7 +15,6 @@ class SpaceBlockOutcome final : public GoalOutcome {
 
   SpaceBlockFile file;
 
-  nlohmann::ordered_json target_json() const override;
   /// Adds `space_block` (cells, gusset, lengths at rest and pressed) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
   void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;

@@ -44,11 +44,8 @@ Json columns_json(const std::vector<Eigen::Vector3d>& midline) {
 
 }  // namespace
 
-Json SpaceCurveOutcome::target_json() const {
-  return {{"kind", "space_curve"}, {"points_mm", space_points_json(file.wanted.points())}};
-}
-
 void SpaceCurveOutcome::add_sections(const Run& run, Json& result) const {
+  result["target"] = {{"kind", "space_curve"}, {"points_mm", space_points_json(file.wanted.points())}};
   const auto& shape = measure_of<SpaceCurveMeasure>(run);
   const targets::SpaceError& error = shape.error;
   Json section = {

@@ -16,8 +16,6 @@ class SpaceCurveOutcome final : public GoalOutcome {
   optim::SpaceDesign found;
   model::Pose place;  ///< of the goal, in the frame of the state in which the model holds the strip
 
-  bool is_strip() const override { return true; }
-  nlohmann::ordered_json target_json() const override;
   /// Adds `space_curve` (placed goal, distances, turns and climbs by column) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
   void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;

@@ -114,6 +114,7 @@ class SpaceCurveScene final : public Scene {
         motion_onto(fold(outcome->found.design, strip), exact_motion(strip).at(out.theta));
     outcome->place = {motion.R * outcome->found.place.R, motion.R * outcome->found.place.p + motion.p};
     out.goal = std::move(outcome);
+    out.is_strip = true;
     out.is_laid_over = true;
     out.bounds = {file_.variables.beta, file_.variables.theta};
     const model::Wall middle = {{file_.variables.columns / 2, 0}, model::Axis::y};

@@ -69,15 +69,12 @@ RibsOutcome::RibsOutcome(RibsFile asked, optim::RibsDesign found)
       reach(design.fishbone.structure, design.state, file.surface.surface, file.spec.clearance_mm),
       cover(cover_by(reach, file.surface.surface.mesh())) {}
 
-Json RibsOutcome::target_json() const {
-  const Vector3d size = bounds(file.surface.surface.mesh()).sizes();
-  return {{"kind", "surface"},
-          {"name", file.surface_name},
-          {"size_mm", {size.y(), size.x()}},
-          {"lines_mm", lines_json(file.surface)}};
-}
-
 void RibsOutcome::add_sections(const Run& run, Json& result) const {
+  const Vector3d size = bounds(file.surface.surface.mesh()).sizes();
+  result["target"] = {{"kind", "surface"},
+                      {"name", file.surface_name},
+                      {"size_mm", {size.y(), size.x()}},
+                      {"lines_mm", lines_json(file.surface)}};
   const std::vector<SurfaceWay>& ways = measure_of<RibsMeasure>(run).ways;
   const SurfaceWay& way = ways.front();
   result["surface"] = {{"lines_mm", lines_json(file.surface)},

@@ -19,7 +19,6 @@ class RibsOutcome final : public GoalOutcome {
   optim::RibsReach reach;    ///< of the design's cells
   optim::RibsCover cover;    ///< the surface against them
 
-  nlohmann::ordered_json target_json() const override;
   /// Adds `surface` (lines of surface, spine and ribs, errors, ways) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
   void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;

@@ -69,14 +69,11 @@ Json degrees(const std::array<double, 2>& range) { return {to_degrees(range[0]),
 
 }  // namespace
 
-Json SurfaceOutcome::target_json() const {
-  return {{"kind", "surface"},
-          {"name", file.patch.name},
-          {"size_mm", {2 * file.patch.half.x(), 2 * file.patch.half.y()}},
-          {"lines_mm", grid(file.patch)}};
-}
-
 void SurfaceOutcome::add_sections(const Run& run, Json& result) const {
+  result["target"] = {{"kind", "surface"},
+                      {"name", file.patch.name},
+                      {"size_mm", {2 * file.patch.half.x(), 2 * file.patch.half.y()}},
+                      {"lines_mm", grid(file.patch)}};
   Json vertices = Json::array(), flat = Json::array();
   for (const Eigen::Vector3d& vertex : design.vertices) vertices.push_back(point(vertex));
   for (const Eigen::Vector2d& vertex : design.mesh.vertices) flat.push_back({vertex.x(), vertex.y()});

@@ -30,7 +30,6 @@ class SurfaceOutcome final : public GoalOutcome {
   /// Whether the surface curves both ways by so much that a sheet which bends one way alone is not it.
   bool needs_curvature() const { return curvature.wanted > targets::curved_both_ways; }
 
-  nlohmann::ordered_json target_json() const override;
   /// Adds `surface` (grid of the surface, vertices of the mesh, errors, what binds) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
   void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;

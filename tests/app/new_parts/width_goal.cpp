@@ -37,8 +37,8 @@ struct WidthMeasure final : Measure {
 struct WidthOutcome final : GoalOutcome {
   double asked_mm = 0;
 
-  Json target_json() const override { return {{"kind", "width"}, {"width_mm", asked_mm}}; }
   void add_sections(const Run& run, Json& result) const override {
+    result["target"] = {{"kind", "width"}, {"width_mm", asked_mm}};
     result["width"] = {{"reasons", run.violations}};
   }
   void add_metrics(const Run& run, Json& metrics) const override {
