@@ -132,7 +132,7 @@ void DesignEvaluator::compute_near_base(const Design& design, SampleRow& row) {
 }
 
 void DesignEvaluator::see_equilibrium(const Design& design, model::EquilibriumPath path, SampleRow& row) {
-  run_ = {};
+  run_ = Run();
   run_.equilibrium = Equilibrium{elasticity_of(design), drive_of(design), std::move(path), {}, {}};
   const model::EquilibriumPath& found = run_.equilibrium->path;
   if (found.steps.empty()) throw InvalidInput(found.why);
