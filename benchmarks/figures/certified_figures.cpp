@@ -58,7 +58,7 @@ Figure basic_cells() {
 /// Of a file that ships: what the search for a target finds, or the design.
 model::Sheet shipped_sheet(const std::string& file, bool is_design) {
   if (is_design) return app::read_design(file).structure;
-  return run_goal(*app::read_target(file).goal, {.verify = false, .certify = false}).structure;
+  return run_goal(*app::read_target(file).goal, {.verify = false, .certify = false}).design.structure;
 }
 
 Figure shipped(const std::string& name, bool is_design = false) {

@@ -202,7 +202,7 @@ Figure strained() {
   const app::Run plain = letter_t(0), run = letter_t(0.005);
   const auto words = [](const app::Run& of) {
     return fmt::format("contrast {:.1f}, {:.1f} N, {:.3f} mm", physics_contrast(of), load_of(of),
-                       of.verification->physics.gaps.max * of.structure.size().edge_mm);
+                       of.verification->physics.gaps.max * of.design.structure.size().edge_mm);
   };
   const double gain = physics_contrast(run) / physics_contrast(plain);
   return {"T, 12 x 12 cells, hinges strained on purpose by up to 0.05 mm: physics run",

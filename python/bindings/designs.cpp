@@ -30,7 +30,7 @@ void check_theta(const std::string& field, double theta) {
 }
 
 /// One number a hinge. @param scale of what the model counts in
-py::array hinge_numbers(const Design& design, HingeField field, double scale = 1) {
+py::array hinge_numbers(const PythonDesign& design, HingeField field, double scale = 1) {
   std::vector<double> out;
   for (int h = 0; h < design.sheet().hinges(); ++h) out.push_back(design.sheet().hinge(h).*field * scale);
   return read_only(std::move(out), {design.sheet().hinges()});
@@ -51,8 +51,9 @@ void check_offsets_as_made(const app::Design& file) {
       throw InvalidInput("offset_mm of wall " + wall_name(file.structure, h) + ": " + *why);
 }
 
-Design with_hinges(const Design& design, const std::optional<Numbers>& t, const std::optional<Numbers>& alpha,
-                   const std::optional<Numbers>& beta, const std::optional<Numbers>& offset_mm) {
+PythonDesign with_hinges(const PythonDesign& design, const std::optional<Numbers>& t,
+                         const std::optional<Numbers>& alpha, const std::optional<Numbers>& beta,
+                         const std::optional<Numbers>& offset_mm) {
   app::Design file = design.file();
   const double edge = file.structure.size().edge_mm;
   set_hinges(file.structure, &model::HingeParameters::t, "t", t);
@@ -61,16 +62,16 @@ Design with_hinges(const Design& design, const std::optional<Numbers>& t, const 
   set_hinges(file.structure, &model::HingeParameters::offset, "offset_mm", offset_mm, edge);
   validate_hinges(file.structure);
   if (offset_mm) check_offsets_as_made(file);
-  return Design(std::move(file));
+  return PythonDesign(std::move(file));
 }
 
 /// A design to another theta goes there whatever drove it.
-Design with_theta(const Design& design, double theta) {
+PythonDesign with_theta(const PythonDesign& design, double theta) {
   check_theta("theta", theta);
   app::Design file = design.file();
   file.theta = theta;
   file.drive.reset();
-  return Design(std::move(file));
+  return PythonDesign(std::move(file));
 }
 
 /// Rows of three numbers. @param row of index k
@@ -84,11 +85,11 @@ py::array rows_of_three(int count, Row row) {
   return read_only(std::move(out), {count, 3});
 }
 
-py::array rest_positions(const Design& design) {
+py::array rest_positions(const PythonDesign& design) {
   return rows_of_three(design.sheet().bodies(), [&](int b) { return design.sheet().rest_position(b); });
 }
 
-py::array hinge_points(const Design& design) {
+py::array hinge_points(const PythonDesign& design) {
   const double edge = design.sheet().size().edge_mm;
   return rows_of_three(design.sheet().hinges(), [&](int h) -> Eigen::Vector3d {
     const model::RestHinge& hinge = design.linkage().hinges[h];
@@ -96,26 +97,28 @@ py::array hinge_points(const Design& design) {
   });
 }
 
-py::array hinge_axes(const Design& design) {
+py::array hinge_axes(const PythonDesign& design) {
   return rows_of_three(design.sheet().hinges(), [&](int h) { return design.linkage().hinges[h].axis; });
 }
 
-std::vector<std::array<int, 2>> hinge_bodies(const Design& design) {
+std::vector<std::array<int, 2>> hinge_bodies(const PythonDesign& design) {
   std::vector<std::array<int, 2>> out;
   for (const model::RestHinge& hinge : design.linkage().hinges) out.push_back({hinge.lower, hinge.upper});
   return out;
 }
 
-std::vector<std::string> wall_names(const Design& design) {
+std::vector<std::string> wall_names(const PythonDesign& design) {
   std::vector<std::string> out;
   for (int h = 0; h < design.sheet().hinges(); ++h) out.push_back(wall_name(design.sheet(), h));
   return out;
 }
 
 /// Theta to which the design's own drive takes its closed form.
-double own_theta(const Design& design) { return app::exact_theta_of(design.file(), design.needed_exact()); }
+double own_theta(const PythonDesign& design) {
+  return app::exact_theta_of(design.file(), design.needed_exact());
+}
 
-py::array exact_poses(const Design& design, std::optional<double> theta) {
+py::array exact_poses(const PythonDesign& design, std::optional<double> theta) {
   if (theta) check_theta("theta", *theta);
   const model::State state = design.needed_exact().at(theta ? *theta : own_theta(design));
   std::vector<double> rows(state.size() * pose_numbers);
@@ -124,7 +127,7 @@ py::array exact_poses(const Design& design, std::optional<double> theta) {
 }
 
 /// One state for each theta.
-py::array fold_all(const Design& design, const Numbers& thetas, int threads) {
+py::array fold_all(const PythonDesign& design, const Numbers& thetas, int threads) {
   if (thetas.ndim() != 1) throw InvalidInput("theta must be a list of angles");
   for (py::ssize_t k = 0; k < thetas.shape(0); ++k)
     check_theta("theta[" + std::to_string(k) + "]", thetas.data()[k]);
@@ -142,10 +145,10 @@ py::array fold_all(const Design& design, const Numbers& thetas, int threads) {
 
 }  // namespace
 
-Design::Design(app::Design file)
+PythonDesign::Design(app::Design file)
     : file_(std::move(file)), linkage_(file_.structure), exact_(exact_motion(file_.structure)) {}
 
-const model::ExactMotion& Design::needed_exact() const {
+const model::ExactMotion& PythonDesign::needed_exact() const {
   if (!exact_)
     throw InvalidInput(exact_.why +
                        "; simulate with model=\"equilibrium\" or \"bullet\", which need no exact family");
@@ -154,28 +157,29 @@ const model::ExactMotion& Design::needed_exact() const {
 
 void add_designs(py::module_& core) {
   using py::arg;
-  core.def("read_design", [](const std::string& file) { return Design(app::read_design(file)); });
+  core.def("read_design", [](const std::string& file) { return PythonDesign(app::read_design(file)); });
   core.def("parse_design", [](const std::string& text, const std::string& file) {
-    return read_dict(text, file, [](const targets::Node& root) { return Design(app::read_design(root)); });
+    return read_dict(text, file,
+                     [](const targets::Node& root) { return PythonDesign(app::read_design(root)); });
   });
-  py::class_<Design, std::shared_ptr<Design>>(core, "Design")
-      .def_property_readonly("name", [](const Design& d) { return d.file().name; })
-      .def_property_readonly("theta", [](const Design& d) { return d.file().theta; })
-      .def_property_readonly("bodies", [](const Design& d) { return d.sheet().bodies(); })
-      .def_property_readonly("hinges", [](const Design& d) { return d.sheet().hinges(); })
-      .def_property_readonly("cells", [](const Design& d) { return d.sheet().cells(); })
-      .def_property_readonly("cell_mm", [](const Design& d) { return d.sheet().size().edge_mm; })
-      .def_property_readonly("is_exact", [](const Design& d) { return static_cast<bool>(d.exact()); })
-      .def_property_readonly("family", [](const Design& d) { return d.exact().name; })
-      .def_property_readonly("why", [](const Design& d) { return d.exact().why; })
-      .def_property_readonly("t",
-                             [](const Design& d) { return hinge_numbers(d, &model::HingeParameters::t); })
-      .def_property_readonly("alpha",
-                             [](const Design& d) { return hinge_numbers(d, &model::HingeParameters::alpha); })
-      .def_property_readonly("beta",
-                             [](const Design& d) { return hinge_numbers(d, &model::HingeParameters::beta); })
+  py::class_<PythonDesign, std::shared_ptr<PythonDesign>>(core, "Design")
+      .def_property_readonly("name", [](const PythonDesign& d) { return d.file().name; })
+      .def_property_readonly("theta", [](const PythonDesign& d) { return d.file().theta; })
+      .def_property_readonly("bodies", [](const PythonDesign& d) { return d.sheet().bodies(); })
+      .def_property_readonly("hinges", [](const PythonDesign& d) { return d.sheet().hinges(); })
+      .def_property_readonly("cells", [](const PythonDesign& d) { return d.sheet().cells(); })
+      .def_property_readonly("cell_mm", [](const PythonDesign& d) { return d.sheet().size().edge_mm; })
+      .def_property_readonly("is_exact", [](const PythonDesign& d) { return static_cast<bool>(d.exact()); })
+      .def_property_readonly("family", [](const PythonDesign& d) { return d.exact().name; })
+      .def_property_readonly("why", [](const PythonDesign& d) { return d.exact().why; })
+      .def_property_readonly(
+          "t", [](const PythonDesign& d) { return hinge_numbers(d, &model::HingeParameters::t); })
+      .def_property_readonly(
+          "alpha", [](const PythonDesign& d) { return hinge_numbers(d, &model::HingeParameters::alpha); })
+      .def_property_readonly(
+          "beta", [](const PythonDesign& d) { return hinge_numbers(d, &model::HingeParameters::beta); })
       .def_property_readonly("offset_mm",
-                             [](const Design& d) {
+                             [](const PythonDesign& d) {
                                return hinge_numbers(d, &model::HingeParameters::offset,
                                                     d.sheet().size().edge_mm);
                              })
@@ -186,10 +190,10 @@ void add_designs(py::module_& core) {
       .def_property_readonly("walls", wall_names)
       .def("with_hinges", with_hinges, arg("t"), arg("alpha"), arg("beta"), arg("offset_mm"))
       .def("with_theta", with_theta)
-      .def("text", [](const Design& d) { return app::design_text(d.file()); })
+      .def("text", [](const PythonDesign& d) { return app::design_text(d.file()); })
       .def("poses", exact_poses)
       .def("fold", fold_all)
-      .def("derivatives", [](const Design& d, std::optional<double> theta) {
+      .def("derivatives", [](const PythonDesign& d, std::optional<double> theta) {
         if (theta) check_theta("theta", *theta);
         return exact_jacobian(d, theta ? *theta : own_theta(d));
       });

@@ -8,9 +8,9 @@
 namespace kinetix::python {
 
 /// A design and its closed form, which nobody changes.
-class Design {
+class PythonDesign {
  public:
-  explicit Design(app::Design file);
+  explicit PythonDesign(app::Design file);
 
   const app::Design& file() const { return file_; }
   const model::Sheet& sheet() const { return file_.structure; }

@@ -15,7 +15,7 @@ namespace {
 namespace py = pybind11;
 
 /// @throws InvalidInput
-model::ExactDesign<double> exact_design(const Design& design) {
+model::ExactDesign<double> exact_design(const PythonDesign& design) {
   const model::Structure* squares = design.sheet().squares();
   const auto found = squares ? classify(*squares) : model::Classification{};
   using model::Family;
@@ -42,7 +42,7 @@ std::vector<std::string> names_of(const model::ExactJacobian& derivatives, int c
 
 }  // namespace
 
-py::tuple exact_jacobian(const Design& design, double theta) {
+py::tuple exact_jacobian(const PythonDesign& design, double theta) {
   model::ExactDesign<double> exact = exact_design(design);
   exact.theta = theta;
   model::State lattice;

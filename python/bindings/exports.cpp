@@ -25,7 +25,8 @@ void check_lengths(const app::PrintRequest& request) {
 }
 
 /// @return names of the files, and print.json
-py::tuple export_files(const Design& design, const std::string& folder, const app::PrintRequest& request) {
+py::tuple export_files(const PythonDesign& design, const std::string& folder,
+                       const app::PrintRequest& request) {
   check_lengths(request);
   app::Exported out;
   run_interruptibly(

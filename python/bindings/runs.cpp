@@ -72,8 +72,8 @@ std::shared_ptr<app::Run> optimise(const PythonTarget& target, RunChoice choice)
                        target.file, std::move(choice));
 }
 
-std::shared_ptr<app::Run> simulate(const Design& design, const std::string& file, const std::string& model,
-                                   RunChoice choice) {
+std::shared_ptr<app::Run> simulate(const PythonDesign& design, const std::string& file,
+                                   const std::string& model, RunChoice choice) {
   choice.keeps_best = false;
   const app::Model of = model == "bullet"        ? app::Model::bullet
                         : model == "equilibrium" ? app::Model::equilibrium

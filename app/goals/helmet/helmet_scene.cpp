@@ -4,7 +4,7 @@
 
 #include "app/goals/helmet/helmet_kind.hpp"
 #include "app/goals/helmet/helmet_outcome.hpp"
-#include "app/goals/surface/fishbone_motion.hpp"
+#include "app/run/fishbone_motion.hpp"
 #include "app/run/search_words.hpp"
 #include "model/base/append.hpp"
 #include "model/sheet/sheet_motion.hpp"

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "app/goals/surface/fishbone_motion.hpp"
 #include "app/goals/surface/ribs_outcome.hpp"
+#include "app/run/fishbone_motion.hpp"
 #include "app/run/search_words.hpp"
 #include "model/sheet/sheet_motion.hpp"
 

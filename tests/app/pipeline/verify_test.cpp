@@ -6,6 +6,7 @@
 
 #include "app/goals/read_target.hpp"
 #include "app/pipeline/exact_state.hpp"
+#include "app/pipeline/physics_settings.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "tests/app/program.hpp"
@@ -24,12 +25,13 @@ struct Folded {
   explicit Folded(double physics_theta = theta) {
     run.design.structure = testing::bending_strip();
     run.plan = make_plan(run.design.structure);
-    add_exact_state(run, theta);
-    task = folding_task(run);
-    task.drive = drive_to(run.design.structure, physics_theta);
+    run.theta = theta;
+    run.states.push_back(exact_state(run, "target", theta));
+    task = {run.states.front().poses, drive_to(run.design.structure, physics_theta),
+            physics_of(run.design, run.plan.planar)};
   }
 
-  void verify() { add(app::verify(run, task, {}).value(), task, {}, run); }
+  void verify() { run.verification = app::verify(run, task, {}).value(); }
 };
 
 TEST(Verify, TakesALongStepWhereItEndsWhereTheModelSays) {
@@ -54,7 +56,7 @@ TEST(Verify, LeavesTheVerdictOnAWrongStateToTheUsualStep) {
 TEST(Verify, TakesTheStepThatWasAskedFor) {
   Folded folded;
   folded.run.design.physics.step_s = 2e-3;
-  folded.task = folding_task(folded.run);
+  folded.task.options = physics_of(folded.run.design, folded.run.plan.planar);
   folded.verify();
   ASSERT_TRUE(folded.run.verification);
   EXPECT_DOUBLE_EQ(folded.run.verification->options.step_s, 2e-3);
@@ -63,7 +65,7 @@ TEST(Verify, TakesTheStepThatWasAskedFor) {
 TEST(Verify, HoldsHingesThatCannotStretchAtTheReachOfTheFile) {
   Folded folded;
   folded.run.design.hinge.reach_mm = 0.3 * folded.run.design.structure.size().edge_mm;
-  EXPECT_DOUBLE_EQ(folding_task(folded.run).options.reach, 0.3);
+  EXPECT_DOUBLE_EQ(physics_of(folded.run.design, folded.run.plan.planar).reach, 0.3);
 }
 
 TEST(Verify, TakesTheUsualStepWhereNoModelKnowsTheEnd) {
