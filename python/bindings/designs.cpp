@@ -145,7 +145,7 @@ py::array fold_all(const PythonDesign& design, const Numbers& thetas, int thread
 
 }  // namespace
 
-PythonDesign::Design(app::Design file)
+PythonDesign::PythonDesign(app::Design file)
     : file_(std::move(file)), linkage_(file_.structure), exact_(exact_motion(file_.structure)) {}
 
 const model::ExactMotion& PythonDesign::needed_exact() const {
