@@ -44,18 +44,18 @@ struct Found {
   bool is_strip = false;                    ///< whether its columns alone say where something is in the sheet
   GoalDrive goal_drive;                     ///< of goals of exact families
   std::vector<HingePart> hinge_parts;       ///< of a goal's file
-  std::optional<RobustChoice>
-      robust;  ///< of a robust search, but of curves, which have columns to choose as well
+  /// Of a robust search, but of curves, which have columns to choose as well.
+  std::optional<RobustChoice> robust;
   double verify_tolerance = GoalSettings::usual_verify;  ///< of Verification::distance.rms, cell edges
 
-  std::optional<Model> model =
-      {};  ///< that the states come from; nothing: exact where a family fits, else bullet
+  /// That the states come from; nothing: exact where a family fits, else bullet.
+  std::optional<Model> model = {};
   /// States on the way in which the model holds it, by theta, rad. Empty: those of the family.
   std::function<model::State(double theta)> motion = {};
-  std::optional<model::Pose> to_shown =
-      {};  ///< where results show states of the model; nothing: where they are
-  bool is_laid_over =
-      false;  ///< equilibria are shown as near to the model's state as a rigid motion takes them
+  /// Where results show states of the model; nothing: where they are.
+  std::optional<model::Pose> to_shown = {};
+  /// Whether equilibria are shown as near to the model's state as a rigid motion takes them.
+  bool is_laid_over = false;
   /// A state of its search: shown where the path to the equilibrium is stopped on its way.
   struct Known {
     Model model = Model::exact;
@@ -104,13 +104,14 @@ class Measure {
  public:
   virtual ~Measure() = default;
 
-  std::vector<std::string> violations =
-      {};                                  ///< what it lacks, in words; empty where it is as the target asks
-  std::optional<model::State> shown = {};  ///< the same state where results show it; nothing: where it is
-  std::vector<std::string> warnings =
-      {};  ///< what a person should know of the goal and what leaves it met, a sentence each
-  std::string prints_unknown =
-      {};  ///< why it is not known what its prints come to, where the kind looks at them
+  /// What it lacks, in words; empty where it is as the target asks.
+  std::vector<std::string> violations = {};
+  /// The same state where results show it; nothing: where it is.
+  std::optional<model::State> shown = {};
+  /// What a person should know of the goal and what leaves it met, a sentence each.
+  std::vector<std::string> warnings = {};
+  /// Why it is not known what its prints come to, where the kind looks at them.
+  std::string prints_unknown = {};
 };
 
 }  // namespace kinetix::app
