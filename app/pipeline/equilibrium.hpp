@@ -9,7 +9,7 @@ namespace kinetix::app {
 /// what a run reports takes the same steps.
 model::EquilibriumPathOptions path_of_run(bool planar);
 
-/// What following a drive with elastic hinges gives.
+/// Result of following a drive with elastic hinges.
 struct ElasticState {
   Equilibrium equilibrium;
   double theta = 0;  ///< rad, where the path ended
@@ -20,7 +20,7 @@ struct ElasticState {
 };
 
 /// Follows the equilibrium of a design to the goal of a drive, with the stable states that a release on the way leads to, and the
-/// closed form's state of the same drive where there is one. Where it is told to stop, all of that of the path so far.
+/// closed form's state of the same drive where there is one. After a stop request, the same of the path up to there.
 /// @param frames about how many states of the motion to keep, flat and last included, >= 2   @pre planned
 ElasticState follow_drive(const Found& found, const model::LinkageDrive& drive,
                           const model::Elasticity& elasticity, int frames, const RunOptions& options);

@@ -11,7 +11,7 @@ inline constexpr int motion_states = 13;
 /// The state of an exact family where results show it: at a theta, rad. @param name of the state   @pre planned, exact
 NamedState exact_state(const Found& found, const std::string& name, double theta);
 
-/// The same of its motion from flat to found.theta.
+/// Returns such states of its motion from flat to found.theta, rad.
 std::vector<NamedState> exact_frames(const Found& found);
 
 /// Row of the table for the exact model: time of one state, s, largest hinge gap, cell edges, as its error.

@@ -6,7 +6,7 @@
 namespace kinetix::app {
 namespace {
 
-/// Of the closed form.
+/// Returns the size of the folded design by the closed form, mm.
 std::optional<Eigen::Vector3d> folded_size(const model::ExactMotion& motion, const Design& design) {
   const Eigen::Vector3d size = size_of(design.structure, motion.at(exact_theta_of(design, motion)));
   return size.allFinite() ? std::optional(size) : std::nullopt;

@@ -12,7 +12,7 @@ namespace kinetix::app {
 /// bullet. A physics run of elastic hinges is compared with their equilibrium.
 std::optional<Model> plan_model(const Design& design, Model asked);
 
-/// What can be said of a design without a run.
+/// Forecasts a run of a design.
 Forecast forecast_design(const Design& design);
 
 }  // namespace kinetix::app

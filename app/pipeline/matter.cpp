@@ -146,7 +146,7 @@ Run measured(Run run, const Scene& scene, const RunOptions& options) {
   return run;
 }
 
-/// What counts is where the path from flat ends. That may be beside what the search found, which knows no contact.
+/// Judges the end of the path from flat where it is not the state that the search found, which knows no contact.
 /// @param away from it, cell edges
 Run elsewhere(Run run, const Scene& scene, double away) {
   const std::string where = fmt::format(

@@ -20,7 +20,8 @@ struct MatterPath {
   model::EquilibriumPath path;
 };
 
-/// Of the exact design of a goal, which stays as it is. Where that has no equilibrium the path ends before its goal.
+/// Follows the exact design of a goal, and the design that makes up for its elastic hinges. Without an equilibrium the path ends
+/// before its goal.
 /// @pre planned, is_of_matter
 MatterPath path_in_matter(const Found& found, const Scene& scene, const std::stop_token& stop);
 

@@ -15,7 +15,7 @@ struct RobustTrial {
 
 using RobustSolve = std::function<Found(const RobustTrial&, const RunOptions&)>;
 
-/// What a design that was found comes to as the pipeline would leave it, without a physics run.
+/// Judges a design that was found as the pipeline would leave it, without a physics run.
 RobustCandidate robust_candidate(Found found, const Scene& scene, const RunOptions& options);
 
 /// Of the plain design and others, at nine values of theta and three gaps of hinges, keeps the one with the least

@@ -48,7 +48,7 @@ struct Found {
   std::optional<RobustChoice> robust;
   double verify_tolerance = GoalSettings::usual_verify;  ///< of Verification::distance.rms, cell edges
 
-  /// That the states come from; nothing: exact where a family fits, else bullet.
+  /// Model that computes the states; nothing: exact where a family fits, else bullet.
   std::optional<Model> model = {};
   /// States on the way in which the model holds it, by theta, rad. Empty: those of the family.
   std::function<model::State(double theta)> motion = {};
@@ -63,7 +63,7 @@ struct Found {
   };
   std::optional<Known> known = {};
   PhysicsWish physics = {};
-  std::vector<std::string> notes = {};  ///< that the plan is to hold
+  std::vector<std::string> notes = {};  ///< sentences for the plan
   TurnBounds bounds = {};               ///< how far tilts and theta may go to make up for elastic hinges
 
   /// Set by planned().
@@ -104,13 +104,13 @@ class Measure {
  public:
   virtual ~Measure() = default;
 
-  /// What it lacks, in words; empty where it is as the target asks.
+  /// Reasons why the state misses the goal, in words; empty where it meets it.
   std::vector<std::string> violations = {};
   /// The same state where results show it; nothing: where it is.
   std::optional<model::State> shown = {};
-  /// What a person should know of the goal and what leaves it met, a sentence each.
+  /// Sentences that a person should know and that leave the goal met.
   std::vector<std::string> warnings = {};
-  /// Why it is not known what its prints come to, where the kind looks at them.
+  /// Reason why prints of the state were not judged, where the kind judges prints itself.
   std::string prints_unknown = {};
 };
 

@@ -195,7 +195,7 @@ const Kind* physics_measure_of(const Run& run) {
   return dynamic_cast<const Kind*>(run.by_physics.get());
 }
 
-/// The end of a line of the summary. @param is_within whether what the line tells keeps its tolerance
+/// Returns the end of a line of the summary. @param is_within whether the value of the line keeps its tolerance
 const char* tolerance_words(const Run& run, bool is_within);
 
 /// Returns the design as design.yaml has it, with the requested theta.

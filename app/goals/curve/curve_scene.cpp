@@ -63,7 +63,7 @@ std::vector<std::string> why_too_far(const CurveFile& file, const optim::FreeCur
   return why;
 }
 
-/// What is in the way. @pre walls are
+/// Returns what walls are in the way and what helps. @pre !found.walls_are_free
 std::string obstacle(const optim::FreeCurveDesign& found) {
   return found.notes.back() + ": use lower or thinner walls, or larger cells";
 }

@@ -81,7 +81,7 @@ class DisplayOutcome final : public GoalOutcome {
 class DisplayMeasure final : public Measure {
  public:
   DisplayReading reading;
-  // Of the equilibrium under the drive alone:
+  // Set for the equilibrium under the drive alone, not for the physics run:
   DisplayReading before;  ///< flat
   double stretch = 0;     ///< largest gap of a hinge, cell edges
   std::optional<targets::PanelSize>

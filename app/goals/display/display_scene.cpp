@@ -239,7 +239,7 @@ class DisplayScene final : public Scene {
     if (!display.unlimited && !display.least_pressed) display.unlimited = loads;
   }
 
-  /// What drives the panel as the search left it; as asked where it found no equilibrium.
+  /// Returns the settings of the panel and its drive: that of the search, or of the file where the search found no equilibrium.
   Found described(optim::DisplayView& view) const {
     Found out;
     out.model = Model::equilibrium;

@@ -25,7 +25,7 @@ class HelmetOutcome final : public GoalOutcome {
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
 };
 
-/// That there is no head under a part of the helmet; empty where there is.
+/// Warns that the mesh has holes where the helmet should follow the head; empty without holes.
 std::string invented(const std::vector<targets::DomeOpening>& openings);
 
 class HelmetMeasure final : public Measure {

@@ -21,7 +21,7 @@ constexpr double settle_seconds_a_column = 0.06;
 // Part of the goal's length to either side of a point over which its direction there is taken.
 constexpr double direction_reach = 1e-3;
 
-/// That walls are in the way, if they are.
+/// Lists walls that are in the way.
 std::vector<std::string> obstacles(const optim::SpaceDesign& found) {
   if (found.walls_are_free) return {};
   return {

@@ -137,7 +137,7 @@ class SurfaceScene final : public Scene {
     return out;
   }
 
-  /// Of the sheet that was found, and how ribs would do.
+  /// Measures the sheet that was found, and ribs beside it for comparison. Other states are not measured.
   std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State&,
                                          const RunOptions& options) const override {
     if (of != StateOf::model) return nullptr;
