@@ -28,4 +28,11 @@ std::optional<std::string> contact_reason(const Run& run) {
                      to_degrees(*limit.contact), to_degrees(run.theta));
 }
 
+std::vector<std::string> collisions_on_the_way(const Run& run, const std::string& instead) {
+  const auto& range = run.plan.free_range;
+  if (!range || !range->positive.touches || run.theta <= range->positive.theta) return {};
+  return {fmt::format("walls collide on the way, at theta {:.2f} deg: {}", to_degrees(range->positive.theta),
+                      instead)};
+}
+
 }  // namespace kinetix::app

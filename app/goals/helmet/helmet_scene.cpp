@@ -4,6 +4,7 @@
 
 #include "app/goals/helmet/helmet_kind.hpp"
 #include "app/goals/helmet/helmet_outcome.hpp"
+#include "app/run/contact_reason.hpp"
 #include "app/run/fishbone_motion.hpp"
 #include "app/run/search_words.hpp"
 #include "model/base/append.hpp"
@@ -55,14 +56,6 @@ std::vector<std::string> bare(const HelmetFile& file, const optim::RibsCover& co
                   "{:.0f} % is required "
                   "(`tolerance.covered_share`). Give more `target.ribs`",
                   100 * cover.share, 100 * *file.covered_share)};
-}
-
-std::vector<std::string> collisions(const Run& run) {
-  const auto& range = run.plan.free_range;
-  if (!range || !range->positive.touches || run.theta <= range->positive.theta) return {};
-  return {
-      fmt::format("walls collide on the way, at theta {:.2f} deg: use lower or thinner walls, or fewer ribs",
-                  to_degrees(range->positive.theta))};
 }
 
 /// Of the head down to where it is covered, and of walls around it, whose middles the clearance ends at.
@@ -125,7 +118,7 @@ class HelmetScene final : public Scene {
     }
     model::append(bare(file_, helmet.cover), out->violations);
     model::append(helmet.design.collisions, out->violations);
-    model::append(collisions(run), out->violations);
+    model::append(collisions_on_the_way(run, "use lower or thinner walls, or fewer ribs"), out->violations);
     return out;
   }
 

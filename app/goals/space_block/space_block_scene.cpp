@@ -2,6 +2,8 @@
 
 #include "app/goals/space_block/space_block_kind.hpp"
 #include "app/goals/space_block/space_block_outcome.hpp"
+#include "app/run/contact_reason.hpp"
+#include "model/base/append.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
@@ -47,11 +49,8 @@ class SpaceBlockScene final : public Scene {
       out->violations.push_back(
           fmt::format("lengths at rest are up to {:.1f} % off those asked for; at most {:g} % is allowed: {}",
                       100 * file_.found.size_off, 100 * file_.size_tolerance, size_advice(file_.variables)));
-    const auto& range = run.plan.free_range;
-    if (range && range->positive.touches && run.theta > range->positive.theta)
-      out->violations.push_back(fmt::format(
-          "walls collide on the way, at theta {:.2f} deg: use lower or thinner walls, or longer gussets",
-          to_degrees(range->positive.theta)));
+    model::append(collisions_on_the_way(run, "use lower or thinner walls, or longer gussets"),
+                  out->violations);
     return out;
   }
 

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include "app/goals/surface/ribs_outcome.hpp"
+#include "app/run/contact_reason.hpp"
 #include "app/run/fishbone_motion.hpp"
 #include "app/run/search_words.hpp"
+#include "model/base/append.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
@@ -62,11 +64,7 @@ class RibsScene final : public Scene {
     out->violations = violations(file_, out->ways.front(), in_words(of));
     for (const std::string& why : violations(file_, ribs.cover)) out->violations.push_back(why);
     for (const std::string& pair : ribs.design.collisions) out->violations.push_back(pair);
-    const auto& range = run.plan.free_range;
-    if (range && range->positive.touches && run.theta > range->positive.theta)
-      out->violations.push_back(fmt::format(
-          "walls collide on the way, at theta {:.2f} deg: use lower or thinner walls, or fewer ribs",
-          to_degrees(range->positive.theta)));
+    model::append(collisions_on_the_way(run, "use lower or thinner walls, or fewer ribs"), out->violations);
     for (SurfaceWay& way : ways_by_ribs(file_.surface, file_.spec, false, options.stop))
       out->ways.push_back(std::move(way));
     return out;
