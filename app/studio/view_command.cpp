@@ -6,13 +6,11 @@
 #include <future>
 #include <iostream>
 #include <random>
-#include <variant>
 
 #include "app/assembly/assembly_file.hpp"
 #include "app/console/open_report.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/io/atomic_file.hpp"
-#include "app/studio/assembly/assembly_session.hpp"
 #include "app/studio/messages/templates.hpp"
 #include "app/studio/server.hpp"
 #include "app/studio/session/autosave.hpp"
@@ -28,8 +26,6 @@ namespace {
 namespace fs = std::filesystem;
 using studio::Opened;
 
-using Source = std::variant<Opened, AssemblyFile>;
-
 constexpr std::chrono::milliseconds patience{500};  // at the end, with what still runs
 
 /// It stays the same file wherever the program goes, and where its folder goes.
@@ -39,9 +35,14 @@ std::string absolute(const std::string& file) {
   return failure ? file : path.lexically_normal().string();
 }
 
-Source opened_file(const std::string& file) {
+Opened opened_file(const std::string& file) {
   const targets::Node root = targets::read_document(file, max_design_bytes);
-  if (is_assembly(root)) return read_assembly(root);
+  if (is_assembly(root)) {
+    Opened opened;
+    opened.bodies = std::make_shared<const AssemblyFile>(read_assembly(root));
+    opened.design.name = opened.bodies->name;
+    return opened;
+  }
   if (root.optional("target")) {
     read_target(root);  // refuses a broken one before the page is there
     return Opened{studio::template_design("panel"), "", absolute(file), 0, 0};
@@ -51,17 +52,16 @@ Source opened_file(const std::string& file) {
   return Opened{std::move(design), absolute(file), "", 0, 0};
 }
 
-Source opened_source(const std::string& source) {
+Opened opened_source(const std::string& source) {
   if (source.empty()) return Opened{studio::template_design("panel"), "", "", 0, 0};
   return opened_file(design_at(source));
 }
 
 /// Null where nothing is edited, or nothing can be kept.
-std::shared_ptr<studio::Autosave> autosave_of(const Source& source) {
-  const Opened* opened = std::get_if<Opened>(&source);
+std::shared_ptr<studio::Autosave> autosave_of(const Opened& opened) {
   const fs::path place = studio::autosave_place();
-  if (!opened || place.empty()) return nullptr;
-  const std::string& file = opened->target_file.empty() ? opened->save_file : opened->target_file;
+  if (opened.bodies || place.empty()) return nullptr;
+  const std::string& file = opened.target_file.empty() ? opened.save_file : opened.target_file;
   try {
     return std::make_shared<studio::Autosave>(place, file.empty() ? absolute("new") : file);
   } catch (const InvalidInput& e) {
@@ -70,12 +70,9 @@ std::shared_ptr<studio::Autosave> autosave_of(const Source& source) {
   }
 }
 
-std::unique_ptr<studio::SessionLoop> session_of(Source source, const CommandOptions& options,
-                                                std::shared_ptr<studio::Autosave> autosave,
-                                                studio::Outlet outlet) {
-  if (auto* bodies = std::get_if<AssemblyFile>(&source))
-    return std::make_unique<studio::AssemblySession>(std::move(*bodies), options.threads, std::move(outlet));
-  Opened& opened = std::get<Opened>(source);
+std::unique_ptr<studio::Session> session_of(Opened opened, const CommandOptions& options,
+                                            std::shared_ptr<studio::Autosave> autosave,
+                                            studio::Outlet outlet) {
   opened.threads = options.threads;
   opened.seed = options.seed;
   opened.results = absolute(opened.results);
@@ -101,7 +98,7 @@ std::vector<studio::WebFile> web_files() {
 }
 
 /// Whether the session ends in time. What still runs then ends with the program, which must end.
-bool ends_in_time(std::jthread worker, std::unique_ptr<studio::SessionLoop> session) {
+bool ends_in_time(std::jthread worker, std::unique_ptr<studio::Session> session) {
   std::promise<void> ended;
   const std::future<void> end = ended.get_future();
   worker.request_stop();
@@ -129,16 +126,16 @@ void put_aside(studio::Autosave* autosave) {
 
 int view_command(const CommandOptions& options, const ViewRequest& request) {
   const std::vector<studio::WebFile> files = web_files();
-  Source source = opened_source(request.source);
+  Opened opened = opened_source(request.source);
   const std::string token = random_token();
-  studio::SessionLoop* to = nullptr;
+  studio::Session* to = nullptr;
   studio::Server server(files, token, static_cast<std::uint16_t>(request.port),
                         {[&](int client) { to->greet(client); },
                          [&](int client, std::string text) { to->post(client, std::move(text)); },
                          [&](int client) { to->dismiss(client); }});
-  const std::shared_ptr<studio::Autosave> autosave = autosave_of(source);
-  std::unique_ptr<studio::SessionLoop> session =
-      session_of(std::move(source), options, autosave,
+  const std::shared_ptr<studio::Autosave> autosave = autosave_of(opened);
+  std::unique_ptr<studio::Session> session =
+      session_of(std::move(opened), options, autosave,
                  {[&](int client, studio::Text text) { server.tell(client, std::move(text)); },
                   [&](std::shared_ptr<const studio::Frame> frame) { server.show(std::move(frame)); },
                   [&](int client, std::size_t bytes) { server.took(client, bytes); }});

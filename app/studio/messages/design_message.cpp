@@ -5,6 +5,7 @@
 #include "app/print/format/formats.hpp"
 #include "app/result/same_sheet.hpp"
 #include "app/run/forecast.hpp"
+#include "app/studio/messages/bodies_message.hpp"
 #include "app/studio/messages/plain_number.hpp"
 #include "app/studio/messages/templates.hpp"
 #include "app/version.hpp"
@@ -50,8 +51,10 @@ Json numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 }  // namespace
 
-Json hello_message(const std::string& name) {
+Json hello_message(const std::string& name, bool is_made) {
   Json out = {{"type", "hello"}, {"version", version}, {"name", name}};
+  for (const char* list : {"templates", "processes", "materials", "formats"}) out[list] = Json::array();
+  if (!is_made) return out;
   for (const Template& one : templates())
     out["templates"].push_back({{"name", one.name}, {"about", one.about}});
   for (const model::Process& process : model::processes()) out["processes"].push_back(process.name);
@@ -62,6 +65,7 @@ Json hello_message(const std::string& name) {
 }
 
 Json design_message(const Design& design, const Moving& moving) {
+  if (moving.bodies) return bodies_message(moving);
   return {{"type", "design"},
           {"name", design.name},
           {"structure", sheet_json(design)},

@@ -4,7 +4,6 @@
 
 #include "app/pipeline/design_drive.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/closure/drive_theta.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app::studio {
@@ -20,6 +19,16 @@ Player::Player(const Design& design) : force_N_(nan), energy_Nmm_(nan) {
   springs_ = design.hinge.model == HingeSection::Model::elastic;
   load(design);
   fold_to(design.theta);
+}
+
+Player::Player(const Design& design, std::shared_ptr<const AssemblyFile> bodies)
+    : design_(design), moving_(std::make_unique<Moving>(std::move(bodies))), force_N_(nan), energy_Nmm_(nan) {
+  reset();
+}
+
+void Player::turn_by(int hinge) {
+  moving_->take(std::make_shared<BodiesWay>(way_at_rest(moving_->linkage, hinge)));
+  reset();
 }
 
 void Player::load(const Design& design) {
@@ -51,7 +60,7 @@ void Player::enter(Mode mode) {
   is_awaited_ = false;
   live_.reset();
   mode_ = mode;
-  if (mode == Mode::exact) state_ = moving_->exact.at(theta_);
+  if (mode == Mode::exact) fold_to(theta_);
   if (mode == Mode::equilibrium) theta_ = drive_theta(theta_, state_);
   if (mode == Mode::bullet) enter_engine(driven);
 }
@@ -64,7 +73,8 @@ bool Player::has_drive_of_its_own() const {
 double Player::sheet_theta() const {
   const bool is_known =
       mode_ == Mode::exact || (mode_ == Mode::equilibrium && (is_awaited_ || !has_drive_of_its_own()));
-  return is_known ? theta_ : model::mean_theta(moving_->linkage, state_);
+  const bool is_pulled = moving_->way && moving_->way->pulled;
+  return is_known || is_pulled ? theta_ : moving_->theta_of(state_);
 }
 
 /// Of the drive that holds a state of a sheet at theta, rad.
@@ -85,9 +95,9 @@ double Player::kept_by_springs() const {
 
 /// @param driven theta of the drive that holds the present state, where it is known
 void Player::enter_engine(std::optional<double> driven) {
-  const double at = model::mean_theta(moving_->linkage, state_);
+  const double at = moving_->theta_of(state_);
   try {
-    live_ = live_sheet(design_, moving_->linkage, springs());
+    live_ = live_sheet(design_, *moving_, springs());
     live_->set_gravity(gravity_);
     live_->place(state_);
     for (const int body : fixed_) live_->fix(body, true);
@@ -101,6 +111,7 @@ void Player::enter_engine(std::optional<double> driven) {
 }
 
 void Player::drive_engine(double theta) {
+  if (moving_->bodies) return live_->drive_to(moving_->turned(theta), state_);
   const model::LinkageDrive drive = drive_to(design_, theta);
   if (drive.heats_springs() && !springs()) set_springs(true);
   const model::State reference = moving_->exact ? moving_->exact.at(sheet_theta()) : state_;
@@ -114,7 +125,7 @@ sim::LiveSheet& Player::engine() {
 
 void Player::fold_to(double theta) {
   if (mode_ == Mode::bullet) return drive_engine(theta);
-  theta_ = theta;
+  theta_ = moving_->within(theta);
   if (mode_ == Mode::exact) state_ = moving_->exact.at(theta_);
 }
 

@@ -11,14 +11,22 @@ namespace kinetix::app::studio {
 class Player {
  public:
   explicit Player(const Design& design);
+  /// Bodies, at rest, where their way is not known yet.
+  Player(const Design& design, std::shared_ptr<const AssemblyFile> bodies);
 
   /// Another design, folded as far as the one before. Where it has no exact motion, the mode is equilibrium until one
   /// comes that has. Where that fails for want of memory the design before stays, but for a failure of the engine, which is left.
   void load(const Design& design);
   const Moving& moving() const { return *moving_; }
+  /// Bodies at rest, with another hinge to turn whose way is not known yet.
+  void turn_by(int hinge);
+  /// The way of that hinge; it stays as far turned as it was.
+  void take(std::shared_ptr<const BodiesWay> way) { moving_->take(std::move(way)); }
+  /// What bodies collide with in the engine.
+  void take(std::shared_ptr<const sim::ContactParts> parts) { moving_->parts = std::move(parts); }
   Mode mode() const { return mode_; }
   /// Changes how the shape is computed; it stays as near as the mode has it.
-  /// @throws InvalidInput for exact where the design does not move exactly
+  /// @pre bodies have their parts for bullet   @throws InvalidInput for exact where the design does not move exactly
   void enter(Mode mode);
 
   /// Folds to theta, rad: exact at once, bullet by the design's drive, whose springs of shape memory turn springs() on. An
@@ -32,7 +40,7 @@ class Player {
   void push(int body, const Eigen::Vector3d& at, double force_N);
   void fix(int body, bool fixed);
   void release();
-  /// Flat, nothing fixed.
+  /// Flat, or at rest, nothing fixed.
   void reset();
   void set_gravity(bool on);
   void set_springs(bool on);
@@ -47,7 +55,7 @@ class Player {
 
   double theta() const;        ///< rad, as fold_to() takes it
   double drive_theta() const;  ///< rad: of the design's own drive, in all modes
-  double sheet_theta() const;  ///< rad: as far as the sheet is folded, whatever drives it
+  double sheet_theta() const;  ///< rad: as far as the shape is folded, whatever drives it
   const model::State& state() const { return state_; }
   /// Without revision and hearers.
   Frame frame() const;

@@ -6,7 +6,11 @@
 #include "app/pipeline/design_drive.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/studio/play/play_time.hpp"
+#include "model/base/invalid_input.hpp"
+#include "model/closure/closure_drive.hpp"
+#include "model/closure/drive_theta.hpp"
 #include "model/contact/wall_contact.hpp"
+#include "model/linkage/make_drive.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app::studio {
@@ -19,6 +23,14 @@ constexpr int theta_bits = 26;        // of a minimum of doubles no more can be 
 Eigen::Vector3d carried(const Moving& moving, double theta, int body, const Eigen::Vector3d& at) {
   const model::State state = moving.exact.at(theta);
   return state[body].p + state[body].R * (at - moving.linkage.rest_position(body));
+}
+
+sim::PhysicsOptions live_options(const model::Assembly& assembly) {
+  double reach = assembly.edge_mm;
+  for (const model::AssemblyHinge& h : assembly.hinges) reach = std::min(reach, h.reach_mm);
+  sim::PhysicsOptions options;
+  options.reach = reach / assembly.edge_mm;
+  return options;
 }
 
 /// @pre it has a drive
@@ -42,8 +54,46 @@ Moving::Moving(const Design& design) : linkage(design.structure), exact(exact_mo
   most_theta = range.positive.touches ? range.positive.theta : largest_theta;
 }
 
+Moving::Moving(std::shared_ptr<const AssemblyFile> design)
+    : linkage(linkage_of(design->assembly)), bodies(std::move(design)) {
+  const int hinge = bodies->driven ? *bodies->driven : std::max(0, first_motion(linkage).fastest);
+  take(std::make_shared<BodiesWay>(way_at_rest(linkage, hinge)));
+}
+
+void Moving::take(std::shared_ptr<const BodiesWay> found) {
+  way = std::move(found);
+  const auto [low, high] = std::minmax({model::theta_at_turn(way->sense, way->least_turn()),
+                                        model::theta_at_turn(way->sense, way->most_turn())});
+  least_theta = low;
+  most_theta = high;
+  exact = {[of = linkage, way = way](double theta) {
+             return state_at(of, *way, model::turn_at_theta(way->sense, theta));
+           },
+           "none", ""};
+}
+
+double Moving::within(double theta) const {
+  return bodies ? std::clamp(theta, least_theta, most_theta) : theta;
+}
+
+double Moving::theta_of(const model::State& state) const {
+  if (!bodies) return model::mean_theta(linkage, state);
+  return model::theta_at_turn(way->sense, hinge_turn(linkage, state, way->hinge));
+}
+
+model::LinkageDrive Moving::turned(double theta) const {
+  if (way->pulled)
+    throw InvalidInput("theta: bodies of this design are pulled; in the physics they go by hand");
+  return model::turned_hinge(way->hinge, way->sense, model::turn_at_theta(way->sense, within(theta)));
+}
+
 double nearest_theta(const Moving& moving, double from, int body, const Eigen::Vector3d& at,
                      const Eigen::Vector3d& to) {
+  if (moving.bodies) {
+    const int sense = moving.way->sense;
+    const double turn = model::turn_at_theta(sense, from);
+    return model::theta_at_turn(sense, nearest_turn(moving.linkage, *moving.way, turn, body, at, to));
+  }
   const auto miss = [&](double theta) { return (carried(moving, theta, body, at) - to).squaredNorm(); };
   const double low = std::max(from - theta_window, moving.least_theta);
   const double high = std::min(from + theta_window, moving.most_theta);
@@ -73,15 +123,16 @@ Design saved_as_shown(Design design, const Moving& moving, double sheet_theta, d
   return design;
 }
 
-std::unique_ptr<sim::LiveSheet> live_sheet(const Design& design, const model::Linkage& linkage,
-                                           bool springs) {
+std::unique_ptr<sim::LiveSheet> live_sheet(const Design& design, const Moving& moving, bool springs) {
+  const model::Linkage& linkage = moving.linkage;
   Design as = design;
   as.hinge.model = springs ? HingeSection::Model::elastic : HingeSection::Model::rotary;
-  sim::PhysicsOptions options = physics_of(as, all_vertical(linkage));
-  options.planar = all_vertical(linkage);
+  sim::PhysicsOptions options =
+      moving.bodies ? live_options(moving.bodies->assembly) : physics_of(as, all_vertical(linkage));
+  options.planar = !moving.bodies && all_vertical(linkage);
   options.step_s = live_step_s;
   const double k_point = springs ? elasticity_of(as).k_point : 1;
-  return std::make_unique<sim::LiveSheet>(linkage, options, k_point);
+  return std::make_unique<sim::LiveSheet>(linkage, options, k_point, moving.parts);
 }
 
 }  // namespace kinetix::app::studio

@@ -3,10 +3,13 @@
 #include <memory>
 #include <optional>
 
+#include "app/assembly/assembly_file.hpp"
 #include "app/files/design_file.hpp"
+#include "app/studio/play/bodies_way.hpp"
 #include "app/studio/play/frame.hpp"
 #include "model/linkage/exact_motion.hpp"
 #include "model/sheet/nearest_design.hpp"
+#include "sim/contact_parts.hpp"
 #include "sim/live_sheet.hpp"
 
 namespace kinetix::app::studio {
@@ -14,11 +17,26 @@ namespace kinetix::app::studio {
 /// A design with what is known of its motion.
 struct Moving {
   explicit Moving(const Design& design);
+  /// Bodies at rest, with the hinge that is turned, or that turns most in the first motion.
+  explicit Moving(std::shared_ptr<const AssemblyFile> design);
+
+  /// What is known of the way of bodies from now on: it is their exact motion.
+  void take(std::shared_ptr<const BodiesWay> found);
+  /// theta, rad, of bodies as far as their way goes.
+  double within(double theta) const;
+  /// As far as the shape is folded, rad: the mean of a sheet; of bodies half the turn of the driven hinge.
+  double theta_of(const model::State& state) const;
+  /// Bodies by their hinge, as far as their way goes.
+  model::LinkageDrive turned(double theta) const;
 
   model::Linkage linkage;
   model::ExactMotion exact;
   std::optional<model::NearestDesign> nearest;  ///< where it does not move exactly, and one is known
-  double least_theta = 0, most_theta = 0;       ///< rad, where no walls touch on the exact way
+  /// rad, where no walls touch on the exact way; of bodies as far as it goes
+  double least_theta = 0, most_theta = 0;
+  std::shared_ptr<const AssemblyFile> bodies;      ///< null: a sheet; and the rest is null
+  std::shared_ptr<const BodiesWay> way;            ///< as far as it is known
+  std::shared_ptr<const sim::ContactParts> parts;  ///< what they collide with; null until they are cut
 };
 
 /// theta, rad, within the range, at which the point `at` of a body (rest place, mm) comes nearest to `to` (mm) on the
@@ -37,8 +55,8 @@ Design as_far_as_shown(Design design, const Moving& moving, double sheet_theta, 
 /// The same for its file, which keeps its drive: that ends where it is shown.
 Design saved_as_shown(Design design, const Moving& moving, double sheet_theta, double drive_theta);
 
-/// A design in the engine, ready to be played with, flat. @param springs hinges as elastic as the design says
-/// @param linkage of the design; must outlive it
-std::unique_ptr<sim::LiveSheet> live_sheet(const Design& design, const model::Linkage& linkage, bool springs);
+/// A design in the engine, ready to be played with, flat. @param springs hinges as elastic as the design says; not of bodies
+/// @param moving of the design; must outlive it
+std::unique_ptr<sim::LiveSheet> live_sheet(const Design& design, const Moving& moving, bool springs);
 
 }  // namespace kinetix::app::studio

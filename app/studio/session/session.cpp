@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -9,6 +11,7 @@
 #include "app/exports/write_results.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/run/run.hpp"
+#include "app/studio/messages/bodies_message.hpp"
 #include "app/studio/messages/design_message.hpp"
 #include "app/studio/messages/failure_message.hpp"
 #include "app/studio/messages/templates.hpp"
@@ -23,6 +26,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr double largest_push_N = 1000;  // more than a person pushes with
 constexpr double same_fold = 1e-6;       // rad of theta: nearer to where a search ended nobody moved it
+// Commands that edit, search or write, or need what bodies have not.
+constexpr std::array of_sheets = {"push", "springs", "snap", "hinge", "nearest", "paint", "sheet", "made",
+                                  "undo", "redo",    "open", "save",  "search",  "part",  "stop",  "export"};
 
 /// Where the equilibrium of a result ended, rad, which need not be where its design was asked to go; nothing of other results, whose
 /// designs stand as they were saved.
@@ -55,7 +61,9 @@ Session::Session(Opened opened, Outlet outlet)
       opened_(std::move(opened)),
       history_(opened_.design),
       save_files_{opened_.save_file},
-      player_(opened_.design) {
+      player_(opened_.bodies ? Player(opened_.design, opened_.bodies) : Player(opened_.design)) {
+  if (opened_.bodies)
+    follow(model::theta_at_turn(player_.moving().way->sense, opened_.bodies->angle), opened_.bodies->pull());
   history_.set_finding({.told = opened_.result, .theta = opened_.design.theta});
   std::optional<KeptDesign> kept;
   if (opened_.autosave) kept = opened_.autosave->kept();
@@ -74,9 +82,10 @@ Session::Session(Opened opened, Outlet outlet)
 }
 
 void Session::welcome(int client) {
-  Json hello = hello_message(history_.current().name);
+  Json hello = hello_message(history_.current().name, !opened_.bodies);
   if (opened_.autosave) hello["autosave"] = opened_.autosave->folder().string();
   tell(hello, client);
+  if (opened_.bodies) tell(meshes_message(opened_.bodies->assembly), client);
   if (design_text_.bytes)
     tell_text(design_text_, client);
   else
@@ -89,6 +98,9 @@ void Session::welcome(int client) {
 void Session::obey(const Message& message) {
   const auto command = commands().find(message.type());
   if (command == commands().end()) throw InvalidInput("type: unknown command '" + message.type() + "'");
+  if (opened_.bodies && std::find(of_sheets.begin(), of_sheets.end(), message.type()) != of_sheets.end())
+    throw InvalidInput(message.type() +
+                       ": is of sheets; a design of bodies is turned by a hinge and played with");
   if (!is_told_) tell_design();
   command->second(*this, message);
 }
@@ -111,9 +123,22 @@ Frame Session::frame() const {
 }
 
 void Session::stop_jobs() {
-  tracer_.ask_to_stop();
-  searcher_.ask_to_stop();
-  exporter_.ask_to_stop();
+  for (Job* job : {&tracer_, &searcher_, &exporter_, &follower_, &cutter_}) job->ask_to_stop();
+}
+
+/// Long work for whoever asked for it, who hears what goes wrong.
+void Session::start(Job& job, double id, const std::string& about, const Job::Work& work) {
+  job.start(
+      [this, client = client_, id, about, work](const std::stop_token& asked) {
+        try {
+          work(asked);
+        } catch (const std::exception& e) {
+          enqueue([this, client, id, about, what = failure_message(e)] {
+            tell(error_message(what, id, about), client);
+          });
+        }
+      },
+      [this, client = client_, id] { dropped(client, id); });
 }
 
 const std::map<std::string, Session::Command>& Session::commands() {
@@ -187,19 +212,27 @@ const std::map<std::string, Session::Command>& Session::commands() {
       {"search", [](S& s, const M& m) { s.search(m); }},
       {"part", [](S& s, const M& m) { s.take_part(m); }},
       {"stop", [](S& s, const M&) { s.searcher_.ask_to_stop(); }},
+      {"driven", [](S& s, const M& m) { s.turn_by(m); }},
       {"export", [](S& s, const M& m) { s.export_files(m); }},
   };
   return all;
 }
 
 int Session::body_of(const Message& message) const {
-  return message.integer("body", 0, history_.current().structure.bodies() - 1);
+  return message.integer("body", 0, static_cast<int>(player_.moving().linkage.bodies.size()) - 1);
 }
 
 void Session::set_mode(const Message& message) {
   const std::string name = message.text("mode");
   if (name != "exact" && name != "equilibrium" && name != "bullet")
     throw InvalidInput("mode: must be exact, equilibrium or bullet");
+  const Moving& moving = player_.moving();
+  if (moving.bodies && name == "equilibrium")
+    throw InvalidInput(
+        "equilibrium: of a design of bodies it is not live; `kinetix-opt simulate --model equilibrium` finds "
+        "it");
+  awaits_engine_ = false;
+  if (moving.bodies && name == "bullet" && !moving.parts) return cut_for_engine();
   tracer_.ask_to_stop();
   player_.enter(name == "exact" ? Mode::exact : name == "bullet" ? Mode::bullet : Mode::equilibrium);
   tell_state();
@@ -214,7 +247,7 @@ void Session::fold_to(double theta) {
 
 void Session::drag(const Message& message) {
   const int body = body_of(message);
-  const Eigen::Vector3d rest = history_.current().structure.rest_position(body);
+  const Eigen::Vector3d rest = player_.moving().linkage.rest_position(body);
   player_.drag(body, message.has("at") ? message.point("at") : rest, message.point("to"));
   if (player_.mode() == Mode::equilibrium) trace(player_.theta());
 }

@@ -17,7 +17,7 @@ namespace kinetix::app::studio {
 
 /// What `view` was asked to open.
 struct Opened {
-  Design design;
+  Design design;            ///< of bodies its name alone
   std::string save_file;    ///< that the design was read from, where `save` writes it; empty: none
   std::string target_file;  ///< not empty: searched for at once
   int threads = 0;
@@ -25,7 +25,8 @@ struct Opened {
   nlohmann::ordered_json result =
       {};                           ///< the message of the result that the design is of; null: none is known
   std::string results = "results";  ///< the folder in which `save` makes one for what was read from no file
-  std::shared_ptr<Autosave> autosave = {};  ///< where what is not saved is kept; null: nowhere
+  std::shared_ptr<Autosave> autosave = {};          ///< where what is not saved is kept; null: nowhere
+  std::shared_ptr<const AssemblyFile> bodies = {};  ///< instead of a sheet; nothing of them is edited
 };
 
 /// Bodies of the largest sheet that is opened: 500 x 500 cells. Its message has 150 MB; more than twice that no browser reads.
@@ -33,7 +34,7 @@ inline constexpr int most_bodies = 300'000;
 /// @throws InvalidInput for a design that the page cannot show
 void require_showable(const Design& design);
 
-/// A sheet in the studio: its design, its shape at the moment, and what runs on its behalf.
+/// A design in the studio, its shape at the moment, and what runs on its behalf.
 class Session : public SessionLoop {
  public:
   Session(Opened opened, Outlet outlet);
@@ -70,6 +71,12 @@ class Session : public SessionLoop {
   void search(const Message& message);
   void export_files(const Message& message);
 
+  void turn_by(const Message& message);
+  void follow(double theta, const std::optional<model::Pull>& pull);
+  void take(std::shared_ptr<const BodiesWay> way, double theta);
+  void cut_for_engine();
+
+  void start(Job& job, double id, const std::string& about, const Job::Work& work);
   void show_flat();
   struct NewestShape;
   void trace(double theta);
@@ -104,12 +111,13 @@ class Session : public SessionLoop {
   std::size_t next_stable_ = 0;
 
   bool searching_ = false, exporting_ = false;
+  bool awaits_engine_ = false;  ///< bodies are being cut for the engine, which is still wanted
   /// Held while the physics engine runs, which has global state: in the hands of a search that checks its result the thing
   /// stands still.
   std::mutex engine_;
   std::map<int, Parts> parts_;  ///< by client: of files that came for its next search
 
-  Job tracer_, searcher_, exporter_;  ///< last: they end before what they speak to
+  Job tracer_, searcher_, exporter_, follower_, cutter_;  ///< last: they end before what they speak to
 };
 
 }  // namespace kinetix::app::studio

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "app/studio/messages/design_message.hpp"
-#include "app/studio/messages/failure_message.hpp"
 
 namespace kinetix::app::studio {
 namespace {
@@ -35,10 +34,9 @@ void Session::trace(double theta) {
   if (theta == 0) return show_flat();
   const int client = client_, number = ++traces_;
   const double id = std::exchange(id_, 0);
-  tracer_.start(
-      [this, client, number, id, theta, design = history_.current(), known = way_,
-       is_settled = stable_of_ == way_](const std::stop_token& stop) {
-        try {
+  start(tracer_, id, "theta",
+        [this, client, number, id, theta, design = history_.current(), known = way_,
+         is_settled = stable_of_ == way_](const std::stop_token& stop) {
           if (stop.stop_requested()) return dropped(client, id);
           const SheetEquilibria equilibria(design);
           const auto newest = std::make_shared<NewestShape>();
@@ -70,13 +68,7 @@ void Session::trace(double theta) {
             stable_ = states;
             stable_of_ = way;
           });
-        } catch (const std::exception& e) {
-          enqueue([this, client, id, what = failure_message(e)] {
-            tell(error_message(what, id, "theta"), client);
-          });
-        }
-      },
-      [this, client, id] { dropped(client, id); });
+        });
 }
 
 /// Nothing is strained there, which takes no search.

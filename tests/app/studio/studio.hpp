@@ -4,7 +4,6 @@
 
 #include <thread>
 
-#include "app/studio/assembly/assembly_session.hpp"
 #include "app/studio/messages/templates.hpp"
 #include "app/studio/server.hpp"
 #include "app/studio/session/session.hpp"
@@ -33,10 +32,7 @@ class OpenStudio {
       : OpenStudio([&](app::studio::Outlet outlet) {
           return std::make_unique<app::studio::Session>(std::move(opened), std::move(outlet));
         }) {}
-  explicit OpenStudio(app::AssemblyFile bodies)
-      : OpenStudio([&](app::studio::Outlet outlet) {
-          return std::make_unique<app::studio::AssemblySession>(std::move(bodies), 2, std::move(outlet));
-        }) {}
+  explicit OpenStudio(const app::AssemblyFile& bodies) : OpenStudio(opened(bodies)) {}
   /// @param came for every command that the server passes on
   explicit OpenStudio(
       const Maker& make, const std::function<void()>& came = [] {})
@@ -62,6 +58,14 @@ class OpenStudio {
     session.reset();
   }
   OpenStudio(const OpenStudio&) = delete;
+
+  static app::studio::Opened opened(const app::AssemblyFile& bodies) {
+    app::studio::Opened out;
+    out.threads = 2;
+    out.bodies = std::make_shared<const app::AssemblyFile>(bodies);
+    out.design.name = bodies.name;
+    return out;
+  }
 
   std::uint16_t port() const { return server.port(); }
 

@@ -1,4 +1,4 @@
-#include "app/studio/assembly/assembly_way.hpp"
+#include "app/studio/play/bodies_way.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -22,7 +22,7 @@ struct KnownState {
   const model::State* state;
 };
 
-std::vector<KnownState> known_states(const AssemblyWay& way) {
+std::vector<KnownState> known_states(const BodiesWay& way) {
   std::vector<KnownState> out;
   for (std::size_t k = way.back.states.size(); k-- > 1;)
     out.push_back({way.back.turns[k], &way.back.states[k]});
@@ -80,34 +80,32 @@ model::State between_states(const model::Linkage& linkage, const model::Assembly
 
 }  // namespace
 
-AssemblyWay way_of(const model::Linkage& linkage, int hinge, const std::function<bool()>& stop) {
-  model::AssemblyMotionOptions options;
-  options.stop = stop;
-  const model::FirstMotion first = first_motion(linkage);
-  return {hinge, follow_turn(linkage, first, hinge, farthest, options),
-          follow_turn(linkage, first, hinge, -farthest, options)};
+BodiesWay way_at_rest(const model::Linkage& linkage, int hinge) {
+  const model::AssemblyMotion rest{{rest_state(linkage)}, {0}};
+  return {hinge, linkage.bodies[linkage.hinges[hinge].lower].sense, rest, rest};
 }
 
-AssemblyWay way_of_pull(const model::Linkage& linkage, const model::Pull& pull, int hinge,
-                        const std::function<bool()>& stop) {
+BodiesWay way_of(const model::Linkage& linkage, int hinge, const std::optional<model::Pull>& pull,
+                 const std::function<bool()>& stop) {
+  BodiesWay way = way_at_rest(linkage, hinge);
+  way.followed = true;
+  way.pulled = pull.has_value();
+  if (!pull) {
+    model::AssemblyMotionOptions options;
+    options.stop = stop;
+    const model::FirstMotion first = first_motion(linkage);
+    way.forth = follow_turn(linkage, first, hinge, farthest, options);
+    way.back = follow_turn(linkage, first, hinge, -farthest, options);
+    return way;
+  }
   model::DeploymentOptions options;
   options.stop = stop;
-  const model::Deployment found = deploy(linkage, pull, options);
+  const model::Deployment found = deploy(linkage, *pull, options);
   const double end = 2 * mean_half_turn(linkage, found.states.back());
-  AssemblyWay way = way_at_rest(linkage, hinge);
-  way.pulled = true;
-  model::AssemblyMotion& side = way.forth;
-  side.states = found.states;
-  side.turns.clear();
-  for (const double share : found.shares) side.turns.push_back(share / found.shares.back() * end);
-  side.gap = found.gap;
-  side.reached = found.reached;
+  way.forth.states = found.states;
+  way.forth.turns.clear();
+  for (const double share : found.shares) way.forth.turns.push_back(share / found.shares.back() * end);
   return way;
-}
-
-AssemblyWay way_at_rest(const model::Linkage& linkage, int hinge) {
-  const model::AssemblyMotion rest{{rest_state(linkage)}, {0}};
-  return {hinge, rest, rest};
 }
 
 std::optional<Meeting> first_meeting(const model::Assembly& assembly, const model::AssemblyMotion& side,
@@ -121,7 +119,7 @@ std::optional<Meeting> first_meeting(const model::Assembly& assembly, const mode
   return std::nullopt;
 }
 
-model::State state_at(const model::Linkage& linkage, const AssemblyWay& way, double turn) {
+model::State state_at(const model::Linkage& linkage, const BodiesWay& way, double turn) {
   const double at = std::clamp(turn, way.least_turn(), way.most_turn());
   const model::AssemblyMotion& side = at < 0 ? way.back : way.forth;
   if (way.pulled) return between_states(linkage, side, at);
@@ -132,7 +130,7 @@ model::State state_at(const model::Linkage& linkage, const AssemblyWay& way, dou
   return solve_closure(linkage, known, {model::HingeTurn{way.hinge, at}}).state;
 }
 
-double nearest_turn(const model::Linkage& linkage, const AssemblyWay& way, double from, int body,
+double nearest_turn(const model::Linkage& linkage, const BodiesWay& way, double from, int body,
                     const Eigen::Vector3d& at, const Eigen::Vector3d& to) {
   const Eigen::Vector3d arm = at - linkage.rest_position(body);
   const auto place = [&](const KnownState& k) {

@@ -1,5 +1,3 @@
-#include "app/studio/assembly/assembly_session.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,16 +1,12 @@
-#include "app/studio/assembly/assembly_message.hpp"
+#include "app/studio/messages/bodies_message.hpp"
 
 #include <fmt/format.h>
 
 #include <bit>
 
-#include "app/assembly/assembly_export.hpp"
 #include "app/assembly/assembly_run.hpp"
 #include "app/io/base64.hpp"
-#include "app/print/format/formats.hpp"
-#include "app/version.hpp"
 #include "model/base/angle.hpp"
-#include "model/matter/process.hpp"
 
 namespace kinetix::app::studio {
 namespace {
@@ -63,7 +59,7 @@ Json size_json(const model::Assembly& assembly) {
   return {size.x(), size.y(), size.z()};
 }
 
-bool moves(const AssemblyWay& way) { return way.most_turn() - way.least_turn() > rattles; }
+bool moves(const BodiesWay& way) { return way.most_turn() - way.least_turn() > rattles; }
 
 std::string end_words(const model::AssemblyMotion& side, const model::Assembly& assembly) {
   if (side.broken < 0) return "";
@@ -71,35 +67,32 @@ std::string end_words(const model::AssemblyMotion& side, const model::Assembly& 
                      assembly.hinges[side.broken].name);
 }
 
-std::string meeting_words(const std::optional<Meeting>& met, const model::Assembly& assembly) {
-  if (!met) return "";
-  return fmt::format("At {:.0f} degrees {} and {} run into each other.", to_degrees(met->turn),
-                     assembly.bodies[met->bodies[0]].name, assembly.bodies[met->bodies[1]].name);
+std::string meeting_words(const Meeting& met, const model::Assembly& assembly) {
+  return fmt::format("At {:.0f} degrees {} and {} run into each other.", to_degrees(met.turn),
+                     assembly.bodies[met.bodies[0]].name, assembly.bodies[met.bodies[1]].name);
 }
 
-Json why(const AssemblyPlayer& player, const WayKnown& known) {
-  const model::Assembly& assembly = player.file().assembly;
-  const AssemblyWay& way = player.way();
-  if (!known.followed) return {"How far it turns is being found."};
+Json why(const BodiesWay& way, const model::Assembly& assembly) {
+  if (!way.followed) return {"How far it turns is being found."};
   Json out = Json::array();
   for (const std::string& words : {end_words(way.back, assembly), end_words(way.forth, assembly)})
     if (!words.empty()) out.push_back(words);
   if (out.empty())
     out.push_back(fmt::format("All hinges stay closed from {:.0f} to {:.0f} degrees.",
                               to_degrees(way.least_turn()), to_degrees(way.most_turn())));
-  if (!known.looked_through) return out;
-  for (const auto& met : known.meets)
-    if (met) out.push_back(meeting_words(met, assembly));
-  out.push_back(known.meets[0] || known.meets[1]
-                    ? "The exact motion goes on through bodies that meet; the physics does not."
-                    : "No two bodies meet on the way.");
+  if (!way.meets) return out;
+  const auto& [back, forth] = *way.meets;
+  for (const auto& met : {back, forth})
+    if (met) out.push_back(meeting_words(*met, assembly));
+  out.push_back(back || forth ? "The exact motion goes on through bodies that meet; the physics does not."
+                              : "No two bodies meet on the way.");
   return out;
 }
 
-Json meets_json(const WayKnown& known) {
-  if (!known.looked_through) return nullptr;
+Json meets_json(const BodiesWay& way) {
+  if (!way.meets) return nullptr;
   Json out = Json::array();
-  for (const auto& met : known.meets)
+  for (const auto& met : *way.meets)
     out.push_back(met ? Json{{"turn_rad", met->turn}, {"bodies", met->bodies}} : Json(nullptr));
   return out;
 }
@@ -107,17 +100,6 @@ Json meets_json(const WayKnown& known) {
 Json opener(const model::AssemblyMotion& side) { return side.broken < 0 ? Json(nullptr) : Json(side.broken); }
 
 }  // namespace
-
-Json assembly_hello(const std::string& name) {
-  Json out = {{"type", "hello"},
-              {"version", version},
-              {"name", name},
-              {"templates", Json::array()},
-              {"processes", Json::array()},
-              {"materials", Json::array()},
-              {"formats", Json::array()}};
-  return out;
-}
 
 Json meshes_message(const model::Assembly& assembly) {
   Json bodies = Json::array(), hinges = Json::array();
@@ -127,41 +109,29 @@ Json meshes_message(const model::Assembly& assembly) {
   return {{"type", "meshes"}, {"bodies", bodies}, {"hinges", hinges}};
 }
 
-Json assembly_design(const AssemblyPlayer& player, int revision, const WayKnown& known) {
-  const AssemblyWay& way = player.way();
-  const double a = player.theta_at(way.least_turn()), b = player.theta_at(way.most_turn());
+Json bodies_message(const Moving& moving) {
+  const AssemblyFile& file = *moving.bodies;
+  const BodiesWay& way = *moving.way;
   return {{"type", "design"},
-          {"revision", revision},
-          {"name", player.file().name},
-          {"structure", structure_json(player.file().assembly)},
-          {"theta_rad", player.theta_at(player.file().angle)},
-          {"theta_range_rad", {std::min(a, b), std::max(a, b)}},
+          {"name", file.name},
+          {"structure", structure_json(file.assembly)},
+          {"theta_rad", model::theta_at_turn(way.sense, file.angle)},
+          {"theta_range_rad", {moving.least_theta, moving.most_theta}},
           {"exact", moves(way)},
-          {"family", "none"},
-          {"why", why(player, known)},
+          {"family", moving.exact.name},
+          {"why", why(way, file.assembly)},
           {"breaking", Json::array()},
           {"hinge", {{"kind", "bodies"}, {"text", "as they were imported"}}},
           {"drive", way.pulled ? "bodies that are pulled" : "one hinge that is turned"},
-          {"flat_mm", size_json(player.file().assembly)},
-          {"undo", false},
-          {"redo", false},
-          {"unsaved", false},
+          {"flat_mm", size_json(file.assembly)},
           {"bodies",
            {{"driven", way.hinge},
             {"pulled", way.pulled},
-            {"turn_per_theta", model::turn_at_theta(player.turn_sign(), 1)},
+            {"turn_per_theta", model::turn_at_theta(way.sense, 1)},
             {"turn_range_rad", {way.least_turn(), way.most_turn()}},
             {"opens", {opener(way.back), opener(way.forth)}},
-            {"meets", meets_json(known)},
-            {"following", !known.followed}}}};
-}
-
-Json assembly_state(const AssemblyPlayer& player) {
-  return {{"type", "state"},           {"mode", player.mode() == Mode::exact ? "exact" : "bullet"},
-          {"paused", player.paused()}, {"gravity", player.gravity()},
-          {"springs", false},          {"speed", player.speed()},
-          {"fixed", player.fixed()},   {"driven", player.driven_now()},
-          {"searching", false}};
+            {"meets", meets_json(way)},
+            {"following", !way.followed}}}};
 }
 
 }  // namespace kinetix::app::studio
