@@ -55,8 +55,8 @@ std::optional<bool> are_prints_free(const Run& run) {
 
 }  // namespace
 
-Judging::Judging(const Run& run, const Scene* scene, const RunOptions& options)
-    : run_(run), scene_(scene), options_(options) {}
+Judging::Judging(const Run& run, const Goal* goal, const RunOptions& options)
+    : run_(run), goal_(goal), options_(options) {}
 
 void Judging::work() {
   constexpr std::array parts{&Judging::judge_prints, &Judging::prove_range, &Judging::ask_export};
@@ -65,14 +65,14 @@ void Judging::work() {
 }
 
 void Judging::judge_prints() {
-  if (!scene_ || run_.states.empty()) return;
+  if (!goal_ || run_.states.empty()) return;
   if (run_.matter && !run_.equilibrium) {
     found_.prints_unknown = "elastic hinges find no equilibrium near the design: " + run_.matter->why;
     return;
   }
   Stopwatch watch;
   const model::State& state = run_.matter ? run_.equilibrium->path.state : run_.own;
-  const auto observed = scene_->observe(run_, run_.design.structure, state);
+  const auto observed = goal_->observe(run_, run_.design.structure, state);
   if (!observed) return;
   found_.printed =
       as_made(run_, run_.matter ? run_.equilibrium->drive : drive_to(run_.design.structure, run_.theta),

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "app/run/goal.hpp"
 #include "app/run/run_options.hpp"
-#include "app/run/scene.hpp"
 
 namespace kinetix::app {
 
@@ -22,9 +22,9 @@ struct Judgement {
 /// answers. Looks at a run and changes nothing of it, so that a physics run may go on beside it.
 class Judging {
  public:
-  /// @param run, options are kept by reference   @param scene of its goal; null for a design
+  /// @param run, options are kept by reference   @param goal null for a design
   /// @pre the run has its plan, its state and, of elastic hinges, its equilibrium
-  Judging(const Run& run, const Scene* scene, const RunOptions& options);
+  Judging(const Run& run, const Goal* goal, const RunOptions& options);
   /// Does parts that no thread has begun, until none is left or the options say stop. Any number of threads may be in it.
   void work();
   /// @pre every work() has returned
@@ -36,7 +36,7 @@ class Judging {
   void ask_export();
 
   const Run& run_;
-  const Scene* scene_;
+  const Goal* goal_;
   const RunOptions& options_;
   std::atomic<int> begun_ = 0;
   Judgement found_;  ///< each part writes fields of its own

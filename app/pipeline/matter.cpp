@@ -35,18 +35,18 @@ model::SheetDrive springs(const GoalDrive& drive, double theta) {
   return {.kind = model::LinkageDrive::Kind::shape_memory, .angle = 2 * theta, .k_turn = drive.k_turn};
 }
 
-double rms_mm(const Scene::Observed& observed) {
+double rms_mm(const Goal::Observed& observed) {
   return model::ObservedPoints(observed.points, true).rms_mm();
 }
 
-optim::MatterGoal goal_of(const Found& found, const Scene& scene) {
-  optim::MatterGoal goal;
-  goal.observe = [&found, &scene](const model::Sheet& sheet, const model::State& state) {
-    const auto observed = scene.observe(found, sheet, state);
+optim::MatterGoal goal_of(const Found& found, const Goal& goal) {
+  optim::MatterGoal out;
+  out.observe = [&found, &goal](const model::Sheet& sheet, const model::State& state) {
+    const auto observed = goal.observe(found, sheet, state);
     return observed ? observed->points : std::vector<model::ObservedPoint>{};
   };
-  goal.drive = [&found](const model::Sheet& sheet, double theta) { return goal_drive(found, sheet, theta); };
-  return goal;
+  out.drive = [&found](const model::Sheet& sheet, double theta) { return goal_drive(found, sheet, theta); };
+  return out;
 }
 
 /// Of springs theta is where they rest, which is further than the sheet comes: it has the bounds of any sheet.
@@ -70,19 +70,19 @@ model::EquilibriumPath path_to(const Found& found, const model::Sheet& sheet, do
 }
 
 /// @param path of the exact design, which came to its goal
-optim::Compensation made_up_for(const Found& found, const Scene& scene, const model::EquilibriumPath& path,
+optim::Compensation made_up_for(const Found& found, const Goal& goal, const model::EquilibriumPath& path,
                                 const model::Elasticity& elasticity, double tolerance_mm,
                                 const std::stop_token& stop) {
   optim::CompensationOptions search = bounded(found.bounds, found.goal_drive);
   search.enough_mm = near_enough * tolerance_mm;
   search.stop = stop;
-  return compensate({found.design.structure, found.theta, path.state}, elasticity, goal_of(found, scene),
+  return compensate({found.design.structure, found.theta, path.state}, elasticity, goal_of(found, goal),
                     search);
 }
 
 /// Hinges that are too soft for their drive leave the sheet far from its goal; what is missed otherwise no spring mends.
-bool is_far_off(const Run& run, const Scene& scene, const model::State& state) {
-  const auto observed = scene.observe(run, run.design.structure, state);
+bool is_far_off(const Run& run, const Goal& goal, const model::State& state) {
+  const auto observed = goal.observe(run, run.design.structure, state);
   return !observed || rms_mm(*observed) > observed->tolerance_mm;
 }
 
@@ -116,7 +116,7 @@ std::string advise_springs(const model::Elasticity& elasticity, int hinges) {
       spring_over_hinge * stiffest_turn(elasticity, hinges), spring_over_hinge);
 }
 
-MatterResult result_of(const Scene::Observed& exact, const optim::Compensation& found) {
+MatterResult result_of(const Goal::Observed& exact, const optim::Compensation& found) {
   return {.exact_mm = rms_mm(exact),
           .before_mm = found.before.rms_mm,
           .after_mm = found.after.rms_mm,
@@ -134,25 +134,25 @@ Run missed(Run run, const std::string& why) {
 }
 
 /// How the equilibrium at the end of the path keeps the goal. @pre the drive came through
-Run measured(Run run, const Scene& scene, const RunOptions& options) {
+Run measured(Run run, const Goal& goal, const RunOptions& options) {
   const Equilibrium& equilibrium = *run.equilibrium;
   const model::State& end = equilibrium.path.state;
-  if (auto measure = scene.measure(run, StateOf::equilibrium, end, options)) {
+  if (auto measure = goal.measure(run, StateOf::equilibrium, end, options)) {
     run.violations = measure->violations;
     run.by_equilibrium = std::move(measure);
   }
-  if (!run.met() && run.goal_drive.kind == GoalDrive::Kind::usual && is_far_off(run, scene, end))
+  if (!run.met() && run.goal_drive.kind == GoalDrive::Kind::usual && is_far_off(run, goal, end))
     run.violations.push_back(advise_springs(equilibrium.elasticity, run.design.structure.hinges()));
   return run;
 }
 
 /// Judges the end of the path from flat where it is not the state that the search found, which knows no contact.
 /// @param away from it, cell edges
-Run elsewhere(Run run, const Scene& scene, double away) {
+Run elsewhere(Run run, const Goal& goal, double away) {
   const std::string where = fmt::format(
       "the path from flat ends in another equilibrium than the one near the goal, {:.3g} mm from it",
       away * run.design.structure.size().edge_mm);
-  if (const auto observed = scene.observe(run, run.design.structure, run.equilibrium->path.state))
+  if (const auto observed = goal.observe(run, run.design.structure, run.equilibrium->path.state))
     run.matter->after_mm = rms_mm(*observed);
   if (!run.met()) return missed(std::move(run), where);
   run.matter->why = where + ", and within tolerance as well";
@@ -177,14 +177,14 @@ bool is_of_matter(const Found& found) {
          found.plan.model != Model::equilibrium;
 }
 
-MatterPath path_in_matter(const Found& found, const Scene& scene, const std::stop_token& stop) {
+MatterPath path_in_matter(const Found& found, const Goal& goal, const std::stop_token& stop) {
   const model::Elasticity elasticity = elasticity_of(found.design);
   MatterPath out{found.design.structure, found.theta, goal_drive(found, found.design.structure, found.theta),
                  path_to(found, found.design.structure, found.theta, elasticity, stop)};
-  const auto exact = scene.observe(found, found.design.structure, found.own);
+  const auto exact = goal.observe(found, found.design.structure, found.own);
   if (!exact || out.path.stop != model::EquilibriumPath::Stop::reached) return out;
   const optim::InMatter after =
-      made_up_for(found, scene, out.path, elasticity, exact->tolerance_mm, stop).after;
+      made_up_for(found, goal, out.path, elasticity, exact->tolerance_mm, stop).after;
   const model::LinkageDrive drive = goal_drive(found, after.sheet, after.theta);
   model::EquilibriumPathOptions options = path_of_run(found.plan.planar);
   options.stop = stop;
@@ -192,8 +192,8 @@ MatterPath path_in_matter(const Found& found, const Scene& scene, const std::sto
           trace_equilibrium({after.sheet, drive, exact_motion(after.sheet)}, elasticity, options)};
 }
 
-Run settled_in_matter(Run run, const Scene& scene, const RunOptions& options) {
-  const auto exact = scene.observe(run, run.design.structure, run.own);
+Run settled_in_matter(Run run, const Goal& goal, const RunOptions& options) {
+  const auto exact = goal.observe(run, run.design.structure, run.own);
   if (!exact) return run;
   options.progress("hinges in matter", 0);
   const model::Elasticity elasticity = elasticity_of(run.design);
@@ -205,14 +205,14 @@ Run settled_in_matter(Run run, const Scene& scene, const RunOptions& options) {
   const model::EquilibriumPath path = path_to(run, run.design.structure, run.theta, elasticity, options.stop);
   if (path.stop != model::EquilibriumPath::Stop::reached) return missed(std::move(run), path.why);
   const optim::Compensation found =
-      made_up_for(run, scene, path, elasticity, exact->tolerance_mm, options.stop);
+      made_up_for(run, goal, path, elasticity, exact->tolerance_mm, options.stop);
   run.matter = result_of(*exact, found);
   run = showing(std::move(run), found.after, elasticity, options);
   if (!run.equilibrium->reached()) return missed(std::move(run), std::string(run.equilibrium->path.why));
-  run = measured(std::move(run), scene, options);
+  run = measured(std::move(run), goal, options);
   const double away =
       aligned_distance(run.design.structure, run.equilibrium->path.state, found.after.state).max;
-  return away <= same_state ? run : elsewhere(std::move(run), scene, away);
+  return away <= same_state ? run : elsewhere(std::move(run), goal, away);
 }
 
 }  // namespace kinetix::app

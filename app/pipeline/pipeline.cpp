@@ -61,10 +61,10 @@ std::future<void> work_beside(Judging& judging, int threads) {
 }
 
 /// How the settled physics run keeps the goal.
-std::shared_ptr<const Measure> measured(const Run& run, const Scene* scene, const Verification& verification,
+std::shared_ptr<const Measure> measured(const Run& run, const Goal* goal, const Verification& verification,
                                         const RunOptions& options) {
-  if (!scene || !is_settled(verification)) return nullptr;
-  return scene->measure(run, StateOf::physics, verification.physics.state, options);
+  if (!goal || !is_settled(verification)) return nullptr;
+  return goal->measure(run, StateOf::physics, verification.physics.state, options);
 }
 
 /// Of a state that misses its goal, physics says so too.
@@ -74,9 +74,9 @@ bool agrees(const Run& run, const Verification& verification, const Measure* mea
 
 /// Runs the physics engine. Where coarser steps came near enough to the model's state, but not to the goal, which may be stricter,
 /// it runs again in the usual ones.
-Run with_physics(Run run, const Scene* scene, Verification verification, const PhysicsTask& task,
+Run with_physics(Run run, const Goal* goal, Verification verification, const PhysicsTask& task,
                  const RunOptions& options) {
-  std::shared_ptr<const Measure> measure = measured(run, scene, verification, options);
+  std::shared_ptr<const Measure> measure = measured(run, goal, verification, options);
   if (verification.coarse && !agrees(run, verification, measure.get())) {
     Stopwatch watch;
     std::optional<Verification> finer = verify(run, task, options, true);
@@ -84,7 +84,7 @@ Run with_physics(Run run, const Scene* scene, Verification verification, const P
     if (!finer) return run;
     finer->physics.seconds += verification.physics.seconds;
     verification = std::move(*finer);
-    measure = measured(run, scene, verification, options);
+    measure = measured(run, goal, verification, options);
   }
   verification.agrees = agrees(run, verification, measure.get());
   const sim::PhysicsResult& physics = verification.physics;
@@ -97,8 +97,8 @@ Run with_physics(Run run, const Scene* scene, Verification verification, const P
 }
 
 /// By physics where there is a task for it, and by what else says how good the design is, side by side.
-Run checked(Run run, const Scene* scene, const std::optional<PhysicsTask>& task, const RunOptions& options) {
-  Judging judging(run, scene, options);
+Run checked(Run run, const Goal* goal, const std::optional<PhysicsTask>& task, const RunOptions& options) {
+  Judging judging(run, goal, options);
   std::future<void> beside = work_beside(judging, options.threads);
   std::optional<Verification> verification;
   Stopwatch watch;
@@ -109,7 +109,7 @@ Run checked(Run run, const Scene* scene, const std::optional<PhysicsTask>& task,
   beside.get();
   run = with_judgement(std::move(run), judging.judgement());
   if (task) run.timings.verify = seconds;
-  return verification ? with_physics(std::move(run), scene, std::move(*verification), *task, options)
+  return verification ? with_physics(std::move(run), goal, std::move(*verification), *task, options)
                       : std::move(run);
 }
 
@@ -155,23 +155,23 @@ Run with_model_states(Run run, const RunOptions& options) {
   return run;
 }
 
-Run finished(Run run, const Scene* scene, const RunOptions& options) {
+Run finished(Run run, const Goal* goal, const RunOptions& options) {
   const bool verifies = options.verify && !options.stop.stop_requested();
   const std::optional<PhysicsTask> task = verifies ? physics_task(run) : std::nullopt;
-  run = checked(std::move(run), scene, task, options);
+  run = checked(std::move(run), goal, task, options);
   if (const auto why = why_hinges_tear(run)) {
     run.strained = run.met();
     run.violations.push_back(*why);
   }
   run.stopped = options.stop.stop_requested();
-  if (scene && !run.matter && run.plan.model != Model::equilibrium)
+  if (goal && !run.matter && run.plan.model != Model::equilibrium)
     model::append(exact_frames(run), run.states);
   return run;
 }
 
 }  // namespace
 
-Run held(Found found, const Scene* scene, const RunOptions& options) {
+Run held(Found found, const Goal* goal, const RunOptions& options) {
   Run run;
   run.seed = options.seed;
   Stopwatch watch;
@@ -179,29 +179,29 @@ Run held(Found found, const Scene* scene, const RunOptions& options) {
   run.timings.plan = watch.lap();
   run = with_model_states(std::move(run), options);
   run.timings.equilibrium = watch.lap();
-  if (!scene) return run;
-  run.by_model = scene->measure(run, StateOf::model, run.own, options);
+  if (!goal) return run;
+  run.by_model = goal->measure(run, StateOf::model, run.own, options);
   run.violations = run.by_model->violations;
   run.prints_unknown = run.by_model->prints_unknown;
   return run;
 }
 
-Run settled(Run run, const Scene& scene, const RunOptions& options) {
+Run settled(Run run, const Goal& goal, const RunOptions& options) {
   Stopwatch watch;
-  if (is_of_matter(run)) run = settled_in_matter(std::move(run), scene, options);
+  if (is_of_matter(run)) run = settled_in_matter(std::move(run), goal, options);
   if (const auto why = why_drive_stops(run)) run.violations.push_back(*why);
   run.timings.matter = watch.lap();
   return run;
 }
 
-Run run_goal(const Scene& scene, const RunOptions& options) {
+Run run_goal(const Goal& goal, const RunOptions& options) {
   Stopwatch watch;
-  Found found = scene.search(options);
-  found.design.name = scene.name;
+  Found found = goal.search(options);
+  found.design.name = goal.name;
   const double seconds = watch.lap();
-  Run run = settled(held(std::move(found), &scene, options), scene, options);
+  Run run = settled(held(std::move(found), &goal, options), goal, options);
   run.timings.optimise = seconds;
-  return finished(std::move(run), &scene, options);
+  return finished(std::move(run), &goal, options);
 }
 
 Run run_design(Design design, Model model, RunOptions options) {

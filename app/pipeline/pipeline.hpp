@@ -1,14 +1,14 @@
 #pragma once
 
+#include "app/run/goal.hpp"
 #include "app/run/run.hpp"
-#include "app/run/scene.hpp"
 
 namespace kinetix::app {
 
 /// Searches for the goal, and says of what was found what each model says of it: the exact state, the equilibrium of elastic
 /// hinges, then the physics run, prints and contact side by side.
 /// @throws InvalidInput for a target that leaves nothing to search
-Run run_goal(const Scene& goal, const RunOptions& options);
+Run run_goal(const Goal& goal, const RunOptions& options);
 
 /// The same of a design as it is, nothing to search for.
 /// @param model exact: one state of the closed form; equilibrium: of the design's elastic hinges, followed
@@ -19,8 +19,8 @@ Run run_goal(const Scene& goal, const RunOptions& options);
 Run run_design(Design design, Model model, RunOptions options);
 
 /// What was found in the state that its model holds it in, and how far that is from its goal. @param goal null for a design
-Run held(Found found, const Scene* goal, const RunOptions& options);
+Run held(Found found, const Goal* goal, const RunOptions& options);
 /// The same in the equilibrium of its elastic hinges, where a goal of an exact family has any.
-Run settled(Run run, const Scene& goal, const RunOptions& options);
+Run settled(Run run, const Goal& goal, const RunOptions& options);
 
 }  // namespace kinetix::app

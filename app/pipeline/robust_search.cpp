@@ -28,15 +28,15 @@ struct Expected {
 };
 
 /// Of a run that has been through its models.
-std::optional<Expected> expected(const Run& run, const Scene& scene) {
+std::optional<Expected> expected(const Run& run, const Goal& goal) {
   if (run.matter && !run.equilibrium) return std::nullopt;
   const model::State& state = run.matter ? run.equilibrium->path.state : run.own;
-  const auto goal = scene.observe(run, run.design.structure, state);
-  if (!goal) return std::nullopt;
+  const auto observed = goal.observe(run, run.design.structure, state);
+  if (!observed) return std::nullopt;
   const auto drive = run.matter ? run.equilibrium->drive : goal_drive(run, run.design.structure, run.theta);
-  const auto printed = expected_of_prints(run, drive, state, goal->points);
+  const auto printed = expected_of_prints(run, drive, state, observed->points);
   if (!printed) return std::nullopt;
-  return Expected{goal->tolerance_mm, *printed, bears_its_strain(run.design, state)};
+  return Expected{observed->tolerance_mm, *printed, bears_its_strain(run.design, state)};
 }
 
 /// The plain search first.
@@ -85,10 +85,10 @@ std::string why_not_taken(const Run& run, const Expected& found, const RunOption
 }
 
 /// @param plain what the plain search found
-RobustCandidate tried(const Found& plain, const Scene& scene, const RobustTrial& trial,
+RobustCandidate tried(const Found& plain, const Goal& goal, const RobustTrial& trial,
                       const RobustSolve& solve, const RunOptions& options) {
   try {
-    return robust_candidate(solve(trial, options), scene, options);
+    return robust_candidate(solve(trial, options), goal, options);
   } catch (const InvalidInput& e) {
     RobustCandidate out = not_judged(trial.theta ? trial.theta->lower : plain.theta,
                                      plain.design.structure.size().edge_mm, trial.hinge);
@@ -99,13 +99,13 @@ RobustCandidate tried(const Found& plain, const Scene& scene, const RobustTrial&
 
 }  // namespace
 
-RobustCandidate robust_candidate(Found found, const Scene& scene, const RunOptions& options) {
+RobustCandidate robust_candidate(Found found, const Goal& goal, const RunOptions& options) {
   RobustCandidate out = not_judged(found.theta, found.design.structure.size().edge_mm, found.design.hinge);
-  Run run = held(std::move(found), &scene, options);
+  Run run = held(std::move(found), &goal, options);
   out.why_not = missed_in_words(run);
   if (!run.met()) return out;
-  run = settled(std::move(run), scene, options);
-  const auto prints = expected(run, scene);
+  run = settled(std::move(run), goal, options);
+  const auto prints = expected(run, goal);
   out.why_not = run.met() ? "what its prints come to is not known" : missed_in_words(run);
   if (!prints) return out;
   const model::AsMade& made = prints->printed.made;
@@ -117,7 +117,7 @@ RobustCandidate robust_candidate(Found found, const Scene& scene, const RunOptio
   return out;
 }
 
-Found search_robustly(Found plain, const Scene& scene, double weight,
+Found search_robustly(Found plain, const Goal& goal, double weight,
                       const std::optional<optim::AngleRange>& theta, const RobustSolve& solve,
                       const RunOptions& options) {
   RunOptions quiet = options;
@@ -127,7 +127,7 @@ Found search_robustly(Found plain, const Scene& scene, double weight,
   for (std::size_t k = 0; k < all.size() && !options.stop.stop_requested(); ++k) {
     options.progress("robust search", static_cast<double>(k) / static_cast<double>(all.size()),
                      fmt::format("design {} of {}", k + 1, all.size()));
-    RobustCandidate next = tried(plain, scene, all[k], solve, quiet);
+    RobustCandidate next = tried(plain, goal, all[k], solve, quiet);
     if (options.stop.stop_requested()) break;  // cut short, it says nothing of that design
     choice.tried.push_back(std::move(next));
     if (is_more_robust(weight, choice.tried.back(), choice.tried[choice.chosen])) choice.chosen = k;

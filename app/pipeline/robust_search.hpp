@@ -2,8 +2,8 @@
 
 #include <functional>
 
+#include "app/run/goal.hpp"
 #include "app/run/robust_choice.hpp"
-#include "app/run/scene.hpp"
 
 namespace kinetix::app {
 
@@ -16,7 +16,7 @@ struct RobustTrial {
 using RobustSolve = std::function<Found(const RobustTrial&, const RunOptions&)>;
 
 /// Judges a design that was found as the pipeline would leave it, without a physics run.
-RobustCandidate robust_candidate(Found found, const Scene& scene, const RunOptions& options);
+RobustCandidate robust_candidate(Found found, const Goal& goal, const RunOptions& options);
 
 /// Of the plain design and others, at nine values of theta and three gaps of hinges, keeps the one with the least
 /// robust_cost(), prints to first order, among those that meet the goal once they have made up for elastic hinges and that
@@ -24,7 +24,7 @@ RobustCandidate robust_candidate(Found found, const Scene& scene, const RunOptio
 /// One without an expectation, or further off than the goal allows, is not taken unless the plain one is as well.
 /// @param plain what the plain search found   @param weight of prints, (0, 1]   @param theta what may be tried of it, rad; nothing: theta is given
 /// @param solve a trial; one that throws InvalidInput cannot be made
-Found search_robustly(Found plain, const Scene& scene, double weight,
+Found search_robustly(Found plain, const Goal& goal, double weight,
                       const std::optional<optim::AngleRange>& theta, const RobustSolve& solve,
                       const RunOptions& options);
 

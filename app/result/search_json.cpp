@@ -1,5 +1,7 @@
 #include "app/result/search_json.hpp"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 namespace kinetix::app {
@@ -25,6 +27,12 @@ nlohmann::ordered_json search_json(const optim::MultiStartResult& search, int ch
           {"why", best.why},
           {"best_start", chosen},
           {"runs", runs}};
+}
+
+SummaryLine search_line(double seconds, const optim::MultiStartResult& search, int chosen,
+                        optim::SolverName solver) {
+  return {"search", fmt::format("{:.3f} s, {} from {} starts, {}", seconds, to_string(solver),
+                                search.runs.size(), to_string(search.runs[chosen].status))};
 }
 
 void add_end(bool stopped, bool found, const std::string& why, const std::string& why_not,

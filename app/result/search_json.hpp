@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "app/run/goal_outcome.hpp"
 #include "optim/solvers/multi_start.hpp"
 
 namespace kinetix::app {
@@ -10,6 +11,10 @@ namespace kinetix::app {
 /// The `optimiser` of a search from many starts. @param chosen index of the run that the design comes from
 nlohmann::ordered_json search_json(const optim::MultiStartResult& search, int chosen,
                                    optim::SolverName solver);
+
+/// The line of the summary for such a search. @param seconds that it took
+SummaryLine search_line(double seconds, const optim::MultiStartResult& search, int chosen,
+                        optim::SolverName solver);
 
 /// Adds to such an `optimiser` how a search ended that ends by itself: "stopped" where it was, else "converged" with `why` or
 /// "failed" with `why_not`.

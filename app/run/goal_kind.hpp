@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/run/scene.hpp"
+#include "app/run/goal.hpp"
 #include "targets/document/section.hpp"
 
 namespace kinetix::app {
@@ -21,7 +21,7 @@ struct GoalMetric {
 /// has one.
 struct GoalMeasure {
   std::string_view name;
-  double (*of)(const Scene& goal, const model::Sheet& structure, const model::State& state);
+  double (*of)(const Goal& goal, const model::Sheet& structure, const model::State& state);
 };
 
 /// A kind of goal: how targets of it are read, and what else the program has to know of all of them.
@@ -29,7 +29,7 @@ struct GoalKind {
   std::string_view name;     ///< `target.kind`
   std::string_view example;  ///< the shortest `target:` of it
   /// @param root a target of this kind. @throws InvalidInput for whatever the format does not allow
-  std::unique_ptr<Scene> (*read)(const targets::Node& root);
+  std::unique_ptr<Goal> (*read)(const targets::Node& root);
   /// Every key of its files.
   const targets::KeyTable& (*table)();
   Model model = Model::exact;          ///< that its states come from
@@ -41,7 +41,7 @@ struct GoalKind {
 /// A goal that was read.
 struct Target {
   const GoalKind* kind = nullptr;
-  std::shared_ptr<const Scene> goal;
+  std::shared_ptr<const Goal> goal;
 };
 
 }  // namespace kinetix::app

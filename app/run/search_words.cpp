@@ -15,4 +15,17 @@ void follow(const RunOptions& run, double mm, optim::SolverOptions& search) {
   };
 }
 
+optim::MultiStartOptions followed(optim::MultiStartOptions search, const RunOptions& run,
+                                  std::function<std::string(double least)> in_words) {
+  search.threads = run.threads;
+  search.seed = run.seed;
+  search.solver.stop = run.stop;
+  search.ended = [progress = run.progress, starts = search.starts, in_words = std::move(in_words)](
+                     int ended, double least) {
+    progress("search", static_cast<double>(ended) / starts,
+             fmt::format("start {} of {}, {}", ended, starts, in_words(least)));
+  };
+  return search;
+}
+
 }  // namespace kinetix::app

@@ -26,7 +26,7 @@ app::Run shown(targets::DisplayGoal goal, bool verify = true,
   file.goal = std::move(goal);
   app::RunOptions options;
   options.verify = verify;
-  return run_goal(*make_scene(file), options);
+  return run_goal(*make_goal(file), options);
 }
 
 targets::DisplayGoal letter(const std::string& text, int columns, int rows) {

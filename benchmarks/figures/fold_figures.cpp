@@ -18,7 +18,7 @@ app::Run folded(const targets::FoldGoal& goal, bool verify) {
   file.size = {10, 0.8, 6};
   app::RunOptions options;
   options.verify = verify;
-  return run_goal(*make_scene(file), options);
+  return run_goal(*make_goal(file), options);
 }
 
 double largest_miss_deg(const targets::FoldNet& net, const targets::FoldError& error) {

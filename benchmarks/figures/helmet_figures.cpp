@@ -25,7 +25,7 @@ std::string in_words(const optim::RibsError& error) {
 }
 
 std::vector<Figure> headform_figures() {
-  const app::Run run = run_goal(*app::make_scene(headform()), {});
+  const app::Run run = run_goal(*app::make_goal(headform()), {});
   const optim::RibsError& error = app::measure_of<app::HelmetMeasure>(run).error;
   const auto* settled = app::physics_measure_of<app::HelmetMeasure>(run);
   const double apart = run.verification->distance.rms;

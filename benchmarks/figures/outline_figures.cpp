@@ -76,7 +76,7 @@ app::OutlineFile whole_panel(const Points& goal, int cells) {
 app::Run found(const app::OutlineFile& file, bool verify) {
   app::RunOptions options;
   options.verify = verify;
-  return run_goal(*make_scene(file), options);
+  return run_goal(*make_goal(file), options);
 }
 
 const app::OutlineOutcome& outline_of(const app::Run& run) {

@@ -35,14 +35,14 @@ Reading read(const std::string& text, int cells_a_module, bool in_equilibrium) {
   file.goal = targets::image_goal(testing::draw_qr_code(text, folder.path("code.png")),
                                   targets::PanelSize{side, side}, targets::ImageLevels::two, true);
   file.offset = 0.06;
-  const auto scene = make_scene(file);
+  const auto goal = make_goal(file);
   app::Run run;
   app::RunOptions options;
   options.verify = false;
   if (in_equilibrium)
-    run = run_goal(*scene, options);
+    run = run_goal(*goal, options);
   else
-    static_cast<app::Found&>(run) = scene->search(options);
+    static_cast<app::Found&>(run) = goal->search(options);
   const app::FarViewOptions view =
       testing::as_ink_on_paper(app::far_view_options(file.goal), !file.goal.inverted);
   const auto seen = [&](const model::State& state) {

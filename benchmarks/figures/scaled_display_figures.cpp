@@ -33,7 +33,7 @@ app::Run shown_by(DriveKind drive, bool press, targets::DisplayGoal goal) {
   file.goal = std::move(goal);
   file.drive = drive;
   file.press = press;
-  return run_goal(*make_scene(file), {});
+  return run_goal(*make_goal(file), {});
 }
 
 app::Run shown(targets::DisplayGoal goal, double offset, bool verify,
@@ -45,7 +45,7 @@ app::Run shown(targets::DisplayGoal goal, double offset, bool verify,
   file.offset = offset;
   app::RunOptions options;
   options.verify = verify;
-  return run_goal(*make_scene(file), options);
+  return run_goal(*make_goal(file), options);
 }
 
 const app::DisplayOutcome& display_of(const app::Run& run) {
@@ -197,7 +197,7 @@ Figure strained() {
     file.name = "display";
     file.goal = targets::glyph_goal("T", side, side);
     file.strain = strain;
-    return run_goal(*make_scene(file), {});
+    return run_goal(*make_goal(file), {});
   };
   const app::Run plain = letter_t(0), run = letter_t(0.005);
   const auto words = [](const app::Run& of) {

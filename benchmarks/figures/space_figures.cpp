@@ -33,7 +33,7 @@ Figure helix_figure() {
   app::SpaceCurveFile file(helix());
   file.name = "helix";
   file.variables.size = {5, 0.5, 3};
-  const app::Run run = run_goal(*make_scene(file), {});
+  const app::Run run = run_goal(*make_goal(file), {});
   const targets::SpaceError& error = app::measure_of<app::SpaceCurveMeasure>(run).error;
   const double seconds = run.timings.optimise;
   const bool agrees = run.verification && run.verification->agrees;

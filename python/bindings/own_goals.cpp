@@ -10,7 +10,7 @@
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/documents.hpp"
 #include "python/bindings/interruptible.hpp"
-#include "python/bindings/own_scene.hpp"
+#include "python/bindings/own_goal.hpp"
 #include "python/bindings/results.hpp"
 #include "targets/document/wording.hpp"
 
@@ -56,32 +56,41 @@ model::CellSize walls_of(double cell_mm, const Range& wall_mm) {
   return {cell_mm, thickness, height};
 }
 
-OwnGoal make_goal(const std::string& named, py::object error, py::object gradient, double tolerance,
-                  int columns, int rows, double cell_mm, const std::optional<Range>& wall_mm, Range beta,
-                  Range theta, const std::string& per, const std::string& symmetry, const std::string& solver,
-                  int starts, int max_evaluations) {
+/// @param least that it may begin at, rad, and the same in words
+optim::AngleRange angles(const std::string& name, const Range& range, double least, const char* in_words) {
+  const auto& [lower, upper] = range;
+  require(name + "[0]", lower, lower > least && lower < upper,
+          std::string("above ") + in_words + " and below " + name + "[1], rad");
+  require(name + "[1]", upper, upper < pi / 2, "below pi/2 rad");
+  return {lower, upper};
+}
+
+std::shared_ptr<OwnGoal> make_goal(const std::string& named, py::object error, py::object gradient,
+                                   double tolerance, int columns, int rows, double cell_mm,
+                                   const std::optional<Range>& wall_mm, Range beta, Range theta,
+                                   const std::string& per, const std::string& symmetry,
+                                   const std::string& solver, int starts, int max_evaluations) {
   using optim::Per, optim::Symmetry;
   require("cell_mm", cell_mm, cell_mm >= 0.001 && cell_mm <= 1e4, "0.001 to 10000 mm");
-  OwnGoal goal;
-  goal.name = checked_name(named);
-  goal.error = std::make_shared<OwnError>(std::move(error), std::move(gradient));
-  goal.tolerance = tolerance;
-  goal.columns = columns;
-  goal.rows = rows;
-  goal.size = app::default_size(cell_mm);
-  if (wall_mm) goal.size = walls_of(cell_mm, *wall_mm);
-  goal.beta = {beta.first, beta.second};
-  goal.theta = {theta.first, theta.second};
-  goal.per = word<Per>("per", per, {{"column", Per::column}, {"all", Per::all}});
-  goal.symmetry = word<Symmetry>("symmetry", symmetry,
-                                 {{"none", Symmetry::none},
-                                  {"mirror_x", Symmetry::mirror_x},
-                                  {"mirror_y", Symmetry::mirror_y},
-                                  {"rotate_2", Symmetry::rotate_2}});
-  goal.search.starts = starts;
-  goal.search.solver.name = solver_of(solver);
-  goal.search.solver.max_evaluations = max_evaluations;
-  goal.fit();
+  auto goal = std::make_shared<OwnGoal>(checked_name(named));
+  goal->error = std::make_shared<OwnError>(std::move(error), std::move(gradient));
+  goal->size = wall_mm ? walls_of(cell_mm, *wall_mm) : app::default_size(cell_mm);
+  const Per tied = word<Per>("per", per, {{"column", Per::column}, {"all", Per::all}});
+  const Symmetry kept = word<Symmetry>("symmetry", symmetry,
+                                       {{"none", Symmetry::none},
+                                        {"mirror_x", Symmetry::mirror_x},
+                                        {"mirror_y", Symmetry::mirror_y},
+                                        {"rotate_2", Symmetry::rotate_2}});
+  goal->starts.starts = starts;
+  goal->starts.solver.name = solver_of(solver);
+  goal->starts.solver.max_evaluations = max_evaluations;
+  require("tolerance", tolerance, tolerance >= 0 && std::isfinite(tolerance), "0 or more, and finite");
+  require("columns", columns, columns >= 2 && columns <= 10000, "2 to 10000");
+  require("rows", rows, rows >= 1 && rows <= 10000, "1 to 10000");
+  goal->tolerance = tolerance;
+  const optim::AngleRange turns = angles("theta", theta, 0, "0");
+  goal->allowed = {columns, rows, cell_mm, angles("beta", beta, -pi / 2, "-pi/2"), turns, tied, kept};
+  goal->fit();
   return goal;
 }
 
@@ -113,9 +122,8 @@ void add_own_goals(py::module_& core) {
       .def("gradient_error", gradient_error);
   core.def("make_goal", make_goal);
   core.def("optimise_own", [](const std::shared_ptr<OwnGoal>& goal, RunChoice choice) {
-    return run_in_python(
-        [&](const app::RunOptions& options) { return run_goal(*make_scene(*goal), options); }, "",
-        std::move(choice));
+    return run_in_python([&](const app::RunOptions& options) { return run_goal(*goal, options); }, "",
+                         std::move(choice));
   });
 }
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "app/run/goal.hpp"
 #include "app/run/run_options.hpp"
-#include "app/run/scene.hpp"
 
 namespace kinetix::python {
 

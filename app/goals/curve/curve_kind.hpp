@@ -6,7 +6,7 @@
 namespace kinetix::app {
 
 /// A strip that folds into a curve: the search, the closed form, and the physics run of its folding.
-std::unique_ptr<Scene> make_scene(CurveFile file);
+std::unique_ptr<Goal> make_goal(CurveFile file);
 
 extern const GoalKind curve_kind;
 

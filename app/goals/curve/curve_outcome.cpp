@@ -107,10 +107,7 @@ std::vector<SummaryLine> CurveOutcome::summary_lines(const Run& run) const {
                    error.rms, error.rms * error.scale_mm, error.max * error.scale_mm,
                    tolerance_words_of(*this, run))});
   if (robust) lines.push_back({"robust", robust_text(*robust)});
-  const optim::SolveResult& best = found.design.search.runs[found.design.chosen];
-  lines.push_back(
-      {"search", fmt::format("{:.3f} s, {} from {} starts, {}", run.timings.optimise, to_string(solver.name),
-                             found.design.search.runs.size(), to_string(best.status))});
+  lines.push_back(search_line(run.timings.optimise, found.design.search, found.design.chosen, solver.name));
   return lines;
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "app/run/search_words.hpp"
+
 namespace kinetix::app {
 
 optim::CurveVariables curve_variables(const CurveFile& file) {
@@ -18,18 +20,12 @@ optim::CurveVariables curve_variables(const CurveFile& file) {
 
 optim::MultiStartOptions curve_search(const CurveFile& file, const RunOptions& options) {
   optim::MultiStartOptions search;
-  search.threads = options.threads;
-  search.solver.stop = options.stop;
-  search.seed = options.seed;
   search.starts = file.solver.starts.value_or(search.starts);
   search.solver.name = file.solver.name.value_or(search.solver.name);
   search.solver.max_evaluations = file.solver.max_evaluations.value_or(search.solver.max_evaluations);
-  search.ended = [progress = options.progress, starts = search.starts, mm = file.curve.diagonal()](
-                     int ended, double least) {
-    progress("search", static_cast<double>(ended) / starts,
-             fmt::format("start {} of {}, best {:.2g} mm off", ended, starts, least * mm));
-  };
-  return search;
+  return followed(search, options, [mm = file.curve.diagonal()](double least) {
+    return fmt::format("best {:.2g} mm off", least * mm);
+  });
 }
 
 }  // namespace kinetix::app

@@ -8,7 +8,7 @@ namespace kinetix::app {
 /// A panel that shows a picture when it is compressed: the search, its equilibrium from flat, and the
 /// physics run of its compression. Its search throws InvalidInput for a panel whose walls overlap, and for
 /// one that the machine's memory does not hold.
-std::unique_ptr<Scene> make_scene(DisplayFile file);
+std::unique_ptr<Goal> make_goal(DisplayFile file);
 
 extern const GoalKind display_kind;
 

@@ -14,10 +14,10 @@ inline double usual_theta(const optim::AngleRange& allowed) {
 }
 
 /// A net that folds to a solid: the search, its closed form, and the physics run of its folding.
-std::unique_ptr<Scene> make_scene(FoldFile file);
+std::unique_ptr<Goal> make_goal(FoldFile file);
 
 /// The same of a solid whose faces are no rectangles of squares. @pre file.goal.solid
-std::unique_ptr<Scene> make_solid_scene(FoldFile file);
+std::unique_ptr<Goal> make_solid_goal(FoldFile file);
 
 extern const GoalKind fold_kind;
 

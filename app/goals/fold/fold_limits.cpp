@@ -30,7 +30,7 @@ bool meets_goal(const FoldFile& file, const optim::FoldDesign& design, const Mat
          violations(file, outcome.creases(net.error), net.error.rms, "equilibrium").empty();
 }
 
-Borne borne_by(const FoldFile& file, Found trial, const Scene& scene, const optim::FoldDesign& design,
+Borne borne_by(const FoldFile& file, Found trial, const Goal& goal, const optim::FoldDesign& design,
                const std::stop_token& stop) {
   trial.design.structure = design.folded.structure;
   trial.theta = design.folded.theta;
@@ -38,7 +38,7 @@ Borne borne_by(const FoldFile& file, Found trial, const Scene& scene, const opti
   fold->design = design;
   trial.goal = std::move(fold);
   trial = planned(std::move(trial));
-  const MatterPath found = path_in_matter(trial, scene, stop);
+  const MatterPath found = path_in_matter(trial, goal, stop);
   return {{model::mean_theta(found.sheet, found.path.state),
            hinge_loads(found.path, found.drive, found.sheet, trial.design.hinge, trial.design.own_hinges)},
           meets_goal(file, design, found)};
@@ -46,10 +46,10 @@ Borne borne_by(const FoldFile& file, Found trial, const Scene& scene, const opti
 
 }  // namespace
 
-void keep_limits(const FoldFile& file, const Found& asked_of, const Scene& scene, FoldOutcome& fold,
+void keep_limits(const FoldFile& file, const Found& asked_of, const Goal& goal, FoldOutcome& fold,
                  const std::function<optim::FoldDesign(double)>& search, const RunOptions& options) {
   if (!file.limits.any() || !fold.design.folds) return;
-  const FoldLoads asked = borne_by(file, asked_of, scene, fold.design, options.stop).loads;
+  const FoldLoads asked = borne_by(file, asked_of, goal, fold.design, options.stop).loads;
   if (options.stop.stop_requested()) return;  // cut short, its path says nothing of the fold
   fold.loads = asked;
   if (share_of(file.limits, asked.hinges) <= HingeLimits::in_hand) return;
@@ -63,7 +63,7 @@ void keep_limits(const FoldFile& file, const Found& asked_of, const Scene& scene
       kept = theta;
       continue;
     }
-    const Borne borne = borne_by(file, asked_of, scene, design, options.stop);
+    const Borne borne = borne_by(file, asked_of, goal, design, options.stop);
     if (options.stop.stop_requested()) return;
     if (!(share_of(file.limits, borne.loads.hinges) <= HingeLimits::in_hand)) {
       too_much = theta;

@@ -6,7 +6,7 @@
 namespace kinetix::app {
 
 /// A panel whose rim takes a shape when it is pressed: the search, the closed form, and the physics run.
-std::unique_ptr<Scene> make_scene(OutlineFile file);
+std::unique_ptr<Goal> make_goal(OutlineFile file);
 
 extern const GoalKind outline_kind;
 

@@ -7,7 +7,7 @@ namespace kinetix::app {
 
 /// A block of rotors and gussets that shrinks in all directions at once: the lattice, its closed form, and the physics run
 /// between plates.
-std::unique_ptr<Scene> make_scene(SpaceBlockFile file);
+std::unique_ptr<Goal> make_goal(SpaceBlockFile file);
 
 extern const GoalKind space_block_kind;
 

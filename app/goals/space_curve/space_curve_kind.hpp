@@ -6,7 +6,7 @@
 namespace kinetix::app {
 
 /// A strip that folds into a curve in space: the search, the closed form, and the physics run of its folding.
-std::unique_ptr<Scene> make_scene(SpaceCurveFile file);
+std::unique_ptr<Goal> make_goal(SpaceCurveFile file);
 
 extern const GoalKind space_curve_kind;
 

@@ -6,7 +6,7 @@
 namespace kinetix::app {
 
 /// A sheet that folds onto a doubly curved surface: the search, the closed form, and the physics run.
-std::unique_ptr<Scene> make_scene(SurfaceFile file);
+std::unique_ptr<Goal> make_goal(SurfaceFile file);
 
 extern const GoalKind surface_kind;
 

@@ -20,7 +20,7 @@ struct Observation {
   bool is_closed_form = false;                  ///< the state; others may lie another way
   double theta = 0;                             ///< rad
   const model::State* nominal = nullptr;        ///< the base's own state
-  const Scene* goal = nullptr;                  ///< the sweep's `goal`
+  const Goal* goal = nullptr;                  ///< the sweep's `goal`
   const Equilibrium* equilibrium = nullptr;     ///< of the equilibrium model
   const sim::PhysicsResult* physics = nullptr;  ///< of the physics run
   model::StateDistance from_model = {};         ///< of the physics run, NaN where there is no model's state

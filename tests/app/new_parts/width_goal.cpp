@@ -55,8 +55,8 @@ double width(const model::Sheet& structure, const model::State& state) {
   return (line.back() - line.front()).norm();
 }
 
-struct WidthScene final : Scene {
-  explicit WidthScene(const targets::Section& root) : Scene(read_name(root)) {
+struct WidthGoal final : Goal {
+  explicit WidthGoal(const targets::Section& root) : Goal(read_name(root)) {
     const targets::Section target = root.section("target");
     target.read_needed("width_mm", "a width in mm", width_mm_);
     target.read_needed("cells", "how many", cells_);
@@ -101,8 +101,8 @@ struct WidthScene final : Scene {
 // What a program of one's own registers.
 const GoalKind width_kind = {.name = "width",
                              .example = "target: {kind: width, width_mm: 50, cells: 6, cell_mm: 10}",
-                             .read = [](const targets::Node& root) -> std::unique_ptr<Scene> {
-                               return std::make_unique<WidthScene>(targets::Section(root, width_keys()));
+                             .read = [](const targets::Node& root) -> std::unique_ptr<Goal> {
+                               return std::make_unique<WidthGoal>(targets::Section(root, width_keys()));
                              },
                              .table = width_keys,
                              .metrics = {{"width_mm", "mm", "width of the folded strip"}}};

@@ -354,7 +354,7 @@ tolerance: {force_N: 0.01}
 }
 
 // A run that was stopped on the way to its equilibrium showed the flat panel, though its search had found a design.
-TEST(DisplayScene, ShowsTheStateOfItsSearchWhereThePathIsStopped) {
+TEST(DisplayGoal, ShowsTheStateOfItsSearchWhereThePathIsStopped) {
   const auto of = [](const std::string& extra, const char* stage) {
     std::stop_source stop;
     app::RunOptions options;
@@ -367,7 +367,7 @@ TEST(DisplayScene, ShowsTheStateOfItsSearchWhereThePathIsStopped) {
         "kinetix: 1\ntarget: {kind: display, glyph: L, font: DejaVu Sans Bold}\nstructure: {cells: [10, "
         "10]}\n" +
         extra;
-    return run_goal(*make_scene(app::read_display_file(targets::parse_document(text, "l.yaml"))), options);
+    return run_goal(*make_goal(app::read_display_file(targets::parse_document(text, "l.yaml"))), options);
   };
   for (const char* extra : {"", "drive: {kind: hinge}\n", "drive: {press: true}\n"}) {
     const app::Run run = of(extra, "equilibrium path"), whole = of(extra, "never");
@@ -508,7 +508,7 @@ app::Run searched(const std::string& text) {
   file.solver.max_evaluations = 40;
   app::RunOptions options;
   options.verify = false;
-  return run_goal(*make_scene(file), options);
+  return run_goal(*make_goal(file), options);
 }
 
 TEST(FarView, ARecogniserReadsTheLetterAfterCompressionAndNothingBefore) {

@@ -138,9 +138,9 @@ std::optional<Found::Known> known_state(const optim::DisplayDesign& design) {
   return Found::Known{design.scaled ? Model::exact : Model::equilibrium, design.view.state};
 }
 
-class DisplayScene final : public Scene {
+class DisplayGoal final : public Goal {
  public:
-  explicit DisplayScene(DisplayFile file) : Scene(file.name), file_(std::move(file)) {}
+  explicit DisplayGoal(DisplayFile file) : Goal(file.name), file_(std::move(file)) {}
 
   Forecast forecast() const override {
     Forecast out{make_panel(file_, {file_.goal.columns, file_.goal.rows})};
@@ -265,15 +265,13 @@ class DisplayScene final : public Scene {
 
 }  // namespace
 
-std::unique_ptr<Scene> make_scene(DisplayFile file) {
-  return std::make_unique<DisplayScene>(std::move(file));
-}
+std::unique_ptr<Goal> make_goal(DisplayFile file) { return std::make_unique<DisplayGoal>(std::move(file)); }
 
 // The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
 const GoalKind display_kind = {
     .name = "display",
     .example = "target: {kind: display, glyph: T}",
-    .read = [](const targets::Node& root) { return make_scene(read_display_file(root)); },
+    .read = [](const targets::Node& root) { return make_goal(read_display_file(root)); },
     .table = display_keys,
     .model = Model::equilibrium,
     .metrics = {{"contrast", "", "[d'](#contrast-and-auc) of the letter's cells from the rest"},

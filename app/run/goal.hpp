@@ -13,10 +13,10 @@
 namespace kinetix::app {
 
 /// The goal of a target: how a design is found for it, and how far any state of a design is from it.
-class Scene {
+class Goal {
  public:
-  explicit Scene(std::string name_of_results) : name(std::move(name_of_results)) {}
-  virtual ~Scene() = default;
+  explicit Goal(std::string name_of_results) : name(std::move(name_of_results)) {}
+  virtual ~Goal() = default;
 
   const std::string name;  ///< names folders of results
 

@@ -50,9 +50,9 @@ int usual_columns(const targets::Solid& solid, const FoldFile& file) {
 
 constexpr double seconds_a_solid_body = 0.005;  // measured: of a search of columns and theta
 
-class SolidScene final : public Scene {
+class SolidGoal final : public Goal {
  public:
-  explicit SolidScene(FoldFile file) : Scene(file.name), file_(std::move(file)) {}
+  explicit SolidGoal(FoldFile file) : Goal(file.name), file_(std::move(file)) {}
 
   Forecast forecast() const override {
     const targets::SolidGoal& goal = *file_.goal.solid;
@@ -122,8 +122,6 @@ class SolidScene final : public Scene {
 
 }  // namespace
 
-std::unique_ptr<Scene> make_solid_scene(FoldFile file) {
-  return std::make_unique<SolidScene>(std::move(file));
-}
+std::unique_ptr<Goal> make_solid_goal(FoldFile file) { return std::make_unique<SolidGoal>(std::move(file)); }
 
 }  // namespace kinetix::app

@@ -30,9 +30,9 @@ std::vector<std::string> obstacles(const optim::SpaceDesign& found) {
                   to_degrees(found.meet_theta), to_degrees(found.design.theta))};
 }
 
-class SpaceCurveScene final : public Scene {
+class SpaceCurveGoal final : public Goal {
  public:
-  explicit SpaceCurveScene(SpaceCurveFile file) : Scene(file.name), file_(std::move(file)) {}
+  explicit SpaceCurveGoal(SpaceCurveFile file) : Goal(file.name), file_(std::move(file)) {}
 
   Forecast forecast() const override {
     const int columns = file_.variables.columns;
@@ -133,15 +133,15 @@ class SpaceCurveScene final : public Scene {
 
 }  // namespace
 
-std::unique_ptr<Scene> make_scene(SpaceCurveFile file) {
-  return std::make_unique<SpaceCurveScene>(std::move(file));
+std::unique_ptr<Goal> make_goal(SpaceCurveFile file) {
+  return std::make_unique<SpaceCurveGoal>(std::move(file));
 }
 
 // The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
 const GoalKind space_curve_kind = {
     .name = "space_curve",
     .example = "target: {kind: space_curve, points: helix.csv}",
-    .read = [](const targets::Node& root) { return make_scene(read_space_curve_file(root)); },
+    .read = [](const targets::Node& root) { return make_goal(read_space_curve_file(root)); },
     .table = space_curve_keys,
     .metrics = {
         {"shape_rms", "", "[distance of midline and goal](#shape_rms-and-shape_max), root mean square"},

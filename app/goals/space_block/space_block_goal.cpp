@@ -15,9 +15,9 @@ std::string size_advice(const optim::SpaceBlockVariables& given) {
   return given.edge_mm ? "give other `cells` or another `cell_mm`" : "give other `cells`";
 }
 
-class SpaceBlockScene final : public Scene {
+class SpaceBlockGoal final : public Goal {
  public:
-  explicit SpaceBlockScene(SpaceBlockFile file) : Scene(file.name), file_(std::move(file)) {}
+  explicit SpaceBlockGoal(SpaceBlockFile file) : Goal(file.name), file_(std::move(file)) {}
 
   Forecast forecast() const override {
     Forecast out{block()};
@@ -89,15 +89,15 @@ class SpaceBlockScene final : public Scene {
 
 }  // namespace
 
-std::unique_ptr<Scene> make_scene(SpaceBlockFile file) {
-  return std::make_unique<SpaceBlockScene>(std::move(file));
+std::unique_ptr<Goal> make_goal(SpaceBlockFile file) {
+  return std::make_unique<SpaceBlockGoal>(std::move(file));
 }
 
 // The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
 const GoalKind space_block_kind = {
     .name = "space_block",
     .example = "target: {kind: space_block, factor: 0.85}",
-    .read = [](const targets::Node& root) { return make_scene(read_space_block_file(root)); },
+    .read = [](const targets::Node& root) { return make_goal(read_space_block_file(root)); },
     .table = space_block_keys,
     .metrics = {{"factor_off", "",
                  "largest difference of a direction's length, over that at rest, from the factor asked for"},

@@ -75,9 +75,9 @@ std::vector<std::string> violations(const CurveFile& file, const optim::FreeCurv
   return why;
 }
 
-class CurveScene final : public Scene {
+class CurveGoal final : public Goal {
  public:
-  explicit CurveScene(CurveFile file) : Scene(file.name), file_(std::move(file)) {}
+  explicit CurveGoal(CurveFile file) : Goal(file.name), file_(std::move(file)) {}
 
   const targets::Curve& curve() const { return file_.curve; }
 
@@ -184,19 +184,19 @@ class CurveScene final : public Scene {
 };
 
 template <double targets::CurveError::*part>
-double measured(const Scene& goal, const model::Sheet& structure, const model::State& state) {
-  return curve_error(column_midline(structure, state), dynamic_cast<const CurveScene&>(goal).curve()).*part;
+double measured(const Goal& goal, const model::Sheet& structure, const model::State& state) {
+  return curve_error(column_midline(structure, state), dynamic_cast<const CurveGoal&>(goal).curve()).*part;
 }
 
 }  // namespace
 
-std::unique_ptr<Scene> make_scene(CurveFile file) { return std::make_unique<CurveScene>(std::move(file)); }
+std::unique_ptr<Goal> make_goal(CurveFile file) { return std::make_unique<CurveGoal>(std::move(file)); }
 
 // The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
 const GoalKind curve_kind = {
     .name = "curve",
     .example = "target: {kind: curve, points: points.csv}",
-    .read = [](const targets::Node& root) { return make_scene(read_curve_file(root)); },
+    .read = [](const targets::Node& root) { return make_goal(read_curve_file(root)); },
     .table = curve_keys,
     .metrics = {{"shape_rms", "",
                  "[distance of midline and goal](#shape_rms-and-shape_max), root mean square"},

@@ -103,9 +103,9 @@ std::string other_size(const FoldFile& file, const FoldOutcome& found, const Run
       edge_of_cells(found, optim::most_cells_across), edge_of_cells(found, 1), mm[0], mm[1], mm[2], looser);
 }
 
-class FoldScene final : public Scene {
+class FoldGoal final : public Goal {
  public:
-  explicit FoldScene(FoldFile file) : Scene(file.name), file_(std::move(file)) {}
+  explicit FoldGoal(FoldFile file) : Goal(file.name), file_(std::move(file)) {}
 
   Forecast forecast() const override {
     const targets::FoldNet& net = file_.goal.nets.front();
@@ -259,7 +259,7 @@ class FoldScene final : public Scene {
 
 }  // namespace
 
-std::unique_ptr<Scene> make_scene(FoldFile file) { return std::make_unique<FoldScene>(std::move(file)); }
+std::unique_ptr<Goal> make_goal(FoldFile file) { return std::make_unique<FoldGoal>(std::move(file)); }
 
 // The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
 const GoalKind fold_kind = {
@@ -268,7 +268,7 @@ const GoalKind fold_kind = {
     .read =
         [](const targets::Node& root) {
           FoldFile file = read_fold_file(root);
-          return file.goal.solid ? make_solid_scene(std::move(file)) : make_scene(std::move(file));
+          return file.goal.solid ? make_solid_goal(std::move(file)) : make_goal(std::move(file));
         },
     .table = fold_keys,
     .metrics = {

@@ -69,9 +69,9 @@ Eigen::Vector3d covered_size(const HelmetFile& file) {
 
 constexpr double seconds_a_helmet_body = 3e-4;  // s of search, measured
 
-class HelmetScene final : public Scene {
+class HelmetGoal final : public Goal {
  public:
-  explicit HelmetScene(HelmetFile file) : Scene(file.name), file_(std::move(file)) {}
+  explicit HelmetGoal(HelmetFile file) : Goal(file.name), file_(std::move(file)) {}
 
   Forecast forecast() const override {
     const optim::RibsLayout layout = plan_helmet(file_.head.dome, crown, file_.spec);
@@ -148,13 +148,13 @@ class HelmetScene final : public Scene {
 
 }  // namespace
 
-std::unique_ptr<Scene> make_scene(HelmetFile file) { return std::make_unique<HelmetScene>(std::move(file)); }
+std::unique_ptr<Goal> make_goal(HelmetFile file) { return std::make_unique<HelmetGoal>(std::move(file)); }
 
 // The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
 const GoalKind helmet_kind = {
     .name = "helmet",
     .example = "target: {kind: helmet, mesh: head.obj}",
-    .read = [](const targets::Node& root) { return make_scene(read_helmet_file(root)); },
+    .read = [](const targets::Node& root) { return make_goal(read_helmet_file(root)); },
     .table = helmet_keys,
     .metrics = {
         {"distance_rms_mm", "mm",

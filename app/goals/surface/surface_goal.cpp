@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "app/goals/surface/ribs_scene.hpp"
+#include "app/goals/surface/ribs_goal.hpp"
 #include "app/goals/surface/surface_kind.hpp"
 #include "app/goals/surface/surface_outcome.hpp"
 #include "app/run/interrupted.hpp"
@@ -88,9 +88,9 @@ Eigen::Vector3d mean_place(const std::vector<int>& bodies, const model::State& s
 // Measured, s: a start's search, a vertex; it grows with the square of their number.
 constexpr double seconds_of_81 = 4;
 
-class SurfaceScene final : public Scene {
+class SurfaceGoal final : public Goal {
  public:
-  explicit SurfaceScene(SurfaceFile file) : Scene(file.name), file_(std::move(file)) {}
+  explicit SurfaceGoal(SurfaceFile file) : Goal(file.name), file_(std::move(file)) {}
 
   Forecast forecast() const override {
     const optim::SurfaceStart start = optim::start_on(file_.patch, file_.columns, file_.rows, {});
@@ -186,20 +186,18 @@ class SurfaceScene final : public Scene {
 
 }  // namespace
 
-std::unique_ptr<Scene> make_scene(SurfaceFile file) {
-  return std::make_unique<SurfaceScene>(std::move(file));
-}
+std::unique_ptr<Goal> make_goal(SurfaceFile file) { return std::make_unique<SurfaceGoal>(std::move(file)); }
 
-static std::unique_ptr<Scene> read_scene(const targets::Node& root) {
+static std::unique_ptr<Goal> read_goal(const targets::Node& root) {
   const targets::Section target = targets::Section(root, surface_file_keys()).section("target");
-  return target.optional("ribs") ? make_scene(read_ribs_file(root)) : make_scene(read_surface_file(root));
+  return target.optional("ribs") ? make_goal(read_ribs_file(root)) : make_goal(read_surface_file(root));
 }
 
 // The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
 const GoalKind surface_kind = {
     .name = "surface",
     .example = "target: {kind: surface, shape: cap}",
-    .read = read_scene,
+    .read = read_goal,
     .table = surface_file_keys,
     .metrics = {
         {"surface_rms", "",

@@ -1,4 +1,4 @@
-#include "app/goals/surface/ribs_scene.hpp"
+#include "app/goals/surface/ribs_goal.hpp"
 
 #include <fmt/format.h>
 
@@ -15,9 +15,9 @@ namespace {
 // Measured, s of search a body, as of helmets.
 constexpr double seconds_a_body_of_ribs = 3e-4;
 
-class RibsScene final : public Scene {
+class RibsGoal final : public Goal {
  public:
-  explicit RibsScene(RibsFile file) : Scene(file.name), file_(std::move(file)) {}
+  explicit RibsGoal(RibsFile file) : Goal(file.name), file_(std::move(file)) {}
 
   Forecast forecast() const override {
     const optim::RibsLayout layout = plan_ribs(file_.surface, file_.spec);
@@ -88,6 +88,6 @@ class RibsScene final : public Scene {
 
 }  // namespace
 
-std::unique_ptr<Scene> make_scene(RibsFile file) { return std::make_unique<RibsScene>(std::move(file)); }
+std::unique_ptr<Goal> make_goal(RibsFile file) { return std::make_unique<RibsGoal>(std::move(file)); }
 
 }  // namespace kinetix::app

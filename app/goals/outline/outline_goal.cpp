@@ -48,9 +48,9 @@ std::vector<std::string> all_violations(const OutlineFile& file, const OutlineOu
 // Measured, s: where the folded outline alone is asked for, and where the flat one is, too.
 constexpr double seconds_a_wall = 0.005, seconds_a_wall_of_both = 0.02;
 
-class OutlineScene final : public Scene {
+class OutlineGoal final : public Goal {
  public:
-  explicit OutlineScene(OutlineFile file) : Scene(file.name), file_(std::move(file)) {}
+  explicit OutlineGoal(OutlineFile file) : Goal(file.name), file_(std::move(file)) {}
 
   Forecast forecast() const override {
     Eigen::AlignedBox2d box;
@@ -130,15 +130,13 @@ class OutlineScene final : public Scene {
 
 }  // namespace
 
-std::unique_ptr<Scene> make_scene(OutlineFile file) {
-  return std::make_unique<OutlineScene>(std::move(file));
-}
+std::unique_ptr<Goal> make_goal(OutlineFile file) { return std::make_unique<OutlineGoal>(std::move(file)); }
 
 // The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
 const GoalKind outline_kind = {
     .name = "outline",
     .example = "target: {kind: outline, points: outline.csv}",
-    .read = [](const targets::Node& root) { return make_scene(read_outline_file(root)); },
+    .read = [](const targets::Node& root) { return make_goal(read_outline_file(root)); },
     .table = outline_keys,
     .metrics = {
         {"outline_rms", "", "[vertices of the rim from the outline](#outline_rms-and-iou), root mean square"},

@@ -1,0 +1,118 @@
+#include "python/bindings/own_goal.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/result/search_json.hpp"
+#include "app/run/search_words.hpp"
+#include "model/base/invalid_input.hpp"
+#include "model/contact/wall_contact.hpp"
+#include "model/sheet/sheet_motion.hpp"
+
+namespace kinetix::python {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// s a call of the error, of which a start makes some hundred: what NumPy takes for a few operations.
+constexpr double seconds_a_call = 2e-5, calls_a_start = 100;
+
+struct OwnMeasure final : app::Measure {
+  Eigen::VectorXd residuals;  ///< of the state, in units of the error
+};
+
+/// What the search of a goal found.
+struct OwnOutcome final : app::GoalOutcome {
+  optim::SolverName solver = optim::SolverName::ceres;
+  optim::MultiStartResult search;
+
+  void add_sections(const app::Run& run, Json& result) const override {
+    const Eigen::VectorXd& residuals = app::measure_of<OwnMeasure>(run).residuals;
+    result["target"] = {{"kind", "own"}, {"name", run.design.name}};
+    result["own"] = {{"residuals", std::vector<double>(residuals.begin(), residuals.end())},
+                     {"reasons", run.violations},
+                     {"reasons_physics", run.physics_violations()}};
+    result["optimiser"] = app::search_json(search, search.best, solver);
+  }
+  void add_metrics(const app::Run& run, Json& metrics) const override {
+    metrics["error"] = app::measure_of<OwnMeasure>(run).residuals.norm();
+    metrics["met"] = run.met();
+  }
+  std::vector<app::SummaryLine> summary_lines(const app::Run& run) const override {
+    const Eigen::VectorXd& residuals = app::measure_of<OwnMeasure>(run).residuals;
+    return {{"error", fmt::format("{:.3g} of {} numbers (root of the sum of squares): {}", residuals.norm(),
+                                  residuals.size(), run.met() ? "within tolerance" : "MISSES THE TOLERANCE")},
+            app::search_line(run.timings.optimise, search, search.best, solver)};
+  }
+};
+
+}  // namespace
+
+OwnFit OwnGoal::fit() const {
+  const double closing = closing_theta(size) - model::closing_margin;
+  require(
+      "theta[0]", allowed.theta.lower, allowed.theta.lower < closing,
+      fmt::format("below {:.4g} rad, where walls of {:g} mm close the cells", closing, size.thickness_mm));
+  starts.validate();
+  OwnFit made(*error, make_bend_ties(allowed.columns, allowed.per, allowed.symmetry, allowed.beta),
+              allowed.rows, size.edge_mm, {allowed.theta.lower, std::min(allowed.theta.upper, closing)});
+  Eigen::VectorXd r;
+  error->at(made.state(made.start(0, 0)), r);
+  error->raise_again();
+  return made;
+}
+
+app::Forecast OwnGoal::forecast() const {
+  app::Forecast out{sheet_of(model::ExactDesign<double>::basic(allowed.columns, allowed.rows), size)};
+  out.search_s =
+      seconds_a_call * calls_a_start * starts.starts * (error->has_gradient() ? 1 : allowed.columns);
+  return out;
+}
+
+app::Found OwnGoal::search(const app::RunOptions& options) const {
+  options.progress("search", 0);
+  OwnFit strip = fit();
+  strip.end_when(options.stop);
+  auto outcome = std::make_unique<OwnOutcome>();
+  outcome->solver = starts.solver.name;
+  outcome->search = multi_start(
+      strip, [&](int k, std::uint64_t seed) { return strip.start(k, seed); },
+      followed(starts, options, [](double least) { return fmt::format("least error {:.3g}", least); }));
+  error->raise_again();
+  const optim::SolveResult& best = outcome->search.best_run();
+  if (!std::isfinite(best.residual_norm) && !options.stop.stop_requested())
+    throw InvalidInput("the error has no finite value at any start of the search: " + best.why);
+  const auto design = strip.design(best.x);
+  app::Found out;
+  out.tolerances = {{"error", tolerance}};
+  out.design.structure = sheet_of(design, size);
+  out.theta = design.theta;
+  out.goal = std::move(outcome);
+  return out;
+}
+
+std::shared_ptr<const app::Measure> OwnGoal::measure(const app::Run& run, app::StateOf of,
+                                                     const model::State& state,
+                                                     const app::RunOptions&) const {
+  auto out = std::make_shared<OwnMeasure>();
+  const bool in_physics = of == app::StateOf::physics;
+  const bool known = error->at(in_physics ? aligned(state, run.own) : state, out->residuals);
+  error->raise_again();
+  const double norm = known ? out->residuals.norm() : std::nan("");
+  if (!(norm <= tolerance))
+    out->violations.push_back(fmt::format("{}the error is {:.3g}; at most {:g} is allowed",
+                                          in_physics ? "in the physics run " : "", norm, tolerance));
+  if (in_physics) return out;
+  model::ThetaRangeOptions until;
+  until.limit = run.theta;
+  const auto touch = theta_range(run.design.structure, run.plan.exact, until).positive;
+  if (touch.touches)
+    out->violations.push_back(
+        fmt::format("walls run into each other at theta {:.2f} deg, before the {:.2f} deg of the goal: use "
+                    "lower or thinner walls, or larger cells",
+                    to_degrees(touch.theta), to_degrees(run.theta)));
+  return out;
+}
+
+}  // namespace kinetix::python
