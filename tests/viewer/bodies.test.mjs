@@ -54,7 +54,7 @@ test("bodies and soft parts are drawn, and what is of sheets is not there", asyn
     return data.filter((v, k) => k % 4 === 3 && v === 255).length / (data.length / 4);
   });
   assert.ok(share > 0.01, `of the canvas ${share} is drawn on`);
-  for (const id of ["undo", "save", "tab_goal", "tab_make", "sheet", "map", "made", "springs", "reading_force"]) assert.equal(await shown(id), false, id);
+  for (const id of ["undo", "save", "tab_goal", "tab_make", "sheet", "map", "made", "springs"]) assert.equal(await shown(id), false, id);
   for (const id of ["hinge_list", "play", "theta"]) assert.equal(await shown(id), true, id);
   assert.deepEqual(complaints, []);
 });
@@ -84,6 +84,17 @@ test("a click reads a body, its hinges lead on, and another hinge is turned", as
   await page.click("#turn_this");
   await page.waitForFunction((hinge) => window.kinetix.design.bodies.driven === hinge && window.kinetix.design.bodies.meets, {}, other);
   assert.match(await text("verdict_text"), /turns from \u22121\d\d\u00b0 to 1\d\d\u00b0 until bodies meet/);
+});
+
+test("its elastic hinges have a force and an energy", async () => {
+  await page.click('label:has(input[value="equilibrium"])');
+  await page.waitForFunction(() => window.kinetix.frame.mode === "equilibrium", {timeout: 30000});
+  await page.evaluate(() => window.kinetix.setTheta(10));
+  await page.waitForFunction(() => window.kinetix.frame.energy > 0 && Math.abs(window.kinetix.theta() - 10) < 1e-4, {timeout: 30000});
+  await page.waitForFunction(() => / N mm$/.test(document.getElementById("reading_energy").textContent));
+  assert.match(await text("reading_force"), / N$/);
+  await page.waitForFunction(() => document.querySelector("#path svg"));
+  assert.match(await text("path"), /20\u00b0/);
 });
 
 test("it is dragged in the physics", async () => {

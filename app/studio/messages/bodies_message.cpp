@@ -59,12 +59,11 @@ Json size_json(const model::Assembly& assembly) {
   return {size.x(), size.y(), size.z()};
 }
 
-bool moves(const BodiesWay& way) { return way.most_turn() - way.least_turn() > rattles; }
-
-std::string end_words(const model::AssemblyMotion& side, const model::Assembly& assembly) {
-  if (side.broken < 0) return "";
-  return fmt::format("Beyond {:.0f} degrees {} opens first.", to_degrees(side.turns.back()),
-                     assembly.hinges[side.broken].name);
+std::string end_words(const BodiesWay& way, int end, const model::Assembly& assembly) {
+  if (way.opens[end] < 0) return "";
+  return fmt::format("Beyond {:.0f} degrees {} opens first.",
+                     to_degrees(end == 0 ? way.turns.front() : way.turns.back()),
+                     assembly.hinges[way.opens[end]].name);
 }
 
 std::string meeting_words(const Meeting& met, const model::Assembly& assembly) {
@@ -75,11 +74,11 @@ std::string meeting_words(const Meeting& met, const model::Assembly& assembly) {
 Json why(const BodiesWay& way, const model::Assembly& assembly) {
   if (!way.followed) return {"How far it turns is being found."};
   Json out = Json::array();
-  for (const std::string& words : {end_words(way.back, assembly), end_words(way.forth, assembly)})
+  for (const std::string& words : {end_words(way, 0, assembly), end_words(way, 1, assembly)})
     if (!words.empty()) out.push_back(words);
   if (out.empty())
     out.push_back(fmt::format("All hinges stay closed from {:.0f} to {:.0f} degrees.",
-                              to_degrees(way.least_turn()), to_degrees(way.most_turn())));
+                              to_degrees(way.turns.front()), to_degrees(way.turns.back())));
   if (!way.meets) return out;
   const auto& [back, forth] = *way.meets;
   for (const auto& met : {back, forth})
@@ -97,7 +96,7 @@ Json meets_json(const BodiesWay& way) {
   return out;
 }
 
-Json opener(const model::AssemblyMotion& side) { return side.broken < 0 ? Json(nullptr) : Json(side.broken); }
+Json opener(int hinge) { return hinge < 0 ? Json(nullptr) : Json(hinge); }
 
 }  // namespace
 
@@ -117,7 +116,7 @@ Json bodies_message(const Moving& moving) {
           {"structure", structure_json(file.assembly)},
           {"theta_rad", model::theta_at_turn(way.sense, file.angle)},
           {"theta_range_rad", {moving.least_theta, moving.most_theta}},
-          {"exact", moves(way)},
+          {"exact", way.turns.back() - way.turns.front() > rattles},
           {"family", moving.exact.name},
           {"why", why(way, file.assembly)},
           {"breaking", Json::array()},
@@ -128,8 +127,8 @@ Json bodies_message(const Moving& moving) {
            {{"driven", way.hinge},
             {"pulled", way.pulled},
             {"turn_per_theta", model::turn_at_theta(way.sense, 1)},
-            {"turn_range_rad", {way.least_turn(), way.most_turn()}},
-            {"opens", {opener(way.back), opener(way.forth)}},
+            {"turn_range_rad", {way.turns.front(), way.turns.back()}},
+            {"opens", {opener(way.opens[0]), opener(way.opens[1])}},
             {"meets", meets_json(way)},
             {"following", !way.followed}}}};
 }

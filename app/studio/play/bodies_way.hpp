@@ -3,9 +3,9 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "model/assembly/assembly.hpp"
-#include "model/assembly/assembly_motion.hpp"
 #include "model/assembly/deployment.hpp"
 
 namespace kinetix::app::studio {
@@ -18,16 +18,16 @@ struct Meeting {
 
 /// How bodies move while one of their hinges is turned, both ways from rest, all hinges closed.
 struct BodiesWay {
-  int hinge = 0;                      ///< that is turned
-  int sense = 1;                      ///< of its lower body
-  model::AssemblyMotion forth, back;  ///< with turns > 0, and < 0; each from rest on
+  int hinge = 0;                        ///< that is turned
+  int sense = 1;                        ///< of its lower body
+  std::vector<model::State> states;     ///< closed ones, mm
+  std::vector<double> turns;            ///< of the hinge in each, rad, rising
+  int rest = 0;                         ///< the index of the one at rest
+  std::array<int, 2> opens = {-1, -1};  ///< hinges that open behind the first state and the last; -1: none
   bool pulled = false;    ///< bodies are pulled and no hinge is turned: turns stand for shares of the way
   bool followed = false;  ///< as far as it goes; else rest alone is known
   /// On the way back and forth; nothing while it was not looked through.
   std::optional<std::array<std::optional<Meeting>, 2>> meets = {};
-
-  double least_turn() const { return back.turns.back(); }  ///< rad, <= 0
-  double most_turn() const { return forth.turns.back(); }  ///< rad, >= 0
 };
 
 /// The way of bodies that are only known at rest.
@@ -39,10 +39,10 @@ BodiesWay way_at_rest(const model::Linkage& linkage, int hinge);
 BodiesWay way_of(const model::Linkage& linkage, int hinge, const std::optional<model::Pull>& pull,
                  const std::function<bool()>& stop = {});
 
-/// The first of them on a side of the way: surfaces cross by more than 0.01 mm, which walls of one height do some
+/// The first meeting on the way back (-1) or forth (1): surfaces cross by more than 0.01 mm, which walls of one height do some
 /// hundredths later. Bodies that already do at rest do not count.
 /// @param stop asked between states
-std::optional<Meeting> first_meeting(const model::Assembly& assembly, const model::AssemblyMotion& side,
+std::optional<Meeting> first_meeting(const model::Assembly& assembly, const BodiesWay& way, int direction,
                                      const std::function<bool()>& stop = {});
 
 /// Where the hinge has that turn, rad, or as near to it as the way goes: closed anew from the nearest known state.

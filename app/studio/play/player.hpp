@@ -22,11 +22,15 @@ class Player {
   void turn_by(int hinge);
   /// The way of that hinge; it stays as far turned as it was.
   void take(std::shared_ptr<const BodiesWay> way) { moving_->take(std::move(way)); }
-  /// What bodies collide with in the engine.
-  void take(std::shared_ptr<const sim::ContactParts> parts) { moving_->parts = std::move(parts); }
+  /// What bodies collide with, cut to convex pieces.
+  void take(std::shared_ptr<const sim::ContactParts> parts,
+            std::shared_ptr<const model::ConvexBodies> pressing) {
+    moving_->parts = std::move(parts);
+    moving_->pressing = std::move(pressing);
+  }
   Mode mode() const { return mode_; }
   /// Changes how the shape is computed; it stays as near as the mode has it.
-  /// @pre bodies have their parts for bullet   @throws InvalidInput for exact where the design does not move exactly
+  /// @pre bodies have their parts for all but exact   @throws InvalidInput for exact where the design does not move exactly
   void enter(Mode mode);
 
   /// Folds to theta, rad: exact at once, bullet by the design's drive, whose springs of shape memory turn springs() on. An

@@ -6,6 +6,7 @@
 #include "app/pipeline/design_drive.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/studio/play/play_time.hpp"
+#include "model/assembly/assembly_motion.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/closure_drive.hpp"
 #include "model/closure/drive_theta.hpp"
@@ -62,8 +63,8 @@ Moving::Moving(std::shared_ptr<const AssemblyFile> design)
 
 void Moving::take(std::shared_ptr<const BodiesWay> found) {
   way = std::move(found);
-  const auto [low, high] = std::minmax({model::theta_at_turn(way->sense, way->least_turn()),
-                                        model::theta_at_turn(way->sense, way->most_turn())});
+  const auto [low, high] = std::minmax({model::theta_at_turn(way->sense, way->turns.front()),
+                                        model::theta_at_turn(way->sense, way->turns.back())});
   least_theta = low;
   most_theta = high;
   exact = {[of = linkage, way = way](double theta) {

@@ -7,6 +7,7 @@
 #include "app/files/design_file.hpp"
 #include "app/studio/play/bodies_way.hpp"
 #include "app/studio/play/frame.hpp"
+#include "model/contact/convex_bodies.hpp"
 #include "model/linkage/exact_motion.hpp"
 #include "model/sheet/nearest_design.hpp"
 #include "sim/contact_parts.hpp"
@@ -34,9 +35,10 @@ struct Moving {
   std::optional<model::NearestDesign> nearest;  ///< where it does not move exactly, and one is known
   /// rad, where no walls touch on the exact way; of bodies as far as it goes
   double least_theta = 0, most_theta = 0;
-  std::shared_ptr<const AssemblyFile> bodies;      ///< null: a sheet; and the rest is null
-  std::shared_ptr<const BodiesWay> way;            ///< as far as it is known
-  std::shared_ptr<const sim::ContactParts> parts;  ///< what they collide with; null until they are cut
+  std::shared_ptr<const AssemblyFile> bodies;           ///< null: a sheet; and the rest is null
+  std::shared_ptr<const BodiesWay> way;                 ///< as far as it is known
+  std::shared_ptr<const sim::ContactParts> parts;       ///< what they collide with; null until they are cut
+  std::shared_ptr<const model::ConvexBodies> pressing;  ///< the same in equilibrium
 };
 
 /// theta, rad, within the range, at which the point `at` of a body (rest place, mm) comes nearest to `to` (mm) on the

@@ -226,22 +226,23 @@ void Session::set_mode(const Message& message) {
   const std::string name = message.text("mode");
   if (name != "exact" && name != "equilibrium" && name != "bullet")
     throw InvalidInput("mode: must be exact, equilibrium or bullet");
-  const Moving& moving = player_.moving();
-  if (moving.bodies && name == "equilibrium")
-    throw InvalidInput(
-        "equilibrium: of a design of bodies it is not live; `kinetix-opt simulate --model equilibrium` finds "
-        "it");
-  awaits_engine_ = false;
-  if (moving.bodies && name == "bullet" && !moving.parts) return cut_for_engine();
+  const Mode mode = name == "exact" ? Mode::exact : name == "bullet" ? Mode::bullet : Mode::equilibrium;
+  if (opened_.bodies && mode == Mode::equilibrium) require_one_axis();
+  awaited_.reset();
+  if (opened_.bodies && mode != Mode::exact && !player_.moving().parts) return cut_for(mode);
+  enter(mode);
+}
+
+void Session::enter(Mode mode) {
   tracer_.ask_to_stop();
-  player_.enter(name == "exact" ? Mode::exact : name == "bullet" ? Mode::bullet : Mode::equilibrium);
+  player_.enter(mode);
   tell_state();
   if (player_.mode() == Mode::equilibrium) trace(player_.theta());
 }
 
 void Session::fold_to(double theta) {
   player_.fold_to(theta);
-  if (player_.mode() == Mode::equilibrium) trace(theta);
+  if (player_.mode() == Mode::equilibrium) trace(player_.theta());
   if (player_.mode() == Mode::bullet) tell_state();
 }
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/run/run.hpp"
+#include "app/studio/play/equilibria.hpp"
 #include "app/studio/play/player.hpp"
-#include "app/studio/play/sheet_equilibria.hpp"
 #include "app/studio/session/autosave.hpp"
 #include "app/studio/session/design_history.hpp"
 #include "app/studio/session/job.hpp"
@@ -54,6 +54,7 @@ class Session : public SessionLoop {
 
   int body_of(const Message& message) const;
   void set_mode(const Message& message);
+  void enter(Mode mode);
   void fold_to(double theta);
   void drag(const Message& message);
   void take(Design design, Finding finding = {});
@@ -74,7 +75,8 @@ class Session : public SessionLoop {
   void turn_by(const Message& message);
   void follow(double theta, const std::optional<model::Pull>& pull);
   void take(std::shared_ptr<const BodiesWay> way, double theta);
-  void cut_for_engine();
+  void require_one_axis() const;
+  void cut_for(Mode mode);
 
   void start(Job& job, double id, const std::string& about, const Job::Work& work);
   void show_flat();
@@ -111,7 +113,7 @@ class Session : public SessionLoop {
   std::size_t next_stable_ = 0;
 
   bool searching_ = false, exporting_ = false;
-  bool awaits_engine_ = false;  ///< bodies are being cut for the engine, which is still wanted
+  std::optional<Mode> awaited_;  ///< for which bodies are being cut; nothing once another one was asked for
   /// Held while the physics engine runs, which has global state: in the hands of a search that checks its result the thing
   /// stands still.
   std::mutex engine_;

@@ -10,9 +10,7 @@ void Session::turn_by(const Message& message) {
   const int hinge = message.integer("hinge", 0, static_cast<int>(hinges.size()) - 1);
   if (hinges[hinge].ball) throw InvalidInput("hinge: is a ball, which has no axis to be turned about");
   player_.turn_by(hinge);
-  ++revision_;
-  tell_design();
-  tell_state();
+  design_changed();
   follow(0, {});
 }
 
@@ -31,7 +29,7 @@ void Session::follow(double theta, const std::optional<model::Pull>& pull) {
           BodiesWay way = way_of(moving.linkage, moving.way->hinge, pull, stop);
           tell_way(way, theta);
           const model::Assembly& assembly = moving.bodies->assembly;
-          way.meets = {first_meeting(assembly, way.back, stop), first_meeting(assembly, way.forth, stop)};
+          way.meets = {first_meeting(assembly, way, -1, stop), first_meeting(assembly, way, 1, stop)};
           tell_way(way, 0);
         });
 }
@@ -39,27 +37,38 @@ void Session::follow(double theta, const std::optional<model::Pull>& pull) {
 void Session::take(std::shared_ptr<const BodiesWay> way, double theta) {
   player_.take(std::move(way));
   tell_design();
-  if (theta != 0) player_.fold_to(theta);
+  if (theta != 0) fold_to(theta);
   changed_ = true;
 }
 
-/// Bodies collide in the engine by convex pieces, which are cut once and take a while.
-void Session::cut_for_engine() {
-  awaits_engine_ = true;
+/// For equilibria, which turn one hinge and know hinges with an axis only.
+void Session::require_one_axis() const {
+  if (player_.moving().way->pulled)
+    throw InvalidInput("equilibrium: one hinge is turned there, and bodies of this design are pulled");
+  for (const model::AssemblyHinge& hinge : opened_.bodies->assembly.hinges)
+    if (hinge.ball)
+      throw InvalidInput("equilibrium: knows hinges with an axis only, and " + hinge.name + " is a ball");
+}
+
+/// Bodies collide by convex pieces, which are cut once and take a while.
+void Session::cut_for(Mode mode) {
+  awaited_ = mode;
   const double id = std::exchange(id_, 0);
-  start(cutter_, id, type_,
-        [this, client = client_, id, bodies = player_.moving().bodies](const std::stop_token&) {
-          const model::Assembly& assembly = bodies->assembly;
-          const auto parts = std::make_shared<const sim::ContactParts>(
-              contact_parts(pieces_of(assembly, opened_.threads), assembly));
-          enqueue([this, client, id, parts] {
-            player_.take(parts);
-            if (std::exchange(awaits_engine_, false)) player_.enter(Mode::bullet);
-            note_heard(client, id);
-            changed_ = true;
-            tell_state();
-          });
-        });
+  start(cutter_, id, type_, [this, client = client_, id, moving = player_.moving()](const std::stop_token&) {
+    const model::Assembly& assembly = moving.bodies->assembly;
+    const BodyPieces pieces = pieces_of(assembly, opened_.threads);
+    const auto parts = std::make_shared<const sim::ContactParts>(contact_parts(pieces, assembly));
+    std::unique_lock alone(engine_);
+    const auto pressing =
+        std::make_shared<const model::ConvexBodies>(convex_bodies(pieces, assembly, moving.linkage));
+    alone.unlock();
+    enqueue([this, client, id, parts, pressing] {
+      player_.take(parts, pressing);
+      note_heard(client, id);
+      changed_ = true;
+      if (const auto wanted = std::exchange(awaited_, {})) enter(*wanted);
+    });
+  });
 }
 
 }  // namespace kinetix::app::studio

@@ -11,7 +11,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// What the page draws of a way.
-Json path_rows(const KnownWay& way, const SheetEquilibria& equilibria) {
+Json path_rows(const KnownWay& way, const Equilibria& equilibria) {
   Json rows = Json::array();
   for (const model::DrivenState& at : way.states)
     rows.push_back({{"theta_rad", at.step.theta},
@@ -35,10 +35,10 @@ void Session::trace(double theta) {
   const int client = client_, number = ++traces_;
   const double id = std::exchange(id_, 0);
   start(tracer_, id, "theta",
-        [this, client, number, id, theta, design = history_.current(), known = way_,
-         is_settled = stable_of_ == way_](const std::stop_token& stop) {
+        [this, client, number, id, theta, design = history_.current(), moving = player_.moving(),
+         known = way_, is_settled = stable_of_ == way_](const std::stop_token& stop) {
           if (stop.stop_requested()) return dropped(client, id);
-          const SheetEquilibria equilibria(design);
+          const Equilibria equilibria(design, moving);
           const auto newest = std::make_shared<NewestShape>();
           const auto see = [&](const model::DrivenState& at) {
             const double force = equilibria.force_N(at.step.theta, at.step.load);
@@ -106,7 +106,7 @@ void Session::snap() {
         "snap: no other stable state is known; fold further first, past where it would snap over");
   next_stable_ = (next_stable_ + 1) % stable_.size();
   const model::StableState& state = stable_[next_stable_];
-  player_.show_equilibrium(state.state, state.theta, 0, state.energy);
+  player_.show_equilibrium(state.state, player_.moving().theta_of(state.state), 0, state.energy);
 }
 
 }  // namespace kinetix::app::studio

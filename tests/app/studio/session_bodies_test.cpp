@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/assembly/assembly_run.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/io/base64.hpp"
 #include "app/studio/view_command.hpp"
@@ -181,11 +182,24 @@ TEST_F(StudioOfBodies, FollowsAHandAlongItsOneWay) {
 TEST_F(StudioOfBodies, RefusesWhatIsOfSheets) {
   EXPECT_THAT(refusal({{"type", "search"}, {"target", ""}}), HasSubstr("search: is of sheets"));
   EXPECT_THAT(refusal({{"type", "hinge"}, {"index", 0}, {"t", 0.4}}), HasSubstr("hinge: is of sheets"));
-  EXPECT_THAT(refusal({{"type", "mode"}, {"mode", "equilibrium"}}),
-              HasSubstr("simulate --model equilibrium"));
   EXPECT_THAT(refusal({{"type", "dance"}}), HasSubstr("unknown command"));
   EXPECT_THAT(refusal({{"type", "driven"}, {"hinge", 1}}), HasSubstr("hinge: must be"));
   EXPECT_THAT(refusal({{"type", "step"}}), HasSubstr("mode bullet"));
+}
+
+TEST_F(StudioOfBodies, HasTheElasticStateOfASimulation) {
+  client.ask({{"type", "mode"}, {"mode", "equilibrium"}});
+  const double theta = 10 * radians_per_degree;
+  const Received frame = client.ask({{"type", "theta"}, {"deg", 10}});
+  const auto run = app::run_assembly(file, app::Model::equilibrium, theta, {});
+  const model::EquilibriumStep& last = run.equilibrium->steps.back();
+  EXPECT_EQ(frame.head(8), 1);
+  EXPECT_NEAR(frame.head(3), theta, 1e-7);
+  EXPECT_GT(last.energy, 0);
+  EXPECT_NEAR(frame.head(7), last.energy, 1e-6 * last.energy);
+  EXPECT_NEAR(frame.head(6), last.load / run.linkage.size.edge_mm, 1e-6 * std::abs(last.load));
+  for (int b = 0; b < 2; ++b)
+    EXPECT_LT((pose_of(frame, b).translation() - run.equilibrium->state[b].p).norm(), 1e-5);
 }
 
 TEST_F(StudioOfBodies, IsPulledAndTurnedInThePhysics) {
@@ -271,6 +285,8 @@ TEST(StudioOfBodiesOpened, GoesTheWayThatItsBodiesArePulled) {
   const json design = followed(client);
   EXPECT_EQ(design["bodies"]["pulled"], true);
   EXPECT_EQ(design["drive"], "bodies that are pulled");
+  client.send(R"({"type": "mode", "mode": "equilibrium"})");
+  EXPECT_THAT(client.text("error")["message"].get<std::string>(), HasSubstr("are pulled"));
   const double least = design["theta_range_rad"][0], most = design["theta_range_rad"][1];
   const double end = least < 0 ? least : most;
   EXPECT_EQ(least * most, 0) << "one way from rest";

@@ -30,7 +30,7 @@ export class MotionBar {
   setMode(mode) {
     this.play(false);
     const asked = this.connection.send("mode", {mode}).catch(() => this.showProgram());
-    if (!this.state.design?.bodies || mode !== "bullet") return asked;
+    if (!this.state.design?.bodies || mode === "exact") return asked;
     status("bodies are cut into convex pieces, which collide\u2026");
     return asked.then(() => status(""));
   }
@@ -115,7 +115,7 @@ export class MotionBar {
   /** Rigid hinges have no unit of force: a hand on them has none either. */
   force(frame) {
     if (Number.isFinite(frame.force)) return `${neat(frame.force, 3)} N`;
-    return frame.mode === "bullet" && !this.state.program.springs ? "needs springs" : "\u2013";
+    return frame.mode === "bullet" && !this.state.program.springs && !this.state.design.bodies ? "needs springs" : "\u2013";
   }
 
   showFrame() {

@@ -23,6 +23,7 @@ export class PathChart {
       const y = (value) => HEIGHT - BOTTOM - ((HEIGHT - TOP - BOTTOM) * (value - least)) / (most - least);
       return svg("path", {class: name, d: `M${rows.map((row) => `${this.x(row.theta_rad).toFixed(1)},${y(row[key]).toFixed(1)}`).join("L")}`});
     };
+    const perTheta = this.state.design.bodies?.turn_per_theta ?? 1, angle = (theta) => `${neat(degrees(theta) * perTheta, 0)}\u00b0`;
     const last = rows[rows.length - 1], text = (x, y, name, words) => svg("text", {x, y, class: name}, words);
     this.now = svg("line", {class: "now", y1: TOP - 4, y2: HEIGHT - BOTTOM});
     $("path").replaceChildren(svg("svg", {viewBox: `0 0 ${WIDTH} ${HEIGHT}`, width: WIDTH, height: HEIGHT, role: "img", "aria-label":
@@ -30,7 +31,7 @@ export class PathChart {
       line("energy_Nmm", "energy"), line("force_N", "force"), this.now,
       text(LEFT, 13, "force", `force, up to ${neat(Math.max(...rows.map((row) => row.force_N)), 2)} N`),
       text(LEFT + 132, 13, "energy", `energy ${neat(last.energy_Nmm, 1)} N mm`),
-      text(LEFT, HEIGHT - 4, "axis", `${neat(degrees(low), 0)}\u00b0`), text(WIDTH - LEFT - 26, HEIGHT - 4, "axis", `${neat(degrees(high), 0)}\u00b0`)));
+      text(LEFT, HEIGHT - 4, "axis", angle(low)), text(WIDTH - LEFT - 26, HEIGHT - 4, "axis", angle(high))));
     this.mark();
   }
 

@@ -1,4 +1,4 @@
-#include "app/studio/play/sheet_equilibria.hpp"
+#include "app/studio/play/equilibria.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 namespace kinetix::testing {
 namespace {
 
+using app::studio::Equilibria;
 using app::studio::KnownWay;
-using app::studio::SheetEquilibria;
 
 constexpr double deg = radians_per_degree;  // rad: thetas of the tests are in degrees
 
@@ -20,7 +20,7 @@ const auto nobody = [](const model::DrivenState&) {};
 
 TEST(StudioEquilibria, GoesOnFromWhereItCameToAndEndsAsFromFlat) {
   const app::Design design = app::studio::template_design("strip");
-  const SheetEquilibria equilibria(design);
+  const Equilibria equilibria(design, app::studio::Moving(design));
   std::string why;
   const auto first = equilibria.go(12 * deg, nullptr, {}, nobody, why);
   ASSERT_EQ(why, "");
@@ -38,7 +38,7 @@ TEST(StudioEquilibria, GoesOnFromWhereItCameToAndEndsAsFromFlat) {
 
 TEST(StudioEquilibria, ComesBackWithoutAWayFromFlat) {
   const app::Design design = app::studio::template_design("strip");
-  const SheetEquilibria equilibria(design);
+  const Equilibria equilibria(design, app::studio::Moving(design));
   std::string why;
   const auto way = equilibria.go(20 * deg, nullptr, {}, nobody, why);
   model::DrivenState last;
@@ -69,7 +69,7 @@ TEST(StudioEquilibria, GoesUnderTheDesignsOwnDrive) {
     SCOPED_TRACE(static_cast<int>(kind));
     const app::Design design = driven(kind);
     const model::LinkageDrive drive = app::studio::drive_to(design, 15 * deg);
-    const SheetEquilibria equilibria(design);
+    const Equilibria equilibria(design, app::studio::Moving(design));
     std::string why;
     const auto first = equilibria.go(10 * deg, nullptr, {}, nobody, why);
     model::DrivenState last;
@@ -96,7 +96,8 @@ TEST(StudioEquilibria, GoesUnderTheDesignsOwnDrive) {
 }
 
 TEST(StudioEquilibria, StopsOnItsWayWhenItIsTold) {
-  const SheetEquilibria equilibria(app::studio::template_design("strip"));
+  const app::Design design = app::studio::template_design("strip");
+  const Equilibria equilibria(design, app::studio::Moving(design));
   std::stop_source source;
   std::string why;
   const auto way = equilibria.go(

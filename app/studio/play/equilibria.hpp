@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/files/design_file.hpp"
+#include "app/studio/play/shape.hpp"
 #include "model/elastic/path/stable_states.hpp"
 
 namespace kinetix::app::studio {
@@ -16,12 +16,12 @@ struct KnownWay {
 };
 
 /// Elastic hinges of a design whose hinges may be rigid, under the drive to one theta after the other.
-class SheetEquilibria {
+class Equilibria {
  public:
   using Seen = std::function<void(const model::DrivenState& at)>;
 
-  /// @param design theta counts alone as the side that it folds to
-  explicit SheetEquilibria(const Design& design);
+  /// @param design theta counts alone as the side that it folds to   @param moving of it; bodies have their parts
+  Equilibria(Design design, Moving moving);
 
   /// Goes to theta, rad: from the nearest state of the way that is known, else from flat. `seen` hears of every state on
   /// the way, the last one included.
@@ -37,13 +37,14 @@ class SheetEquilibria {
   double force_N(double theta, double load) const;
 
  private:
+  model::LinkageDrive drive(double theta) const;
   model::EquilibriumPathOptions options(const std::stop_token& stop) const;
   bool follow(model::DrivenState& at, double theta, const std::stop_token& stop) const;
   std::shared_ptr<KnownWay> from_flat(double theta, const std::stop_token& stop, const Seen& seen,
                                       std::string& why) const;
 
   Design design_;
-  model::Linkage linkage_;
+  Moving moving_;
   model::Elasticity elasticity_;
 };
 

@@ -1,12 +1,12 @@
-#include "app/studio/play/sheet_equilibria.hpp"
+#include "app/studio/play/equilibria.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "app/assembly/assembly_run.hpp"
 #include "app/pipeline/physics_settings.hpp"
-#include "app/studio/play/shape.hpp"
 #include "model/base/angle.hpp"
 #include "model/closure/closure_drive.hpp"
 #include "model/closure/drive_theta.hpp"
@@ -21,7 +21,8 @@ constexpr double followed_step = 0.05;  // rad of theta between equilibria that 
 constexpr double snapped = 0.3;         // rad that a hinge turns in such a step: more is another branch
 constexpr double same_theta = 1e-7;     // rad: a drive knows its theta by the compression of its plates
 
-model::Elasticity elastic_hinges(Design design) {
+model::Elasticity elastic_hinges(Design design, const Moving& moving) {
+  if (moving.bodies) return elasticity_of(moving.bodies->assembly);
   design.hinge.model = HingeSection::Model::elastic;
   return elasticity_of(design);
 }
@@ -33,49 +34,54 @@ double next_theta(double theta, double goal) {
 
 }  // namespace
 
-SheetEquilibria::SheetEquilibria(const Design& design)
-    : design_(design), linkage_(design.structure), elasticity_(elastic_hinges(design)) {}
+Equilibria::Equilibria(Design design, Moving moving)
+    : design_(std::move(design)), moving_(std::move(moving)), elasticity_(elastic_hinges(design_, moving_)) {}
 
-model::EquilibriumPathOptions SheetEquilibria::options(const std::stop_token& stop) const {
+model::LinkageDrive Equilibria::drive(double theta) const {
+  return moving_.bodies ? moving_.turned(theta) : drive_to(design_, theta);
+}
+
+model::EquilibriumPathOptions Equilibria::options(const std::stop_token& stop) const {
   model::EquilibriumPathOptions out;
-  out.planar = all_vertical(linkage_);
+  out.planar = !moving_.bodies && all_vertical(moving_.linkage);
+  out.bodies = moving_.pressing;
   out.side = design_.side;
   out.stop = stop;
   return out;
 }
 
-double SheetEquilibria::force_N(double theta, double load) const {
-  const model::LinkageDrive drive = drive_to(design_, theta);
+double Equilibria::force_N(double theta, double load) const {
+  const model::LinkageDrive drive = this->drive(theta);
   if (drive.heats_springs()) return 0;
-  return drive.has_force() ? load : load / linkage_.size.edge_mm;
+  return drive.has_force() ? load : load / moving_.linkage.size.edge_mm;
 }
 
 /// One state after the other, each next to the one before. @return whether it came to theta
-bool SheetEquilibria::follow(model::DrivenState& at, double theta, const std::stop_token& stop) const {
+bool Equilibria::follow(model::DrivenState& at, double theta, const std::stop_token& stop) const {
   while (std::abs(theta - at.step.theta) > same_theta) {
     if (stop.stop_requested()) return false;
     const double next = next_theta(at.step.theta, theta);
-    const model::LinkageDrive drive = drive_to(design_, next);
+    const model::LinkageDrive drive = this->drive(next);
     if (drive.press) return false;
     model::State start = at.state;
-    model::ElasticSystem(linkage_, elasticity_, drive, *options(stop).planar, true).place(next, start);
+    model::ElasticSystem(moving_.linkage, elasticity_, drive, *options(stop).planar, true).place(next, start);
     const model::EquilibriumPath found = follow_change(
         start,
         [&](double) {
-          return model::DrivenLinkage{linkage_, drive, {}};
+          return model::DrivenLinkage{moving_.linkage, drive, {}};
         },
         elasticity_, options(stop));
     if (found.stop != model::EquilibriumPath::Stop::reached) return false;
     if (!(std::abs(found.theta - next) <= same_theta)) return false;
-    if (!(turn_distance(linkage_, at.state, found.state) <= snapped)) return false;
+    if (!(turn_distance(moving_.linkage, at.state, found.state) <= snapped)) return false;
     at = {found.steps.back(), found.state};
   }
   return true;
 }
 
-std::shared_ptr<KnownWay> SheetEquilibria::from_flat(double theta, const std::stop_token& stop,
-                                                     const Seen& seen, std::string& why) const {
-  const model::LinkageDrive drive = drive_to(design_, theta);
+std::shared_ptr<KnownWay> Equilibria::from_flat(double theta, const std::stop_token& stop, const Seen& seen,
+                                                std::string& why) const {
+  const model::LinkageDrive drive = this->drive(theta);
   auto way = std::make_shared<KnownWay>(KnownWay{{}, model::EnergyTurns(drive)});
   const auto see = [&](const model::EquilibriumStep& step, const model::State& state) {
     way->turns.see(step, state);
@@ -83,15 +89,16 @@ std::shared_ptr<KnownWay> SheetEquilibria::from_flat(double theta, const std::st
     seen(way->states.back());
   };
   const auto path =
-      trace_equilibrium({linkage_, drive, exact_motion(design_.structure)}, elasticity_, options(stop), see);
+      trace_equilibrium({moving_.linkage, drive, moving_.bodies ? model::ExactMotion{} : moving_.exact},
+                        elasticity_, options(stop), see);
   if (path.stop != model::EquilibriumPath::Stop::reached)
     why = fmt::format("the equilibrium ends at theta {:.1f} deg: {}", to_degrees(path.theta), path.why);
   return way;
 }
 
-std::shared_ptr<const KnownWay> SheetEquilibria::go(double theta, const std::shared_ptr<const KnownWay>& way,
-                                                    const std::stop_token& stop, const Seen& seen,
-                                                    std::string& why) const {
+std::shared_ptr<const KnownWay> Equilibria::go(double theta, const std::shared_ptr<const KnownWay>& way,
+                                               const std::stop_token& stop, const Seen& seen,
+                                               std::string& why) const {
   const bool helps = way && !way->states.empty() && way->states.back().step.theta * theta >= 0;
   if (!helps) return from_flat(theta, stop, seen, why);
   const auto far = [&](const model::DrivenState& one) { return std::abs(one.step.theta - theta); };
@@ -116,9 +123,8 @@ std::shared_ptr<const KnownWay> SheetEquilibria::go(double theta, const std::sha
   return longer;
 }
 
-std::vector<model::StableState> SheetEquilibria::stable(const KnownWay& way,
-                                                        const std::stop_token& stop) const {
-  return stable_states(linkage_, elasticity_, {way.turns}, {.path = options(stop)}).states;
+std::vector<model::StableState> Equilibria::stable(const KnownWay& way, const std::stop_token& stop) const {
+  return stable_states(moving_.linkage, elasticity_, {way.turns}, {.path = options(stop)}).states;
 }
 
 }  // namespace kinetix::app::studio
