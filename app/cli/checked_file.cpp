@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/assembly/assembly_file.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/io/free_memory.hpp"
 #include "app/pipeline/certify.hpp"
@@ -133,8 +132,8 @@ CheckedFile check_file(const std::string& file, const Progress& progress) {
     const Target target = read_target(root);
     return {file, "target", target.goal->name, target.goal->forecast()};
   }
-  if (is_assembly(root)) return {file, "design", read_assembly(root).name};
   const Design design = read_design(root);
+  if (design.structure.assembly()) return {file, "design", design.name};
   announce_check(file, design.structure, progress);
   CheckedFile out{.file = file, .kind = "design", .name = design.name, .forecast = forecast_design(design)};
   if (design.structure.bodies() <= most_bodies_for_contact)

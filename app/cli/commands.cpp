@@ -7,8 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/assembly/assembly_command.hpp"
-#include "app/assembly/assembly_file.hpp"
 #include "app/cli/checked_file.hpp"
 #include "app/console/console.hpp"
 #include "app/console/open_report.hpp"
@@ -17,6 +15,7 @@
 #include "app/goals/read_target.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/io/own_input.hpp"
+#include "app/pipeline/design_drive.hpp"
 #include "app/pipeline/drive_trials.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/print/fit.hpp"
@@ -60,24 +59,23 @@ void print(const Run& run, const nlohmann::ordered_json& json, const std::string
     std::cout << json.dump(1) << "\n";
   else
     std::cout << summary(run)
-              << fmt::format("  {:<10} {}/report.html, result.json, design.yaml\n", "written", folder);
+              << fmt::format(
+                     "  {:<10} {}/{}\n", "written", folder,
+                     run.way ? "result.json, design.yaml, parts" : "report.html, result.json, design.yaml");
 }
 
-/// @param watch started before the file was read   @param asked of a design: the model that computes its state
+/// @param watch started before the file was read   @param has_parts whether a run that is stopped has something to keep
 int run_and_write(const CommandOptions& options, const RunFunction& function, const std::string& name,
-                  const std::string& suffix, Stopwatch watch, std::optional<Model> asked = {}) {
+                  const std::string& suffix, Stopwatch watch, bool has_parts = true) {
   OutputFolder folder(
       folder_beside_input(options.file, options.folder_of(name, suffix), options.folder_given));
   const double load = watch.lap();
   Console console(options.quiet);
-  // A closed form has no part that could be kept: Ctrl-C ends the program at once.
   std::optional<Stopper> stopper;
-  if (asked != Model::exact || options.time_limit_s) stopper.emplace(options.time_limit_s);
+  if (has_parts || options.time_limit_s) stopper.emplace(options.time_limit_s);
   const std::stop_token stop = stopper ? stopper->token() : std::stop_token();
   Run run = located(options.file, function, run_options(options, console, stop));
   run.timings.load = load;
-  if (asked == Model::bullet && run.stopped && !run.verification)
-    throw Interrupted("the physics run was stopped before it settled");
   console.progress()("files", -1);
   const WrittenResults written = write_results(run, folder.path());
   folder.keep();
@@ -95,10 +93,21 @@ targets::Node document_of(const CommandOptions& options) {
   return targets::read_document(options.file, max_design_bytes);
 }
 
+/// Imported bodies turn the hinge that their file names, or that turns most in the first motion.
+Design turned_to(Design design, const CommandOptions& options) {
+  if (design.pull)
+    throw InvalidInput("--theta-deg turns a hinge, and here bodies are pulled",
+                       {options.file, 0, 0, "drive"});
+  design.theta = options.theta_deg * radians_per_degree;
+  if (design.drive) design.drive->angle = drive_of(design).to(design.theta).angle;
+  return design;
+}
+
 /// The design, to another theta where the command line gives one: by the drive of a file that has none.
 Design design_of(const CommandOptions& options, const targets::Node& root) {
   Design design = read_design(root);
   if (!options.theta_given) return design;
+  if (design.structure.assembly()) return turned_to(std::move(design), options);
   if (design.drive && !options.drives)
     Console(options.quiet)
         .warning("--theta-deg takes the place of `drive:`: the sheet is folded as a design without one is");
@@ -122,12 +131,13 @@ int compare_drives(const CommandOptions& options) {
     throw InvalidInput("--drives compares forces of elastic hinges: give --model equilibrium as well");
   if (options.open) throw InvalidInput("--open shows a report, and --drives writes none");
   const targets::Node root = document_of(options);
-  if (is_assembly(root))
+  const Design design = design_of(options, root);
+  if (design.structure.assembly())
     throw InvalidInput("--drives compares drives of sheets, and this is an imported design of bodies",
                        {options.file});
   std::optional<OutputFolder> folder;
   if (options.folder_given) folder.emplace(options.folder);
-  const DriveTrials trials = located_trials(options, design_of(options, root));
+  const DriveTrials trials = located_trials(options, design);
   if (trials.stopped && trials.trials.empty()) throw Interrupted("stopped before a drive was through");
   const std::string json = drive_trials_json(trials).dump(1) + "\n";
   if (folder) {
@@ -138,14 +148,26 @@ int compare_drives(const CommandOptions& options) {
   return trials.least_force < 0 ? target_missed : done;
 }
 
+/// @throws Interrupted for a physics run that was stopped before there was anything to say
+Run settled_run(const Design& design, Model model, const RunOptions& options) {
+  Run run = run_design(design, model, options);
+  if (model == Model::bullet && run.stopped && !run.verification)
+    throw Interrupted("the physics run was stopped before it settled");
+  return run;
+}
+
 int run_design_command(const CommandOptions& options, Model model, const std::string& suffix) {
   Stopwatch watch;
   const targets::Node root = document_of(options);
-  if (is_assembly(root)) return run_assembly_command(options, root, model, suffix);
   const Design design = design_of(options, root);
+  if (options.open && design.structure.assembly())
+    throw InvalidInput("--open shows the report of a sheet, and this is an imported design of bodies",
+                       {options.file});
+  // A closed form has no part that could be kept: Ctrl-C ends the program at once. Imported bodies go their way step by step.
+  const bool has_parts = model != Model::exact || design.structure.assembly();
   return run_and_write(
-      options, [&](const RunOptions& of) { return run_design(design, model, of); }, design.name, suffix,
-      watch, model);
+      options, [&](const RunOptions& of) { return settled_run(design, model, of); }, design.name, suffix,
+      watch, has_parts);
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include <new>
 #include <string_view>
 
-#include "app/assembly/assembly_export.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/error_report.hpp"
 #include "app/console/printable_text.hpp"
@@ -325,8 +324,6 @@ int run(int argc, char** argv) {
   if (sweep->parsed()) return kinetix::app::sweep_command(options, share);
   if (print->parsed()) {
     choose_format(request);
-    if (const auto bodies = kinetix::app::assembly_to_export(request))
-      return kinetix::app::export_assembly(options, request, *bodies);
     return kinetix::app::export_command(options, request);
   }
   if (import->parsed()) return kinetix::app::import_command(options, imported);

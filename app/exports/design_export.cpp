@@ -1,15 +1,17 @@
 #include "app/exports/design_export.hpp"
 
+#include "app/files/bodies_section.hpp"
+
 namespace kinetix::app {
 namespace {
 
 std::vector<NamedContent> write_design(const Run& run, const nlohmann::ordered_json&) {
-  return {{"design.yaml", design_text(written_design(run))}};
+  return design_files(written_design(run));
 }
 
 }  // namespace
 
-// Name, extensions, whether every run writes it, and how: design.yaml.
-const Exporter design_export = {"design", {"yaml"}, true, write_design};
+// Name, extensions, whether every run writes it, and how: design.yaml, and meshes of imported bodies.
+const Exporter design_export = {"design", {"yaml", "stl"}, true, write_design};
 
 }  // namespace kinetix::app

@@ -12,6 +12,7 @@ namespace {
 
 /// The result with the pictures that belong into the page itself, without the time of writing: it is not known yet.
 std::vector<NamedContent> write_report(const Run& run, const nlohmann::ordered_json& result) {
+  if (run.way) return {};  // the page draws walls
   nlohmann::ordered_json shown = result;
   shown["timing_s"].erase("write");
   if (run.goal)

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "app/files/bodies_section.hpp"
 #include "app/files/file_header.hpp"
 #include "app/files/hinge_parts.hpp"
 #include "app/files/lattice_section.hpp"
@@ -101,11 +102,6 @@ void check_kind_of_file(const targets::Node& root) {
   refuse_result(root);
   if (root.kind() == targets::Node::Kind::map && !root.optional("design") && root.optional("target"))
     throw root.error("this is a target, not a design; search it first with `kinetix-opt TARGET.yaml`");
-  const auto structure = root.kind() == targets::Node::Kind::map ? root.optional("structure") : std::nullopt;
-  if (structure && structure->kind() == targets::Node::Kind::map && structure->optional("bodies"))
-    throw structure->error(
-        "this is an imported design of bodies, not a sheet; simulate, verify, view, check, sweep and export "
-        "take it");
 }
 
 model::Sheet read_structure(const targets::Section& root) {
@@ -259,6 +255,7 @@ const targets::KeyTable& design_keys() {
 
 Design read_design(const targets::Node& node) {
   check_kind_of_file(node);
+  if (lists_bodies(node)) return read_bodies(node);
   const targets::Section root(node, design_keys());
   check_version(root);
   Design file{.name = read_name(root), .structure = read_structure(root)};

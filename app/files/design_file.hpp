@@ -8,6 +8,7 @@
 #include "app/files/drive_section.hpp"
 #include "app/files/hinge_section.hpp"
 #include "app/files/physics_section.hpp"
+#include "model/linkage/state.hpp"
 #include "model/matter/process.hpp"
 #include "model/sheet/sheet.hpp"
 #include "targets/document/section.hpp"
@@ -17,6 +18,13 @@ namespace kinetix::app {
 /// Of one entry of `design.hinges`.
 const targets::KeyTable& hinge_entry_keys();
 
+/// Where imported bodies are pulled to, in place of a hinge that is turned: to poses, or apart.
+struct PullSection {
+  std::optional<model::State> poses = {};  ///< one a body, mm
+  std::optional<double> expand = {};       ///< times their distance from the middle, as far as they go, > 0
+  double tolerance = 0.05;                 ///< rms from `poses` that counts as there, cell edges, > 0
+};
+
 /// The content of a design.yaml. Angles in radians, lengths in mm.
 struct Design {
   std::string name;                                     ///< default: the file's name without its ending
@@ -24,6 +32,7 @@ struct Design {
   model::Process process = model::processes().front();  ///< that prints it
   double theta = 0;                        ///< the state to show, rad, within (-pi/2, pi/2); default flat
   std::optional<DriveSection> drive = {};  ///< nothing: to theta
+  std::optional<PullSection> pull = {};    ///< of imported bodies, instead
   int side = 1;  ///< `side` of the drive: which way to leave a bifurcation that it leaves open, 1 or -1
   HingeSection hinge = {};
   std::map<int, HingeSection> own_hinges =
@@ -38,7 +47,7 @@ std::vector<const HingeSection*> hinge_sections(const Design& design);
 /// file does not describe.
 std::optional<std::string> why_offset_does_not_fit(const Design& design, int hinge);
 
-/// Every key of a design.yaml.
+/// Every key of a design.yaml of a sheet; bodies_keys(): of imported bodies.
 const targets::KeyTable& design_keys();
 
 /// Bytes, 16 MiB. Designs may be larger than targets: this holds some 200 000 named hinges.
@@ -50,7 +59,7 @@ std::string design_at(const std::string& source);
 
 /// @throws InvalidInput for whatever formats.md does not allow: among others a wall that the structure does
 /// not have, is named twice, or does not run from its lower to its upper vertex, and cells of a pattern that
-/// disagree
+/// disagree; of imported bodies as read_bodies()
 Design read_design(const std::string& file);
 /// The same of a document in memory.
 Design read_design(const targets::Node& root);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/files/design_file.hpp"
+#include "app/files/bodies_section.hpp"
 #include "app/files/lattice_section.hpp"
 #include "app/files/process_section.hpp"
 
@@ -97,6 +97,7 @@ std::string physics_text(const PhysicsSection& physics) {
 }  // namespace
 
 std::string design_text(const Design& design) {
+  if (design.structure.assembly()) return bodies_text(design);
   return fmt::format("kinetix: 1\nname: \"{}\"\n", design.name) + structure_text(design.structure) +
          fmt::format("design:\n  theta_deg: {}\n", targets::degrees_text(design.theta)) +
          hinges_text(design) + drive_text(design.structure, design.drive, design.side) +

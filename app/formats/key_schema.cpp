@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/assembly/assembly_file.hpp"
+#include "app/files/bodies_section.hpp"
 #include "app/files/design_file.hpp"
 #include "app/formats/key_text.hpp"
 #include "app/goals/registry.hpp"
@@ -176,7 +176,7 @@ std::string text_of(const Json& schema) { return schema.dump(1) + "\n"; }
 std::vector<FileSchema> file_schemas() {
   return {{"target", text_of(of_targets())},
           {"design", text_of(of_one_table("A design for kinetix-opt: design.yaml", design_keys()))},
-          {"assembly", text_of(of_one_table("A design of general bodies for kinetix-opt", assembly_keys()))},
+          {"assembly", text_of(of_one_table("A design of general bodies for kinetix-opt", bodies_keys()))},
           {"hinges", text_of(of_one_table("Axes of hinges for kinetix-opt import", hinge_choice_keys()))},
           {"doe", text_of(of_one_table("A sweep of kinetix-opt: doe.yaml", doe_keys()))}};
 }

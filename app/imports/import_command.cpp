@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/assembly/assembly_file.hpp"
-#include "app/assembly/assembly_mobility.hpp"
 #include "app/console/console.hpp"
 #include "app/imports/hinge_choices.hpp"
 #include "app/imports/import_tiles.hpp"
+#include "app/imports/mobility_report.hpp"
 #include "app/imports/model_parts.hpp"
 #include "app/imports/tile_files.hpp"
 #include "app/imports/written_import.hpp"
@@ -90,25 +89,25 @@ std::string hinges_text(const model::Assembly& assembly) {
                      least->confidence);
 }
 
-std::string summary_text(const ModelParts& parts, const AssemblyFile& file,
-                         const AssemblyMobility& mobility) {
-  std::string out = fmt::format("{}\n", file.name);
+std::string summary_text(const ModelParts& parts, const Design& design, const AssemblyMobility& mobility) {
+  const model::Assembly& a = *design.structure.assembly();
+  std::string out = fmt::format("{}\n", design.name);
   const auto line = [&](const char* label, const std::string& text) {
     out += fmt::format("  {:<10} {}\n", label, text);
   };
   line("unit", parts.unit);
   line("soft parts", parts.softness);
-  line("bodies", std::to_string(file.assembly.bodies.size()));
-  line("hinges", hinges_text(file.assembly));
+  line("bodies", std::to_string(a.bodies.size()));
+  line("hinges", hinges_text(a));
   line("mobility", mobility.why);
-  for (const std::string& note : file.assembly.notes) line("note", note);
+  for (const std::string& note : a.notes) line("note", note);
   return out;
 }
 
-nlohmann::ordered_json summary_json(const ModelParts& parts, const AssemblyFile& file,
+nlohmann::ordered_json summary_json(const ModelParts& parts, const Design& design,
                                     const AssemblyMobility& mobility) {
   nlohmann::ordered_json hinges = nlohmann::ordered_json::array();
-  const model::Assembly& a = file.assembly;
+  const model::Assembly& a = *design.structure.assembly();
   for (const model::AssemblyHinge& h : a.hinges)
     hinges.push_back({{"name", h.name},
                       {"bodies", {a.bodies[h.lower].name, a.bodies[h.upper].name}},
@@ -116,7 +115,7 @@ nlohmann::ordered_json summary_json(const ModelParts& parts, const AssemblyFile&
                       {"point_mm", {h.point.x(), h.point.y(), h.point.z()}},
                       {"axis", {h.axis.x(), h.axis.y(), h.axis.z()}},
                       {"confidence", h.confidence}});
-  return {{"name", file.name},
+  return {{"name", design.name},
           {"unit", parts.unit},
           {"bodies", a.bodies.size()},
           {"hinges", hinges},
@@ -143,15 +142,18 @@ int import_command(const CommandOptions& options, const ImportRequest& request) 
   console.stage("reading parts", -1);
   const ModelParts parts = read_model_parts(request);
   console.stage("finding hinges", -1);
-  AssemblyFile file{.name = import_name(request), .assembly = assembled(parts, choices)};
-  tidy_up(file.assembly);
+  model::Assembly bodies = assembled(parts, choices);
+  tidy_up(bodies);
   console.stage("how it moves", -1);
-  const AssemblyMobility mobility = examine(file.assembly);
+  const AssemblyMobility mobility = examine(bodies);
+  Design design{.name = import_name(request), .structure = model::Sheet(std::move(bodies))};
   if (mobility.hinge >= 0) {
-    file.driven = mobility.hinge;
-    file.angle = std::copysign(std::min(targets::radians_of(first_turn_deg), mobility.turn), mobility.sense);
+    const double turn = std::min(targets::radians_of(first_turn_deg), mobility.turn);
+    design.drive = DriveSection{.kind = DriveSection::Kind::hinge,
+                                .hinge = mobility.hinge,
+                                .angle = std::copysign(turn, mobility.sense)};
   }
-  write_import(options, file, summary_json(parts, file, mobility), summary_text(parts, file, mobility));
+  write_import(options, design, summary_json(parts, design, mobility), summary_text(parts, design, mobility));
   return done;
 }
 

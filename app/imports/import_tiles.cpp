@@ -7,12 +7,11 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/assembly/assembly_file.hpp"
-#include "app/assembly/assembly_run.hpp"
 #include "app/console/console.hpp"
 #include "app/imports/tile_files.hpp"
 #include "app/imports/written_import.hpp"
 #include "model/assembly/assembly_motion.hpp"
+#include "model/assembly/deployment.hpp"
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::app {
@@ -57,23 +56,27 @@ model::TileMake make_of(const ImportRequest& request, const model::TileSheet& sh
 
 /// A design of tiles, and what there is to say of it.
 struct TileImport {
-  AssemblyFile file;
+  Design design;
   model::TileMake make;
   std::optional<double> target_off = {};  ///< by which corners miss their target as rigid tiles, median edges
   std::optional<int> motions = {};        ///< at rest
 };
 
 TileImport made_of(const model::TileSheet& sheet, const ImportRequest& request) {
-  TileImport out{.file = {.name = import_name(request), .assembly = {}}, .make = make_of(request, sheet)};
-  model::Assembly& assembly = out.file.assembly = assembly_of_tiles(sheet, out.make);
+  TileImport out;
+  out.make = make_of(request, sheet);
+  out.design.name = import_name(request);
+  out.design.structure = model::Sheet(assembly_of_tiles(sheet, out.make));
+  const model::Linkage linkage = out.design.structure;
+  out.design.pull.emplace();
   if (sheet.target.empty()) {
-    out.file.expand = usual_expand;
+    out.design.pull->expand = usual_expand;
   } else {
-    const model::TileTarget target = target_of_tiles(sheet, assembly, out.make.scale_mm);
+    const model::TileTarget target =
+        target_of_tiles(sheet, *out.design.structure.assembly(), out.make.scale_mm);
     out.target_off = target.off_max;
-    out.file.poses = aligned_pull(linkage_of(assembly), {target.poses}).to;
+    out.design.pull->poses = aligned_pull(linkage, {target.poses}).to;
   }
-  const model::Linkage linkage = linkage_of(assembly);
   out.motions = degrees_of_freedom(linkage, rest_state(linkage), linkage.hinges.size(), no_motion);
   return out;
 }
@@ -94,8 +97,8 @@ std::size_t balls_of(const model::Assembly& assembly) {
 }
 
 std::string tiles_text(const TileImport& import) {
-  const model::Assembly& a = import.file.assembly;
-  std::string out = fmt::format("{}\n", import.file.name);
+  const model::Assembly& a = *import.design.structure.assembly();
+  std::string out = fmt::format("{}\n", import.design.name);
   const auto line = [&](const char* label, const std::string& text) {
     out += fmt::format("  {:<10} {}\n", label, text);
   };
@@ -114,8 +117,8 @@ std::string tiles_text(const TileImport& import) {
 }
 
 nlohmann::ordered_json tiles_json(const TileImport& import) {
-  const model::Assembly& a = import.file.assembly;
-  nlohmann::ordered_json out = {{"name", import.file.name},
+  const model::Assembly& a = *import.design.structure.assembly();
+  nlohmann::ordered_json out = {{"name", import.design.name},
                                 {"bodies", a.bodies.size()},
                                 {"hinges", a.hinges.size()},
                                 {"balls", balls_of(a)},
@@ -136,7 +139,7 @@ int import_tiles(const CommandOptions& options, const ImportRequest& request) {
   Console console(options.quiet, false);
   console.stage("reading tiles", -1);
   const TileImport import = located_import(request);
-  write_import(options, import.file, tiles_json(import), tiles_text(import));
+  write_import(options, import.design, tiles_json(import), tiles_text(import));
   return done;
 }
 

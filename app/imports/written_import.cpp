@@ -7,6 +7,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/files/bodies_section.hpp"
 #include "app/io/atomic_file.hpp"
 
 namespace kinetix::app {
@@ -20,11 +21,11 @@ std::string import_name(const ImportRequest& request) {
   return stem.empty() || stem[0] == '.' ? "_" + stem : stem;
 }
 
-void write_import(const CommandOptions& options, const AssemblyFile& file, const nlohmann::ordered_json& json,
+void write_import(const CommandOptions& options, const Design& design, const nlohmann::ordered_json& json,
                   const std::string& text) {
-  OutputFolder folder(options.folder_of(file.name));
+  OutputFolder folder(options.folder_of(design.name));
   FileSet files(folder.path());
-  for (const NamedContent& content : assembly_files(file)) files.add(content.name, content.content);
+  for (const NamedContent& content : design_files(design)) files.add(content.name, content.content);
   files.commit();
   folder.keep();
   if (options.json)

@@ -3,8 +3,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "app/assembly/assembly_file.hpp"
 #include "app/console/command_options.hpp"
+#include "app/files/design_file.hpp"
 #include "app/imports/import_request.hpp"
 
 namespace kinetix::app {
@@ -13,7 +13,7 @@ namespace kinetix::app {
 std::string import_name(const ImportRequest& request);
 
 /// design.yaml and its parts, all of them or none, and what was found on stdout: as JSON where that is asked for, else as text.
-void write_import(const CommandOptions& options, const AssemblyFile& file, const nlohmann::ordered_json& json,
+void write_import(const CommandOptions& options, const Design& design, const nlohmann::ordered_json& json,
                   const std::string& text);
 
 }  // namespace kinetix::app

@@ -7,6 +7,7 @@
 namespace kinetix::app {
 
 model::LinkageDrive drive_of(const Design& design) {
+  if (design.pull) return {.kind = model::LinkageDrive::Kind::none};
   if (!design.drive) return drive_to(design.structure, design.theta);
   model::SheetDrive drive;
   drive.kind = design.drive->kind;

@@ -5,7 +5,7 @@
 
 namespace kinetix::app {
 
-/// The drive of a design: as its file says, or to its theta.
+/// The drive of a design: as its file says, or to its theta. None of bodies that are pulled.
 model::LinkageDrive drive_of(const Design& design);
 
 /// Theta to which that takes a design along its closed form, rad: without a drive the design's own, to the last

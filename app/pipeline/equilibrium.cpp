@@ -118,17 +118,20 @@ model::EquilibriumPathOptions path_of_run(bool planar) {
 }
 
 ElasticState follow_drive(const Found& found, const model::LinkageDrive& drive,
-                          const model::Elasticity& elasticity, int frames, const RunOptions& options) {
+                          const model::Elasticity& elasticity, int frames, const RunOptions& options,
+                          std::shared_ptr<const model::ConvexBodies> bodies) {
   ElasticState out;
-  out.why = {
-      stiffness_sentence(found.design, elasticity),
-      "contact: each half wall is a plate cut along its hinge axis; pins, knuckles and blocks of hinges are "
-      "left out, and edges that meet head on may be in each other by up to half the thickness"};
+  if (!bodies)
+    out.why = {stiffness_sentence(found.design, elasticity),
+               "contact: each half wall is a plate cut along its hinge axis; pins, knuckles and blocks of "
+               "hinges are "
+               "left out, and edges that meet head on may be in each other by up to half the thickness"};
   const model::Sheet& sheet = found.design.structure;
   const double goal = drive.theta();
   model::EquilibriumPathOptions path_options = path_of_run(found.plan.planar);
   path_options.side = found.design.side;
   path_options.stop = options.stop;
+  path_options.bodies = std::move(bodies);
   FrameKeeper keeper(goal, frames);
   model::EnergyTurns turns(drive);
   model::LoadTurns load_turns;

@@ -22,8 +22,10 @@ struct ElasticState {
 /// Follows the equilibrium of a design to the goal of a drive, with the stable states that a release on the way leads to, and the
 /// closed form's state of the same drive where there is one. After a stop request, the same of the path up to there.
 /// @param frames about how many states of the motion to keep, flat and last included, >= 2   @pre planned
+/// @param bodies that press on each other in place of walls; null: the walls
 ElasticState follow_drive(const Found& found, const model::LinkageDrive& drive,
-                          const model::Elasticity& elasticity, int frames, const RunOptions& options);
+                          const model::Elasticity& elasticity, int frames, const RunOptions& options,
+                          std::shared_ptr<const model::ConvexBodies> bodies = {});
 
 /// The run with these states after its own.
 Run with_states(Run run, ElasticState state);

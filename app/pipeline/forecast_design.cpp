@@ -19,6 +19,7 @@ bool needs_elastic_hinges(const Design& design) {
 }  // namespace
 
 std::optional<Model> plan_model(const Design& design, Model asked) {
+  if (design.structure.assembly()) return asked;
   const bool elastic = design.hinge.model == HingeSection::Model::elastic;
   const bool in_equilibrium = asked == Model::equilibrium || (asked == Model::bullet && elastic);
   return in_equilibrium ? std::optional(Model::equilibrium) : std::nullopt;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/assembly/assembly.hpp"
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::app {
@@ -58,7 +59,35 @@ sim::PhysicsOptions rotary_physics(const HingeSection& hinge, const PhysicsSecti
   return options;
 }
 
+namespace {
+
+constexpr double most_overlap_mm = 0.1;  // mm: by which convex pieces may stick out of their bodies
+
+/// Each hinge of imported bodies has a stiffness of its own; contact is by the stiffest.
+model::Elasticity elasticity_of_bodies(const model::Assembly& bodies) {
+  model::Elasticity whole;
+  for (const model::AssemblyHinge& h : bodies.hinges) whole.each.push_back(elasticity_of(h.k, h.reach_mm));
+  whole.k_point = whole.each.front().k_point;
+  for (const model::Elasticity& e : whole.each) whole.k_point = std::max(whole.k_point, e.k_point);
+  whole.k_contact = 10 * whole.k_point;
+  return whole;
+}
+
+sim::PhysicsOptions physics_of_bodies(const Design& design) {
+  const model::Assembly& bodies = *design.structure.assembly();
+  sim::PhysicsOptions options;
+  options.overlap_limit = std::max(options.overlap_limit, most_overlap_mm / bodies.edge_mm);
+  options.reach = 1;
+  for (const model::AssemblyHinge& h : bodies.hinges)
+    options.reach = std::min(options.reach, h.reach_mm / bodies.edge_mm);
+  options.planar = design.pull && all_vertical(model::Linkage(design.structure));
+  return options;
+}
+
+}  // namespace
+
 model::Elasticity elasticity_of(const Design& design) {
+  if (const model::Assembly* bodies = design.structure.assembly()) return elasticity_of_bodies(*bodies);
   const double edge_mm = design.structure.size().edge_mm;
   model::Elasticity whole = elasticity_of(design.hinge, design.physics, edge_mm);
   if (design.own_hinges.empty()) return whole;
@@ -71,6 +100,7 @@ model::Elasticity elasticity_of(const Design& design) {
 }
 
 sim::PhysicsOptions physics_of(const Design& design, bool planar) {
+  if (design.structure.assembly()) return physics_of_bodies(design);
   const double edge = design.structure.size().edge_mm;
   if (design.hinge.model == HingeSection::Model::elastic) {
     const double k_spring = design.drive ? design.drive->k_turn : 0;

@@ -4,6 +4,8 @@
 #include <future>
 #include <utility>
 
+#include "app/pipeline/body_pieces.hpp"
+#include "app/pipeline/closed_way.hpp"
 #include "app/pipeline/design_drive.hpp"
 #include "app/pipeline/equilibrium.hpp"
 #include "app/pipeline/exact_state.hpp"
@@ -36,13 +38,22 @@ std::optional<PhysicsTask> elastic_task(const Run& run) {
 
 /// Of a design: empty where there is none of the whole drive.
 model::State reference_of(const Run& run) {
-  const bool on_the_way = run.equilibrium && !run.equilibrium->reached();
+  const bool on_the_way = (run.equilibrium && !run.equilibrium->reached()) || (run.way && !run.way->reached);
   return run.states.empty() || on_the_way ? model::State{} : run.states.front().poses;
 }
 
+/// Of a design: the file's drive. Imported bodies collide by their pieces.
+PhysicsTask design_task(const Run& run) {
+  PhysicsTask task{reference_of(run), drive_of(run.design), physics_of(run.design, run.plan.planar)};
+  task.pull = pull_of(run.design);
+  if (run.pieces)
+    task.parts = std::make_shared<const sim::ContactParts>(
+        contact_parts(*run.pieces, *run.design.structure.assembly()));
+  return task;
+}
+
 std::optional<PhysicsTask> physics_task(const Run& run) {
-  if (!run.goal)
-    return PhysicsTask{reference_of(run), drive_of(run.design), physics_of(run.design, run.plan.planar)};
+  if (!run.goal) return design_task(run);
   const PhysicsWish& wish = run.physics;
   if (wish.when == PhysicsWish::When::never) return std::nullopt;
   if (run.equilibrium) return elastic_task(run);
@@ -134,6 +145,7 @@ NamedState known_state(const Run& run) {
 
 /// The states in which the model holds what was found, where it has any.
 Run with_model_states(Run run, const RunOptions& options) {
+  if (run.design.structure.assembly()) return with_closed_way(std::move(run), options);
   if (run.plan.model == Model::equilibrium) {
     ElasticState state =
         follow_drive(run, drive_of(run.design), elasticity_of(run.design), motion_states, options);
@@ -157,6 +169,7 @@ Run with_model_states(Run run, const RunOptions& options) {
 
 Run finished(Run run, const Goal* goal, const RunOptions& options) {
   const bool verifies = options.verify && !options.stop.stop_requested();
+  if (verifies && run.way) run = with_pieces(std::move(run), options);
   const std::optional<PhysicsTask> task = verifies ? physics_task(run) : std::nullopt;
   run = checked(std::move(run), goal, task, options);
   if (const auto why = why_hinges_tear(run)) {
@@ -214,6 +227,7 @@ Run run_design(Design design, Model model, RunOptions options) {
     throw InvalidInput(run.plan.exact.why +
                        "; use --model equilibrium or bullet, which need no exact family");
   options.verify &= model == Model::bullet;
+  options.certify &= !run.way;
   return finished(std::move(run), nullptr, options);
 }
 

@@ -15,6 +15,7 @@ Run run_goal(const Goal& goal, const RunOptions& options);
 /// from flat to its drive, the closed form of the same drive beside it where a family fits; bullet: the
 /// physics run, compared with the equilibrium where hinges are elastic, else with the exact state where a
 /// family fits; elsewhere there is none, and the run is judged by its own closure alone
+/// Imported bodies have no family: their exact state is closed step by step along the drive.
 /// @throws InvalidInput for a design that its model does not fit
 Run run_design(Design design, Model model, RunOptions options);
 

@@ -10,6 +10,7 @@
 
 #include "model/lattice/planar/creased_motion.hpp"
 #include "model/lattice/square/family/classify.hpp"
+#include "sim/pull_run.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -30,10 +31,18 @@ sim::PhysicsOptions with_steps(sim::PhysicsOptions options, double factor) {
   return options;
 }
 
-/// A sheet of an exact family never strains, and may be long: joints that yield let its ends sway far behind.
-sim::PhysicsOptions suited_to(const model::ExactMotion& exact, sim::PhysicsOptions options) {
-  if (exact && !options.elastic) options.joint_stiffness = stiff_joints;
+/// A sheet that moves exactly never strains, and may be long: joints that yield let its ends sway far behind.
+sim::PhysicsOptions suited_to(const Run& run, sim::PhysicsOptions options) {
+  const bool moves_exactly = run.way ? run.way->reached : static_cast<bool>(run.plan.exact);
+  if (moves_exactly && !options.elastic) options.joint_stiffness = stiff_joints;
   return options;
+}
+
+sim::PhysicsResult run_engine(const Run& run, const PhysicsTask& task, const sim::PhysicsOptions& options,
+                              const sim::PhysicsObserver& observer = {}) {
+  if (task.pull) return run_pull(run.design.structure, *task.pull, options, *task.parts, observer);
+  if (task.parts) return run_with_parts(run.design.structure, task.drive, options, *task.parts, observer);
+  return run_compression(run.design.structure, task.drive, options, observer);
 }
 
 model::StateDistance distance(const model::Linkage& structure, const sim::PhysicsResult& physics,
@@ -55,12 +64,14 @@ std::optional<model::EquilibriumComparison> equilibria(const Run& run, const Ver
 Fidelity row_of(const Run& run, const std::string& model, const sim::PhysicsResult& physics,
                 const model::State& reference) {
   const double rms = distance(run.design.structure, physics, reference).rms;
-  return {model + " (" + to_string(physics.status) + ")", physics.seconds, rms, to_string(run.plan.model)};
+  return {model + " (" + to_string(physics.status) + ")", physics.seconds, rms,
+          to_string(run.way ? Model::exact : run.plan.model)};
 }
 
-/// Only where a model's state tells whether a coarse run came to the right end, and where nobody asked for a step.
+/// Only where a model's state tells whether a coarse run came to the right end, and where nobody asked for a step. Imported bodies
+/// that have none are taken wherever they settle.
 bool may_be_coarser(const Run& run, const PhysicsTask& task, const RunOptions& options) {
-  return !task.reference.empty() && !run.design.physics.step_s && !options.fidelity &&
+  return (run.way || !task.reference.empty()) && !run.design.physics.step_s && !options.fidelity &&
          task.options.disturbance == 0;
 }
 
@@ -71,7 +82,7 @@ Verification verified(const Run& run, const PhysicsTask& task, const sim::Physic
   sim::PhysicsObserver observer;
   observer.stop = options.stop;
   observer.progress = [&](double done) { options.progress("physics run", done); };
-  v.physics = run_compression(run.design.structure, task.drive, v.options, observer);
+  v.physics = run_engine(run, task, v.options, observer);
   v.compared = !task.reference.empty();
   v.distance = is_settled(v) && v.compared ? distance(run.design.structure, v.physics, task.reference)
                                            : model::StateDistance{nan, nan};
@@ -88,7 +99,7 @@ bool is_settled(const Verification& verification) {
 std::optional<Verification> verify(const Run& run, const PhysicsTask& task, const RunOptions& options,
                                    bool usual_steps) {
   const auto alone = hold_engine(options);
-  const sim::PhysicsOptions usual = suited_to(run.plan.exact, task.options);
+  const sim::PhysicsOptions usual = suited_to(run, task.options);
   std::span<const double> steps = tried_steps;
   if (usual_steps || !may_be_coarser(run, task, options)) steps = steps.last(1);
   Verification v;
@@ -115,8 +126,8 @@ std::vector<Fidelity> fidelity_of(const Run& run, const Verification& verificati
   for (const double factor : {4.0, 16.0}) {
     const sim::PhysicsOptions coarser = with_steps(verification.options, factor);
     if (coarser.step_s <= longest_step_s)
-      rows.push_back(row_of(run, fmt::format("bullet, {} x step", factor),
-                            run_compression(run.design.structure, task.drive, coarser), task.reference));
+      rows.push_back(row_of(run, fmt::format("bullet, {} x step", factor), run_engine(run, task, coarser),
+                            task.reference));
   }
   return rows;
 }

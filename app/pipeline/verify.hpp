@@ -4,6 +4,8 @@
 
 #include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
+#include "model/assembly/deployment.hpp"
+#include "sim/contact_parts.hpp"
 
 namespace kinetix::app {
 
@@ -12,6 +14,8 @@ struct PhysicsTask {
   model::State reference;  ///< of the same drive by the run's model; empty where no model knows one
   model::LinkageDrive drive;
   sim::PhysicsOptions options;
+  std::optional<model::Pull> pull = {};                 ///< of imported bodies, in place of the drive
+  std::shared_ptr<const sim::ContactParts> parts = {};  ///< by which they collide; null: by walls
 };
 
 /// Runs the physics engine on run.design.structure and compares it with the reference state. Looks at the run and changes

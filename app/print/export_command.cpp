@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -16,6 +17,7 @@
 #include "app/print/print_report.hpp"
 #include "app/print/report_of_print.hpp"
 #include "app/print/sheet/coupon.hpp"
+#include "app/print/sheet/imported_sheet.hpp"
 #include "app/run/design_hinges.hpp"
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
@@ -97,6 +99,27 @@ void refuse_what_makes_designs(const PrintRequest& request) {
   refuse(request.cell_mm > 0, "--cell-mm is", "a coupon has no cells");
   refuse(request.loose_rods, "--loose-rods are", "a coupon's rods are printed in place");
   refuse(request.folded, "--state folded is", "a coupon's hinges each turn by themselves");
+}
+
+/// Imported bodies are written as their parts are.
+void refuse_what_makes_sheets(const PrintRequest& request) {
+  constexpr const char* instead = "a design of bodies is written as ";
+  const auto refuse = [&](bool given, const char* option) {
+    if (given) throw InvalidInput(fmt::format("{} makes sheets; {}its parts are", option, instead));
+  };
+  refuse(!request.hinge.empty(), "--hinge");
+  refuse(request.clearance_mm > 0, "--clearance");
+  refuse(request.cell_mm > 0, "--cell-mm");
+  refuse(!request.bed_mm.empty(), "--bed");
+  refuse(request.loose_rods, "--loose-rods");
+  refuse(request.caps, "--caps");
+  refuse(request.orient != "flat", "--orient");
+  refuse(request.slice, "--slice");
+  constexpr std::array<std::string_view, 3> meshes = {"stl", "3mf", "glb"};
+  for (const std::string& name : request.formats)
+    if (std::find(meshes.begin(), meshes.end(), name) == meshes.end())
+      throw InvalidInput(fmt::format("--format: {} is of sheets; {}{}", targets::in_ticks(name), instead,
+                                     targets::joined(meshes)));
 }
 
 std::optional<Eigen::Vector2d> bed_of(const PrintRequest& request) {
@@ -226,6 +249,10 @@ struct Source {
       PrintJob job{make_coupon(process, bed_of(request))};
       const PathClearance clearance = path_clearance(job.sheet);
       return {std::move(job), clearance};
+    }
+    if (design->structure.assembly()) {
+      refuse_what_makes_sheets(request);
+      return {{imported_sheet(*design, process, request.folded), request.folded}, {}};
     }
     try {
       PreparedPrint print = prepared_of_design(request, process);

@@ -49,7 +49,7 @@ std::string bed_words(const PrintJob& job) {
   const auto& [x, y] = process.bed_mm;
   const std::string bed =
       fmt::format("larger than the bed of a usual {} printer, {:g} x {:g} mm", process.name, x, y);
-  if (job.sheet.is_imported || job.folded) return bed;
+  if (job.sheet.is_imported() || job.folded) return bed;
   return bed +
          fmt::format(": with that bed given (kinetix-opt export --bed {:g},{:g}) it is cut into tiles", x, y);
 }
@@ -231,7 +231,9 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
                 const std::optional<SlicerAnswer>& slicer) {
   const PrintSheet& sheet = job.sheet;
   const model::Polyhedron hard = hard_part(job), soft = soft_part(job);
-  const model::HingeStiffness k = stiffness(sheet.hinges[sheet.usual_hinge()].made);
+  const int usual = sheet.usual_hinge();
+  const model::HingeStiffness k =
+      sheet.is_imported() ? sheet.imported_k[usual] : stiffness(sheet.hinges[usual].made);
   return {
       {"schema", "kinetix-print/1"},
       {"name", sheet.name},
@@ -272,7 +274,7 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
   line("process", sheet.process.name);
   line("pieces", fmt::format("{} bodies, {} hinges, {:.1f} x {:.1f} x {:.1f} mm", count_bodies(sheet),
                              sheet.hinges.size(), size.x(), size.y(), size.z()));
-  const std::vector<HingeSort> sorts = hinge_sorts(sheet);
+  const std::vector<HingeSort> sorts = sheet.is_imported() ? std::vector<HingeSort>{} : hinge_sorts(sheet);
   for (const HingeSort& sort : sorts)
     line("hinges",
          (sorts.size() > 1 ? fmt::format("{} ", sort.hinges.size()) : "") + hinge_words(sort, sheet));

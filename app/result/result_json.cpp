@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/result/as_made_json.hpp"
+#include "app/result/bodies_json.hpp"
 #include "app/result/certified_json.hpp"
 #include "app/result/equilibrium_json.hpp"
 #include "app/result/made_hinges.hpp"
@@ -34,13 +35,6 @@ Json plan_json(const Run& run) {
                        {"flat", m->dofs_flat},
                        {"moving", m->dofs_along},
                        {"gruebler", m->gruebler_spatial}};
-  return out;
-}
-
-Json stiffness_json(const model::HingeStiffness& k) {
-  Json out = {{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}, {"turn", k.turn}};
-  if (k.rock) out["rock"] = *k.rock;
-  if (k.twist) out["twist"] = *k.twist;
   return out;
 }
 
@@ -96,6 +90,7 @@ Json fidelity_json(const std::vector<Fidelity>& rows) {
 
 Json structure_json(const Design& design, double reach_mm, const model::Elasticity* elasticity) {
   const model::Sheet& s = design.structure;
+  if (const model::Assembly* imported = s.assembly()) return bodies_json(*imported);
   Json bodies = Json::array(), hinges = Json::array(), cells = Json::array();
   for (int b = 0; b < s.bodies(); ++b)
     bodies.push_back({{"vertex", body_label(s, b)}, {"position_mm", point_json(s.rest_position(b))}});
@@ -117,7 +112,15 @@ Json metrics_json(const Run& run) {
         run.theta < 0 ? run.plan.free_range->negative : run.plan.free_range->positive;
     if (limit.touches) metrics["theta_limit_rad"] = limit.theta;
   }
+  if (run.way && run.way->off) {
+    metrics["pull_rms"] = run.way->off->rms;
+    metrics["pull_max"] = run.way->off->max;
+  }
   if (run.goal) run.goal->add_metrics(run, metrics);
+  if (run.way && run.equilibrium) {
+    metrics["load"] = run.equilibrium->path.steps.back().load;
+    metrics["contacts"] = run.equilibrium->path.steps.back().contacts;
+  }
   if (run.equilibrium) add_equilibrium_metrics(*run.equilibrium, metrics);
   if (run.equilibrium)
     metrics["stretch_max_mm"] = run.equilibrium->path.gaps.max * run.design.structure.size().edge_mm;

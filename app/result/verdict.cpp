@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/pipeline/verify.hpp"
 #include "app/result/as_made_json.hpp"
@@ -12,6 +13,7 @@
 #include "app/run/contact_reason.hpp"
 #include "app/run/design_hinges.hpp"
 #include "app/run/drive_end.hpp"
+#include "model/assembly/assembly.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -34,8 +36,15 @@ const char* flag_name(Flag flag) {
       ->name;
 }
 
+std::string kinds_of(const model::Assembly& bodies) {
+  std::set<std::string> kinds;
+  for (const model::AssemblyHinge& h : bodies.hinges) kinds.insert(h.ball ? "ball" : to_string(h.kind));
+  return fmt::format("{}", fmt::join(kinds, ", "));
+}
+
 /// The hinges of the states: as the file makes them, else as the model assumes them.
 std::string hinges_of_model(const Run& run) {
+  if (const model::Assembly* bodies = run.design.structure.assembly()) return kinds_of(*bodies);
   std::vector<std::string> kinds;
   for (const model::MadeHinge& made : made_hinges(run.design))
     if (std::find(kinds.begin(), kinds.end(), to_string(made.kind)) == kinds.end())
@@ -51,8 +60,8 @@ Reasons agreement_reasons(const Run& run) {
   Reasons why = run.physics_violations();
   if (v.compared && !(v.distance.rms <= run.verify_tolerance)) {
     const double edge_mm = run.design.structure.size().edge_mm;
-    why.push_back(fmt::format("the simulation ends {:.3g} mm (rms) from the model; {:.3g} mm are allowed{}",
-                              v.distance.rms * edge_mm, run.verify_tolerance * edge_mm,
+    why.push_back(fmt::format("the simulation ends {:.3g} mm (rms) from the {}; {:.3g} mm are allowed{}",
+                              v.distance.rms * edge_mm, model_words(run), run.verify_tolerance * edge_mm,
                               v.equilibrium ? ": " + v.equilibrium->why : ""));
   }
   return why;
@@ -72,6 +81,8 @@ std::optional<Reasons> drive_reasons(const Run& run) {
   if (run.equilibrium) {
     if (!run.equilibrium->reached()) why.push_back(drive_stop_reason(run.equilibrium->path));
     if (run.is_on_the_other_side()) why.push_back(missed_words(*run.equilibrium, run.theta));
+  } else if (run.way) {
+    return run.way->missed;
   } else if (run.plan.model != Model::exact || run.states.empty()) {
     return std::nullopt;
   } else if (auto contact = contact_reason(run)) {
@@ -147,6 +158,7 @@ RunVerdict verdict_of(const Run& run) {
   RunVerdict out;
   const std::string hinges = hinges_of_model(run);
   if (run.goal) out.set(&RunVerdict::met, run.violations, hinges);
+  if (run.design.pull && run.design.pull->poses) out.set(&RunVerdict::met, run.way->missed, hinges);
   if (run.verification) out.set(&RunVerdict::agrees, agreement_reasons(run), hinges);
   if (run.print) out.set(&RunVerdict::printable, print_reasons(run), run.print->hinges);
   if (const auto why = drive_reasons(run)) out.set(&RunVerdict::reaches, *why, hinges);

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/io/named_content.hpp"
+
 namespace kinetix::app {
 
 struct Run;
@@ -16,11 +18,6 @@ using Tolerances = std::vector<std::pair<std::string, double>>;
 
 /// A line of the summary: a label and a text.
 using SummaryLine = std::array<std::string, 2>;
-
-/// A file beside result.json: its path in the folder of results, and its content.
-struct NamedContent {
-  std::string name, content;
-};
 
 /// What a search for a goal contributes to a result; each kind of goal has its own. It does not change once the search is over.
 class GoalOutcome {

@@ -75,6 +75,7 @@ Plan make_plan(const model::Sheet& sheet, std::optional<Model> model) {
   const model::Linkage structure = sheet;
   plan.exact = exact_motion(sheet);
   plan.model = model.value_or(plan.exact ? Model::exact : Model::bullet);
+  if (sheet.assembly()) return plan;
   plan.planar = all_vertical(structure);
   plan.why.push_back(plan.exact.why);
   if (plan.planar && (sheet.planar() || !plan.exact))

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/run/certified.hpp"
+#include "app/run/closed_way.hpp"
 #include "app/run/found.hpp"
 #include "app/run/run_options.hpp"
 #include "model/elastic/equilibrium_comparison.hpp"
@@ -149,11 +150,15 @@ struct Timings {
          verify = 0;  ///< seconds
 };
 
+struct BodyPieces;
+
 /// Everything one call of the program knows at its end, what result.json and the report show: what was found, and what each
 /// model says of it.
 struct Run : Found {
   std::uint64_t seed = 0;
   std::vector<NamedState> states;
+  std::optional<ClosedWay> way;              ///< of imported bodies
+  std::shared_ptr<const BodyPieces> pieces;  ///< by which these collide; null where nothing asked for them
   std::optional<Equilibrium> equilibrium;
   std::optional<Verification> verification;
   std::optional<MatterResult> matter;  ///< of goals of exact families whose hinges are elastic
@@ -194,6 +199,9 @@ template <class Kind>
 const Kind* physics_measure_of(const Run& run) {
   return dynamic_cast<const Kind*>(run.by_physics.get());
 }
+
+/// Returns what the physics run is compared with, in words: "model", or "closed state" of imported bodies.
+inline const char* model_words(const Run& run) { return run.way ? "closed state" : "model"; }
 
 /// Returns the end of a line of the summary. @param is_within whether the value of the line keeps its tolerance
 const char* tolerance_words(const Run& run, bool is_within);

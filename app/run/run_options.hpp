@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <stop_token>
@@ -11,6 +12,7 @@
 
 namespace kinetix::app {
 
+struct BodyPieces;
 struct Design;
 
 /// The answer of `export` without options to a design.
@@ -36,6 +38,7 @@ struct RunOptions {
   bool fidelity = false;  ///< physics runs of coarser steps too, for the table of speed against error
   /// Answer of `export` without options to a design (app/print/fit.hpp). Empty: not asked.
   std::function<PrintAnswer(const Design&)> printable = {};
+  std::shared_ptr<const BodyPieces> pieces = {};  ///< of a run before, to be used again where they fit
 };
 
 }  // namespace kinetix::app

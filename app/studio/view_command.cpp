@@ -7,7 +7,6 @@
 #include <iostream>
 #include <random>
 
-#include "app/assembly/assembly_file.hpp"
 #include "app/console/open_report.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/io/atomic_file.hpp"
@@ -37,17 +36,12 @@ std::string absolute(const std::string& file) {
 
 Opened opened_file(const std::string& file) {
   const targets::Node root = targets::read_document(file, max_design_bytes);
-  if (is_assembly(root)) {
-    Opened opened;
-    opened.bodies = std::make_shared<const AssemblyFile>(read_assembly(root));
-    opened.design.name = opened.bodies->name;
-    return opened;
-  }
   if (root.optional("target")) {
     read_target(root);  // refuses a broken one before the page is there
     return Opened{studio::template_design("panel"), "", absolute(file), 0, 0};
   }
   Design design = read_design(root);
+  if (design.structure.assembly()) return Opened{std::move(design), "", "", 0, 0};
   studio::require_showable(design);
   return Opened{std::move(design), absolute(file), "", 0, 0};
 }
@@ -60,7 +54,7 @@ Opened opened_source(const std::string& source) {
 /// Null where nothing is edited, or nothing can be kept.
 std::shared_ptr<studio::Autosave> autosave_of(const Opened& opened) {
   const fs::path place = studio::autosave_place();
-  if (opened.bodies || place.empty()) return nullptr;
+  if (opened.design.structure.assembly() || place.empty()) return nullptr;
   const std::string& file = opened.target_file.empty() ? opened.save_file : opened.target_file;
   try {
     return std::make_shared<studio::Autosave>(place, file.empty() ? absolute("new") : file);

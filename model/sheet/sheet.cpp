@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "model/assembly/assembly.hpp"
 #include "model/lattice/square/lines.hpp"
 
 namespace kinetix::model {
@@ -35,7 +36,28 @@ std::vector<std::vector<int>> columns_of(const std::vector<Eigen::Vector2d>& pla
   return columns;
 }
 
+HingedWall wall_between(const Assembly& assembly, int hinge) {
+  const AssemblyHinge& h = assembly.hinges[hinge];
+  const Eigen::Vector3d &lower = assembly.bodies[h.lower].position,
+                        &upper = assembly.bodies[h.upper].position;
+  return {h.lower, h.upper, (upper - lower) / assembly.edge_mm, {}};
+}
+
 }  // namespace
+
+Sheet::Sheet(Assembly bodies) {
+  ImportedBodies own;
+  own.hinges.resize(bodies.hinges.size());
+  own.linkage = std::make_shared<const Linkage>(linkage_of(bodies));
+  own.size = own.linkage->size;
+  own.assembly = std::make_shared<const Assembly>(std::move(bodies));
+  of_ = std::move(own);
+}
+
+const Assembly* Sheet::assembly() const {
+  const auto* bodies = std::get_if<ImportedBodies>(&of_);
+  return bodies ? bodies->assembly.get() : nullptr;
+}
 
 const CellSize& Sheet::size() const {
   return std::visit([](const auto& s) -> const CellSize& { return s.size; }, of_);
@@ -45,7 +67,8 @@ int Sheet::bodies() const {
   return std::visit(
       Each{[](const Structure& s) { return static_cast<int>(s.bodies.size()); },
            [](const PlanarStructure& s) { return static_cast<int>(s.graph.vertices.size()); },
-           [](const SodaliteStructure& s) { return static_cast<int>(s.rotors.size() + s.gussets.size()); }},
+           [](const SodaliteStructure& s) { return static_cast<int>(s.rotors.size() + s.gussets.size()); },
+           [](const ImportedBodies& s) { return static_cast<int>(s.assembly->bodies.size()); }},
       of_);
 }
 
@@ -56,24 +79,28 @@ int Sheet::hinges() const {
 int Sheet::cells() const {
   return std::visit(Each{[](const Structure& s) { return static_cast<int>(s.cells.size()); },
                          [](const PlanarStructure& s) { return static_cast<int>(s.faces.size()); },
-                         [](const SodaliteStructure& s) { return static_cast<int>(s.rings.size()); }},
+                         [](const SodaliteStructure& s) { return static_cast<int>(s.rings.size()); },
+                         [](const ImportedBodies&) { return 0; }},
                     of_);
 }
 
 const HingeParameters& Sheet::hinge(int index) const {
   if (const Structure* s = squares()) return s->hinges[index].parameters;
   if (const SodaliteStructure* s = sodalite()) return s->hinges[index];
+  if (const auto* s = std::get_if<ImportedBodies>(&of_)) return s->hinges[index];
   return planar()->hinges[index];
 }
 
 HingeParameters& Sheet::hinge(int index) {
   if (Structure* s = squares()) return s->hinges[index].parameters;
   if (SodaliteStructure* s = sodalite()) return s->hinges[index];
+  if (auto* s = std::get_if<ImportedBodies>(&of_)) return s->hinges[index];
   return planar()->hinges[index];
 }
 
 HingedWall Sheet::wall(int hinge) const {
   return std::visit(Each{[hinge](const Structure& s) { return hinged_wall(s.hinges[hinge]); },
+                         [hinge](const ImportedBodies& s) { return wall_between(*s.assembly, hinge); },
                          [hinge](const auto& s) { return hinged_wall(s, hinge); }},
                     of_);
 }
@@ -93,6 +120,7 @@ std::span<const int> Sheet::cell_hinges(int cell) const {
 Eigen::Vector3d Sheet::rest_position(int body) const {
   if (const Structure* s = squares()) return s->rest_position(body);
   if (const SodaliteStructure* s = sodalite()) return size().edge_mm * sodalite_place(*s, body);
+  if (const Assembly* a = assembly()) return a->bodies[body].position;
   const Eigen::Vector2d at = size().edge_mm * planar()->graph.vertices[body];
   return {at.x(), at.y(), 0};
 }
@@ -104,6 +132,7 @@ Sheet::operator Linkage() const {
 std::string lattice_name(const Sheet& sheet) {
   if (sheet.squares()) return "square";
   if (sheet.sodalite()) return "sodalite";
+  if (sheet.assembly()) return "bodies";
   const PlanarLattice* lattice = sheet.planar()->drawn.lattice;
   return lattice ? std::string(lattice->name) : "graph";
 }
@@ -127,6 +156,7 @@ std::vector<int> cell_label(const Sheet& sheet, int cell) {
 
 std::string wall_name(const Sheet& sheet, int hinge) {
   if (const Structure* s = sheet.squares()) return to_string(s->hinges[hinge].wall);
+  if (const Assembly* a = sheet.assembly()) return "`" + a->hinges[hinge].name + "`";
   if (sheet.sodalite()) {
     const HingedWall wall = sheet.wall(hinge);
     return "[" + std::to_string(wall.lower) + ", " + std::to_string(wall.upper) + "]";
@@ -146,6 +176,7 @@ std::vector<std::vector<int>> body_columns(const Sheet& sheet) {
 void validate_hinges(const Sheet& sheet) {
   if (const Structure* s = sheet.squares()) return validate_hinges(*s);
   if (const SodaliteStructure* s = sheet.sodalite()) return validate_hinges(*s);
+  if (sheet.assembly()) return;
   validate_hinges(*sheet.planar());
 }
 

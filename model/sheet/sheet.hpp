@@ -1,7 +1,9 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <variant>
+#include <vector>
 
 #include "model/lattice/planar/planar_structure.hpp"
 #include "model/lattice/sodalite/sodalite.hpp"
@@ -9,14 +11,27 @@
 
 namespace kinetix::model {
 
-/// A flat sheet of any lattice, or a block of one in space, with the parameters of its hinges: what files, results and sweeps handle. Bodies,
-/// hinges and cells are counted from 0, in the order of the linkage that it makes.
+struct Assembly;
+
+/// Imported bodies of any shape, at rest, with their linkage. There are no cells, and no parameters choose a hinge.
+struct ImportedBodies {
+  std::shared_ptr<const Assembly> assembly;
+  std::shared_ptr<const Linkage> linkage;
+  CellSize size;
+  std::vector<HingeParameters> hinges;  ///< the basic ones, which say nothing of these hinges
+
+  operator Linkage() const { return *linkage; }
+};
+
+/// A flat sheet of any lattice, a block of one in space, with the parameters of its hinges, or imported bodies: what files, results and
+/// sweeps handle. Bodies, hinges and cells are counted from 0, in the order of the linkage that it makes.
 class Sheet {
  public:
   Sheet() = default;
   Sheet(Structure squares) : of_(std::move(squares)) {}
   Sheet(PlanarStructure planar) : of_(std::move(planar)) {}
   Sheet(SodaliteStructure block) : of_(std::move(block)) {}
+  explicit Sheet(Assembly bodies);
 
   const CellSize& size() const;
   int bodies() const;
@@ -40,18 +55,19 @@ class Sheet {
   PlanarStructure* planar() { return std::get_if<PlanarStructure>(&of_); }
   const SodaliteStructure* sodalite() const { return std::get_if<SodaliteStructure>(&of_); }
   SodaliteStructure* sodalite() { return std::get_if<SodaliteStructure>(&of_); }
+  const Assembly* assembly() const;
 
  private:
-  std::variant<Structure, PlanarStructure, SodaliteStructure> of_;
+  std::variant<Structure, PlanarStructure, SodaliteStructure, ImportedBodies> of_;
 };
 
-/// "square", the name of the lattice that it is drawn by, or "graph".
+/// "square", the name of the lattice that it is drawn by, "graph" or "bodies".
 std::string lattice_name(const Sheet& sheet);
 
 /// What results call a body and a cell: as many integers as the lattice needs.
 std::vector<int> body_label(const Sheet& sheet, int body);
 std::vector<int> cell_label(const Sheet& sheet, int cell);
-/// A wall by its two vertices, as files have it.
+/// A wall by its two vertices, as files have it; of imported bodies the hinge by its name.
 std::string wall_name(const Sheet& sheet, int hinge);
 
 /// Bodies that lie on one line along y at rest, from the left; in a line from below.

@@ -6,6 +6,7 @@ namespace kinetix::model {
 
 RestHinge rest_hinge(const Sheet& sheet, int hinge) {
   if (const SodaliteStructure* block = sheet.sodalite()) return rest_hinge(*block, hinge);
+  if (sheet.assembly()) return Linkage(sheet).hinges[hinge];
   return rest_hinge(sheet.wall(hinge));
 }
 

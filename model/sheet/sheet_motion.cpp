@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "model/assembly/assembly_motion.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/planar/planar_drive.hpp"
 #include "model/lattice/planar/planar_motion.hpp"
@@ -9,6 +10,7 @@
 #include "model/lattice/square/family/drive.hpp"
 #include "model/lattice/square/family/planar_sheet.hpp"
 #include "model/linkage/actuators.hpp"
+#include "model/linkage/make_drive.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -38,6 +40,15 @@ LinkageDrive block_drive(const SodaliteStructure& block, const SheetDrive& drive
   LinkageDrive out = plate_drive(block, drive.axis, drive.compression, drive.branch);
   out.press = drive.press;
   return out;
+}
+
+/// A hinge of imported bodies that is turned. @param hinge -1: that which turns most in the first motion
+LinkageDrive turned(const Linkage& bodies, int hinge, double angle) {
+  if (hinge < 0) hinge = first_motion(bodies).fastest;
+  if (hinge < 0)
+    throw InvalidInput(
+        "nothing moves: no hinge turns in a first motion; `drive: {hinge: NAME, ...}` says which to turn");
+  return turned_hinge(hinge, bodies.bodies[bodies.hinges[hinge].lower].sense, angle);
 }
 
 constexpr double probe =
@@ -86,6 +97,7 @@ Sheet between(const Sheet& before, const Sheet& after, double part) {
 PlanarStructure planar_structure(const Sheet& sheet) {
   if (const Structure* squares = sheet.squares()) return planar_structure(*squares);
   if (sheet.sodalite()) throw InvalidInput("a sodalite lattice is not a planar sheet");
+  if (sheet.assembly()) throw InvalidInput("imported bodies are no planar sheet");
   return *sheet.planar();
 }
 
@@ -97,6 +109,7 @@ void place_hinges(const Redrawing& y, Sheet& sheet) {
 ExactMotion exact_motion(const Sheet& sheet) {
   if (const Structure* squares = sheet.squares()) return exact_motion(*squares);
   if (const SodaliteStructure* block = sheet.sodalite()) return exact_motion(*block);
+  if (sheet.assembly()) return {{}, "none", "imported bodies have no closed form"};
   return exact_motion(*sheet.planar());
 }
 
@@ -105,12 +118,14 @@ LinkageDrive drive_on(const Sheet& sheet, const SheetDrive& drive) {
     return drive_on_hinges(sheet, drive);
   if (const Structure* squares = sheet.squares()) return square_drive(*squares, drive).on(*squares);
   if (const SodaliteStructure* block = sheet.sodalite()) return block_drive(*block, drive);
+  if (sheet.assembly()) return turned(sheet, drive.hinge, drive.angle);
   return planar_drive(*sheet.planar(), drive);
 }
 
 LinkageDrive drive_to(const Sheet& sheet, double theta) {
   if (const Structure* squares = sheet.squares()) return drive_to(*squares, theta).on(*squares);
   if (const SodaliteStructure* block = sheet.sodalite()) return drive_to(*block, theta);
+  if (sheet.assembly()) return turned(sheet, -1, 0).to(theta);
   return drive_to(*sheet.planar(), theta);
 }
 

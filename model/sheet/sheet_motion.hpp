@@ -14,7 +14,7 @@ PlanarStructure planar_structure(const Sheet& sheet);
 /// Puts the hinges of a sheet where y, of each body, has them; alpha and beta stay.
 void place_hinges(const std::vector<Eigen::Vector2d>& y, Sheet& sheet);
 
-/// The closed form of a sheet, by the rules of its lattice.
+/// The closed form of a sheet, by the rules of its lattice. Imported bodies have none: they follow their drive step by step.
 ExactMotion exact_motion(const Sheet& sheet);
 
 /// How a sheet is driven, as files say it (see LinkageDrive).
@@ -25,7 +25,8 @@ struct SheetDrive {
   int branch = 1;                 ///< plates, cord: 1 or -1, the sign of theta
   std::optional<Grip> grip = {};  ///< plates: the part of squares that they grip; nothing: the rim
   bool press = false;             ///< plates: push their rows and never pull them
-  int hinge = -1;                 ///< hinge: the driven one
+  int hinge =
+      -1;  ///< hinge: the driven one; -1, of imported bodies: that which turns most in the first motion
   double angle = 0;  ///< hinge: its turn; shape memory: twice theta of its springs; rad, in (-pi, pi)
   std::vector<int> through = {};  ///< cord: the hinges through which it runs
   double shorten_mm = 0;          ///< cord

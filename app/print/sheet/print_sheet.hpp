@@ -34,10 +34,13 @@ struct PrintSheet {
   std::vector<int> jumps = {};                      ///< PrintPath::jumps
   bool is_path_exact = true;                        ///< else of the equilibrium under the design's drive
   std::string why_no_path = {};                     ///< where it is flat alone
-  bool is_imported = false;                         ///< parts are as they came: nothing makes or cuts them
-  std::vector<std::string> warnings = {};           ///< what its user should know
+  std::vector<model::HingeStiffness> imported_k =
+      {};                                  ///< of hinges between imported parts, as the design says
+  std::vector<std::string> warnings = {};  ///< what its user should know
 
   bool has_soft() const;
+  /// Whether parts are as they came: nothing makes or cuts them.
+  bool is_imported() const { return !imported_k.empty(); }
   /// Whether knuckles are caps about the middle of their walls.
   bool has_caps() const;
   /// Whether its films are thin walls of the same print: those of FDM and SLS, which can be as thin as a film.

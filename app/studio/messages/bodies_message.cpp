@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <bit>
 
-#include "app/assembly/assembly_run.hpp"
 #include "app/io/base64.hpp"
+#include "app/result/bodies_json.hpp"
 #include "model/base/angle.hpp"
 
 namespace kinetix::app::studio {
@@ -38,7 +39,7 @@ std::string kind_of(const model::AssemblyHinge& hinge) {
 
 /// As in result.json, and what a person wants to know of a hinge.
 Json structure_json(const model::Assembly& assembly) {
-  Json out = assembly_structure(assembly);
+  Json out = bodies_json(assembly);
   for (std::size_t h = 0; h < assembly.hinges.size(); ++h) {
     const model::AssemblyHinge& hinge = assembly.hinges[h];
     Json& one = out["hinges"][h];
@@ -108,21 +109,23 @@ Json meshes_message(const model::Assembly& assembly) {
   return {{"type", "meshes"}, {"bodies", bodies}, {"hinges", hinges}};
 }
 
+double asked_turn(const Design& design) { return design.drive ? design.drive->angle : 0; }
+
 Json bodies_message(const Moving& moving) {
-  const AssemblyFile& file = *moving.bodies;
+  const model::Assembly& assembly = *moving.bodies->structure.assembly();
   const BodiesWay& way = *moving.way;
   return {{"type", "design"},
-          {"name", file.name},
-          {"structure", structure_json(file.assembly)},
-          {"theta_rad", model::theta_at_turn(way.sense, file.angle)},
+          {"name", moving.bodies->name},
+          {"structure", structure_json(assembly)},
+          {"theta_rad", model::theta_at_turn(way.sense, asked_turn(*moving.bodies))},
           {"theta_range_rad", {moving.least_theta, moving.most_theta}},
           {"exact", way.turns.back() - way.turns.front() > rattles},
           {"family", moving.exact.name},
-          {"why", why(way, file.assembly)},
+          {"why", why(way, assembly)},
           {"breaking", Json::array()},
           {"hinge", {{"kind", "bodies"}, {"text", "as they were imported"}}},
           {"drive", way.pulled ? "bodies that are pulled" : "one hinge that is turned"},
-          {"flat_mm", size_json(file.assembly)},
+          {"flat_mm", size_json(assembly)},
           {"bodies",
            {{"driven", way.hinge},
             {"pulled", way.pulled},

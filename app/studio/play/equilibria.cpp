@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/assembly/assembly_run.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "model/base/angle.hpp"
 #include "model/closure/closure_drive.hpp"
@@ -21,8 +20,7 @@ constexpr double followed_step = 0.05;  // rad of theta between equilibria that 
 constexpr double snapped = 0.3;         // rad that a hinge turns in such a step: more is another branch
 constexpr double same_theta = 1e-7;     // rad: a drive knows its theta by the compression of its plates
 
-model::Elasticity elastic_hinges(Design design, const Moving& moving) {
-  if (moving.bodies) return elasticity_of(moving.bodies->assembly);
+model::Elasticity elastic_hinges(Design design) {
   design.hinge.model = HingeSection::Model::elastic;
   return elasticity_of(design);
 }
@@ -35,7 +33,7 @@ double next_theta(double theta, double goal) {
 }  // namespace
 
 Equilibria::Equilibria(Design design, Moving moving)
-    : design_(std::move(design)), moving_(std::move(moving)), elasticity_(elastic_hinges(design_, moving_)) {}
+    : design_(std::move(design)), moving_(std::move(moving)), elasticity_(elastic_hinges(design_)) {}
 
 model::LinkageDrive Equilibria::drive(double theta) const {
   return moving_.bodies ? moving_.turned(theta) : drive_to(design_, theta);

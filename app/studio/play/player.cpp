@@ -21,11 +21,6 @@ Player::Player(const Design& design) : force_N_(nan), energy_Nmm_(nan) {
   fold_to(design.theta);
 }
 
-Player::Player(const Design& design, std::shared_ptr<const AssemblyFile> bodies)
-    : design_(design), moving_(std::make_unique<Moving>(std::move(bodies))), force_N_(nan), energy_Nmm_(nan) {
-  reset();
-}
-
 void Player::turn_by(int hinge) {
   moving_->take(std::make_shared<BodiesWay>(way_at_rest(moving_->linkage, hinge)));
   reset();

@@ -10,9 +10,8 @@ namespace kinetix::app::studio {
 /// The shape of a design at the moment: on its exact way, in equilibrium, or in the engine.
 class Player {
  public:
+  /// Bodies are at rest: their way is not known yet.
   explicit Player(const Design& design);
-  /// Bodies, at rest, where their way is not known yet.
-  Player(const Design& design, std::shared_ptr<const AssemblyFile> bodies);
 
   /// Another design, folded as far as the one before. Where it has no exact motion, the mode is equilibrium until one
   /// comes that has. Where that fails for want of memory the design before stays, but for a failure of the engine, which is left.

@@ -26,14 +26,6 @@ Eigen::Vector3d carried(const Moving& moving, double theta, int body, const Eige
   return state[body].p + state[body].R * (at - moving.linkage.rest_position(body));
 }
 
-sim::PhysicsOptions live_options(const model::Assembly& assembly) {
-  double reach = assembly.edge_mm;
-  for (const model::AssemblyHinge& h : assembly.hinges) reach = std::min(reach, h.reach_mm);
-  sim::PhysicsOptions options;
-  options.reach = reach / assembly.edge_mm;
-  return options;
-}
-
 /// @pre it has a drive
 void end_drive_at(Design& design, double drive_theta) {
   const model::LinkageDrive shown = drive_to(design, drive_theta);
@@ -46,6 +38,13 @@ void end_drive_at(Design& design, double drive_theta) {
 }  // namespace
 
 Moving::Moving(const Design& design) : linkage(design.structure), exact(exact_motion(design.structure)) {
+  if (design.structure.assembly()) {
+    bodies = std::make_shared<const Design>(design);
+    const bool is_named = design.drive && design.drive->hinge >= 0;
+    const int hinge = is_named ? design.drive->hinge : std::max(0, first_motion(linkage).fastest);
+    take(std::make_shared<BodiesWay>(way_at_rest(linkage, hinge)));
+    return;
+  }
   if (!exact) {
     nearest = nearest_design(design.structure);
     return;
@@ -53,12 +52,6 @@ Moving::Moving(const Design& design) : linkage(design.structure), exact(exact_mo
   const model::ThetaRange range = theta_range(linkage, exact);
   least_theta = range.negative.touches ? range.negative.theta : -largest_theta;
   most_theta = range.positive.touches ? range.positive.theta : largest_theta;
-}
-
-Moving::Moving(std::shared_ptr<const AssemblyFile> design)
-    : linkage(linkage_of(design->assembly)), bodies(std::move(design)) {
-  const int hinge = bodies->driven ? *bodies->driven : std::max(0, first_motion(linkage).fastest);
-  take(std::make_shared<BodiesWay>(way_at_rest(linkage, hinge)));
 }
 
 void Moving::take(std::shared_ptr<const BodiesWay> found) {
@@ -128,8 +121,7 @@ std::unique_ptr<sim::LiveSheet> live_sheet(const Design& design, const Moving& m
   const model::Linkage& linkage = moving.linkage;
   Design as = design;
   as.hinge.model = springs ? HingeSection::Model::elastic : HingeSection::Model::rotary;
-  sim::PhysicsOptions options =
-      moving.bodies ? live_options(moving.bodies->assembly) : physics_of(as, all_vertical(linkage));
+  sim::PhysicsOptions options = physics_of(as, all_vertical(linkage));
   options.planar = !moving.bodies && all_vertical(linkage);
   options.step_s = live_step_s;
   const double k_point = springs ? elasticity_of(as).k_point : 1;

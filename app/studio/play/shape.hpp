@@ -3,7 +3,6 @@
 #include <memory>
 #include <optional>
 
-#include "app/assembly/assembly_file.hpp"
 #include "app/files/design_file.hpp"
 #include "app/studio/play/bodies_way.hpp"
 #include "app/studio/play/frame.hpp"
@@ -17,9 +16,8 @@ namespace kinetix::app::studio {
 
 /// A design with what is known of its motion.
 struct Moving {
-  explicit Moving(const Design& design);
   /// Bodies at rest, with the hinge that is turned, or that turns most in the first motion.
-  explicit Moving(std::shared_ptr<const AssemblyFile> design);
+  explicit Moving(const Design& design);
 
   /// What is known of the way of bodies from now on: it is their exact motion.
   void take(std::shared_ptr<const BodiesWay> found);
@@ -35,7 +33,7 @@ struct Moving {
   std::optional<model::NearestDesign> nearest;  ///< where it does not move exactly, and one is known
   /// rad, where no walls touch on the exact way; of bodies as far as it goes
   double least_theta = 0, most_theta = 0;
-  std::shared_ptr<const AssemblyFile> bodies;           ///< null: a sheet; and the rest is null
+  std::shared_ptr<const Design> bodies;                 ///< null: a sheet; and the rest is null
   std::shared_ptr<const BodiesWay> way;                 ///< as far as it is known
   std::shared_ptr<const sim::ContactParts> parts;       ///< what they collide with; null until they are cut
   std::shared_ptr<const model::ConvexBodies> pressing;  ///< the same in equilibrium

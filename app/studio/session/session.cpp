@@ -7,9 +7,10 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/assembly/assembly_file.hpp"
 #include "app/exports/write_results.hpp"
+#include "app/files/bodies_section.hpp"
 #include "app/io/atomic_file.hpp"
+#include "app/pipeline/closed_way.hpp"
 #include "app/run/run.hpp"
 #include "app/studio/messages/bodies_message.hpp"
 #include "app/studio/messages/design_message.hpp"
@@ -61,9 +62,10 @@ Session::Session(Opened opened, Outlet outlet)
       opened_(std::move(opened)),
       history_(opened_.design),
       save_files_{opened_.save_file},
-      player_(opened_.bodies ? Player(opened_.design, opened_.bodies) : Player(opened_.design)) {
-  if (opened_.bodies)
-    follow(model::theta_at_turn(player_.moving().way->sense, opened_.bodies->angle), opened_.bodies->pull());
+      player_(opened_.design) {
+  if (player_.moving().bodies)
+    follow(model::theta_at_turn(player_.moving().way->sense, asked_turn(opened_.design)),
+           pull_of(opened_.design));
   history_.set_finding({.told = opened_.result, .theta = opened_.design.theta});
   std::optional<KeptDesign> kept;
   if (opened_.autosave) kept = opened_.autosave->kept();
@@ -82,10 +84,10 @@ Session::Session(Opened opened, Outlet outlet)
 }
 
 void Session::welcome(int client) {
-  Json hello = hello_message(history_.current().name, !opened_.bodies);
+  Json hello = hello_message(history_.current().name, !player_.moving().bodies);
   if (opened_.autosave) hello["autosave"] = opened_.autosave->folder().string();
   tell(hello, client);
-  if (opened_.bodies) tell(meshes_message(opened_.bodies->assembly), client);
+  if (const auto* bodies = opened_.design.structure.assembly()) tell(meshes_message(*bodies), client);
   if (design_text_.bytes)
     tell_text(design_text_, client);
   else
@@ -98,7 +100,8 @@ void Session::welcome(int client) {
 void Session::obey(const Message& message) {
   const auto command = commands().find(message.type());
   if (command == commands().end()) throw InvalidInput("type: unknown command '" + message.type() + "'");
-  if (opened_.bodies && std::find(of_sheets.begin(), of_sheets.end(), message.type()) != of_sheets.end())
+  if (player_.moving().bodies &&
+      std::find(of_sheets.begin(), of_sheets.end(), message.type()) != of_sheets.end())
     throw InvalidInput(message.type() +
                        ": is of sheets; a design of bodies is turned by a hinge and played with");
   if (!is_told_) tell_design();
@@ -227,9 +230,9 @@ void Session::set_mode(const Message& message) {
   if (name != "exact" && name != "equilibrium" && name != "bullet")
     throw InvalidInput("mode: must be exact, equilibrium or bullet");
   const Mode mode = name == "exact" ? Mode::exact : name == "bullet" ? Mode::bullet : Mode::equilibrium;
-  if (opened_.bodies && mode == Mode::equilibrium) require_one_axis();
+  if (player_.moving().bodies && mode == Mode::equilibrium) require_one_axis();
   awaited_.reset();
-  if (opened_.bodies && mode != Mode::exact && !player_.moving().parts) return cut_for(mode);
+  if (player_.moving().bodies && mode != Mode::exact && !player_.moving().parts) return cut_for(mode);
   enter(mode);
 }
 
@@ -326,7 +329,7 @@ void Session::take_nearest() {
 void Session::open(const Message& message) {
   if (message.has("template")) return take_other(template_design(message.text("template")));
   const targets::Node root = targets::parse_document(message.text("yaml"), "design");
-  if (is_assembly(root))
+  if (lists_bodies(root))
     throw InvalidInput("open: a design of bodies has meshes beside it: `kinetix-opt view` its file");
   Design design = read_design(root);
   require_showable(design);

@@ -17,7 +17,7 @@ namespace kinetix::app::studio {
 
 /// What `view` was asked to open.
 struct Opened {
-  Design design;            ///< of bodies its name alone
+  Design design;            ///< of bodies nothing is edited
   std::string save_file;    ///< that the design was read from, where `save` writes it; empty: none
   std::string target_file;  ///< not empty: searched for at once
   int threads = 0;
@@ -25,8 +25,7 @@ struct Opened {
   nlohmann::ordered_json result =
       {};                           ///< the message of the result that the design is of; null: none is known
   std::string results = "results";  ///< the folder in which `save` makes one for what was read from no file
-  std::shared_ptr<Autosave> autosave = {};          ///< where what is not saved is kept; null: nowhere
-  std::shared_ptr<const AssemblyFile> bodies = {};  ///< instead of a sheet; nothing of them is edited
+  std::shared_ptr<Autosave> autosave = {};  ///< where what is not saved is kept; null: nowhere
 };
 
 /// Bodies of the largest sheet that is opened: 500 x 500 cells. Its message has 150 MB; more than twice that no browser reads.

@@ -1,4 +1,4 @@
-#include "app/assembly/body_pieces.hpp"
+#include "app/pipeline/body_pieces.hpp"
 #include "app/studio/session/session.hpp"
 
 namespace kinetix::app::studio {
@@ -28,7 +28,7 @@ void Session::follow(double theta, const std::optional<model::Pull>& pull) {
           };
           BodiesWay way = way_of(moving.linkage, moving.way->hinge, pull, stop);
           tell_way(way, theta);
-          const model::Assembly& assembly = moving.bodies->assembly;
+          const model::Assembly& assembly = *moving.bodies->structure.assembly();
           way.meets = {first_meeting(assembly, way, -1, stop), first_meeting(assembly, way, 1, stop)};
           tell_way(way, 0);
         });
@@ -45,7 +45,7 @@ void Session::take(std::shared_ptr<const BodiesWay> way, double theta) {
 void Session::require_one_axis() const {
   if (player_.moving().way->pulled)
     throw InvalidInput("equilibrium: one hinge is turned there, and bodies of this design are pulled");
-  for (const model::AssemblyHinge& hinge : opened_.bodies->assembly.hinges)
+  for (const model::AssemblyHinge& hinge : player_.moving().bodies->structure.assembly()->hinges)
     if (hinge.ball)
       throw InvalidInput("equilibrium: knows hinges with an axis only, and " + hinge.name + " is a ball");
 }
@@ -55,7 +55,7 @@ void Session::cut_for(Mode mode) {
   awaited_ = mode;
   const double id = std::exchange(id_, 0);
   start(cutter_, id, type_, [this, client = client_, id, moving = player_.moving()](const std::stop_token&) {
-    const model::Assembly& assembly = moving.bodies->assembly;
+    const model::Assembly& assembly = *moving.bodies->structure.assembly();
     const BodyPieces pieces = pieces_of(assembly, opened_.threads);
     const auto parts = std::make_shared<const sim::ContactParts>(contact_parts(pieces, assembly));
     std::unique_lock alone(engine_);

@@ -6,6 +6,7 @@
 #include "app/pipeline/equilibrium.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
+#include "app/pipeline/pipeline.hpp"
 #include "app/pipeline/verify.hpp"
 #include "app/result/verdict.hpp"
 #include "model/elastic/path/near_equilibrium.hpp"
@@ -81,6 +82,7 @@ void DesignEvaluator::compute(const Design& design, SampleRow& row) {
            .theta = design.theta,
            .nominal = &nominal_,
            .goal = plan_.goal.goal.get()};
+  if (design.structure.assembly()) return compute_bodies(design, row);
   switch (plan_.doe.model) {
     case Model::exact:
       return compute_exact(design);
@@ -113,6 +115,16 @@ void DesignEvaluator::compute_exact(const Design& design) {
   seen_.theta = design.drive ? exact_theta_of(design, exact) : design.theta;
   state_ = exact.at(seen_.theta);
   seen_.state = &state_;
+}
+
+void DesignEvaluator::compute_bodies(const Design& design, SampleRow& row) {
+  run_ = run_design(design, plan_.doe.model, {.threads = 1, .progress = {}, .pieces = run_.pieces});
+  seen_.theta = run_.theta;
+  if (run_.verification) return see_physics(row);
+  seen_.theta = run_.states.front().theta;
+  seen_.state = &run_.states.front().poses;
+  if (run_.equilibrium) seen_.equilibrium = &*run_.equilibrium;
+  take_verdict(verdict_of(run_), row);
 }
 
 void DesignEvaluator::compute_equilibrium(const Design& design, SampleRow& row) {
@@ -154,6 +166,10 @@ void DesignEvaluator::compute_physics(const Design& design, SampleRow& row) {
   const PhysicsTask task{has_state ? run_.states.front().poses : model::State{}, drive_of(design),
                          physics_of(design, all_vertical(model::Linkage(design.structure)))};
   run_.verification = verify(run_, task, {.threads = 1, .progress = {}});
+  see_physics(row);
+}
+
+void DesignEvaluator::see_physics(SampleRow& row) {
   const Verification& v = *run_.verification;
   if (!is_settled(v)) throw InvalidInput("physics run " + to_string(v.physics.status) + ": " + v.physics.why);
   seen_.state = &v.physics.state;

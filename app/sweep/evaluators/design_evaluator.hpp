@@ -6,7 +6,8 @@
 
 namespace kinetix::app {
 
-/// Forward runs of a design by the sweep's model, as `simulate` makes them, without writing anything.
+/// Forward runs of a design by the sweep's model, as `simulate` makes them, without writing anything. Convex pieces of imported
+/// bodies are made once, unless bores of pins vary.
 class DesignEvaluator final : public Evaluator {
  public:
   explicit DesignEvaluator(const SweepPlan& plan);
@@ -19,7 +20,9 @@ class DesignEvaluator final : public Evaluator {
   void compute_near_base(const Design& design, SampleRow& row);
   void see_equilibrium(const Design& design, model::EquilibriumPath path, SampleRow& row);
   void find_nominal();
+  void compute_bodies(const Design& design, SampleRow& row);
   void compute_physics(const Design& design, SampleRow& row);
+  void see_physics(SampleRow& row);
   const model::State& sheet_state(const model::Structure& squares, double theta);
 
   const SweepPlan& plan_;

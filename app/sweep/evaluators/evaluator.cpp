@@ -2,7 +2,6 @@
 
 #include <new>
 
-#include "app/sweep/evaluators/bodies_evaluator.hpp"
 #include "app/sweep/evaluators/design_evaluator.hpp"
 #include "app/sweep/evaluators/search_evaluator.hpp"
 #include "optim/doe/nan.hpp"
@@ -34,7 +33,6 @@ std::string to_string(SampleStatus status) {
 
 std::unique_ptr<Evaluator> make_evaluator(const SweepPlan& plan) {
   if (plan.searches()) return std::make_unique<SearchEvaluator>(plan);
-  if (plan.base.bodies) return std::make_unique<BodiesEvaluator>(plan);
   return std::make_unique<DesignEvaluator>(plan);
 }
 

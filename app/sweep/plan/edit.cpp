@@ -87,7 +87,7 @@ std::vector<Match> named_hinges(const SweepBase& base, const targets::DocumentPa
 }
 
 std::vector<Match> structural(const SweepBase& base, const targets::DocumentPath& path) {
-  if (!base.design) return {};
+  if (!base.design || base.has_bodies()) return {};
   const model::Sheet& structure = base.design->structure;
   if (path == targets::parse_path("design.theta_deg")) return {{"design.theta_deg", {{Kind::theta_deg}}}};
   if (is_hinge_path(path, "walls")) return walls(structure, path);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -71,38 +72,13 @@ const std::vector<Metric>& pose_metrics() {
       {"fold_deg", [](const O& o) { return to_degrees(fold_angle(*o.structure, *o.state)); }},
       {"cell_angle_deg", [](const O& o) { return to_degrees(cell_angle(*o.structure, *o.state)); }},
       {"lean_max_deg", [](const O& o) { return to_degrees(largest_lean(*o.structure, *o.state)); }},
-      {"size_x_mm", [](const O& o) { return extent(*o.state).x(); }},
-      {"size_y_mm", [](const O& o) { return extent(*o.state).y(); }},
-      {"size_z_mm", [](const O& o) { return extent(*o.state).z(); }},
+      {"size_x_mm", [](const O& o) { return extent(*o.structure, *o.state).x(); }},
+      {"size_y_mm", [](const O& o) { return extent(*o.structure, *o.state).y(); }},
+      {"size_z_mm", [](const O& o) { return extent(*o.structure, *o.state).z(); }},
       {"hinge_gap_max", [](const O& o) { return hinge_gaps(*o.structure, *o.state).max; }},
       {"hinge_gap_rms", [](const O& o) { return hinge_gaps(*o.structure, *o.state).rms; }},
       {"moved_rms_mm", [](const O& o) { return moved_mm(o, &model::StateDistance::rms); }, true},
       {"moved_max_mm", [](const O& o) { return moved_mm(o, &model::StateDistance::max); }, true},
-  };
-  return metrics;
-}
-
-double body_moved_mm(const O& o, double model::StateDistance::*part) {
-  return aligned_distance(*o.linkage, *o.state, *o.nominal).*part * o.linkage->size.edge_mm;
-}
-
-Eigen::Vector3d last_from_first(const O& o) { return o.state->back().p - o.state->front().p; }
-
-/// Of a design of general bodies.
-const std::vector<Metric>& body_metrics() {
-  static const std::vector<Metric> metrics = {
-      {"theta_deg", [](const O& o) { return to_degrees(o.theta); }},
-      {"end_mm", [](const O& o) { return last_from_first(o).norm(); }},
-      {"end_x_mm", [](const O& o) { return last_from_first(o).x(); }},
-      {"end_y_mm", [](const O& o) { return last_from_first(o).y(); }},
-      {"end_z_mm", [](const O& o) { return last_from_first(o).z(); }},
-      {"size_x_mm", [](const O& o) { return extent(*o.assembly, *o.state).x(); }},
-      {"size_y_mm", [](const O& o) { return extent(*o.assembly, *o.state).y(); }},
-      {"size_z_mm", [](const O& o) { return extent(*o.assembly, *o.state).z(); }},
-      {"hinge_gap_max", [](const O& o) { return hinge_gaps(*o.linkage, *o.state).max; }},
-      {"hinge_gap_rms", [](const O& o) { return hinge_gaps(*o.linkage, *o.state).rms; }},
-      {"moved_rms_mm", [](const O& o) { return body_moved_mm(o, &model::StateDistance::rms); }, true},
-      {"moved_max_mm", [](const O& o) { return body_moved_mm(o, &model::StateDistance::max); }, true},
   };
   return metrics;
 }
@@ -195,14 +171,11 @@ double json_number(const nlohmann::ordered_json& metrics, const targets::Documen
   return at->is_number() ? at->get<double>() : nan;
 }
 
-/// Without what only sheets have: plates, cords, a search for stable states.
-std::vector<Metric> equilibrium_metrics_of_bodies() {
-  std::vector<Metric> out;
-  for (const Metric& metric : equilibrium_metrics())
-    for (const char* name : {"reached", "drive_rad", "load_Nmm", "energy_Nmm", "load_peak", "energy_peak_Nmm",
-                             "gap_peak", "contacts", "exact_rms", "exact_max"})
-      if (metric.name == name) out.push_back(metric);
-  return out;
+/// What only sheets have: cells, plates, cords, a search for stable states.
+bool is_of_sheets(const Metric& metric) {
+  constexpr std::array names = {"turn_deg",    "area_ratio",   "fold_deg", "cell_angle_deg", "lean_max_deg",
+                                "compression", "shortened_mm", "load_N",   "barrier_Nmm",    "stable_states"};
+  return std::find(names.begin(), names.end(), metric.name) != names.end();
 }
 
 /// That of a state, which searches may write of theirs, too; null where states have none of this name.
@@ -214,16 +187,16 @@ const Metric* pose_metric(const std::string& name) {
 }
 
 std::vector<Metric> metrics_of(const MetricContext& context) {
-  std::vector<Metric> all = context.bodies ? body_metrics() : pose_metrics();
+  std::vector<Metric> all = pose_metrics();
   const auto add = [&](const std::vector<Metric>& more) { all.insert(all.end(), more.begin(), more.end()); };
   if (context.searches) {  // whose bases are targets, without a state to compare with
     std::erase_if(all, [](const Metric& metric) { return metric.needs_nominal; });
     return all;
   }
   if (context.goal) add(goal_metrics(*context.goal));
-  if (context.model == Model::equilibrium)
-    add(context.bodies ? equilibrium_metrics_of_bodies() : equilibrium_metrics());
+  if (context.model == Model::equilibrium) add(equilibrium_metrics());
   if (context.model == Model::bullet) add(physics_metrics());
+  if (context.bodies) std::erase_if(all, is_of_sheets);
   return all;
 }
 

@@ -7,20 +7,17 @@
 #include <vector>
 
 #include "app/run/goal_kind.hpp"
-#include "model/assembly/assembly.hpp"
 
 namespace kinetix::app {
 
 /// What a response is computed from: the state of one sample, and whatever its model knows of it.
 struct Observation {
-  const model::Sheet* structure = nullptr;    ///< null of a design of bodies
-  const model::Linkage* linkage = nullptr;    ///< of a design of bodies
-  const model::Assembly* assembly = nullptr;  ///< likewise
+  const model::Sheet* structure = nullptr;
   const model::State* state = nullptr;
   bool is_closed_form = false;                  ///< the state; others may lie another way
   double theta = 0;                             ///< rad
   const model::State* nominal = nullptr;        ///< the base's own state
-  const Goal* goal = nullptr;                  ///< the sweep's `goal`
+  const Goal* goal = nullptr;                   ///< the sweep's `goal`
   const Equilibrium* equilibrium = nullptr;     ///< of the equilibrium model
   const sim::PhysicsResult* physics = nullptr;  ///< of the physics run
   model::StateDistance from_model = {};         ///< of the physics run, NaN where there is no model's state
@@ -39,7 +36,7 @@ struct MetricContext {
   Model model = Model::exact;
   bool searches = false;           ///< the base is a target
   const GoalKind* goal = nullptr;  ///< of the sweep's `goal`; nothing without one
-  bool bodies = false;             ///< the base is a design of general bodies
+  bool bodies = false;             ///< the base is a design of imported bodies
 };
 
 /// Names of the metrics there are, in the order of the documentation.

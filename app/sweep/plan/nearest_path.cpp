@@ -41,7 +41,7 @@ std::set<std::string> patterns(const SweepBase& base, const targets::DocumentEdi
   };
   for (const std::string& name : editor.numbers()) add(name);
   for (const std::string& name : optional_keys(base)) add(name);
-  if (!base.design) return names;
+  if (!base.design || base.has_bodies()) return names;
   for (const char* group : groups_of_hinges(base))
     for (const char* key : {"t", "t_mm", "alpha_deg", "beta_deg", "offset_mm"})
       names.insert(fmt::format("design.{}[*].{}", group, key));
@@ -51,7 +51,7 @@ std::set<std::string> patterns(const SweepBase& base, const targets::DocumentEdi
 }  // namespace
 
 std::vector<std::string> optional_keys(const SweepBase& base) {
-  if (base.bodies) return {"structure.cell_mm", "drive.angle_deg"};
+  if (base.has_bodies()) return {"structure.cell_mm", "drive.angle_deg"};
   std::vector<std::string> keys = {"structure.cell_mm", "structure.wall_mm.thickness",
                                    "structure.wall_mm.height", "physics.step_s", "physics.reach_mm"};
   const auto add = [&](const auto& more) { keys.insert(keys.end(), more.begin(), more.end()); };

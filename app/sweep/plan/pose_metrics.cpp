@@ -5,6 +5,7 @@
 #include <span>
 
 #include "app/run/midline.hpp"
+#include "model/assembly/assembly.hpp"
 #include "model/base/larger.hpp"
 
 namespace kinetix::app {
@@ -30,6 +31,15 @@ double area(const model::Sheet& structure, const model::State& state) {
 }
 
 double angle_between(const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+Vector3d extent_of(const model::Assembly& assembly, const model::State& state) {
+  if (!is_finite(state)) return Vector3d::Constant(std::nan(""));
+  Eigen::AlignedBox3d box;
+  for (std::size_t b = 0; b < state.size(); ++b)
+    for (const Vector3d& p : assembly.bodies[b].solid.points)
+      box.extend(state[b].p + state[b].R * (p - assembly.bodies[b].position));
+  return box.sizes();
+}
 
 }  // namespace
 
@@ -74,7 +84,8 @@ double largest_lean(const model::Sheet& structure, const model::State& state) {
   return largest;
 }
 
-Vector3d extent(const model::State& state) {
+Vector3d extent(const model::Sheet& structure, const model::State& state) {
+  if (const model::Assembly* bodies = structure.assembly()) return extent_of(*bodies, state);
   Vector3d low = state[0].p, high = low;
   for (const model::Pose& pose : state) {
     low = low.cwiseMin(pose.p);
@@ -82,15 +93,6 @@ Vector3d extent(const model::State& state) {
     if (!pose.p.allFinite()) return Vector3d::Constant(std::nan(""));
   }
   return high - low;
-}
-
-Vector3d extent(const model::Assembly& assembly, const model::State& state) {
-  if (!is_finite(state)) return Vector3d::Constant(std::nan(""));
-  Eigen::AlignedBox3d box;
-  for (std::size_t b = 0; b < state.size(); ++b)
-    for (const Vector3d& p : assembly.bodies[b].solid.points)
-      box.extend(state[b].p + state[b].R * (p - assembly.bodies[b].position));
-  return box.sizes();
 }
 
 }  // namespace kinetix::app

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 
-#include "model/assembly/assembly.hpp"
 #include "model/linkage/state.hpp"
 #include "model/sheet/sheet.hpp"
 
@@ -29,10 +28,7 @@ double cell_angle(const model::Sheet& structure, const model::State& state);
 /// Largest angle between the z directions of two bodies that share a hinge: the twist or fold across a wall.
 double largest_lean(const model::Sheet& structure, const model::State& state);
 
-/// Edges of the bounding box of the bodies' positions, along the structure's axes.
-Eigen::Vector3d extent(const model::State& state);
-
-/// Likewise of the surfaces of bodies of any shape.
-Eigen::Vector3d extent(const model::Assembly& assembly, const model::State& state);
+/// Edges of the bounding box of the bodies' positions, along the structure's axes; of the surfaces of imported bodies.
+Eigen::Vector3d extent(const model::Sheet& structure, const model::State& state);
 
 }  // namespace kinetix::app

@@ -9,7 +9,6 @@ SampleMaker::SampleMaker(const SweepPlan& plan)
       reads_document_(plan.edits_document()),
       document_(plan.document),
       design_(plan.base.design),
-      bodies_(plan.base.bodies),
       target_(plan.base.target) {}
 
 void SampleMaker::make(std::span<const double> values) {
@@ -17,7 +16,6 @@ void SampleMaker::make(std::span<const double> values) {
     for (const Edit& edit : plan_.edits)
       if (edit.kind == Edit::Kind::document) document_.set(edit.index, edit.value(values[edit.factor]));
     if (design_) design_ = read_design(document_.root());
-    if (bodies_) bodies_ = read_assembly(document_.root());
     if (target_) target_ = read_target(document_.root());
   }
   for (const Edit& edit : plan_.edits)

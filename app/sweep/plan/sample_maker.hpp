@@ -13,12 +13,11 @@ class SampleMaker {
   /// @param plan must outlive it
   explicit SampleMaker(const SweepPlan& plan);
 
-  /// Values of the factors, in their units; design(), bodies() or target() is then that sample's.
+  /// Values of the factors, in their units; design() or target() is then that sample's.
   /// @throws InvalidInput for what the base's format does not allow
   void make(std::span<const double> values);
 
   const Design& design() const { return *design_; }
-  const AssemblyFile& bodies() const { return *bodies_; }
   const Target& target() const { return *target_; }
 
  private:
@@ -26,7 +25,6 @@ class SampleMaker {
   bool reads_document_;
   targets::DocumentEditor document_;
   std::optional<Design> design_;
-  std::optional<AssemblyFile> bodies_;
   std::optional<Target> target_;
 };
 

@@ -198,7 +198,7 @@ optim::SamplePlan make_samples(const DoeFile& doe, const Columns& columns, std::
 }
 
 std::vector<Metric> find_responses(const DoeFile& doe, const SweepBase& base, const Target& goal) {
-  const MetricContext context{doe.model, base.target.has_value(), goal.kind, base.bodies.has_value()};
+  const MetricContext context{doe.model, base.target.has_value(), goal.kind, base.has_bodies()};
   std::vector<Metric> responses;
   for (const targets::Node& node : doe.responses)
     responses.push_back(node.located([&] { return find_metric(node.text("a metric"), context); }));
@@ -237,7 +237,7 @@ void refuse_for_targets(const DoeFile& doe, const SweepBase& base) {
 
 /// What is for sheets alone.
 void check_bodies(const DoeFile& doe, const SweepBase& base) {
-  if (!base.bodies) return;
+  if (!base.has_bodies()) return;
   if (doe.goal) throw doe.root.optional("goal")->error("measures sheets; the base is a design of bodies");
   if (doe.from_base)
     throw doe.root.optional("start")->error("is for sheets; samples of a design of bodies start from rest");
@@ -285,7 +285,7 @@ void check_values(const SweepPlan& plan, const Columns& columns) {
 
 /// Samples that no closed form fits are failures; a sweep of nothing else is a mistake.
 void check_exact(const SweepPlan& plan) {
-  if (!plan.base.design || plan.doe.model != Model::exact) return;
+  if (!plan.base.design || plan.base.has_bodies() || plan.doe.model != Model::exact) return;
   SampleMaker maker(plan);
   std::string why;
   for (const std::int64_t sample : {std::int64_t{0}, plan.size() / 2, plan.size() - 1}) {

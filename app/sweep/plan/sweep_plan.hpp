@@ -29,7 +29,7 @@ struct SweepPlan {
   /// Whether samples may run on several threads of a process: what is only the project's own code may.
   bool is_thread_safe() const { return !searches() && doe.model != Model::bullet && !presses_bodies(); }
   /// Whether bodies of any shape press on each other in equilibrium: the engine tells which of them touch at rest.
-  bool presses_bodies() const { return base.bodies && doe.model == Model::equilibrium; }
+  bool presses_bodies() const { return base.has_bodies() && doe.model == Model::equilibrium; }
 };
 
 /// @param seed nothing: the file's own

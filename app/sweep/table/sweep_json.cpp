@@ -211,9 +211,9 @@ Json family_shares_json(Method method, const std::vector<Family>& families, cons
   return out;
 }
 
-/// The flat sheet from above: of each wall the two vertices that it joins, mm. Null where the base is a target.
+/// The flat sheet from above: of each wall the two vertices that it joins, mm. Null where the base is a target, or imported bodies.
 Json layout_json(const SweepPlan& plan) {
-  if (!plan.base.design) return nullptr;
+  if (!plan.base.design || plan.base.has_bodies()) return nullptr;
   const model::Linkage linkage = plan.base.design->structure;
   Json walls = Json::array();
   for (const model::RestHinge& hinge : linkage.hinges) {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "app/assembly/assembly_file.hpp"
+#include "app/files/bodies_section.hpp"
 #include "app/files/design_file.hpp"
 #include "app/formats/all_keys.hpp"
 #include "app/formats/formats_page.hpp"
@@ -92,7 +92,6 @@ void read_any(const std::string& text) {
   }
   const targets::Node root = targets::parse_document(text, source + "/targets/shapes/in.yaml");
   if (root.kind() != targets::Node::Kind::map || root.optional("target")) return void(read_target(root));
-  if (is_assembly(root)) return void(read_assembly(root));
   if (!root.optional("factors")) return void(read_design(root));
   testing::TemporaryFolder folder;
   read_doe(folder.write("in.yaml", text));

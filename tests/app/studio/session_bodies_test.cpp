@@ -1,9 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/assembly/assembly_run.hpp"
+#include "app/files/bodies_section.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/io/base64.hpp"
+#include "app/pipeline/pipeline.hpp"
 #include "app/studio/view_command.hpp"
 #include "model/base/angle.hpp"
 #include "model/closure/closure_solver.hpp"
@@ -29,15 +30,15 @@ model::ModelPart part(const std::string& name, bool soft, double length, double 
 }
 
 /// Two walls in a line along x, and the block between them, whose axis is that of z.
-app::AssemblyFile pair_of_walls() {
+app::Design pair_of_walls() {
   return {.name = "pair",
-          .assembly = model::make_assembly({part("left", false, wall - gap, -wall / 2, 0, 0),
-                                            part("right", false, wall - gap, wall / 2, 0, 0),
-                                            part("joint", true, gap, 0, 0, 0)})};
+          .structure = model::Sheet(model::make_assembly({part("left", false, wall - gap, -wall / 2, 0, 0),
+                                                          part("right", false, wall - gap, wall / 2, 0, 0),
+                                                          part("joint", true, gap, 0, 0, 0)}))};
 }
 
 /// Four crosses at the corners of a square, with walls between them: a parallelogram. Its blocks are in the walls' middles.
-app::AssemblyFile parallelogram() {
+app::Design parallelogram() {
   std::vector<model::ModelPart> parts;
   const double corner[4][2] = {{0, 0}, {wall, 0}, {wall, wall}, {0, wall}};
   for (int k = 0; k < 4; ++k) {
@@ -62,7 +63,7 @@ app::AssemblyFile parallelogram() {
     parts.push_back(part("joint_" + std::to_string(k), true, gap, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2,
                          k % 2 == 0 ? 0 : 90));
   }
-  return {.name = "parallelogram", .assembly = model::make_assembly(parts)};
+  return {.name = "parallelogram", .structure = model::Sheet(model::make_assembly(parts))};
 }
 
 Eigen::Isometry3d pose_of(const Received& frame, int body) {
@@ -88,7 +89,7 @@ json followed(Client& client, std::optional<int> hinge = {}) {
 
 class StudioOfBodies : public ::testing::Test {
  protected:
-  explicit StudioOfBodies(app::AssemblyFile opened = pair_of_walls()) : file(std::move(opened)) {}
+  explicit StudioOfBodies(app::Design opened = pair_of_walls()) : file(std::move(opened)) {}
   void SetUp() override {
     ASSERT_TRUE(client.open(studio.token));
     meshes = client.text("meshes");
@@ -106,7 +107,9 @@ class StudioOfBodies : public ::testing::Test {
     EXPECT_EQ(state[key], value) << command;
   }
 
-  app::AssemblyFile file;
+  const model::Assembly& assembly() const { return *file.structure.assembly(); }
+
+  app::Design file;
   OpenStudio studio{file};
   Client client{studio.port()};
   json meshes, design;
@@ -119,7 +122,7 @@ class StudioOfALoop : public StudioOfBodies {
 
 TEST_F(StudioOfBodies, TellsMeshesNamesAndHowFarAFreeHingeTurns) {
   for (int b = 0; b < 2; ++b) {
-    const model::Polyhedron& solid = file.assembly.bodies[b].solid;
+    const model::Polyhedron& solid = assembly().bodies[b].solid;
     const std::string bytes = app::from_base64(meshes["bodies"][b]["points"].get<std::string>());
     ASSERT_EQ(bytes.size(), 12 * solid.points.size());
     const auto* v = reinterpret_cast<const float*>(bytes.data());
@@ -154,7 +157,7 @@ TEST_F(StudioOfBodies, NamesTheTurnAtWhichTwoWallsMeet) {
 }
 
 TEST_F(StudioOfBodies, TurnsTheSecondBodyAboutTheAxis) {
-  const model::AssemblyHinge& hinge = file.assembly.hinges[0];
+  const model::AssemblyHinge& hinge = assembly().hinges[0];
   const double per_theta = design["bodies"]["turn_per_theta"];
   for (const double deg : {12.3, -60.0, 0.0, 88.0}) {
     const Received frame = client.ask({{"type", "theta"}, {"deg", deg}});
@@ -162,15 +165,15 @@ TEST_F(StudioOfBodies, TurnsTheSecondBodyAboutTheAxis) {
     EXPECT_NEAR(frame.head(3), deg * radians_per_degree, 1e-12);
     const auto lower = pose_of(frame, hinge.lower), upper = pose_of(frame, hinge.upper);
     EXPECT_LT((lower.linear().transpose() * upper.linear() - turn.toRotationMatrix()).norm(), 1e-9);
-    EXPECT_LT((carried(frame, file.assembly, hinge.lower, hinge.point) -
-               carried(frame, file.assembly, hinge.upper, hinge.point))
+    EXPECT_LT((carried(frame, assembly(), hinge.lower, hinge.point) -
+               carried(frame, assembly(), hinge.upper, hinge.point))
                   .norm(),
               1e-8);
   }
 }
 
 TEST_F(StudioOfBodies, FollowsAHandAlongItsOneWay) {
-  const model::AssemblyHinge& hinge = file.assembly.hinges[0];
+  const model::AssemblyHinge& hinge = assembly().hinges[0];
   const Received there = client.ask({{"type", "theta"}, {"deg", 10}});
   const Vector3d to = pose_of(there, hinge.upper).translation();
   client.ask({{"type", "theta"}, {"deg", 3}});
@@ -191,15 +194,17 @@ TEST_F(StudioOfBodies, HasTheElasticStateOfASimulation) {
   client.ask({{"type", "mode"}, {"mode", "equilibrium"}});
   const double theta = 10 * radians_per_degree;
   const Received frame = client.ask({{"type", "theta"}, {"deg", 10}});
-  const auto run = app::run_assembly(file, app::Model::equilibrium, theta, {});
-  const model::EquilibriumStep& last = run.equilibrium->steps.back();
+  app::Design turned = file;
+  turned.theta = theta;
+  const app::Run run = run_design(turned, app::Model::equilibrium, {});
+  const model::EquilibriumPath& path = run.equilibrium->path;
+  const model::EquilibriumStep& last = path.steps.back();
   EXPECT_EQ(frame.head(8), 1);
   EXPECT_NEAR(frame.head(3), theta, 1e-7);
   EXPECT_GT(last.energy, 0);
   EXPECT_NEAR(frame.head(7), last.energy, 1e-6 * last.energy);
-  EXPECT_NEAR(frame.head(6), last.load / run.linkage.size.edge_mm, 1e-6 * std::abs(last.load));
-  for (int b = 0; b < 2; ++b)
-    EXPECT_LT((pose_of(frame, b).translation() - run.equilibrium->state[b].p).norm(), 1e-5);
+  EXPECT_NEAR(frame.head(6), last.load / assembly().edge_mm, 1e-6 * std::abs(last.load));
+  for (int b = 0; b < 2; ++b) EXPECT_LT((pose_of(frame, b).translation() - path.state[b].p).norm(), 1e-5);
 }
 
 TEST_F(StudioOfBodies, IsPulledAndTurnedInThePhysics) {
@@ -207,7 +212,7 @@ TEST_F(StudioOfBodies, IsPulledAndTurnedInThePhysics) {
   EXPECT_EQ(before.head(8), 2);
   client.ask({{"type", "fix"}, {"body", 0}, {"fixed", true}});
   client.send(R"({"type": "drag", "body": 1, "to": [6, 9, 0]})");
-  const model::AssemblyHinge& hinge = file.assembly.hinges[0];
+  const model::AssemblyHinge& hinge = assembly().hinges[0];
   Received frame;
   for (int tries = 0; tries < 2000; ++tries) {
     frame = client.receive();
@@ -217,9 +222,8 @@ TEST_F(StudioOfBodies, IsPulledAndTurnedInThePhysics) {
   }
   EXPECT_GT(pose_of(frame, 1).translation().y(), 5);
   EXPECT_LT((pose_of(frame, 0).translation() - pose_of(before, 0).translation()).norm(), 0.5);
-  EXPECT_LT(
-      (carried(frame, file.assembly, 0, hinge.point) - carried(frame, file.assembly, 1, hinge.point)).norm(),
-      0.2);
+  EXPECT_LT((carried(frame, assembly(), 0, hinge.point) - carried(frame, assembly(), 1, hinge.point)).norm(),
+            0.2);
 }
 
 TEST_F(StudioOfBodies, GoesBackToRestAndLetsGoOfWhatWasHeld) {
@@ -263,21 +267,21 @@ TEST_F(StudioOfALoop, TurnsByAnotherHinge) {
 }
 
 TEST(StudioOfBodiesOpened, IsAsFarTurnedAsItsDriveSays) {
-  app::AssemblyFile file = pair_of_walls();
-  file.driven = 0;
-  file.angle = 40 * radians_per_degree;
+  app::Design file = pair_of_walls();
+  file.drive =
+      app::DriveSection{.kind = app::DriveSection::Kind::hinge, .hinge = 0, .angle = 40 * radians_per_degree};
   OpenStudio studio{file};
   Client client{studio.port()};
   ASSERT_TRUE(client.open(studio.token));
   const json design = followed(client);
   const Received frame = client.ask({{"type", "release"}});
-  EXPECT_NEAR(frame.head(3) * design["bodies"]["turn_per_theta"].get<double>(), file.angle, 1e-12);
+  EXPECT_NEAR(frame.head(3) * design["bodies"]["turn_per_theta"].get<double>(), file.drive->angle, 1e-12);
 }
 
 TEST(StudioOfBodiesOpened, GoesTheWayThatItsBodiesArePulled) {
-  app::AssemblyFile file = parallelogram();
-  const model::Linkage linkage = linkage_of(file.assembly);
-  file.poses =
+  app::Design file = parallelogram();
+  const model::Linkage linkage = model::Linkage(file.structure);
+  file.pull.emplace().poses =
       solve_closure(linkage, rest_state(linkage), {model::HingeTurn{0, 30 * radians_per_degree}}).state;
   OpenStudio studio{file};
   Client client{studio.port()};
@@ -294,9 +298,9 @@ TEST(StudioOfBodiesOpened, GoesTheWayThatItsBodiesArePulled) {
   for (const double share : {0.3, 0.77, 1.0}) {
     const Received frame = client.ask({{"type", "theta"}, {"deg", to_degrees(share * end)}});
     EXPECT_NEAR(frame.head(3), share * end, 1e-9);
-    for (const model::AssemblyHinge& hinge : file.assembly.hinges)
-      EXPECT_LT((carried(frame, file.assembly, hinge.lower, hinge.point) -
-                 carried(frame, file.assembly, hinge.upper, hinge.point))
+    for (const model::AssemblyHinge& hinge : file.structure.assembly()->hinges)
+      EXPECT_LT((carried(frame, *file.structure.assembly(), hinge.lower, hinge.point) -
+                 carried(frame, *file.structure.assembly(), hinge.upper, hinge.point))
                     .norm(),
                 1e-5);
     EXPECT_LT((pose_of(frame, 0).linear() - pose_of(frame, 2).linear()).norm(), 1e-5);
@@ -308,10 +312,12 @@ TEST(StudioOfBodiesOpened, GoesTheWayThatItsBodiesArePulled) {
 }
 
 TEST(StudioOfBodiesOpened, StopsWhereAHingeOpens) {
-  app::AssemblyFile file = parallelogram();
-  model::AssemblyHinge& tilted = file.assembly.hinges[0];
+  app::Design file = parallelogram();
+  model::Assembly bodies = *file.structure.assembly();
+  model::AssemblyHinge& tilted = bodies.hinges[0];
   tilted.axis = Eigen::AngleAxisd(1 * radians_per_degree, tilted.along) * tilted.axis;
-  file.driven = 1;
+  file.structure = model::Sheet(bodies);
+  file.drive = app::DriveSection{.kind = app::DriveSection::Kind::hinge, .hinge = 1};
   OpenStudio studio{file};
   Client client{studio.port()};
   ASSERT_TRUE(client.open(studio.token));
@@ -330,7 +336,7 @@ TEST(StudioOfBodiesOpened, StopsWhereAHingeOpens) {
 TEST(StudioOfBodiesOpened, RefusesABrokenFileWithItsPlace) {
   const TemporaryFolder folder;
   const std::string file = folder.path("design.yaml");
-  for (const app::NamedContent& content : assembly_files(pair_of_walls()))
+  for (const app::NamedContent& content : design_files(pair_of_walls()))
     if (content.name == "design.yaml") app::write_file(file, content.content);
   try {
     app::view_command({}, {.source = file, .opens_page = false});

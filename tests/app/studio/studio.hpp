@@ -32,7 +32,6 @@ class OpenStudio {
       : OpenStudio([&](app::studio::Outlet outlet) {
           return std::make_unique<app::studio::Session>(std::move(opened), std::move(outlet));
         }) {}
-  explicit OpenStudio(const app::AssemblyFile& bodies) : OpenStudio(opened(bodies)) {}
   /// @param came for every command that the server passes on
   explicit OpenStudio(
       const Maker& make, const std::function<void()>& came = [] {})
@@ -58,14 +57,6 @@ class OpenStudio {
     session.reset();
   }
   OpenStudio(const OpenStudio&) = delete;
-
-  static app::studio::Opened opened(const app::AssemblyFile& bodies) {
-    app::studio::Opened out;
-    out.threads = 2;
-    out.bodies = std::make_shared<const app::AssemblyFile>(bodies);
-    out.design.name = bodies.name;
-    return out;
-  }
 
   std::uint16_t port() const { return server.port(); }
 

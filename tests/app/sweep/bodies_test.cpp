@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/print/format/stl_text.hpp"
+#include "app/cad/stl_text.hpp"
 #include "tests/app/schema_errors.hpp"
 #include "tests/app/sweep/sweep.hpp"
 #include "tests/support/strip_solids.hpp"

@@ -1,4 +1,4 @@
-#include "app/assembly/assembly_file.hpp"
+#include "app/files/bodies_section.hpp"
 #include "tests/fuzz/document_of.hpp"
 
 using namespace kinetix;
@@ -18,10 +18,7 @@ void expect_round_trip(const app::Design& design) {
 
 void read(const std::string& file) {
   const targets::Node root = targets::read_document(file, app::max_design_bytes);
-  if (app::is_assembly(root)) {
-    app::assembly_files(app::read_assembly(root));
-    return;
-  }
+  if (app::lists_bodies(root)) return void(design_files(app::read_design(root)));
   expect_round_trip(app::read_design(root));
   fuzz::check_design(root);
 }

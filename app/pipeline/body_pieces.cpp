@@ -1,4 +1,4 @@
-#include "app/assembly/body_pieces.hpp"
+#include "app/pipeline/body_pieces.hpp"
 
 #include <algorithm>
 

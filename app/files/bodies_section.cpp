@@ -1,4 +1,4 @@
-#include "app/assembly/assembly_file.hpp"
+#include "app/files/bodies_section.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,9 @@
 #include <cstdint>
 #include <map>
 
+#include "app/cad/stl_text.hpp"
 #include "app/files/file_header.hpp"
-#include "app/print/format/stl_text.hpp"
+#include "model/assembly/assembly.hpp"
 #include "model/assembly/direction_across.hpp"
 #include "model/assembly/shells.hpp"
 #include "model/base/angle.hpp"
@@ -94,7 +95,7 @@ const targets::KeyTable& joint_keys() {
   return keys;
 }
 
-const targets::KeyTable& bodies_keys() {
+const targets::KeyTable& bodies_structure_keys() {
   static const targets::KeyTable keys({
       {"cell_mm", value::number(targets::above(0, "mm")),
        targets::otherwise("the median distance of two bodies that share a hinge"),
@@ -162,9 +163,9 @@ model::Polyhedron read_shell(const targets::Node& node) {
   return solid;
 }
 
-class Reader {
+class BodiesReader {
  public:
-  explicit Reader(const targets::Section& structure) : structure_(structure) {}
+  explicit BodiesReader(const targets::Section& structure) : structure_(structure) {}
 
   model::Assembly read() {
     for (const targets::Node& node :
@@ -326,19 +327,23 @@ model::State read_poses(const targets::Node& node, std::size_t bodies) {
 }
 
 /// What its drive says.
-void read_drive(const targets::Section& drive, const Reader& reader, AssemblyFile& file) {
+void read_bodies_drive(const targets::Section& drive, const BodiesReader& reader, Design& design) {
   const auto poses = drive.optional("poses"), expand = drive.optional("expand");
   if (poses && expand) throw expand->error("cannot stand beside `poses`; give one of them");
   for (const char* key : {"hinge", "angle_deg"})
     if (const auto turned = drive.optional(key); turned && (poses || expand))
       throw turned->error(fmt::format("cannot stand beside `{}`: bodies are pulled, and no hinge is turned",
                                       poses ? "poses" : "expand"));
-  if (poses) file.poses = read_poses(*poses, file.assembly.bodies.size());
-  drive.read("expand", file.expand);
-  if (poses || expand) return;
+  if (poses || expand) {
+    design.pull.emplace();
+    if (poses) design.pull->poses = read_poses(*poses, design.structure.assembly()->bodies.size());
+    drive.read("expand", design.pull->expand);
+    return;
+  }
+  design.drive = DriveSection{.kind = DriveSection::Kind::hinge};
   if (const auto hinge = drive.optional("hinge")) {
-    file.driven = reader.hinge_of(*hinge);
-    if (file.assembly.hinges[*file.driven].ball)
+    design.drive->hinge = reader.hinge_of(*hinge);
+    if (design.structure.assembly()->hinges[design.drive->hinge].ball)
       throw hinge->error("is a ball, which has no axis to be turned about");
   }
   const auto angle = drive.optional("angle_deg");
@@ -346,79 +351,73 @@ void read_drive(const targets::Section& drive, const Reader& reader, AssemblyFil
     throw drive.error(
         "needs `angle_deg`, by how much a hinge is turned, or `poses` or `expand`, by which bodies are "
         "pulled");
-  file.angle = angle->angle(turn_bounds);
-}
-
-std::string design_text(const AssemblyFile& file) {
-  const model::Assembly& a = file.assembly;
-  std::string out = fmt::format("kinetix: 1\nname: {}\nstructure:\n  cell_mm: {}\n  bodies:\n", file.name,
-                                targets::shortest_text(a.edge_mm));
-  for (const model::AssemblyBody& b : a.bodies)
-    out += fmt::format("    - {{name: {}, file: parts/{}.stl, position_mm: {}}}\n", b.name, b.name,
-                       vector_text(b.position));
-  out += "  hinges:\n";
-  for (const model::AssemblyHinge& h : a.hinges) out += hinge_line(a, h);
-  if (file.poses && file.pull_tolerance != AssemblyFile{}.pull_tolerance)
-    out += fmt::format("tolerance: {{pull: {}}}\n", targets::shortest_text(file.pull_tolerance));
-  if (file.poses) return out + poses_text(*file.poses);
-  if (file.expand) return out + fmt::format("drive: {{expand: {}}}\n", targets::shortest_text(*file.expand));
-  if (file.driven)
-    out += fmt::format("drive: {{hinge: {}, angle_deg: {}}}\n", a.hinges[*file.driven].name,
-                       targets::degrees_text(file.angle));
-  return out;
+  design.drive->angle = angle->angle(turn_bounds);
 }
 
 }  // namespace
 
-const targets::KeyTable& assembly_keys() {
+const targets::KeyTable& bodies_keys() {
   static const targets::KeyTable keys = file_keys({
-      {"structure", value::map(bodies_keys()), targets::needed, "its bodies and hinges, at rest"},
+      {"structure", value::map(bodies_structure_keys()), targets::needed, "its bodies and hinges, at rest"},
       {"drive", value::map(turn_keys()), {}, "what is turned, and how far; without it the structure rests"},
       {"tolerance", value::map(tolerance_keys()), {}, "how near is near enough"},
   });
   return keys;
 }
 
-bool is_assembly(const targets::Node& root) {
+bool lists_bodies(const targets::Node& root) {
   if (root.kind() != targets::Node::Kind::map) return false;
   const auto structure = root.optional("structure");
   return structure && structure->kind() == targets::Node::Kind::map && structure->optional("bodies");
 }
 
-AssemblyFile read_assembly(const targets::Node& node) {
-  refuse_result(node);
-  const targets::Section root(node, assembly_keys());
+Design read_bodies(const targets::Node& node) {
+  const targets::Section root(node, bodies_keys());
   check_version(root);
-  AssemblyFile file{.name = read_name(root), .assembly = {}};
+  Design design{.name = read_name(root), .structure = {}};
   const targets::Section structure = root.section("structure");
-  Reader reader(structure);
-  file.assembly = reader.read();
-  if (const targets::Section drive = root.section("drive"); drive.given()) read_drive(drive, reader, file);
+  BodiesReader reader(structure);
+  design.structure = model::Sheet(reader.read());
+  if (const targets::Section drive = root.section("drive"); drive.given())
+    read_bodies_drive(drive, reader, design);
   if (const targets::Section tolerance = root.section("tolerance"); tolerance.given()) {
-    if (const auto pull = tolerance.optional("pull"); pull && !file.poses)
+    const bool has_poses = design.pull && design.pull->poses;
+    if (const auto pull = tolerance.optional("pull"); pull && !has_poses)
       throw pull->error("is of bodies that are pulled to `drive.poses`. Give these as well, or take it out");
-    tolerance.read("pull", file.pull_tolerance, pull_bounds);
+    if (has_poses) tolerance.read("pull", design.pull->tolerance, pull_bounds);
   }
-  return file;
+  return design;
 }
 
-std::optional<model::Pull> AssemblyFile::pull() const {
-  if (poses) return aligned_pull(linkage_of(assembly), {*poses});
-  if (!expand) return std::nullopt;
-  Vector3d middle = Vector3d::Zero();
-  for (const model::AssemblyBody& b : assembly.bodies)
-    middle += b.position / static_cast<double>(assembly.bodies.size());
-  model::Pull out{{}, false};
-  for (const model::AssemblyBody& b : assembly.bodies)
-    out.to.push_back({Eigen::Matrix3d::Identity(), middle + *expand * (b.position - middle)});
-  return aligned_pull(linkage_of(assembly), std::move(out));
+std::string bodies_text(const Design& design) {
+  const model::Assembly& a = *design.structure.assembly();
+  std::string out = fmt::format("kinetix: 1\nname: {}\nstructure:\n  cell_mm: {}\n  bodies:\n", design.name,
+                                targets::shortest_text(a.edge_mm));
+  for (const model::AssemblyBody& b : a.bodies)
+    out += fmt::format("    - {{name: {}, file: parts/{}.stl, position_mm: {}}}\n", b.name, b.name,
+                       vector_text(b.position));
+  out += "  hinges:\n";
+  for (const model::AssemblyHinge& h : a.hinges) out += hinge_line(a, h);
+  if (const auto& pull = design.pull) {
+    if (!pull->poses)
+      return out + fmt::format("drive: {{expand: {}}}\n", targets::shortest_text(*pull->expand));
+    if (pull->tolerance != PullSection{}.tolerance)
+      out += fmt::format("tolerance: {{pull: {}}}\n", targets::shortest_text(pull->tolerance));
+    return out + poses_text(*pull->poses);
+  }
+  if (!design.drive) return out;
+  const std::string hinge =
+      design.drive->hinge < 0 ? "" : fmt::format("hinge: {}, ", a.hinges[design.drive->hinge].name);
+  return out + fmt::format("drive: {{{}angle_deg: {}}}\n", hinge, targets::degrees_text(design.drive->angle));
 }
 
-std::vector<NamedContent> assembly_files(const AssemblyFile& file) {
-  std::vector<NamedContent> out{{"design.yaml", design_text(file)}};
-  for (const model::AssemblyBody& b : file.assembly.bodies)
+std::vector<NamedContent> design_files(const Design& design) {
+  std::vector<NamedContent> out{{"design.yaml", design_text(design)}};
+  const model::Assembly* a = design.structure.assembly();
+  if (!a) return out;
+  for (const model::AssemblyBody& b : a->bodies)
     out.push_back({"parts/" + b.name + ".stl", stl_text(b.name, b.solid)});
-  for (const model::AssemblyHinge& h : file.assembly.hinges)
+  for (const model::AssemblyHinge& h : a->hinges)
     if (!h.soft.points.empty()) out.push_back({"parts/" + h.name + ".stl", stl_text(h.name, h.soft)});
   return out;
 }

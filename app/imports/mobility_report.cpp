@@ -1,4 +1,4 @@
-#include "app/assembly/assembly_mobility.hpp"
+#include "app/imports/mobility_report.hpp"
 
 #include <fmt/format.h>
 

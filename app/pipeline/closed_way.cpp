@@ -1,0 +1,195 @@
+#include "app/pipeline/closed_way.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <mutex>
+
+#include "app/pipeline/body_pieces.hpp"
+#include "app/pipeline/design_drive.hpp"
+#include "app/pipeline/equilibrium.hpp"
+#include "app/pipeline/exact_state.hpp"
+#include "app/pipeline/physics_settings.hpp"
+#include "app/run/stopwatch.hpp"
+#include "model/assembly/assembly.hpp"
+#include "model/assembly/assembly_motion.hpp"
+#include "model/base/angle.hpp"
+#include "model/base/append.hpp"
+#include "model/base/invalid_input.hpp"
+
+namespace kinetix::app {
+namespace {
+
+// Part of the way to the poses: rounding of files lets bodies move by up to 3 % of it, mechanisms by all of it.
+constexpr double least_way = 0.05;
+
+void refuse_equilibrium(const Design& design) {
+  if (design.pull)
+    throw InvalidInput("the model equilibrium turns one hinge: give `drive: {hinge: NAME, angle_deg: ...}`",
+                       {"", 0, 0, "drive"});
+  const auto& hinges = design.structure.assembly()->hinges;
+  const auto ball = std::find_if(hinges.begin(), hinges.end(), [](const auto& h) { return h.ball; });
+  if (ball != hinges.end())
+    throw InvalidInput(
+        "the model equilibrium knows hinges with an axis only, and `" + ball->name + "` is a ball",
+        {"", 0, 0, "structure.hinges"});
+}
+
+/// States of the way, by their theta, with what is said of it.
+struct FollowedWay {
+  ClosedWay way;
+  std::vector<model::State> states = {};
+  std::vector<double> thetas = {};  ///< rad
+  double gap = 0;                   ///< largest mismatch of hinge points met, cell edges
+};
+
+std::string turn_words(const model::AssemblyMotion& m, const std::vector<model::AssemblyHinge>& hinges,
+                       int driven) {
+  const double last = to_degrees(m.turns.back());
+  if (m.reached)
+    return fmt::format(
+        "`{}` turned by {:.2f} deg; hinges stay closed within {:.1e} cell edges and {:.1e} rad",
+        hinges[driven].name, last, m.gap, m.axis_gap);
+  if (m.broken < 0) return fmt::format("stopped with `{}` turned by {:.2f} deg", hinges[driven].name, last);
+  return fmt::format("`{}` turns by {:.2f} deg and no further: at {:.2f} deg `{}` opens by more than it may",
+                     hinges[driven].name, last, to_degrees(m.broken_turn), hinges[m.broken].name);
+}
+
+FollowedWay turned_way(const Design& design, const model::Linkage& linkage, const model::LinkageDrive& drive,
+                       const RunOptions& options) {
+  model::AssemblyMotionOptions how;
+  how.stop = [&] { return options.stop.stop_requested(); };
+  model::AssemblyMotion m = follow_turn(linkage, first_motion(linkage), drive.hinge, drive.angle, how);
+  FollowedWay out{.way = {.reached = m.reached,
+                          .last = m.states.back(),
+                          .words = turn_words(m, design.structure.assembly()->hinges, drive.hinge)},
+                  .states = std::move(m.states),
+                  .gap = m.gap};
+  for (const double turn : m.turns) out.thetas.push_back(model::theta_at_turn(drive.sense, turn));
+  if (!m.reached) out.way.missed = {out.way.words};
+  return out;
+}
+
+std::string pull_words(const model::Deployment& d, double seconds) {
+  if (!d.reached)
+    return fmt::format(
+        "bodies follow their pull for {:.0f} % of the way and no further: hinges would have to open",
+        100 * d.shares.back());
+  return fmt::format(
+      "bodies end {:.2g} cell edges from where they are pulled to, rms, at most {:.2g}; hinges stay closed "
+      "within {:.1e} cell edges; {} states in {:.2f} s",
+      d.off_rms, d.off_max, d.gap, d.states.size(), seconds);
+}
+
+/// Largest distance of a body from its place at rest, as Deployment::off_max measures it, cell edges.
+double moved_by(const std::vector<model::State>& states, double edge_mm) {
+  const model::State &rest = states.front(), &last = states.back();
+  double most = 0;
+  for (std::size_t b = 0; b < last.size(); ++b)
+    most = std::max(most, (last[b].p - rest[b].p).norm() / edge_mm + 0.5 * (last[b].R - rest[b].R).norm());
+  return most;
+}
+
+/// Reasons why the bodies do not end where they are pulled to.
+std::vector<std::string> pull_reasons(const PullSection& pull, const model::Deployment& d, double moved) {
+  const bool stays = moved <= least_way * d.off_rms;
+  if (!pull.poses) {
+    if (!stays) return {};
+    return {"no body moves: the hinges hold the bodies where they are"};
+  }
+  if (d.off_rms <= pull.tolerance) return {};
+  if (stays)
+    return {
+        fmt::format("rest and target are two states of their own, not a mechanism between them: bodies move "
+                    "by {:.2g} cell edges at most, and end {:.3g} (rms) from the target; {:g} are allowed",
+                    moved, d.off_rms, pull.tolerance)};
+  return {fmt::format("bodies end {:.3g} cell edges (rms) from where they are pulled to; {:g} are allowed",
+                      d.off_rms, pull.tolerance)};
+}
+
+FollowedWay pulled_way(const Design& design, const model::Linkage& linkage, const RunOptions& options) {
+  Stopwatch watch;
+  model::DeploymentOptions how;
+  how.stop = [&] { return options.stop.stop_requested(); };
+  model::Deployment d = deploy(linkage, *pull_of(design), how);
+  FollowedWay out{.way = {.reached = d.reached,
+                          .last = d.states.back(),
+                          .off = model::StateDistance{d.off_rms, d.off_max},
+                          .words = pull_words(d, watch.lap())},
+                  .gap = d.gap};
+  out.way.missed = d.reached ? pull_reasons(*design.pull, d, moved_by(d.states, linkage.size.edge_mm))
+                             : std::vector<std::string>{out.way.words};
+  for (const model::State& state : d.states) out.thetas.push_back(mean_half_turn(linkage, state));
+  out.states = std::move(d.states);
+  return out;
+}
+
+std::shared_ptr<const model::ConvexBodies> pressing_bodies(const Run& run, const RunOptions& options) {
+  const auto alone = options.engine ? std::unique_lock(*options.engine) : std::unique_lock<std::mutex>();
+  return std::make_shared<const model::ConvexBodies>(
+      convex_bodies(*run.pieces, *run.design.structure.assembly(), run.design.structure));
+}
+
+/// The equilibrium of its elastic hinges, with the closed state of the same drive beside it.
+Run with_elastic_state(Run run, const model::LinkageDrive& drive, const RunOptions& options) {
+  run = with_pieces(std::move(run), options);
+  ElasticState state = follow_drive(run, drive, elasticity_of(run.design), motion_states, options,
+                                    pressing_bodies(run, options));
+  if (run.way->reached && state.equilibrium.reached()) {
+    const model::Linkage linkage = run.design.structure;
+    state.equilibrium.from_exact = aligned_distance(linkage, state.equilibrium.path.state, run.way->last);
+    state.states.insert(state.states.begin() + 1, {"target", to_string(Model::exact), drive.theta(),
+                                                   run.way->last, hinge_gaps(linkage, run.way->last)});
+  }
+  return with_states(std::move(run), std::move(state));
+}
+
+}  // namespace
+
+std::optional<model::Pull> pull_of(const Design& design) {
+  if (!design.pull) return std::nullopt;
+  if (design.pull->poses) return aligned_pull(design.structure, {*design.pull->poses});
+  const std::vector<model::AssemblyBody>& bodies = design.structure.assembly()->bodies;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const model::AssemblyBody& b : bodies) middle += b.position / static_cast<double>(bodies.size());
+  model::Pull out{{}, false};
+  for (const model::AssemblyBody& b : bodies)
+    out.to.push_back({Eigen::Matrix3d::Identity(), middle + *design.pull->expand * (b.position - middle)});
+  return aligned_pull(design.structure, std::move(out));
+}
+
+Run with_closed_way(Run run, const RunOptions& options) {
+  if (run.plan.model == Model::equilibrium) refuse_equilibrium(run.design);
+  const model::Linkage linkage = run.design.structure;
+  const model::LinkageDrive drive = drive_of(run.design);
+  if (!run.design.pull)
+    run.design.drive =
+        DriveSection{.kind = DriveSection::Kind::hinge, .hinge = drive.hinge, .angle = drive.angle};
+  Stopwatch watch;
+  FollowedWay followed = run.design.pull ? pulled_way(run.design, linkage, options)
+                                         : turned_way(run.design, linkage, drive, options);
+  run.fidelity.push_back({to_string(Model::exact), watch.lap(), followed.gap, "its own hinge closure"});
+  run.theta = run.design.pull ? followed.thetas.back() : drive.theta();
+  if (run.design.pull && run.design.pull->poses) run.tolerances = {{"pull", run.design.pull->tolerance}};
+  run.plan.why.push_back(followed.way.words);
+  run.way = std::move(followed.way);
+  if (run.plan.model == Model::equilibrium) return with_elastic_state(std::move(run), drive, options);
+  const auto add = [&](const char* name, std::size_t k) {
+    const model::State& state = followed.states[k];
+    run.states.push_back(
+        {name, to_string(Model::exact), followed.thetas[k], state, hinge_gaps(linkage, state)});
+  };
+  if (run.way->reached || run.plan.model == Model::exact) add("target", followed.states.size() - 1);
+  for (std::size_t k = 0; k < followed.states.size(); ++k) add("frame", k);
+  return run;
+}
+
+Run with_pieces(Run run, const RunOptions& options) {
+  const model::Assembly& bodies = *run.design.structure.assembly();
+  run.pieces = options.pieces && options.pieces->fit(bodies)
+                   ? options.pieces
+                   : std::make_shared<const BodyPieces>(pieces_of(bodies, options.threads));
+  return run;
+}
+
+}  // namespace kinetix::app
