@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "model/base/invalid_input.hpp"
-#include "sim/contact_parts.hpp"
 #include "sim/equilibrium.hpp"
 #include "sim/rigid_parts.hpp"
 #include "sim/start_motion.hpp"

@@ -1,9 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <compare>
 #include <vector>
-
-#include "sim/compression_run.hpp"
 
 namespace kinetix::sim {
 
@@ -23,13 +22,5 @@ struct TouchingPieces {
   int other = 0, piece_of_other = 0;  ///< likewise, other > body
   auto operator<=>(const TouchingPieces&) const = default;
 };
-/// All such pairs, sorted. The engine runs: one thread at a time.
-std::vector<TouchingPieces> touching_pieces(const model::Linkage& structure, const ContactParts& parts);
-
-/// run_compression, with bodies that collide by these pieces instead of walls. Each is 0.002 cell edges larger to all sides.
-/// @pre as many bodies as the linkage has   @throws InvalidInput as run_compression, and for elastic hinges
-PhysicsResult run_with_parts(const model::Linkage& structure, const model::LinkageDrive& drive,
-                             const PhysicsOptions& options, const ContactParts& parts,
-                             const PhysicsObserver& observer = {});
 
 }  // namespace kinetix::sim

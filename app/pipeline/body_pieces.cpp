@@ -4,6 +4,7 @@
 
 #include "app/run/stopwatch.hpp"
 #include "model/base/parallel_runs.hpp"
+#include "sim/compression_run.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -11,6 +11,7 @@
 #include "model/base/rotation_vector.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/linkage/make_drive.hpp"
+#include "sim/compression_run.hpp"
 #include "sim/shapes/convex_cuts.hpp"
 #include "tests/support/box_pieces.hpp"
 #include "tests/support/strip_solids.hpp"
