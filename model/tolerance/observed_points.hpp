@@ -29,7 +29,8 @@ class ObservedPoints {
   double count() const { return count_; }
   /// As they were given, mm.
   Eigen::VectorXd deviations() const;
-  /// After that motion; as given where they are not aligned. mm
+  /// Deviations after that motion; as given where they are not aligned. mm
+  Eigen::VectorXd without_motion(const Eigen::VectorXd& deviations) const;
   Eigen::VectorXd aligned_deviations() const { return without_motion(deviations()); }
   /// Root mean square over points of their distance as it was given, mm.
   double rms_mm() const;
@@ -37,8 +38,6 @@ class ObservedPoints {
   Eigen::VectorXd by_state(const Eigen::VectorXd& mixture, std::size_t bodies, double edge_mm) const;
 
  private:
-  Eigen::VectorXd without_motion(const Eigen::VectorXd& deviations) const;
-
   const std::vector<ObservedPoint>& points_;
   double count_ = 0;
   Eigen::MatrixXd rigid_;  ///< orthonormal: what rigid motions do to the deviations

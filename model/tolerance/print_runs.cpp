@@ -1,12 +1,10 @@
 #include "model/tolerance/print_runs.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
-#include "model/base/decompositions.hpp"
 #include "model/tolerance/print_equilibria.hpp"
 #include "model/tolerance/print_errors.hpp"
 
@@ -14,7 +12,6 @@ namespace kinetix::model {
 namespace {
 
 using Eigen::Matrix4Xd;
-using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
@@ -28,13 +25,7 @@ Vector3d mean_place(const ObservedPoint& point, const State& state) {
 class Distance {
  public:
   Distance(const std::vector<ObservedPoint>& points, bool aligned)
-      : points_(points), count_(ObservedPoints(points, false).count()), aligned_(aligned) {
-    MatrixXd rigid(points.size(), 6);
-    for (std::size_t k = 0; k < points.size(); ++k)
-      rigid.row(static_cast<Eigen::Index>(k)) << points[k].normal.transpose(),
-          points[k].place.cross(points[k].normal).transpose();
-    motions_ = column_space(rigid);
-  }
+      : points_(points), observed_(points, aligned), designed_(observed_.deviations()) {}
 
   double operator()(const State& design, const State& print) const {
     return rms(
@@ -53,24 +44,14 @@ class Distance {
   /// @param shift of a point along its normal, mm
   template <class Shift>
   double rms(const Shift& shift) const {
-    VectorXd designed(static_cast<Eigen::Index>(points_.size())),
-        moved(static_cast<Eigen::Index>(points_.size()));
-    for (std::size_t k = 0; k < points_.size(); ++k) {
-      const auto row = static_cast<Eigen::Index>(k);
-      designed[row] = points_[k].miss_mm;
-      moved[row] = shift(points_[k]);
-    }
-    if (aligned_) {
-      const VectorXd shares = motions_.transpose() * moved;
-      moved -= motions_ * shares;
-    }
-    return (designed + moved).norm() / std::sqrt(count_);
+    VectorXd moved(observed_.size());
+    for (Eigen::Index k = 0; k < moved.size(); ++k) moved[k] = shift(points_[k]);
+    return (designed_ + observed_.without_motion(moved)).norm() / std::sqrt(observed_.count());
   }
 
   const std::vector<ObservedPoint>& points_;
-  double count_;
-  MatrixXd motions_;  // orthonormal, of small rigid motions
-  bool aligned_;
+  ObservedPoints observed_;
+  VectorXd designed_;
 };
 
 /// Both have the same errors, so that their ratio is better known than either. @pre rms_mm
