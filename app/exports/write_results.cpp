@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/exports/registry.hpp"
+#include "app/exports/exporters.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/io/file_record.hpp"
 #include "app/result/result_json.hpp"

@@ -4,8 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/exports/design_export.hpp"
-#include "app/exports/report_export.hpp"
+#include "app/exports/exporters.hpp"
 #include "app/exports/write_results.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/result/result_json.hpp"

@@ -1,6 +1,6 @@
 #include <Eigen/Geometry>
 
-#include "app/exports/registry.hpp"
+#include "app/exports/exporters.hpp"
 
 /// An exporter in one file: the area of every cell in the first state, mm^2, a line each.
 namespace kinetix::app {

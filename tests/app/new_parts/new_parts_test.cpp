@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/exports/registry.hpp"
+#include "app/exports/exporters.hpp"
 #include "app/exports/write_results.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/goals/registry.hpp"

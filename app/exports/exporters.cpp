@@ -1,0 +1,119 @@
+#include "app/exports/exporters.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/files/bodies_section.hpp"
+#include "app/io/base64.hpp"
+#include "app/report/light_result.hpp"
+#include "app/report/report.hpp"
+#include "app/viewer/assets.hpp"
+#include "model/base/angle.hpp"
+#include "model/base/invalid_input.hpp"
+#include "model/lattice/crease_law.hpp"
+#include "model/lattice/planar/crease_pattern.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Edge = model::CreasePattern::Edge;
+
+std::vector<NamedContent> write_design(const Run& run, const Json&) {
+  return design_files(written_design(run));
+}
+
+Json points_json(const auto& points) {
+  Json out = Json::array();
+  for (const auto& p : points) out.push_back(std::vector<double>(p.data(), p.data() + p.size()));
+  return out;
+}
+
+std::string letter_of(const Edge& edge) { return edge.crease < 0 ? "B" : edge.multiplier > 0 ? "V" : "M"; }
+
+/// deg; of an edge at the rim there is none.
+Json fold_angles(const model::CreasePattern& pattern, double theta) {
+  Json out = Json::array();
+  for (const Edge& edge : pattern.edges) {
+    if (edge.crease < 0)
+      out.push_back(nullptr);
+    else
+      out.push_back(to_degrees(model::crease_turn(std::atan(edge.multiplier), theta)));
+  }
+  return out;
+}
+
+/// Returns a FOLD file (1.1) in mm: the pattern flat and, as a second frame, folded to theta, rad.
+std::string origami_text(const model::CreasePattern& pattern, double theta, const std::string& title) {
+  Json edges = Json::array(), words = Json::array();
+  for (const Edge& edge : pattern.edges) {
+    edges.push_back({edge.from, edge.to});
+    words.push_back(letter_of(edge));
+  }
+  const Json folded = {{"frame_title", "folded"},
+                       {"frame_classes", {"foldedForm"}},
+                       {"frame_parent", 0},
+                       {"frame_inherit", true},
+                       {"vertices_coords", points_json(pattern.folded)},
+                       {"edges_foldAngle", fold_angles(pattern, theta)}};
+  const Json file = {{"file_spec", 1.1},
+                     {"file_creator", "kinetix"},
+                     {"file_title", title},
+                     {"file_classes", {"singleModel"}},
+                     {"frame_title", "flat"},
+                     {"frame_classes", {"creasePattern"}},
+                     {"frame_unit", "mm"},
+                     {"vertices_coords", points_json(pattern.flat)},
+                     {"edges_vertices", edges},
+                     {"edges_assignment", words},
+                     {"faces_vertices", pattern.facets},
+                     {"file_frames", Json::array({folded})}};
+  return file.dump(1) + "\n";
+}
+
+std::vector<NamedContent> write_creases(const Run& run, const nlohmann::ordered_json&) {
+  const model::PlanarStructure* planar = run.design.structure.planar();
+  if (!planar || run.plan.exact.name != model::creased_family) return {};
+  try {
+    const model::CreasePattern pattern = crease_pattern(*planar, redrawing_of(*planar).y, run.theta);
+    return {{"creases.fold", origami_text(pattern, run.theta, run.design.name)}};
+  } catch (const InvalidInput&) {
+    return {};  // facets that are no polygons have no place in such a file
+  }
+}
+
+std::vector<NamedContent> write_pictures(const Run& run, const Json&) {
+  return run.goal ? run.goal->pictures(run, false) : std::vector<NamedContent>{};
+}
+
+/// The result with the pictures that belong into the page itself, without the time of writing: it is not known yet.
+std::vector<NamedContent> write_report(const Run& run, const Json& result) {
+  if (run.way) return {};  // the page draws walls
+  Json shown = result;
+  shown["timing_s"].erase("write");
+  if (run.goal)
+    for (const auto& [name, png] : run.goal->pictures(run, true))
+      shown["pictures"][name] = "data:image/png;base64," + to_base64(png);
+  return {{"report.html", report_html(light_result(std::move(shown), !scene_script().empty()).dump())}};
+}
+
+// Name, extensions, whether every run writes it, and how.
+const Exporter crease_export = {"creases", {"fold"}, false, write_creases};
+const Exporter pictures_export = {"pictures", {"svg", "png"}, false, write_pictures};
+
+std::vector<const Exporter*>& all() {
+  static std::vector<const Exporter*> list = {&design_export, &crease_export, &pictures_export,
+                                              &report_export};
+  return list;
+}
+
+}  // namespace
+
+const Exporter design_export = {"design", {"yaml", "stl"}, true, write_design};
+const Exporter report_export = {"report", {"html"}, true, write_report};
+
+const std::vector<const Exporter*>& exporters() { return all(); }
+
+void add_exporter(const Exporter& exporter) { all().push_back(&exporter); }
+
+}  // namespace kinetix::app
