@@ -160,6 +160,7 @@ Run with_model_states(Run run, const RunOptions& options) {
   } else if (run.plan.exact) {
     if (!run.goal) run.theta = exact_theta_of(run.design, run.plan.exact);
     run.states.push_back(exact_state(run, "target", run.theta));
+    if (options.brief) return run;
     run.fidelity.push_back(exact_fidelity(run.plan.exact, run.design.structure, run.theta));
     if (!run.goal) model::append(exact_frames(run), run.states);
   }
@@ -188,7 +189,7 @@ Run held(Found found, const Goal* goal, const RunOptions& options) {
   Run run;
   run.seed = options.seed;
   Stopwatch watch;
-  static_cast<Found&>(run) = planned(std::move(found));
+  static_cast<Found&>(run) = planned(std::move(found), options.brief);
   run.timings.plan = watch.lap();
   run = with_model_states(std::move(run), options);
   run.timings.equilibrium = watch.lap();

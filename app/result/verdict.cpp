@@ -79,8 +79,10 @@ std::optional<Reasons> drive_reasons(const Run& run) {
   if (run.matter && !run.equilibrium)
     return Reasons{"elastic hinges find no equilibrium: " + run.matter->why};
   if (run.equilibrium) {
-    if (!run.equilibrium->reached()) why.push_back(drive_stop_reason(run.equilibrium->path));
-    if (run.is_on_the_other_side()) why.push_back(missed_words(*run.equilibrium, run.theta));
+    if (!run.goal)
+      why = drive_reasons(*run.equilibrium, run.theta);
+    else if (!run.equilibrium->reached())
+      why.push_back(drive_stop_reason(run.equilibrium->path));
   } else if (run.way) {
     return run.way->missed;
   } else if (run.plan.model != Model::exact || run.states.empty()) {
@@ -148,6 +150,13 @@ std::string RunVerdict::reasons() const {
   for (const Problem& p : problems)
     if (p.level == Problem::Level::error) out += (out.empty() ? "" : "; ") + p.text;
   return out;
+}
+
+Reasons drive_reasons(const Equilibrium& equilibrium, double theta) {
+  Reasons why;
+  if (!equilibrium.reached()) why.push_back(drive_stop_reason(equilibrium.path));
+  if (equilibrium.is_on_the_other_side(theta)) why.push_back(missed_words(equilibrium, theta));
+  return why;
 }
 
 std::string failed_simulation_reason(const Verification& v) {

@@ -45,6 +45,9 @@ struct RunVerdict {
 /// GoalOutcome::warnings(), all else from the parts of the run.
 RunVerdict verdict_of(const Run& run);
 
+/// Reasons why a drive does not take a sheet to where it was asked for. @param theta that the equilibrium came to, rad
+std::vector<std::string> drive_reasons(const Equilibrium& equilibrium, double theta);
+
 /// That a simulation failed, and why, one sentence. @pre it did not settle
 std::string failed_simulation_reason(const Verification& verification);
 

@@ -76,7 +76,8 @@ struct Found {
 Design asked_design(const Found& found);
 
 /// What was found, with its plan, the hinges that the file makes otherwise, and its state where its family has a closed form.
-Found planned(Found found);
+/// @param brief RunOptions::brief
+Found planned(Found found, bool brief = false);
 
 inline void take_settings(Found& found, const GoalSettings& asked) {
   found.design.physics = asked.physics;

@@ -70,13 +70,18 @@ std::string to_string(Model model) {
   return "bullet";
 }
 
-Plan make_plan(const model::Sheet& sheet, std::optional<Model> model) {
+Plan make_brief_plan(const model::Sheet& sheet, std::optional<Model> model) {
   Plan plan;
-  const model::Linkage structure = sheet;
   plan.exact = exact_motion(sheet);
   plan.model = model.value_or(plan.exact ? Model::exact : Model::bullet);
+  plan.planar = !sheet.assembly() && all_vertical(model::Linkage(sheet));
+  return plan;
+}
+
+Plan make_plan(const model::Sheet& sheet, std::optional<Model> model) {
+  Plan plan = make_brief_plan(sheet, model);
+  const model::Linkage structure = sheet;
   if (sheet.assembly()) return plan;
-  plan.planar = all_vertical(structure);
   plan.why.push_back(plan.exact.why);
   if (plan.planar && (sheet.planar() || !plan.exact))
     plan.why.push_back(designs_sentence(planar_structure(sheet), static_cast<bool>(plan.exact)));

@@ -32,7 +32,9 @@ struct Plan {
   bool is_floppy() const { return mobility && mobility->dofs_along > 1; }
 };
 
-/// @param model nothing: exact where a family fits, else bullet
+/// Plans a scene. @param model nothing: exact where a family fits, else bullet
 Plan make_plan(const model::Sheet& structure, std::optional<Model> model = {});
+/// Plans no more than what computes the state: without mobility, range and sentences.
+Plan make_brief_plan(const model::Sheet& structure, std::optional<Model> model = {});
 
 }  // namespace kinetix::app

@@ -180,10 +180,6 @@ struct Run : Found {
   std::vector<std::string> physics_violations() const {
     return by_physics ? by_physics->violations : std::vector<std::string>{};
   }
-  /// Whether the sheet of a design stands folded to the other side than asked. What it shows of a goal is the goal's to judge.
-  bool is_on_the_other_side() const {
-    return !goal && equilibrium && equilibrium->is_on_the_other_side(theta);
-  }
 };
 
 /// How far the state that results show is from the goal. @pre the run has been through its models

@@ -34,7 +34,9 @@ struct RunOptions {
   std::stop_token stop = {};
   std::mutex* engine =
       nullptr;  ///< held while the physics engine runs, which one thread at a time may use; null: nobody else does
-  bool certify = true;    ///< prove how far it folds without contact
+  bool certify = true;  ///< prove how far it folds without contact
+  /// Computes states and the verdict alone, as sweeps need: no mobility, no sampled range of theta, no frames of exact motions.
+  bool brief = false;
   bool fidelity = false;  ///< physics runs of coarser steps too, for the table of speed against error
   /// Answer of `export` without options to a design (app/print/fit.hpp). Empty: not asked.
   std::function<PrintAnswer(const Design&)> printable = {};

@@ -4,7 +4,6 @@
 
 #include "app/pipeline/design_drive.hpp"
 #include "app/pipeline/equilibrium.hpp"
-#include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/pipeline/verify.hpp"
@@ -14,32 +13,6 @@
 #include "optim/doe/nan.hpp"
 
 namespace kinetix::app {
-namespace {
-
-Run equilibrium_run(const Design& design) {
-  Run run;
-  run.design = design;
-  run.plan.exact = exact_motion(design.structure);
-  run.plan.model = Model::equilibrium;
-  run.plan.planar = all_vertical(model::Linkage(design.structure));
-  // As many frames as `simulate` has: they decide the steps of the path.
-  ElasticState state = follow_drive(run, drive_of(design), elasticity_of(design), motion_states, {});
-  return with_states(std::move(run), std::move(state));
-}
-
-/// Of the closed form, where a family fits.
-Run exact_run(const Design& design) {
-  Run run;
-  run.design = design;
-  run.theta = design.theta;
-  run.plan.exact = exact_motion(design.structure);
-  if (!run.plan.exact) return run;
-  run.theta = exact_theta_of(design, run.plan.exact);
-  run.states.push_back({"target", to_string(Model::exact), run.theta, run.plan.exact.at(run.theta), {}});
-  return run;
-}
-
-}  // namespace
 
 DesignEvaluator::DesignEvaluator(const SweepPlan& plan) : plan_(plan), maker_(plan) {
   const bool compares = std::any_of(plan.responses.begin(), plan.responses.end(),
@@ -57,7 +30,7 @@ void DesignEvaluator::find_nominal() {
     see_equilibrium(
         base, equilibrium_at_closed_form({base.structure, drive_of(base), exact}, elasticity_of(base)), row);
   else if (plan_.doe.from_base)
-    compute_equilibrium(base, row);
+    compute_by_run(base, row);
   else
     compute(base, row);
   if (row.status != SampleStatus::ok)
@@ -82,15 +55,9 @@ void DesignEvaluator::compute(const Design& design, SampleRow& row) {
            .theta = design.theta,
            .nominal = &nominal_,
            .goal = plan_.goal.goal.get()};
-  if (design.structure.assembly()) return compute_bodies(design, row);
-  switch (plan_.doe.model) {
-    case Model::exact:
-      return compute_exact(design);
-    case Model::equilibrium:
-      return plan_.doe.from_base ? compute_near_base(design, row) : compute_equilibrium(design, row);
-    case Model::bullet:
-      return compute_physics(design, row);
-  }
+  if (plan_.doe.from_base) return compute_near_base(design, row);
+  if (plan_.doe.model == Model::exact && !design.structure.assembly()) return compute_exact(design);
+  compute_by_run(design, row);
 }
 
 /// Rectangles are folded in place; the order of their bodies is that of the lattice.
@@ -117,21 +84,18 @@ void DesignEvaluator::compute_exact(const Design& design) {
   seen_.state = &state_;
 }
 
-void DesignEvaluator::compute_bodies(const Design& design, SampleRow& row) {
-  run_ = run_design(design, plan_.doe.model, {.threads = 1, .progress = {}, .pieces = run_.pieces});
+void DesignEvaluator::compute_by_run(const Design& design, SampleRow& row) {
+  RunOptions options;
+  options.threads = 1;
+  options.certify = false;
+  options.brief = true;
+  options.pieces = run_.pieces;
+  run_ = run_design(design, plan_.doe.model, std::move(options));
   seen_.theta = run_.theta;
   if (run_.verification) return see_physics(row);
   seen_.theta = run_.states.front().theta;
   seen_.state = &run_.states.front().poses;
   if (run_.equilibrium) seen_.equilibrium = &*run_.equilibrium;
-  take_verdict(verdict_of(run_), row);
-}
-
-void DesignEvaluator::compute_equilibrium(const Design& design, SampleRow& row) {
-  run_ = equilibrium_run(design);
-  seen_.theta = run_.theta;
-  seen_.state = &run_.states.front().poses;
-  seen_.equilibrium = &*run_.equilibrium;
   take_verdict(verdict_of(run_), row);
 }
 
@@ -144,29 +108,16 @@ void DesignEvaluator::compute_near_base(const Design& design, SampleRow& row) {
 }
 
 void DesignEvaluator::see_equilibrium(const Design& design, model::EquilibriumPath path, SampleRow& row) {
-  run_ = Run();
-  run_.equilibrium = Equilibrium{elasticity_of(design), drive_of(design), std::move(path), {}, {}};
-  const model::EquilibriumPath& found = run_.equilibrium->path;
-  if (found.steps.empty()) throw InvalidInput(found.why);
+  if (path.steps.empty()) throw InvalidInput(path.why);
+  equilibrium_ = Equilibrium{elasticity_of(design), drive_of(design), std::move(path), {}, {}};
   seen_.structure = &design.structure;
-  seen_.theta = reached_theta(design.structure, exact_motion(design.structure), run_.equilibrium->drive,
-                              found, run_.equilibrium->elasticity);
-  seen_.state = &found.state;
-  seen_.equilibrium = &*run_.equilibrium;
-  run_.theta = seen_.theta;
-  take_verdict(verdict_of(run_), row);
-}
-
-/// By the same steps as a single run: of coarser ones first, and with joints that suit the family.
-void DesignEvaluator::compute_physics(const Design& design, SampleRow& row) {
-  run_ = design.hinge.model == HingeSection::Model::elastic ? equilibrium_run(design) : exact_run(design);
-  run_.design.physics = design.physics;
-  seen_.theta = run_.theta;
-  const bool has_state = !run_.states.empty() && (!run_.equilibrium || run_.equilibrium->reached());
-  const PhysicsTask task{has_state ? run_.states.front().poses : model::State{}, drive_of(design),
-                         physics_of(design, all_vertical(model::Linkage(design.structure)))};
-  run_.verification = verify(run_, task, {.threads = 1, .progress = {}});
-  see_physics(row);
+  seen_.theta = reached_theta(design.structure, exact_motion(design.structure), equilibrium_->drive,
+                              equilibrium_->path, equilibrium_->elasticity);
+  seen_.state = &equilibrium_->path.state;
+  seen_.equilibrium = &*equilibrium_;
+  RunVerdict verdict;
+  verdict.set(&RunVerdict::reaches, drive_reasons(*equilibrium_, seen_.theta), "elastic");
+  take_verdict(verdict, row);
 }
 
 void DesignEvaluator::see_physics(SampleRow& row) {

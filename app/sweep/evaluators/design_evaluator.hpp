@@ -16,12 +16,11 @@ class DesignEvaluator final : public Evaluator {
  private:
   void compute(const Design& design, SampleRow& row);
   void compute_exact(const Design& design);
-  void compute_equilibrium(const Design& design, SampleRow& row);
   void compute_near_base(const Design& design, SampleRow& row);
   void see_equilibrium(const Design& design, model::EquilibriumPath path, SampleRow& row);
   void find_nominal();
-  void compute_bodies(const Design& design, SampleRow& row);
-  void compute_physics(const Design& design, SampleRow& row);
+  /// Computes a sample by a run as `simulate` makes it, no more of it than its states and verdict.
+  void compute_by_run(const Design& design, SampleRow& row);
   void see_physics(SampleRow& row);
   const model::State& sheet_state(const model::Structure& squares, double theta);
 
@@ -34,6 +33,7 @@ class DesignEvaluator final : public Evaluator {
   model::State state_;
   model::ExactDesign<double> sheet_;
   Run run_;
+  std::optional<Equilibrium> equilibrium_;  ///< near the base's own
 };
 
 }  // namespace kinetix::app
