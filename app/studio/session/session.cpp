@@ -147,6 +147,12 @@ void Session::start(Job& job, double id, const std::string& about, const Job::Wo
 const std::map<std::string, Session::Command>& Session::commands() {
   using S = Session;
   using M = Message;
+  const auto told = [](const Command& change) {  // to everybody: it changes the state
+    return [change](S& s, const M& m) {
+      change(s, m);
+      s.tell_state();
+    };
+  };
   static const std::map<std::string, Command> all = {
       {"mode", [](S& s, const M& m) { s.set_mode(m); }},
       {"theta",
@@ -154,62 +160,30 @@ const std::map<std::string, Session::Command>& Session::commands() {
          s.fold_to(m.number("deg", -steepest_deg, steepest_deg) * radians_per_degree);
        }},
       {"drag", [](S& s, const M& m) { s.drag(m); }},
-      {"release",
-       [](S& s, const M&) {
-         s.player_.release();
-         s.tell_state();
-       }},
-      {"fix",
-       [](S& s, const M& m) {
-         s.player_.fix(s.body_of(m), m.boolean("fixed"));
-         s.tell_state();
-       }},
+      {"release", told([](S& s, const M&) { s.player_.release(); })},
+      {"fix", told([](S& s, const M& m) { s.player_.fix(s.body_of(m), m.boolean("fixed")); })},
       {"push",
        [](S& s, const M& m) {
          s.player_.push(s.body_of(m), m.point("at"), m.number("force_N", -largest_push_N, largest_push_N));
        }},
-      {"gravity",
-       [](S& s, const M& m) {
-         s.player_.set_gravity(m.boolean("on"));
-         s.tell_state();
-       }},
-      {"pause",
-       [](S& s, const M& m) {
-         s.player_.set_paused(m.boolean("on"));
-         s.tell_state();
-       }},
+      {"gravity", told([](S& s, const M& m) { s.player_.set_gravity(m.boolean("on")); })},
+      {"pause", told([](S& s, const M& m) { s.player_.set_paused(m.boolean("on")); })},
       {"step", [](S& s, const M&) { s.player_.step(); }},
-      {"speed",
-       [](S& s, const M& m) {
-         s.player_.set_speed(m.number("factor", 0.05, 1));
-         s.tell_state();
-       }},
-      {"springs",
-       [](S& s, const M& m) {
-         s.player_.set_springs(m.boolean("on"));
-         s.tell_state();
-       }},
-      {"reset",
-       [](S& s, const M&) {
+      {"speed", told([](S& s, const M& m) { s.player_.set_speed(m.number("factor", 0.05, 1)); })},
+      {"springs", told([](S& s, const M& m) { s.player_.set_springs(m.boolean("on")); })},
+      {"reset", told([](S& s, const M&) {
          s.tracer_.ask_to_stop();
          ++s.traces_;  // states of it that wait to be shown are not
          s.player_.reset();
-         s.tell_state();
-       }},
+       })},
       {"snap", [](S& s, const M&) { s.snap(); }},
       {"hinge", [](S& s, const M& m) { s.take(with_hinges(s.history_.current(), m)); }},
       {"paint", [](S& s, const M& m) { s.take(with_cell(s.history_.current(), m)); }},
       {"sheet", [](S& s, const M& m) { s.take(with_sheet(s.history_.current(), m)); }},
       {"made", [](S& s, const M& m) { s.take(with_made_hinges(s.history_.current(), m)); }},
       {"nearest", [](S& s, const M&) { s.take_nearest(); }},
-      {"undo",
-       [](S& s, const M&) {
-         if (s.history_.can_undo()) s.go_back(false);
-       }},
-      {"redo",
-       [](S& s, const M&) {
-         if (s.history_.can_redo()) s.go_back(true);
-       }},
+      {"undo", [](S& s, const M&) { s.go_back(false); }},
+      {"redo", [](S& s, const M&) { s.go_back(true); }},
       {"open", [](S& s, const M& m) { s.open(m); }},
       {"save", [](S& s, const M& m) { s.save(m); }},
       {"search", [](S& s, const M& m) { s.search(m); }},
@@ -275,7 +249,7 @@ void Session::add(Design design, int thing, Finding finding) {
 
 void Session::go_back(bool forth) {
   const auto go = [this](bool on) { return on ? history_.redo() : history_.undo(); };
-  go(forth);
+  if (!go(forth)) return;
   try {
     player_.load(history_.current());
   } catch (...) {

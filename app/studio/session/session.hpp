@@ -87,9 +87,6 @@ class Session : public SessionLoop {
   void search_for(const std::string& file, std::shared_ptr<const void> keeps);
   void found(std::shared_ptr<Run> run);
 
-  void tell(const nlohmann::ordered_json& message, int client = everybody) const {
-    tell_json(message, client);
-  }
   void tell_design(int client = everybody);
   void tell_result(int client = everybody) const;
   void tell_path(int client = everybody) const;

@@ -106,7 +106,7 @@ void SessionLoop::obey(int client, const std::string& text) {
     note_heard(client, id_);
     changed_ = true;
   } catch (const std::exception& e) {
-    attempt([&] { tell_json(error_message(failure_message(e), id, type_), client); });
+    attempt([&] { tell(error_message(failure_message(e), id, type_), client); });
   }
   client_ = everybody;
 }
@@ -132,7 +132,7 @@ bool SessionLoop::attempt(const Task& work) const {
     return true;
   } catch (const std::exception& e) {
     try {
-      tell_json(error_message(failure_message(e), 0, ""));
+      tell(error_message(failure_message(e), 0, ""));
     } catch (const std::exception&) {
       // There is not even room for a word.
     }
@@ -146,7 +146,7 @@ Text SessionLoop::text_of(const nlohmann::ordered_json& message) {
               message.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace))};
 }
 
-void SessionLoop::tell_json(const nlohmann::ordered_json& message, int client) const {
+void SessionLoop::tell(const nlohmann::ordered_json& message, int client) const {
   tell_text(text_of(message), client);
 }
 

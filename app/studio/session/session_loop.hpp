@@ -50,7 +50,7 @@ class SessionLoop {
 
   void enqueue(Task work) { enqueue(everybody, std::move(work)); }
   /// A message for a client, or for everybody; from any thread.
-  void tell_json(const nlohmann::ordered_json& message, int client = everybody) const;
+  void tell(const nlohmann::ordered_json& message, int client = everybody) const;
   void tell_text(Text text, int client = everybody) const { outlet_.tell(client, std::move(text)); }
   /// @return the message, to be told as often as it is wanted
   static Text text_of(const nlohmann::ordered_json& message);

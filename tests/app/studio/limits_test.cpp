@@ -43,7 +43,7 @@ class Waiting : public app::studio::SessionLoop {
   std::atomic<int> came = 0, done = 0;
 
  private:
-  void welcome(int client) override { tell_json({{"type", "hello"}}, client); }
+  void welcome(int client) override { tell({{"type", "hello"}}, client); }
   void forget(int) override {}
   void obey(const app::studio::Message&) override {
     goes_on.wait();
