@@ -148,7 +148,7 @@ using optim::fit_outline;
 using optim::fit_space_curve;
 using optim::fit_surface;
 using optim::FoldOptions;
-using optim::HelmetSpec;
+using HelmetSpec [[deprecated("RibsSpec")]] = optim::RibsSpec;
 using optim::LeastSquaresProblem;
 using optim::multi_start;
 using optim::MultiStartOptions;

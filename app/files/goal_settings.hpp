@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "app/files/goal_drive.hpp"
@@ -8,6 +9,8 @@
 #include "model/matter/process.hpp"
 
 namespace kinetix::app {
+
+class Goal;
 
 /// What the file of every goal asks of its run beside the goal.
 struct GoalSettings {

@@ -1,15 +1,10 @@
 #include "app/goals/registry.hpp"
 
-#include "app/goals/curve/curve_kind.hpp"
-#include "app/goals/display/display_kind.hpp"
-#include "app/goals/fold/fold_kind.hpp"
-#include "app/goals/helmet/helmet_kind.hpp"
-#include "app/goals/outline/outline_kind.hpp"
-#include "app/goals/space_block/space_block_kind.hpp"
-#include "app/goals/space_curve/space_curve_kind.hpp"
-#include "app/goals/surface/surface_kind.hpp"
-
 namespace kinetix::app {
+
+extern const GoalKind curve_kind, display_kind, fold_kind, helmet_kind, outline_kind, space_block_kind, space_curve_kind,
+    surface_kind;
+
 namespace {
 
 std::vector<const GoalKind*>& kinds() {

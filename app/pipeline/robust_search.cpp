@@ -13,11 +13,7 @@
 namespace kinetix::app {
 namespace {
 
-// What is tried of theta: its whole range, in equal steps.
-constexpr int thetas = 9;
-// rad: as narrow as a range may be; theta is what is tried.
-constexpr double narrow = 1e-3;
-// And of the gaps of blocks and films, over that of the file: longer ones turn softer, and are weaker across.
+// What is tried of the gaps of blocks and films, over that of the file: longer ones turn softer, and are weaker across.
 constexpr double gap_shares[] = {1, 0.7, 1.4};
 
 /// How the goal is kept, and what prints are expected to come to.
@@ -42,30 +38,20 @@ std::optional<Expected> expected(const Run& run, const Goal& goal) {
 /// The plain search first.
 std::vector<RobustTrial> trials(const std::optional<optim::AngleRange>& theta, const HingeSection& hinge) {
   std::vector<RobustTrial> out = {{std::nullopt, hinge}};
-  const bool has_gap = hinge.made && hinge.made->gap_mm > 0;
   for (const double share : gap_shares) {
-    if (share != 1 && !has_gap) continue;
+    if (share != 1 && !has_gap(hinge)) continue;
     HingeSection other = hinge;
-    if (has_gap) other.made->gap_mm *= share;
+    if (has_gap(hinge)) other.made->gap_mm *= share;
     if (!theta) {
       if (share != 1) out.push_back({std::nullopt, other});
       continue;
     }
-    for (int k = 0; k < thetas; ++k) {
-      const double lower = theta->lower + (theta->upper - theta->lower - narrow) * k / (thetas - 1);
-      out.push_back({optim::AngleRange{lower, lower + narrow}, other});
+    for (int k = 0; k < robust_thetas; ++k) {
+      const double lower =
+          theta->lower + (theta->upper - theta->lower - narrow_theta) * k / (robust_thetas - 1);
+      out.push_back({optim::AngleRange{lower, lower + narrow_theta}, other});
     }
   }
-  return out;
-}
-
-RobustCandidate not_judged(double theta, double cell_mm, const HingeSection& hinge) {
-  RobustCandidate out{.theta = theta,
-                      .cell_mm = cell_mm,
-                      .designed_mm = std::nan(""),
-                      .as_made_mm = std::nan(""),
-                      .as_made_p95 = std::nan("")};
-  if (hinge.made && hinge.made->gap_mm > 0) out.gap_mm = hinge.made->gap_mm;
   return out;
 }
 
@@ -98,6 +84,18 @@ RobustCandidate tried(const Found& plain, const Goal& goal, const RobustTrial& t
 }
 
 }  // namespace
+
+bool has_gap(const HingeSection& hinge) { return hinge.made && hinge.made->gap_mm > 0; }
+
+RobustCandidate not_judged(double theta, double cell_mm, const HingeSection& hinge) {
+  RobustCandidate out{.theta = theta,
+                      .cell_mm = cell_mm,
+                      .designed_mm = std::nan(""),
+                      .as_made_mm = std::nan(""),
+                      .as_made_p95 = std::nan("")};
+  if (has_gap(hinge)) out.gap_mm = hinge.made->gap_mm;
+  return out;
+}
 
 RobustCandidate robust_candidate(Found found, const Goal& goal, const RunOptions& options) {
   RobustCandidate out = not_judged(found.theta, found.design.structure.size().edge_mm, found.design.hinge);

@@ -7,6 +7,16 @@
 
 namespace kinetix::app {
 
+/// Values of theta that a robust search tries, in equal steps over its range, each in a range as narrow as one may be, rad.
+inline constexpr int robust_thetas = 9;
+inline constexpr double narrow_theta = 1e-3;
+
+/// Whether hinges are blocks or films, which have gaps.
+bool has_gap(const HingeSection& hinge);
+
+/// A candidate of which nothing is known but its theta, rad, its cells and its hinges.
+RobustCandidate not_judged(double theta, double cell_mm, const HingeSection& hinge);
+
 /// What a robust search may try.
 struct RobustTrial {
   std::optional<optim::AngleRange> theta;  ///< rad, as narrow as searches take it; nothing: that of the file

@@ -35,6 +35,19 @@ SummaryLine search_line(double seconds, const optim::MultiStartResult& search, i
                                 search.runs.size(), to_string(search.runs[chosen].status))};
 }
 
+nlohmann::ordered_json search_json(const optim::SolveResult& search, int starts) {
+  return {{"solver", "ceres"},
+          {"starts", starts},
+          {"evaluations", search.evaluations},
+          {"status", to_string(search.status)},
+          {"why", search.why}};
+}
+
+SummaryLine search_line(double seconds, const optim::SolveResult& search) {
+  return {"search", fmt::format("{:.2f} s, ceres, {} evaluations, {}", seconds, search.evaluations,
+                                to_string(search.status))};
+}
+
 void add_end(bool stopped, bool found, const std::string& why, const std::string& why_not,
              nlohmann::ordered_json& optimiser) {
   const char* const ended = found ? "converged" : "failed";

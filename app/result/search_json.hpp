@@ -12,6 +12,10 @@ namespace kinetix::app {
 nlohmann::ordered_json search_json(const optim::MultiStartResult& search, int chosen,
                                    optim::SolverName solver);
 
+/// The `optimiser` of one search by ceres from `starts` starts.
+nlohmann::ordered_json search_json(const optim::SolveResult& search, int starts = 1);
+SummaryLine search_line(double seconds, const optim::SolveResult& search);
+
 /// The line of the summary for such a search. @param seconds that it took
 SummaryLine search_line(double seconds, const optim::MultiStartResult& search, int chosen,
                         optim::SolverName solver);

@@ -66,7 +66,7 @@ struct Found {
   std::vector<std::string> notes = {};  ///< sentences for the plan
   TurnBounds bounds = {};               ///< how far tilts and theta may go to make up for elastic hinges
 
-  /// Set by planned().
+  /// Set by planned(). A search that needs the exact motion sets that part of it.
   Plan plan;
   /// In which the model holds a goal's design, not yet where results show it. Set by planned(), of equilibria by their path.
   model::State own;

@@ -70,16 +70,16 @@ std::string to_string(Model model) {
   return "bullet";
 }
 
-Plan make_brief_plan(const model::Sheet& sheet, std::optional<Model> model) {
+Plan make_brief_plan(const model::Sheet& sheet, std::optional<Model> model, model::ExactMotion exact) {
   Plan plan;
-  plan.exact = exact_motion(sheet);
+  plan.exact = exact ? std::move(exact) : exact_motion(sheet);
   plan.model = model.value_or(plan.exact ? Model::exact : Model::bullet);
   plan.planar = !sheet.assembly() && all_vertical(model::Linkage(sheet));
   return plan;
 }
 
-Plan make_plan(const model::Sheet& sheet, std::optional<Model> model) {
-  Plan plan = make_brief_plan(sheet, model);
+Plan make_plan(const model::Sheet& sheet, std::optional<Model> model, model::ExactMotion exact) {
+  Plan plan = make_brief_plan(sheet, model, std::move(exact));
   const model::Linkage structure = sheet;
   if (sheet.assembly()) return plan;
   plan.why.push_back(plan.exact.why);

@@ -32,9 +32,9 @@ struct Plan {
   bool is_floppy() const { return mobility && mobility->dofs_along > 1; }
 };
 
-/// Plans a scene. @param model nothing: exact where a family fits, else bullet
-Plan make_plan(const model::Sheet& structure, std::optional<Model> model = {});
+/// Plans a scene. @param model nothing: exact where a family fits, else bullet   @param exact motion of the sheet, where it is known
+Plan make_plan(const model::Sheet& sheet, std::optional<Model> model = {}, model::ExactMotion exact = {});
 /// Plans no more than what computes the state: without mobility, range and sentences.
-Plan make_brief_plan(const model::Sheet& structure, std::optional<Model> model = {});
+Plan make_brief_plan(const model::Sheet& sheet, std::optional<Model> model = {}, model::ExactMotion exact = {});
 
 }  // namespace kinetix::app

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/goals/display/display_kind.hpp"
+#include "app/goals/display/display_file.hpp"
 #include "app/goals/display/display_outcome.hpp"
 #include "app/pictures/far_view.hpp"
 #include "app/pipeline/pipeline.hpp"

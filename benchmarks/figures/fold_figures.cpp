@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/goals/fold/fold_kind.hpp"
+#include "app/goals/fold/fold_file.hpp"
 #include "app/goals/fold/fold_outcome.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "benchmarks/figure.hpp"

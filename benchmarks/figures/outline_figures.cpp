@@ -4,8 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "app/goals/outline/outline_kind.hpp"
-#include "app/goals/outline/outline_outcome.hpp"
+#include "app/goals/outline/outline_goal.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "benchmarks/figure.hpp"
 #include "model/lattice/planar/lattices/registry.hpp"

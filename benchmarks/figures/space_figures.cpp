@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "app/goals/read_target.hpp"
-#include "app/goals/space_block/space_block_outcome.hpp"
-#include "app/goals/space_curve/space_curve_kind.hpp"
-#include "app/goals/space_curve/space_curve_outcome.hpp"
+#include "app/goals/space_curve/space_curve_file.hpp"
 #include "app/pipeline/pipeline.hpp"
+#include "app/result/result_json.hpp"
 #include "benchmarks/figure.hpp"
 #include "model/closure/closure.hpp"
 #include "model/closure/mobility.hpp"
@@ -34,13 +34,14 @@ Figure helix_figure() {
   file.name = "helix";
   file.variables.size = {5, 0.5, 3};
   const app::Run run = run_goal(*make_goal(file), {});
-  const targets::SpaceError& error = app::measure_of<app::SpaceCurveMeasure>(run).error;
+  const nlohmann::ordered_json metrics = metrics_json(run);
+  const double rms = metrics["shape_rms"], max = metrics["shape_max"];
   const double seconds = run.timings.optimise;
   const bool agrees = run.verification && run.verification->agrees;
   return {"helix of two turns, 96 columns", "rms <= 2.4e-3 of the diagonal, <= 1 s, physics agrees",
-          fmt::format("rms {:.2e}, largest {:.2e}, {:.2f} s, {}", error.rms, error.max, seconds,
+          fmt::format("rms {:.2e}, largest {:.2e}, {:.2f} s, {}", rms, max, seconds,
                       agrees ? "physics agrees" : "physics does not agree"),
-          error.rms <= 2.4e-3 && seconds <= 1 && agrees};
+          rms <= 2.4e-3 && seconds <= 1 && agrees};
 }
 
 constexpr model::CellSize block_size = {10, 0.8, 1};  // mm: low walls, which do not meet
@@ -79,9 +80,8 @@ Figure block_figure() {
       "kinetix: 1\ntarget: {kind: space_block, factor: [0.82, 0.86, 0.88], size_mm: [120, 120, 120]}\n",
       "block.yaml");
   const app::Run run = run_goal(*app::read_target(root).goal, {});
-  const auto* settled = app::physics_measure_of<app::SpaceBlockMeasure>(run);
-  const double model = app::measure_of<app::SpaceBlockMeasure>(run).error.off,
-               physics = settled ? settled->error.off : INFINITY;
+  const nlohmann::ordered_json metrics = metrics_json(run);
+  const double model = metrics["factor_off"], physics = metrics.value("factor_off_physics", INFINITY);
   return {"block of 120 mm that shrinks to 0.82, 0.86 and 0.88 along x, y and z",
           "factors within 1e-12, within 1e-4 in the physics run",
           fmt::format("{} bodies, off by {:.0e} and {:.0e}", run.design.structure.bodies(), model, physics),

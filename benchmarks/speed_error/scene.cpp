@@ -43,7 +43,7 @@ SpeedErrorScene cube() {
 
 SpeedErrorScene helmet() {
   const targets::Head head = make_head(targets::read_mesh(KINETIX_SHAPES "/headform.obj"), {});
-  optim::HelmetSpec spec;
+  optim::RibsSpec spec;
   spec.size = walls_of(6);
   const optim::RibsDesign design = fit_helmet(head.dome, Eigen::Vector3d::Zero(), spec, {});
   const model::Structure& structure = design.fishbone.structure;

@@ -5,7 +5,9 @@ import re
 import sys
 
 root = pathlib.Path(sys.argv[1])
-kinds = sorted(path.name for path in (root / "app/goals").iterdir() if path.is_dir())
+# What several kinds have in common has a folder of its own.
+shared = {"app/goals/ribs/": ("helmet", "surface")}
+kinds = sorted(path.name for path in (root / "app/goals").iterdir() if path.is_dir() and f"app/goals/{path.name}/" not in shared)
 registries = {"app/goals/registry.cpp", "app/report/js/goals.js", "app/viewer/src/studio/goals.js"}
 
 
@@ -14,7 +16,7 @@ def own_pages(kind):
 
 
 def is_own(file, kind):
-    return file.startswith(f"app/goals/{kind}/") or file in own_pages(kind)
+    return file.startswith((f"app/goals/{kind}/", *(folder for folder, of in shared.items() if kind in of))) or file in own_pages(kind)
 
 
 def namings(kind):

@@ -47,4 +47,7 @@ const targets::KeyTable& curve_keys();
 /// @throws InvalidInput for whatever formats.md does not allow
 CurveFile read_curve_file(const targets::Node& root);
 
+/// Makes the goal: the search, the closed form, and the physics run of its folding.
+std::unique_ptr<Goal> make_goal(CurveFile file);
+
 }  // namespace kinetix::app

@@ -2,18 +2,146 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <utility>
+#include <vector>
 
-#include "app/goals/curve/curve_kind.hpp"
-#include "app/goals/curve/curve_outcome.hpp"
-#include "app/goals/curve/curve_points.hpp"
-#include "app/goals/curve/curve_search.hpp"
+#include "app/goals/curve/curve_file.hpp"
+#include "app/goals/curve/robust_curve.hpp"
 #include "app/pipeline/robust_search.hpp"
+#include "app/result/search_json.hpp"
+#include "app/result/state_json.hpp"
+#include "app/run/found.hpp"
+#include "app/run/goal_kind.hpp"
 #include "app/run/midline.hpp"
+#include "app/run/run.hpp"
+#include "app/run/run_options.hpp"
+#include "app/run/search_words.hpp"
+#include "model/sheet/sheet.hpp"
 #include "model/sheet/sheet_motion.hpp"
+#include "model/tolerance/observed_points.hpp"
+#include "optim/curve/fit_curve.hpp"
+#include "targets/curve/curve.hpp"
+#include "targets/curve/curve_error.hpp"
+#include "targets/curve/polyline_tree.hpp"
 
 namespace kinetix::app {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct CurveMeasure final : Measure {
+  std::vector<Eigen::Vector2d> midline_mm;  ///< (x, z), as the model's state lies
+  targets::CurveError error;
+};
+
+Json error_json(const targets::CurveError& error) {
+  Json out = Json::array();
+  for (std::size_t k = 0; k < error.arc_mm.size(); ++k)
+    out.push_back({error.arc_mm[k], error.distance_mm[k]});
+  return out;
+}
+
+Json turns_json(const optim::CurveReach& reach) {
+  Json out = Json::array();
+  for (const optim::ColumnTurn& t : reach.turns)
+    out.push_back({{"column", t.column},
+                   {"arc_mm", t.arc_mm},
+                   {"needed_deg", t.needed / radians_per_degree},
+                   {"allowed_deg", std::abs(t.allowed) / radians_per_degree}});
+  return out;
+}
+
+Json robust_json(const RobustCurve& robust) {
+  Json out = Json::array();
+  for (std::size_t k = 0; k < robust.tried.size(); ++k) {
+    const CurveCandidate& one = robust.tried[k];
+    out.push_back({{"columns", one.columns},
+                   {"cell_mm", one.cell_mm},
+                   {"gap_mm", one.gap_mm ? Json(*one.gap_mm) : Json(nullptr)},
+                   {"theta_rad", one.theta},
+                   {"shape_rms", one.shape_rms},
+                   {"as_made_rms_mm", one.as_made_mm},
+                   {"as_made_p95_mm", one.as_made_p95},
+                   {"allowed", one.is_allowed},
+                   {"in_matter", one.in_matter},
+                   {"chosen", k == robust.chosen}});
+  }
+  return out;
+}
+
+std::string robust_text(const RobustCurve& robust) {
+  const CurveCandidate &best = robust.tried[robust.chosen], &plain = robust.tried.front();
+  if (robust.chosen == 0)
+    return fmt::format(
+        "of {} strips tried, prints of none that may be taken come nearer than those of the plain search's",
+        robust.tried.size());
+  const std::string gaps = best.gap_mm ? fmt::format(", gaps of {:.2g} mm", *best.gap_mm) : "";
+  return fmt::format(
+      "{} columns at theta {:.1f} deg{}, of {} strips tried: prints{} are expected {:.3g} mm off; of the "
+      "design with the least error of its own, {} columns at {:.1f} deg, {}",
+      best.columns, best.theta / radians_per_degree, gaps, robust.tried.size(),
+      best.in_matter ? "" : " of its closed form", best.as_made_mm, plain.columns,
+      plain.theta / radians_per_degree,
+      std::isfinite(plain.as_made_mm) ? fmt::format("{:.3g} mm", plain.as_made_mm) : "that is not known");
+}
+
+optim::MultiStartOptions curve_search(const CurveFile& file, const RunOptions& options) {
+  optim::MultiStartOptions search;
+  search.starts = file.solver.starts.value_or(search.starts);
+  search.solver.name = file.solver.name.value_or(search.solver.name);
+  search.solver.max_evaluations = file.solver.max_evaluations.value_or(search.solver.max_evaluations);
+  return followed(search, options, [mm = file.curve.diagonal()](double least) {
+    return fmt::format("best {:.2g} mm off", least * mm);
+  });
+}
+
+/// What a curve search contributes to a result. Met: shape within tolerance, and no walls in the way.
+struct CurveOutcome final : GoalOutcome {
+  explicit CurveOutcome(CurveStrip strip) : file(std::move(strip.file)), found(std::move(strip.found)) {}
+
+  CurveFile file;
+  optim::FreeCurveDesign found;
+  std::optional<RobustCurve> robust;  ///< where `found` was chosen by what its prints come to
+
+  optim::SolverName solver() const { return curve_search(file, {}).solver.name; }
+
+  void add_sections(const Run& run, Json& result) const override {
+    const auto& shape = measure_of<CurveMeasure>(run);
+    result["target"] = {{"kind", "curve"}, {"points_mm", points_json(file.curve.points())}};
+    result["curve"] = {
+        {"folded_mm", points_json(shape.midline_mm)}, {"goal_mm", points_json(shape.error.goal_mm)},
+        {"error", error_json(shape.error)},           {"scale_mm", shape.error.scale_mm},
+        {"turn", turns_json(found.design.reach)},     {"reasons", run.violations}};
+    if (robust) result["curve"]["robust"] = robust_json(*robust);
+    result["optimiser"] = search_json(found.design.search, found.design.chosen, solver());
+  }
+  void add_metrics(const Run& run, Json& metrics) const override {
+    const targets::CurveError& error = measure_of<CurveMeasure>(run).error;
+    metrics["shape_rms"] = error.rms;
+    metrics["shape_max"] = error.max;
+    metrics["met"] = run.met();
+  }
+  std::vector<SummaryLine> summary_lines(const Run& run) const override {
+    const targets::CurveError& error = measure_of<CurveMeasure>(run).error;
+    std::vector<SummaryLine> lines = {
+        {"shape",
+         fmt::format(
+             "rms {:.2e} of the goal's diagonal ({:.3f} mm from curve to curve), largest {:.3f} mm: {}",
+             error.rms, error.rms * error.scale_mm, error.max * error.scale_mm,
+             in_words(run, error.rms <= file.shape_tolerance))}};
+    if (robust) lines.push_back({"robust", robust_text(*robust)});
+    lines.push_back(search_line(run.timings.optimise, found.design.search, found.design.chosen, solver()));
+    return lines;
+  }
+
+ private:
+  std::string in_words(const Run& run, bool is_close) const {
+    if (run.met() || run.strained || !is_close) return tolerance_words(run, is_close);
+    return found.walls_are_free ? "WITHIN TOLERANCE, BUT DOES NOT HOLD"
+                                : "WITHIN TOLERANCE, BUT WALLS COLLIDE";
+  }
+};
 
 // Measured: s a start of 40 columns; it grows with their number to 1.5.
 constexpr double seconds_a_start = 0.0075;
@@ -98,22 +226,12 @@ class CurveGoal final : public Goal {
   Found search(const RunOptions& options) const override {
     const optim::MultiStartOptions search = curve_search(file_, options);
     options.progress("search", 0);
-    optim::FreeCurveDesign found =
-        fit_free_curve(file_.curve, curve_variables(file_), file_.size, search, file_.shape_tolerance);
-    if (!file_.robust) return found_for(file_, std::move(found));
-    RunOptions quiet = options;
-    quiet.progress = {};
-    const StripOf strip_of = [&](const CurveFile& file, const auto& strip) { return found_for(file, strip); };
-    RobustCurve robust =
-        robust_curve(file_, found, search, options, strip_of, [&](const CurveFile& file, const auto& strip) {
-          return robust_candidate(strip_of(file, strip), *this, quiet);
-        });
-    CurveFile chosen = file_;
-    chosen.size = robust.size;
-    chosen.hinge = robust.hinge;
-    chosen.hinge_parts = robust.hinge_parts;
-    optim::FreeCurveDesign strip = robust.found;
-    return found_for(chosen, std::move(strip), std::move(robust));
+    CurveStrip plain{file_, fit_free_curve(file_.curve, curve_variables(file_), file_.size, search,
+                                           file_.shape_tolerance)};
+    if (!file_.robust) return found_for(std::move(plain));
+    auto [best, robust] = robust_curve(*this, std::move(plain), search, options,
+                                       [&](const CurveStrip& strip) { return found_for(strip); });
+    return found_for(std::move(best), std::move(robust));
   }
 
   /// In the equilibrium how elastic hinges keep the goal. The physics run is judged by its distance from the model alone.
@@ -138,12 +256,23 @@ class CurveGoal final : public Goal {
     return out;
   }
 
-  /// Each column's place against the goal as it was laid over the midline.
+  /// Each column's place against the goal as it is laid over the midline.
   std::optional<Observed> observe(const Found& found, const model::Sheet& sheet,
                                   const model::State& state) const override {
-    const targets::CurveError& error = outcome_of<CurveOutcome>(found).found.design.error;
-    return Observed{curve_points(file_.curve, sheet, state, found.own),
-                    file_.shape_tolerance * error.scale_mm};
+    const model::Pose motion = motion_onto(state, found.own);
+    const Eigen::Matrix3d back = motion.R.transpose();
+    const model::State placed = moved(state, motion);
+    const std::vector<Eigen::Vector2d> midline = column_midline(sheet, placed);
+    const targets::PolylineTree goal(curve_error(midline, file_.curve).goal_mm);
+    const std::vector<std::vector<int>> columns = body_columns(sheet);
+    Observed out{{}, file_.shape_tolerance * outcome_of<CurveOutcome>(found).found.design.error.scale_mm};
+    for (std::size_t k = 0; k < midline.size(); ++k) {
+      const targets::ClosestPoint at = goal.nearest(midline[k]);
+      const Eigen::Vector3d place(midline[k].x(), placed[columns[k][0]].p.y(), midline[k].y()),
+          normal(at.normal.x(), 0, at.normal.y());
+      out.points.push_back({columns[k], back * (place - motion.p), back * normal, at.distance});
+    }
+    return out;
   }
 
  private:
@@ -158,23 +287,17 @@ class CurveGoal final : public Goal {
             }};
   }
 
-  /// A strip that was found for a file.
-  Found found_for(const CurveFile& file, optim::FreeCurveDesign strip,
-                  std::optional<RobustCurve> robust = {}) const {
+  Found found_for(CurveStrip strip, std::optional<RobustCurve> robust = {}) const {
     Found out;
-    take_settings(out, file);
-    out.tolerances = {{"shape", file.shape_tolerance}};
-    out.design.structure = sheet_of(strip.design.design, file.size);
-    out.theta = strip.design.design.theta;
+    take_settings(out, strip.file);
+    out.tolerances = {{"shape", strip.file.shape_tolerance}};
+    out.design.structure = sheet_of(strip.found.design.design, strip.file.size);
+    out.theta = strip.found.design.design.theta;
     out.is_strip = true;
     out.is_laid_over = true;
     out.bounds = bounds();
-    out.notes = strip.notes;
-    auto curve = std::make_unique<CurveOutcome>();
-    curve->shape_tolerance = file.shape_tolerance;
-    curve->target_mm = file.curve.points();
-    curve->solver = curve_search(file, {}).solver;
-    curve->found = std::move(strip);
+    out.notes = strip.found.notes;
+    auto curve = std::make_unique<CurveOutcome>(std::move(strip));
     curve->robust = std::move(robust);
     out.goal = std::move(curve);
     return out;
@@ -190,10 +313,21 @@ double measured(const Goal& goal, const model::Sheet& structure, const model::St
 
 }  // namespace
 
+optim::CurveVariables curve_variables(const CurveFile& file) {
+  optim::CurveVariables v;
+  v.columns = file.columns;
+  v.rows = file.rows;
+  v.cell_mm = file.size.edge_mm;
+  v.beta = file.beta;
+  v.theta = file.theta;
+  v.per = file.per;
+  v.symmetry = file.symmetry;
+  return v;
+}
+
 std::unique_ptr<Goal> make_goal(CurveFile file) { return std::make_unique<CurveGoal>(std::move(file)); }
 
-// The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
-const GoalKind curve_kind = {
+extern const GoalKind curve_kind = {
     .name = "curve",
     .example = "target: {kind: curve, points: points.csv}",
     .read = [](const targets::Node& root) { return make_goal(read_curve_file(root)); },

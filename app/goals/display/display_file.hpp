@@ -84,4 +84,8 @@ const targets::KeyTable& display_keys();
 /// @throws InvalidInput for whatever formats.md does not allow
 DisplayFile read_display_file(const targets::Node& root);
 
+/// Makes the goal: the search, the panel's equilibrium from flat, and the physics run of its compression. Its search throws
+/// InvalidInput for a panel whose walls overlap, and for one that the machine's memory does not hold.
+std::unique_ptr<Goal> make_goal(DisplayFile file);
+
 }  // namespace kinetix::app

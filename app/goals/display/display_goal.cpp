@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/files/process_section.hpp"
-#include "app/goals/display/display_kind.hpp"
+#include "app/goals/display/display_file.hpp"
 #include "app/goals/display/display_limits.hpp"
 #include "app/goals/display/display_outcome.hpp"
 #include "app/goals/display/display_prints.hpp"
@@ -17,6 +17,7 @@
 #include "app/goals/display/search_panel.hpp"
 #include "app/pipeline/hinge_loads.hpp"
 #include "app/pipeline/physics_settings.hpp"
+#include "app/run/goal_kind.hpp"
 #include "model/base/angle.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "targets/display/panel_levels.hpp"
@@ -267,8 +268,7 @@ class DisplayGoal final : public Goal {
 
 std::unique_ptr<Goal> make_goal(DisplayFile file) { return std::make_unique<DisplayGoal>(std::move(file)); }
 
-// The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
-const GoalKind display_kind = {
+extern const GoalKind display_kind = {
     .name = "display",
     .example = "target: {kind: display, glyph: T}",
     .read = [](const targets::Node& root) { return make_goal(read_display_file(root)); },

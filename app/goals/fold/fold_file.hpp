@@ -43,4 +43,7 @@ const targets::KeyTable& fold_keys();
 /// @throws InvalidInput for whatever formats.md does not allow
 FoldFile read_fold_file(const targets::Node& root);
 
+/// Makes the goal: the search, the closed form, and the physics run of its folding.
+std::unique_ptr<Goal> make_goal(FoldFile file);
+
 }  // namespace kinetix::app

@@ -6,11 +6,12 @@
 #include <string>
 #include <utility>
 
-#include "app/goals/fold/fold_kind.hpp"
+#include "app/goals/fold/fold_file.hpp"
 #include "app/goals/fold/fold_limits.hpp"
 #include "app/goals/fold/fold_outcome.hpp"
 #include "app/pipeline/hinge_loads.hpp"
 #include "app/pipeline/robust_search.hpp"
+#include "app/run/goal_kind.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "optim/fold/fit_box.hpp"
 #include "targets/document/number.hpp"
@@ -261,8 +262,7 @@ class FoldGoal final : public Goal {
 
 std::unique_ptr<Goal> make_goal(FoldFile file) { return std::make_unique<FoldGoal>(std::move(file)); }
 
-// The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
-const GoalKind fold_kind = {
+extern const GoalKind fold_kind = {
     .name = "fold",
     .example = "target: {kind: fold, box: [4, 4, 4]}",
     .read =

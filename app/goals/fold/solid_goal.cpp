@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "app/goals/fold/fold_kind.hpp"
+#include "app/goals/fold/fold_file.hpp"
 #include "app/goals/fold/solid_outcome.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "targets/document/number.hpp"

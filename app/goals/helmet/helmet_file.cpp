@@ -23,7 +23,7 @@ constexpr int most_ribs = 200;              // one every other millimetre of a h
 constexpr double least_helmet_cell_mm = 1;  // of cells, and between ribs: smaller ones make too many cells
 constexpr double most_cell_mm = 60;         // about a head's radius: larger cells cannot follow it
 
-targets::KeyTable target_keys(const optim::HelmetSpec& usual) {
+targets::KeyTable target_keys(const optim::RibsSpec& usual) {
   std::vector<targets::Key> keys = targets::head_keys();
   keys.insert(keys.begin(), targets::goal_kind_key("helmet"));
   keys.insert(keys.end(),
@@ -82,7 +82,7 @@ void read_ribs(const targets::Section& target, HelmetFile& file) {
   file.spec.coverage_mm = file.head.coverage_mm;
 }
 
-void read_variables(const targets::Section& root, optim::HelmetSpec& spec) {
+void read_variables(const targets::Section& root, optim::RibsSpec& spec) {
   const NetVariables read = read_net_variables(root, spec.size, {spec.tilt, spec.theta});
   spec.tilt = read.tilt;
   spec.theta = {read.theta.lower, std::min(read.theta.upper, closing_theta(spec.size))};
@@ -120,7 +120,7 @@ void check_solver(const targets::Section& root) {
 }  // namespace
 
 const targets::KeyTable& helmet_keys() {
-  static const optim::HelmetSpec usual{};
+  static const optim::RibsSpec usual{};
   static const targets::KeyTable keys = file_keys({
       {"target", value::map(target_keys(usual)), targets::needed, "the goal"},
       {"structure", value::map(helmet_structure_keys()), {}, "the flat helmet"},

@@ -6,7 +6,7 @@
 #include "app/files/goal_settings.hpp"
 #include "app/files/process_section.hpp"
 #include "app/files/solver_section.hpp"
-#include "optim/helmet/helmet_layout.hpp"
+#include "optim/helmet/fit_helmet.hpp"
 #include "targets/helmet/head.hpp"
 
 namespace kinetix::app {
@@ -25,7 +25,7 @@ struct HelmetFile : GoalSettings {
 
   std::string name;
   targets::Head head;            ///< target.mesh, units, up, front, crown, coverage_mm
-  optim::HelmetSpec spec = {};   ///< target.ribs, spacing_mm, clearance_mm; structure; variables
+  optim::RibsSpec spec = {};     ///< target.ribs, spacing_mm, clearance_mm; structure; variables
   double rms_mm = usual_rms_mm;  ///< tolerance.rms_mm: of the distance to head plus clearance, > 0
   double max_mm = usual_max_mm;  ///< tolerance.max_mm: likewise, the largest, > 0
   std::optional<double> covered_share = {};  ///< tolerance.covered_share, [0, 1]; nothing: any will do
@@ -41,5 +41,9 @@ const targets::KeyTable& helmet_keys();
 /// @param root a target whose kind is helmet
 /// @throws InvalidInput for whatever formats.md does not allow, and what the mesh shows
 HelmetFile read_helmet_file(const targets::Node& root);
+
+/// Makes the goal: layout, fit of all tilts and theta, and the physics run of its folding. All states are in the frame of the
+/// mesh, mm.
+std::unique_ptr<Goal> make_goal(HelmetFile file);
 
 }  // namespace kinetix::app

@@ -1,26 +1,83 @@
 #include <fmt/format.h>
 
-#include <utility>
+#include <algorithm>
+#include <nlohmann/json.hpp>
 
-#include "app/goals/helmet/helmet_kind.hpp"
-#include "app/goals/helmet/helmet_outcome.hpp"
-#include "app/run/contact_reason.hpp"
-#include "app/run/fishbone_motion.hpp"
-#include "app/run/search_words.hpp"
-#include "model/base/append.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "app/goals/helmet/helmet_file.hpp"
+#include "app/goals/ribs/ribs_goal.hpp"
+#include "app/result/search_json.hpp"
+#include "app/result/state_json.hpp"
+#include "app/run/goal_kind.hpp"
 
 namespace kinetix::app {
 namespace {
 
 using Eigen::Vector3d;
+using Json = nlohmann::ordered_json;
 
 const Vector3d crown = Vector3d::Zero();  // mm, the origin of the head's frame
+constexpr int points_a_curve = 60;        // of a line to be drawn: one every 6 mm or so over a head
+constexpr int head_curves = 9;  // sections that show the head in the report: enough to see its shape
 
-optim::SolverOptions search_of(const HelmetFile& file) {
-  optim::SolverOptions options;
-  options.max_evaluations = file.solver.max_evaluations.value_or(helmet_evaluations);
-  return options;
+/// The head itself, for pictures: its profile and sections across it, in its own frame.
+std::vector<std::vector<Eigen::Vector3d>> head_curves_of(const targets::Head& head) {
+  std::vector<std::vector<Eigen::Vector3d>> out = {head.profile.evenly(points_a_curve)};
+  for (int k = 0; k < head_curves; ++k) {
+    const double s = head.profile.first() + head.profile.length() * (k + 0.5) / head_curves;
+    out.push_back(cross_section(head, s, 10).evenly(points_a_curve));
+  }
+  return out;
+}
+
+/// Mean of each cell's four bodies, in the order of the structure's cells.
+Json by_cell(const model::Structure& structure, const optim::RibsError& error) {
+  Json cells = Json::array();
+  for (const model::CellHinges& cell : structure.cell_members) {
+    double sum = 0;
+    for (const int body : cell.bodies) sum += error.of_body[body];
+    cells.push_back(sum / 4);
+  }
+  return cells;
+}
+
+double worst_rib(const optim::RibsError& error) {
+  return error.of_ribs.empty() ? 0 : *std::max_element(error.of_ribs.begin(), error.of_ribs.end());
+}
+
+Json error_json(const optim::RibsError& error) {
+  return {{"rms_mm", error.rms}, {"max_mm", error.max}, {"rib_rms_mm", worst_rib(error)}};
+}
+
+Json error_json(const optim::RibsError& error, const targets::WallsInside& inside) {
+  Json out = error_json(error);
+  out["walls_inside"] = inside.hinges.size();
+  out["corners_inside"] = inside.corners;
+  out["inside_mm"] = inside.depth_mm;
+  return out;
+}
+
+Json openings_json(const std::vector<targets::DomeOpening>& openings) {
+  Json out = Json::array();
+  for (const targets::DomeOpening& opening : openings)
+    out.push_back({{"width_mm", opening.width_mm}, {"top_mm", opening.top_z}});
+  return out;
+}
+
+std::string in_words(const optim::RibsError& error) {
+  return fmt::format("rms {:.3f} mm, largest {:.3f} mm, ribs up to {:.3f} mm rms from their sections",
+                     error.rms, error.max, worst_rib(error));
+}
+
+/// Warns that the mesh has holes where the helmet should follow the head; empty without holes.
+std::string invented(const std::vector<targets::DomeOpening>& openings) {
+  if (openings.empty()) return "";
+  double widest = 0;
+  for (const targets::DomeOpening& opening : openings) widest = std::max(widest, opening.width_mm);
+  const std::string holes = openings.size() == 1 ? "a hole" : fmt::format("{} holes", openings.size());
+  return fmt::format(
+      "the part of the head to be covered has {} in the mesh, {}{:.0f} mm across: there the "
+      "helmet follows an invented dome, not the head",
+      holes, openings.size() == 1 ? "" : "the widest ", widest);
 }
 
 /// That walls lie in the head, and whether the clearance alone makes them.
@@ -35,28 +92,118 @@ std::string in_words(const targets::WallsInside& inside, const HelmetFile& file,
   return text;
 }
 
-std::vector<std::string> violations(const HelmetFile& file, const optim::RibsError& error,
-                                    const targets::WallsInside& inside, const std::string& who) {
-  std::vector<std::string> why;
-  if (!inside.hinges.empty()) why.push_back(in_words(inside, file, who));
-  if (!(error.rms <= file.rms_mm))
-    why.push_back(fmt::format("{}: {:.2f} mm rms from head plus clearance; at most {:g} mm is allowed", who,
-                              error.rms, file.rms_mm));
-  if (!(error.max <= file.max_mm))
-    why.push_back(fmt::format("{}: up to {:.2f} mm from head plus clearance; at most {:g} mm is allowed", who,
-                              error.max, file.max_mm));
-  return why;
-}
+/// What a search for a helmet contributes to a result.
+class HelmetOutcome final : public RibsOutcome {
+ public:
+  HelmetOutcome(const RibsTask& task, HelmetFile file, optim::RibsDesign found)
+      : RibsOutcome(task, std::move(found)), file_(std::move(file)) {}
 
-/// Reports a head that is covered less than the file requires.
-std::vector<std::string> bare(const HelmetFile& file, const optim::RibsCover& cover) {
-  if (!file.covered_share || cover.share >= *file.covered_share) return {};
-  return {
-      fmt::format("model: {:.0f} % of the head above the rim lies within a cell edge of a rib; at least "
-                  "{:.0f} % is required "
-                  "(`tolerance.covered_share`). Give more `target.ribs`",
-                  100 * cover.share, 100 * *file.covered_share)};
-}
+  void judge(const model::Sheet& sheet, StateOf of, const model::State& state,
+             RibsMeasure& measure) const override {
+    const std::string who = app::in_words(of);
+    const optim::RibsError& error = measure.error;
+    measure.inside = walls_inside(sheet, state, file_.head.scan);
+    if (!file_.head.openings.empty()) measure.warnings = {invented(file_.head.openings)};
+    std::vector<std::string>& why = measure.violations;
+    if (!measure.inside.hinges.empty()) why.push_back(in_words(measure.inside, file_, who));
+    if (!(error.rms <= file_.rms_mm))
+      why.push_back(fmt::format("{}: {:.2f} mm rms from head plus clearance; at most {:g} mm is allowed", who,
+                                error.rms, file_.rms_mm));
+    if (!(error.max <= file_.max_mm))
+      why.push_back(fmt::format("{}: up to {:.2f} mm from head plus clearance; at most {:g} mm is allowed",
+                                who, error.max, file_.max_mm));
+  }
+
+  std::vector<std::string> bare() const override {
+    if (is_covered()) return {};
+    return {
+        fmt::format("model: {:.0f} % of the head above the rim lies within a cell edge of a rib; at least "
+                    "{:.0f} % is required "
+                    "(`tolerance.covered_share`). Give more `target.ribs`",
+                    100 * cover.share, 100 * *file_.covered_share)};
+  }
+
+  void add_sections(const Run& run, Json& result) const override {
+    const auto drawn = [&](const targets::SpaceCurve& curve) { return line(curve.evenly(points_a_curve)); };
+    Json sections = Json::array();
+    for (const auto& [lower, upper] : design.layout.sections)
+      sections.push_back({drawn(lower), drawn(upper)});
+    result["target"] = {
+        {"kind", "helmet"}, {"spine_mm", drawn(design.layout.spine)}, {"sections_mm", sections}};
+    const auto& shape = measure_of<RibsMeasure>(run);
+    const targets::Head& head = file_.head;
+    result["helmet"] = {{"clearance_mm", file_.spec.clearance_mm},
+                        {"coverage_mm", file_.spec.coverage_mm},
+                        {"ribs", ribs()},
+                        {"spine_cells", design.layout.spine_and_ribs.rows},
+                        {"error", error_json(shape.error, shape.inside)},
+                        {"body_mm", shape.error.of_body},
+                        {"cell_mm", by_cell(design.fishbone.structure, shape.error)},
+                        {"cells_trimmed", design.trimmed},
+                        {"covered_share", cover.share},
+                        {"goal_rms_mm", cover.rms},
+                        {"goal_max_mm", cover.max},
+                        {"head_mm", lines(head_curves_of(head))},
+                        {"bare_mm", bare_lines(curves_above_rim())},
+                        {"head_frame", poses_json({{head.to_mesh.linear(), head.to_mesh.translation()}})[0]},
+                        {"closed_part", head.closed_part},
+                        {"openings", openings_json(head.openings)},
+                        {"invented", invented(head.openings)},
+                        {"notes", design.layout.notes},
+                        {"reasons", run.violations},
+                        {"reasons_physics", run.physics_violations()}};
+    if (const auto* physics = physics_measure_of<RibsMeasure>(run))
+      result["helmet"]["physics"] = error_json(physics->error, physics->inside);
+    result["optimiser"] = search_json(design.search);
+  }
+
+  void add_metrics(const Run& run, Json& metrics) const override {
+    const auto& shape = measure_of<RibsMeasure>(run);
+    metrics["distance_rms_mm"] = shape.error.rms;
+    metrics["distance_max_mm"] = shape.error.max;
+    metrics["rib_rms_mm"] = worst_rib(shape.error);
+    metrics["covered_share"] = cover.share;
+    metrics["goal_rms_mm"] = cover.rms;
+    metrics["goal_max_mm"] = cover.max;
+    metrics["walls_inside"] = shape.inside.hinges.size();
+    metrics["met"] = run.met();
+    const auto* physics = physics_measure_of<RibsMeasure>(run);
+    if (!physics) return;
+    metrics["distance_rms_mm_physics"] = physics->error.rms;
+    metrics["distance_max_mm_physics"] = physics->error.max;
+    metrics["walls_inside_physics"] = physics->inside.hinges.size();
+  }
+
+  std::vector<SummaryLine> summary_lines(const Run& run) const override {
+    const optim::RibsError& error = measure_of<RibsMeasure>(run).error;
+    const bool is_within = error.rms <= file_.rms_mm && error.max <= file_.max_mm && is_covered();
+    std::vector<SummaryLine> out = {
+        {"helmet",
+         fmt::format("{} ribs on a spine of {} cells, {:g} mm over the head, {:g} mm down from the crown",
+                     design.layout.spine_and_ribs.ribs.size(), design.layout.spine_and_ribs.rows,
+                     file_.spec.clearance_mm, file_.spec.coverage_mm)},
+        {"fit", in_words(error) +
+                    fmt::format(", {:.0f} % of the head within a cell edge of a rib: ", 100 * cover.share) +
+                    tolerance_words(run, is_within)}};
+    for (const std::string& note : design.layout.notes) out.push_back({"note", note});
+    out.push_back(search_line(run.timings.optimise, design.search));
+    if (const auto* physics = physics_measure_of<RibsMeasure>(run))
+      out.push_back({"worn", "in the physics run: " + in_words(physics->error)});
+    return out;
+  }
+
+ private:
+  bool is_covered() const { return !file_.covered_share || cover.share >= *file_.covered_share; }
+
+  std::vector<std::vector<Vector3d>> curves_above_rim() const {
+    std::vector<std::vector<Vector3d>> out = head_curves_of(file_.head);
+    for (std::vector<Vector3d>& curve : out)
+      std::erase_if(curve, [&](const Vector3d& p) { return p.z() < -file_.spec.coverage_mm; });
+    return out;
+  }
+
+  HelmetFile file_;
+};
 
 /// Of the head down to where it is covered, and of walls around it, whose middles the clearance ends at.
 Eigen::Vector3d covered_size(const HelmetFile& file) {
@@ -67,91 +214,30 @@ Eigen::Vector3d covered_size(const HelmetFile& file) {
   return head.sizes() + Vector3d(2 * around, 2 * around, around);
 }
 
-constexpr double seconds_a_helmet_body = 3e-4;  // s of search, measured
-
-class HelmetGoal final : public Goal {
- public:
-  explicit HelmetGoal(HelmetFile file) : Goal(file.name), file_(std::move(file)) {}
-
-  Forecast forecast() const override {
-    const optim::RibsLayout layout = plan_helmet(file_.head.dome, crown, file_.spec);
-    Forecast out{make_fishbone(layout.spine_and_ribs, file_.spec.size).structure};
-    out.search_s = seconds_a_helmet_body * out.sheet.bodies();
-    out.folded_mm = covered_size(file_);
-    out.notes = layout.notes;
-    add_settings(file_, out);
-    return out;
-  }
-
-  Found search(const RunOptions& options) const override {
-    Found out;
-    take_settings(out, file_);
-    options.progress("search", 0);
-    auto helmet = std::make_unique<HelmetOutcome>(
-        file_.head, file_.spec, fit_helmet(file_.head.dome, crown, file_.spec, followed(options)));
-    out.tolerances = {{"rms_mm", file_.rms_mm}, {"max_mm", file_.max_mm}};
-    if (file_.covered_share) out.tolerances.emplace_back("covered_share", *file_.covered_share);
-    out.design.structure = helmet->design.fishbone.structure;
-    out.theta = helmet->design.shape.theta;
-    out.motion = motion_of(helmet->design);
-    out.to_shown = pose_of(file_.head.to_mesh);
-    out.is_laid_over = true;
-    out.bounds = {file_.spec.tilt, file_.spec.theta};
-    out.goal = std::move(helmet);
-    return out;
-  }
-
-  std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State& state,
-                                         const RunOptions&) const override {
-    const auto& helmet = outcome_of<HelmetOutcome>(run);
-    const model::State on_head = of == StateOf::model ? state : aligned(state, run.own);
-    auto out = std::make_shared<HelmetMeasure>();
-    out->error = of == StateOf::model ? helmet.design.error
-                                      : optim::ribs_error(helmet.design.fishbone, on_head, file_.head.dome,
-                                                          file_.spec.clearance_mm);
-    out->inside = walls_inside(run.design.structure, on_head, file_.head.scan);
-    if (!helmet.head.openings.empty()) out->warnings = {invented(helmet.head.openings)};
-    out->violations = violations(file_, out->error, out->inside, in_words(of));
-    if (of == StateOf::physics) {
-      out->shown = moved(on_head, pose_of(file_.head.to_mesh));
-      return out;
-    }
-    model::append(bare(file_, helmet.cover), out->violations);
-    model::append(helmet.design.collisions, out->violations);
-    model::append(collisions_on_the_way(run, "use lower or thinner walls, or fewer ribs"), out->violations);
-    return out;
-  }
-
-  /// Every body, from head plus clearance.
-  std::optional<Observed> observe(const Found& found, const model::Sheet&,
-                                  const model::State& state) const override {
-    const model::Pose motion = motion_onto(state, found.own);
-    const model::State on_head = moved(state, motion);
-    Observed out{{}, file_.rms_mm};
-    for (int body = 0; body < static_cast<int>(state.size()); ++body) {
-      const targets::ClosestMeshPoint at = file_.head.dome.closest(on_head[body].p);
-      out.points.push_back(
-          {{body}, state[body].p, motion.R.transpose() * at.normal, at.distance - file_.spec.clearance_mm});
-    }
-    return out;
-  }
-
- private:
-  optim::SolverOptions followed(const RunOptions& options) const {
-    optim::SolverOptions search = search_of(file_);
-    follow(options, optim::ribs_residual_in_cells * file_.spec.size.edge_mm, search);
-    return search;
-  }
-
-  HelmetFile file_;
-};
-
 }  // namespace
 
-std::unique_ptr<Goal> make_goal(HelmetFile file) { return std::make_unique<HelmetGoal>(std::move(file)); }
+std::unique_ptr<Goal> make_goal(HelmetFile file) {
+  RibsTask task{.name = file.name,
+                .settings = file,
+                .spec = file.spec,
+                .over = file.head.dome,
+                .to_given = file.head.to_mesh};
+  task.plan = [file] { return plan_helmet(file.head.dome, crown, file.spec); };
+  task.solver.max_evaluations = file.solver.max_evaluations.value_or(helmet_evaluations);
+  task.rms_mm = file.rms_mm;
+  task.tolerances = {{"rms_mm", file.rms_mm}, {"max_mm", file.max_mm}};
+  if (file.covered_share) task.tolerances.emplace_back("covered_share", *file.covered_share);
+  task.bounds = {file.spec.tilt, file.spec.theta};
+  task.is_laid_over = task.has_notes = true;
+  task.folded_mm = covered_size(file);
+  task.lowest_z = -file.spec.coverage_mm;
+  task.outcome = [task, file](optim::RibsDesign found) {
+    return std::make_unique<HelmetOutcome>(task, file, std::move(found));
+  };
+  return make_ribs_goal(std::move(task));
+}
 
-// The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
-const GoalKind helmet_kind = {
+extern const GoalKind helmet_kind = {
     .name = "helmet",
     .example = "target: {kind: helmet, mesh: head.obj}",
     .read = [](const targets::Node& root) { return make_goal(read_helmet_file(root)); },

@@ -47,4 +47,7 @@ const targets::KeyTable& outline_keys();
 /// @throws InvalidInput for whatever formats.md does not allow
 OutlineFile read_outline_file(const targets::Node& root);
 
+/// Makes the goal of a panel whose rim takes a shape when it is pressed: the search, the closed form, and the physics run.
+std::unique_ptr<Goal> make_goal(OutlineFile file);
+
 }  // namespace kinetix::app

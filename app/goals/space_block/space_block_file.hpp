@@ -36,4 +36,7 @@ const targets::KeyTable& space_block_keys();
 /// @throws InvalidInput for whatever formats.md does not allow, and for a factor out of reach
 SpaceBlockFile read_space_block_file(const targets::Node& root);
 
+/// Makes the goal: the lattice, its closed form, and the physics run between plates.
+std::unique_ptr<Goal> make_goal(SpaceBlockFile file);
+
 }  // namespace kinetix::app

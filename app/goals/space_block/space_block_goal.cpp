@@ -1,13 +1,103 @@
 #include <fmt/format.h>
 
-#include "app/goals/space_block/space_block_kind.hpp"
-#include "app/goals/space_block/space_block_outcome.hpp"
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "app/goals/space_block/space_block_file.hpp"
 #include "app/run/contact_reason.hpp"
+#include "app/run/found.hpp"
+#include "app/run/goal_kind.hpp"
+#include "app/run/run.hpp"
 #include "model/base/append.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+class SpaceBlockMeasure final : public Measure {
+ public:
+  targets::SpaceBlockError error;
+};
+
+Json by_direction(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+std::string lengths_text(const Eigen::Vector3d& v) {
+  return fmt::format("{:.1f} x {:.1f} x {:.1f} mm", v.x(), v.y(), v.z());
+}
+
+std::string factors_text(const Eigen::Vector3d& v) {
+  return fmt::format("{:.4f}, {:.4f}, {:.4f}", v.x(), v.y(), v.z());
+}
+
+/// What a block that shrinks contributes to a result. Met: factors and lengths at rest within tolerance, and no walls in the
+/// way.
+struct SpaceBlockOutcome final : GoalOutcome {
+  explicit SpaceBlockOutcome(SpaceBlockFile asked) : file(std::move(asked)) {}
+
+  SpaceBlockFile file;
+
+  void add_sections(const Run& run, Json& result) const override {
+    Json out = {{"kind", "space_block"}, {"factors", by_direction(file.goal.factors)}};
+    if (file.goal.size_mm) out["size_mm"] = by_direction(*file.goal.size_mm);
+    result["target"] = out;
+    const targets::SpaceBlockError& error = measure_of<SpaceBlockMeasure>(run).error;
+    const optim::SpaceBlockDesign& found = file.found;
+    Json section = {{"cells", found.cells},
+                    {"gussets", by_direction(found.gusset)},
+                    {"rest_mm", by_direction(found.size_mm)},
+                    {"pressed_mm", by_direction(error.factors.cwiseProduct(found.size_mm))},
+                    {"factors", by_direction(error.factors)},
+                    {"reasons", run.violations},
+                    {"reasons_physics", run.physics_violations()}};
+    if (const auto* physics = physics_measure_of<SpaceBlockMeasure>(run))
+      section["physics"] = {{"factors", by_direction(physics->error.factors)}};
+    result["space_block"] = section;
+    result["optimiser"] = {{"solver", "closed form"},
+                           {"starts", 1},
+                           {"evaluations", 1},
+                           {"status", "converged"},
+                           {"why", "gussets and theta follow from the factors"}};
+  }
+  void add_metrics(const Run& run, Json& metrics) const override {
+    metrics["factor_off"] = measure_of<SpaceBlockMeasure>(run).error.off;
+    if (file.goal.size_mm) metrics["size_off"] = file.found.size_off;
+    if (const auto* physics = physics_measure_of<SpaceBlockMeasure>(run))
+      metrics["factor_off_physics"] = physics->error.off;
+    metrics["met"] = run.met();
+  }
+  std::vector<SummaryLine> summary_lines(const Run& run) const override {
+    const targets::SpaceBlockError& error = measure_of<SpaceBlockMeasure>(run).error;
+    const optim::SpaceBlockDesign& found = file.found;
+    const Eigen::Vector3d& g = found.gusset;
+    std::vector<SummaryLine> lines = {
+        {"block",
+         fmt::format(
+             "{} at rest between its outermost rotors, {} pressed: {} of its lengths, off by {:.1e}: {}",
+             lengths_text(found.size_mm), lengths_text(error.factors.cwiseProduct(found.size_mm)),
+             factors_text(error.factors), error.off,
+             tolerance_words(run, error.off <= file.factor_tolerance))},
+        {"lattice",
+         fmt::format("sodalite, {} x {} x {} cells with edges of {:.3g} mm, gussets of {:.3g}, {:.3g} "
+                     "and {:.3g} edges in squares normal to x, y and z",
+                     found.cells[0], found.cells[1], found.cells[2], found.edge_mm, g.x(), g.y(), g.z())}};
+    if (const auto* physics = physics_measure_of<SpaceBlockMeasure>(run))
+      lines.push_back({"pressed", fmt::format("in the physics run: {} of its lengths, off by {:.1e}",
+                                              factors_text(physics->error.factors), physics->error.off)});
+    return lines;
+  }
+};
+
+/// Describes what a state lacks. @param who "model" or "physics run"
+std::vector<std::string> violations(const SpaceBlockFile& file, const targets::SpaceBlockError& error,
+                                    const std::string& who) {
+  if (error.off <= file.factor_tolerance) return {};
+  return {
+      fmt::format("{}: the block shrinks to {} of its lengths, {:.2g} off what was asked; at most {:g} is "
+                  "allowed",
+                  who, factors_text(error.factors), error.off, file.factor_tolerance)};
+}
 
 /// What of the file to change for lengths at rest nearer to those asked for.
 std::string size_advice(const optim::SpaceBlockVariables& given) {
@@ -93,8 +183,7 @@ std::unique_ptr<Goal> make_goal(SpaceBlockFile file) {
   return std::make_unique<SpaceBlockGoal>(std::move(file));
 }
 
-// The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
-const GoalKind space_block_kind = {
+extern const GoalKind space_block_kind = {
     .name = "space_block",
     .example = "target: {kind: space_block, factor: 0.85}",
     .read = [](const targets::Node& root) { return make_goal(read_space_block_file(root)); },

@@ -31,4 +31,7 @@ const targets::KeyTable& space_curve_keys();
 /// @throws InvalidInput for whatever formats.md does not allow, and at the point where a goal is out of reach
 SpaceCurveFile read_space_curve_file(const targets::Node& root);
 
+/// Makes the goal: the search, the closed form, and the physics run of its folding.
+std::unique_ptr<Goal> make_goal(SpaceCurveFile file);
+
 }  // namespace kinetix::app

@@ -1,16 +1,122 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
 
-#include "app/goals/space_curve/space_curve_kind.hpp"
-#include "app/goals/space_curve/space_curve_outcome.hpp"
+#include "app/goals/space_curve/space_curve_file.hpp"
 #include "app/pipeline/robust_search.hpp"
+#include "app/result/search_json.hpp"
+#include "app/run/goal_kind.hpp"
+#include "app/run/run.hpp"
 #include "app/run/search_words.hpp"
 #include "model/lattice/square/family/drive.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+class SpaceCurveMeasure final : public Measure {
+ public:
+  std::vector<Eigen::Vector3d> midline;  ///< in the frame of the model's state, mm
+  targets::SpaceError error;
+};
+
+Json space_points_json(const std::vector<Eigen::Vector3d>& points) {
+  Json out = Json::array();
+  for (const Eigen::Vector3d& p : points) out.push_back({p.x(), p.y(), p.z()});
+  return out;
+}
+
+Json distances_json(const targets::SpaceError& error) {
+  Json out = Json::array();
+  for (std::size_t k = 0; k < error.arc_mm.size(); ++k)
+    out.push_back({error.arc_mm[k], error.distance_mm[k]});
+  return out;
+}
+
+/// What each column does: it bends or it shears. A column that bends has half of its turn behind it where its midline goes.
+/// @param midline of a state whose width lies along y
+Json columns_json(const std::vector<Eigen::Vector3d>& midline) {
+  Json out = Json::array();
+  double before = 0;  // heading, rad
+  for (int k = 0; k + 1 < static_cast<int>(midline.size()); ++k) {
+    const Eigen::Vector3d way = midline[k + 1] - midline[k];
+    const double heading = std::atan2(way.z(), way.x());
+    if (optim::SpaceStrip::bends(k))
+      out.push_back({{"column", k}, {"turn_deg", to_degrees(2 * std::remainder(heading - before, 2 * pi))}});
+    else
+      out.push_back({{"column", k}, {"climb", way.y() / std::hypot(way.x(), way.z())}});
+    before = heading;
+  }
+  return out;
+}
+
+/// What a search for a curve in space contributes to a result. Met: shape within tolerance, and no walls in the way.
+struct SpaceCurveOutcome final : GoalOutcome {
+  explicit SpaceCurveOutcome(SpaceCurveFile asked) : file(std::move(asked)) {}
+
+  SpaceCurveFile file;
+  optim::SpaceDesign found;
+  model::Pose place;  ///< of the goal, in the frame of the state in which the model holds the strip
+
+  void add_sections(const Run& run, Json& result) const override {
+    result["target"] = {{"kind", "space_curve"}, {"points_mm", space_points_json(file.wanted.points())}};
+    const auto& shape = measure_of<SpaceCurveMeasure>(run);
+    const targets::SpaceError& error = shape.error;
+    Json section = {
+        {"goal_mm", space_points_json(error.goal_mm)},
+        {"error", distances_json(error)},
+        {"diagonal_mm", error.scale_mm},
+        {"slope", found.across.slope},
+        {"across", {found.across.direction.x(), found.across.direction.y(), found.across.direction.z()}},
+        {"columns", columns_json(shape.midline)},
+        {"walls_meet", !found.walls_are_free},
+        {"reasons", run.violations},
+        {"reasons_physics", run.physics_violations()}};
+    if (const auto* physics = physics_measure_of<SpaceCurveMeasure>(run))
+      section["physics"] = {{"rms", physics->error.rms}, {"max", physics->error.max}};
+    result["space_curve"] = section;
+    result["optimiser"] = search_json(found.search, std::max(1, found.tried));
+  }
+  void add_metrics(const Run& run, Json& metrics) const override {
+    const targets::SpaceError& error = measure_of<SpaceCurveMeasure>(run).error;
+    metrics["shape_rms"] = error.rms;
+    metrics["shape_max"] = error.max;
+    if (const auto* physics = physics_measure_of<SpaceCurveMeasure>(run))
+      metrics["shape_rms_physics"] = physics->error.rms;
+    metrics["met"] = run.met();
+  }
+  std::vector<SummaryLine> summary_lines(const Run& run) const override {
+    const targets::SpaceError& error = measure_of<SpaceCurveMeasure>(run).error;
+    std::vector<SummaryLine> lines;
+    lines.push_back(
+        {"shape",
+         fmt::format(
+             "rms {:.2e} of the goal's diagonal ({:.3f} mm from curve to curve), largest {:.3f} mm: {}",
+             error.rms, error.rms * error.scale_mm, error.max * error.scale_mm,
+             tolerance_words(run, error.rms <= file.shape_tolerance))});
+    const Eigen::Vector3d& y = found.across.direction;
+    lines.push_back(
+        {"across", fmt::format("the strip's width lies along [{:.3f}, {:.3f}, {:.3f}], along which the curve "
+                               "climbs by at most {:.3f} of its length",
+                               y.x(), y.y(), y.z(), found.across.slope)});
+    lines.push_back({"search", fmt::format("{:.3f} s, {} evaluations, {}", run.timings.optimise,
+                                           found.search.evaluations, to_string(found.search.status))});
+    return lines;
+  }
+};
+
+/// Describes what a state lacks. @param who "model", "equilibrium" or "physics run"
+std::vector<std::string> violations(const SpaceCurveFile& file, const targets::SpaceError& error,
+                                    const std::string& who) {
+  if (error.rms <= file.shape_tolerance) return {};
+  return {fmt::format("{}: rms {:.3g} of the goal's diagonal; at most {:g} is allowed: use more columns", who,
+                      error.rms, file.shape_tolerance)};
+}
 
 // Measured: s for 96 columns; it grows with the third power of their number.
 constexpr double seconds_of_96 = 0.3;
@@ -110,8 +216,8 @@ class SpaceCurveGoal final : public Goal {
     const model::Structure strip = sheet_of(outcome->found.design, outcome->found.size);
     out.design.structure = strip;
     out.theta = outcome->found.design.theta;
-    const model::Pose motion =
-        motion_onto(fold(outcome->found.design, strip), exact_motion(strip).at(out.theta));
+    out.plan.exact = exact_motion(strip);
+    const model::Pose motion = motion_onto(fold(outcome->found.design, strip), out.plan.exact.at(out.theta));
     outcome->place = {motion.R * outcome->found.place.R, motion.R * outcome->found.place.p + motion.p};
     out.goal = std::move(outcome);
     out.is_strip = true;
@@ -137,8 +243,7 @@ std::unique_ptr<Goal> make_goal(SpaceCurveFile file) {
   return std::make_unique<SpaceCurveGoal>(std::move(file));
 }
 
-// The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
-const GoalKind space_curve_kind = {
+extern const GoalKind space_curve_kind = {
     .name = "space_curve",
     .example = "target: {kind: space_curve, points: helix.csv}",
     .read = [](const targets::Node& root) { return make_goal(read_space_curve_file(root)); },

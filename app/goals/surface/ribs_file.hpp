@@ -27,4 +27,7 @@ optim::RibsSpec usual_ribs(const targets::RibbedSurface& surface, int ribs);
 /// @param root a target of kind surface that has `ribs`   @throws InvalidInput for whatever formats.md does not allow
 RibsFile read_ribs_file(const targets::Node& root);
 
+/// Makes the goal: layout, fit of all tilts and theta, the same ribs loose for comparison, and the physics run of its folding.
+std::unique_ptr<Goal> make_goal(RibsFile file);
+
 }  // namespace kinetix::app

@@ -55,4 +55,7 @@ const targets::KeyTable& surface_file_keys();
 /// much for its facets
 SurfaceFile read_surface_file(const targets::Node& root);
 
+/// Makes the goal: the search, the closed form, and the physics run.
+std::unique_ptr<Goal> make_goal(SurfaceFile file);
+
 }  // namespace kinetix::app

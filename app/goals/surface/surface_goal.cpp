@@ -2,9 +2,10 @@
 
 #include <limits>
 
-#include "app/goals/surface/ribs_goal.hpp"
-#include "app/goals/surface/surface_kind.hpp"
+#include "app/goals/surface/ribs_file.hpp"
+#include "app/goals/surface/surface_file.hpp"
 #include "app/goals/surface/surface_outcome.hpp"
+#include "app/run/goal_kind.hpp"
 #include "app/run/interrupted.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/base/rigid_fit.hpp"
@@ -131,7 +132,8 @@ class SurfaceGoal final : public Goal {
     surface->exact = moved(fold(sheet, file_.theta), onto_surface(sheet, surface->design));
     out.design.structure = std::move(sheet.structure);
     out.theta = file_.theta;
-    out.to_shown = motion_onto(exact_motion(out.design.structure).at(out.theta), surface->exact);
+    out.plan.exact = exact_motion(out.design.structure);
+    out.to_shown = motion_onto(out.plan.exact.at(out.theta), surface->exact);
     out.is_laid_over = true;
     out.goal = std::move(surface);
     return out;
@@ -193,8 +195,7 @@ static std::unique_ptr<Goal> read_goal(const targets::Node& root) {
   return target.optional("ribs") ? make_goal(read_ribs_file(root)) : make_goal(read_surface_file(root));
 }
 
-// The kind for the registry (app/goals/registry.cpp), and its metrics with their units.
-const GoalKind surface_kind = {
+extern const GoalKind surface_kind = {
     .name = "surface",
     .example = "target: {kind: surface, shape: cap}",
     .read = read_goal,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/goals/surface/beside.hpp"
+#include "app/goals/ribs/beside.hpp"
 #include "app/goals/surface/surface_file.hpp"
 #include "app/run/found.hpp"
 #include "model/lattice/origami/origami_sheet.hpp"

@@ -23,8 +23,8 @@ const Vector3d half_axes(76, 98, 100);  // mm, of an ellipsoid about as wide and
 
 targets::MeshDistance head() { return {testing::ellipsoid(half_axes, 120, 60), Vector3d(0, 0, 0)}; }
 
-HelmetSpec spec(int ribs = 8) {
-  HelmetSpec w;
+RibsSpec spec(int ribs = 8) {
+  RibsSpec w;
   w.size = {6, 0.6, 4};
   w.ribs = ribs;
   w.clearance_mm = 5;
@@ -34,7 +34,7 @@ HelmetSpec spec(int ribs = 8) {
 
 TEST(RibsProblem, DerivativesAgreeWithCentralDifferences) {
   const targets::MeshDistance mesh = head();
-  HelmetSpec w = spec(3);
+  RibsSpec w = spec(3);
   w.size = {20, 2, 10};
   const RibsLayout layout = plan_helmet(mesh, {0, 0, 100}, w);
   const model::Fishbone fishbone = make_fishbone(layout.spine_and_ribs, w.size);
@@ -66,7 +66,7 @@ TEST(FitHelmet, KeepsTheClearanceFromAnEllipsoid) {
 TEST(FitHelmet, KeepsTheClearanceFromAScanWithEarsNoseAndHoles) {
   constexpr unsigned seed = 3;
   const targets::Head scan = targets::make_head(testing::scanned_head(seed), {});
-  HelmetSpec w = spec();
+  RibsSpec w = spec();
   w.coverage_mm = scan.coverage_mm;
   const RibsDesign design = fit_helmet(scan.dome, Vector3d::Zero(), w, {});
   EXPECT_LE(design.error.rms, 1.5) << "seed " << seed;
@@ -77,7 +77,7 @@ TEST(FitHelmet, KeepsTheClearanceFromAScanWithEarsNoseAndHoles) {
 /// Corners are looked at by the equations of head and ears.
 TEST(FitHelmet, SeesWhichWallsRunThroughThinEars) {
   const targets::Head ears = targets::make_head(testing::head_with_thin_ears(), {.front = Vector3d::UnitY()});
-  HelmetSpec w = spec();
+  RibsSpec w = spec();
   w.coverage_mm = ears.coverage_mm;
   const RibsDesign design = fit_helmet(ears.dome, Vector3d::Zero(), w, {});
   const targets::WallsInside found = walls_inside(design.fishbone.structure, design.state, ears.scan);
@@ -95,7 +95,7 @@ TEST(FitHelmet, SeesWhichWallsRunThroughThinEars) {
 }
 
 TEST(FitHelmet, NamesWallsThatMeetAllTheSame) {
-  HelmetSpec w = spec(5);
+  RibsSpec w = spec(5);
   w.size = {6, 2.8, 4};  // such cells close at 28 deg
   w.theta = {30 * radians_per_degree, 40 * radians_per_degree};
   const RibsDesign design = fit_helmet(head(), {0, 0, 100}, w, {});
@@ -106,7 +106,7 @@ TEST(FitHelmet, NamesWallsThatMeetAllTheSame) {
 
 TEST(PlanHelmet, SpacesRibsAsNearToWhatIsAskedAsEvenSpacesCome) {
   for (const double spacing : {20.0, 40.0, 65.0, 100.0, 150.0}) {  // mm
-    HelmetSpec w = spec();
+    RibsSpec w = spec();
     w.spacing_mm = spacing;
     const RibsLayout layout = plan_helmet(head(), {0, 0, 100}, w);
     const auto spaces = static_cast<double>(layout.spine_and_ribs.ribs.size()) - 1;
@@ -125,7 +125,7 @@ TEST(FitHelmet, RefusesMoreRibsThanRows) {
 }
 
 TEST(FitHelmet, RefusesCellsLargerThanTheHead) {
-  HelmetSpec w = spec(1);
+  RibsSpec w = spec(1);
   w.size = {400, 2, 10};
   EXPECT_THROW(fit_helmet(head(), {0, 0, 100}, w, {}), InvalidInput);
 }

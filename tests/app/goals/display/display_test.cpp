@@ -9,7 +9,7 @@
 #include <set>
 #include <stop_token>
 
-#include "app/goals/display/display_kind.hpp"
+#include "app/goals/display/display_file.hpp"
 #include "app/goals/display/display_limits.hpp"
 #include "app/goals/display/display_violations.hpp"
 #include "app/goals/display/panel_memory.hpp"

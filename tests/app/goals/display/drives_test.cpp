@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/goals/display/display_file.hpp"
-#include "app/goals/display/display_kind.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "targets/document/document.hpp"
 #include "tests/app/program.hpp"

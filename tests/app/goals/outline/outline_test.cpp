@@ -7,7 +7,7 @@
 #include <stop_token>
 
 #include "app/exports/write_results.hpp"
-#include "app/goals/outline/outline_outcome.hpp"
+#include "app/goals/outline/outline_goal.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "model/base/invalid_input.hpp"

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/goals/read_target.hpp"
-#include "app/goals/surface/ribs_outcome.hpp"
+#include "app/goals/ribs/ribs_goal.hpp"
 #include "app/goals/surface/surface_outcome.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "model/base/invalid_input.hpp"

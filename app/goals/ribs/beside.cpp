@@ -1,4 +1,4 @@
-#include "app/goals/surface/beside.hpp"
+#include "app/goals/ribs/beside.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,134 @@
+#include "app/goals/ribs/ribs_goal.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/run/contact_reason.hpp"
+#include "app/run/search_words.hpp"
+#include "model/base/append.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double seconds_a_body = 3e-4;  // of search, measured
+
+class RibsGoal final : public Goal {
+ public:
+  explicit RibsGoal(RibsTask task) : Goal(task.name), task_(std::move(task)) {}
+
+  Forecast forecast() const override {
+    const optim::RibsLayout layout = task_.plan();
+    Forecast out{make_fishbone(layout.spine_and_ribs, task_.spec.size).structure};
+    out.search_s = seconds_a_body * out.sheet.bodies();
+    out.folded_mm = task_.folded_mm;
+    if (task_.has_notes) out.notes = layout.notes;
+    add_settings(task_.settings, out);
+    return out;
+  }
+
+  Found search(const RunOptions& options) const override {
+    Found out;
+    take_settings(out, task_.settings);
+    options.progress("search", 0);
+    optim::SolverOptions solver = task_.solver;
+    follow(options, optim::ribs_residual_in_cells * task_.spec.size.edge_mm, solver);
+    auto ribs =
+        task_.outcome(fit_layout(task_.plan(), task_.over, Eigen::Vector3d::Zero(), task_.spec, solver));
+    out.tolerances = task_.tolerances;
+    out.design.structure = ribs->design.fishbone.structure;
+    out.theta = ribs->design.shape.theta;
+    out.motion = [fishbone = ribs->design.fishbone, shape = ribs->design.shape](double theta) {
+      return placed_fishbone(fishbone, shape, theta);
+    };
+    out.to_shown = to_given();
+    out.is_laid_over = task_.is_laid_over;
+    out.bounds = task_.bounds;
+    out.goal = std::move(ribs);
+    return out;
+  }
+
+  std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State& state,
+                                         const RunOptions& options) const override {
+    const auto& ribs = outcome_of<RibsOutcome>(run);
+    const model::State placed = of == StateOf::model ? state : aligned(state, run.own);
+    auto out = std::make_shared<RibsMeasure>();
+    out->error = of == StateOf::model
+                     ? ribs.design.error
+                     : optim::ribs_error(ribs.design.fishbone, placed, task_.over, task_.spec.clearance_mm);
+    ribs.judge(run.design.structure, of, placed, *out);
+    if (of == StateOf::physics) {
+      out->shown = moved(placed, to_given());
+      return out;
+    }
+    model::append(ribs.bare(), out->violations);
+    model::append(ribs.design.collisions, out->violations);
+    model::append(collisions_on_the_way(run, "use lower or thinner walls, or fewer ribs"), out->violations);
+    model::append(ribs.other_ways(options.stop), out->ways);
+    return out;
+  }
+
+  /// Every body, from the surface plus the clearance.
+  std::optional<Observed> observe(const Found& found, const model::Sheet&,
+                                  const model::State& state) const override {
+    const model::Pose motion = motion_onto(state, found.own);
+    const model::State placed = moved(state, motion);
+    Observed out{{}, task_.rms_mm};
+    for (int body = 0; body < static_cast<int>(state.size()); ++body) {
+      const targets::ClosestMeshPoint at = task_.over.closest(placed[body].p);
+      out.points.push_back(
+          {{body}, state[body].p, motion.R.transpose() * at.normal, at.distance - task_.spec.clearance_mm});
+    }
+    return out;
+  }
+
+ private:
+  model::Pose to_given() const { return {task_.to_given.linear(), task_.to_given.translation()}; }
+
+  RibsTask task_;
+};
+
+}  // namespace
+
+RibsOutcome::RibsOutcome(const RibsTask& task, optim::RibsDesign found)
+    : design(std::move(found)),
+      to_given(task.to_given),
+      reach(design.fishbone.structure, design.state, task.over, task.spec.clearance_mm),
+      cover(cover_by(reach, task.over.mesh(), task.lowest_z)) {}
+
+Json RibsOutcome::line(const std::vector<Eigen::Vector3d>& points) const {
+  Json out = Json::array();
+  for (const Eigen::Vector3d& p : points) {
+    const Eigen::Vector3d q = to_given * p;
+    out.push_back({q.x(), q.y(), q.z()});
+  }
+  return out;
+}
+
+Json RibsOutcome::lines(const std::vector<std::vector<Eigen::Vector3d>>& each) const {
+  Json out = Json::array();
+  for (const auto& points : each) out.push_back(line(points));
+  return out;
+}
+
+Json RibsOutcome::bare_lines(const std::vector<std::vector<Eigen::Vector3d>>& each) const {
+  Json out = Json::array();
+  for (const auto& points : each)
+    for (const auto& part : bare_parts(reach, points)) out.push_back(line(part));
+  return out;
+}
+
+Json RibsOutcome::ribs() const {
+  Json out = Json::array();
+  for (std::size_t r = 0; r < design.layout.spine_and_ribs.ribs.size(); ++r) {
+    const model::FishboneRib& rib = design.layout.spine_and_ribs.ribs[r];
+    out.push_back({{"row", rib.row}, {"cells", rib.cells}, {"rms_mm", design.error.of_ribs[r]}});
+  }
+  return out;
+}
+
+std::unique_ptr<Goal> make_ribs_goal(RibsTask task) { return std::make_unique<RibsGoal>(std::move(task)); }
+
+}  // namespace kinetix::app
