@@ -32,6 +32,18 @@ double share_of(const HingeLimits& limits, const HingeLoads& loads) {
   return share;
 }
 
+LimitRange halve(LimitRange range, const Halvings& halvings,
+                 const std::function<std::optional<bool>(double at, double share)>& keeps) {
+  for (int k = 0; k < halvings.most && range.too_much - range.kept > halvings.enough; ++k) {
+    const double at = k == 0 && halvings.first ? *halvings.first : (range.kept + range.too_much) / 2;
+    if (at < halvings.least) break;
+    const std::optional<bool> kept = keeps(at, static_cast<double>(k) / halvings.most);
+    if (!kept) break;
+    (*kept ? range.kept : range.too_much) = at;
+  }
+  return range;
+}
+
 std::vector<std::string> violations(const HingeLimits& limits, const HingeLoads& loads,
                                     const std::string& instead) {
   std::vector<std::string> why;

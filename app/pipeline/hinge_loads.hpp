@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <map>
+#include <optional>
 
 #include "app/files/hinge_limits.hpp"
 #include "app/run/hinge_loads.hpp"
@@ -15,6 +17,23 @@ HingeLoads hinge_loads(const model::EquilibriumPath& path, const model::LinkageD
 
 /// The largest of all loads over its limit; infinite where there is no equilibrium. Ratio
 double share_of(const HingeLimits& limits, const HingeLoads& loads);
+
+/// A range in which limits are kept at one end and not at the other.
+struct LimitRange {
+  double kept = 0, too_much = 1;
+};
+
+/// How a search for the largest load that keeps limits goes on.
+struct Halvings {
+  int most = 0;
+  double enough = 0;                 ///< of what is left of the range
+  std::optional<double> first = {};  ///< where it begins, in place of the middle
+  double least = 0;                  ///< values below are not tried
+};
+
+/// Halves the range until it is narrow enough. @param keeps the limits at a value; nothing: stop. It is given the share that is done
+LimitRange halve(LimitRange range, const Halvings& halvings,
+                 const std::function<std::optional<bool>(double at, double share)>& keeps);
 
 /// What of the limits is not kept, in words. @param instead what the search could do to keep it, "less compression"
 std::vector<std::string> violations(const HingeLimits& limits, const HingeLoads& loads,

@@ -64,7 +64,7 @@ std::vector<Figure> solid(int index) {
   const std::string& name = targets::solid_names()[index];
   optim::SolidDesign design;
   const double search = seconds([&] { design = optim::fit_solid(targets::named_solid(index), 2, 0, {}); });
-  const auto miss = [&](const targets::SolidError& error) {
+  const auto miss = [&](const targets::FoldError& error) {
     double most = 0;
     for (std::size_t c = 0; c < design.net.creases.size(); ++c)
       most = std::max(most, std::abs(to_degrees(error.fold[c] - design.net.creases[c].angle)));

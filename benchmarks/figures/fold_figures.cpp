@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/goals/fold/fold_file.hpp"
-#include "app/goals/fold/fold_outcome.hpp"
+#include "app/goals/fold/fold_goal.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "benchmarks/figure.hpp"
 
@@ -21,24 +21,17 @@ app::Run folded(const targets::FoldGoal& goal, bool verify) {
   return run_goal(*make_goal(file), options);
 }
 
-double largest_miss_deg(const targets::FoldNet& net, const targets::FoldError& error) {
-  double most = 0;
-  for (std::size_t c = 0; c < net.creases.size(); ++c)
-    most = std::max(most, std::abs(error.fold[c] - net.creases[c].angle));
-  return to_degrees(most);
-}
-
 std::vector<Figure> cube() {
   const app::Run run = folded(targets::box_goal({4, 4, 4}), true);
   const auto& fold = app::outcome_of<app::FoldOutcome>(run);
-  const optim::FoldedNet& net = fold.design.folded;
-  const double miss = largest_miss_deg(net.net, net.error), rms = net.error.rms;
+  const double miss = to_degrees(fold.shape.largest_miss(fold.shape.error)), rms = fold.shape.error.rms;
   const auto* settled = app::physics_measure_of<app::FoldMeasure>(run);
   const double physics = settled ? settled->error.rms : INFINITY;
   const double verify = run.verification ? run.verification->distance.rms : INFINITY;
   const std::string scene = "cube, 4 x 4 x 4 cells";
   return {{scene + ": crease angles", "90 deg within 1e-6",
-           fmt::format("within {:.1e} deg, {} columns a crease", miss, net.layout.creases[0].columns()),
+           fmt::format("within {:.1e} deg, {} columns a crease", miss,
+                       fold.shape.creases[0].section["columns"].get<int>()),
            run.met() && miss <= 1e-6},
           {scene + ": faces against the solid, model", "rms <= 0.02 of the edge", fmt::format("{:.1e}", rms),
            rms <= 0.02},

@@ -104,7 +104,7 @@ SolidDesign fit_solid(const targets::Solid& solid, int cells, int columns, const
              fmt::format("{} of {} columns a crease, best free to {:.0f} % of its way", k, last,
                          100 * search.best_share()));
     const std::string why = search.try_columns(k);
-    design.attempts.push_back({k, why});
+    design.attempts.push_back({0, {k}, why});
     design.folds = why.empty();
   }
   design.stopped = !design.folds && options.stop.stop_requested();

@@ -8,21 +8,15 @@
 
 namespace kinetix::optim {
 
-/// What became of one choice of columns.
-struct SolidAttempt {
-  int columns = 0;
-  std::string why;  ///< it was dropped; empty where it folds
-};
-
 struct SolidDesign {
   targets::SolidNet
       net;  ///< with its tilts; where none folds, those of the last attempt at its largest theta
-  std::vector<double> tilt;   ///< of each crease, rad
-  double theta = 0;           ///< rad
-  bool folds = false;         ///< within all limits, with no wall in the way
-  bool stopped = false;       ///< before all was tried, with none that folds
-  targets::SolidError error;  ///< of the closed form at theta
-  std::vector<SolidAttempt> attempts;
+  std::vector<double> tilt;  ///< of each crease, rad
+  double theta = 0;          ///< rad
+  bool folds = false;        ///< within all limits, with no wall in the way
+  bool stopped = false;      ///< before all was tried, with none that folds
+  targets::FoldError error;  ///< of the closed form at theta
+  std::vector<FoldAttempt> attempts;
   int evaluations = 0;  ///< motions that were checked for walls in the way
 };
 

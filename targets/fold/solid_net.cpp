@@ -399,18 +399,17 @@ std::vector<double> fold_solid(SolidNet& net, double theta) {
   return tilts;
 }
 
-std::vector<std::pair<int, Vector3d>> ideal_places(const SolidNet& net, const model::State& state,
-                                                   double theta) {
+std::vector<IdealPoint> ideal_places(const SolidNet& net, const model::State& state, double theta) {
   const double pitch = net.structure.size.edge_mm * std::cos(theta);
   model::State ideal, real;
-  std::vector<std::pair<int, Vector3d>> out;
+  std::vector<IdealPoint> out;
   for (std::size_t f = 0; f < net.faces.size(); ++f) {
     FaceFrame frame = frame_of(net.solid, static_cast<int>(f));
     frame.origin *= net.edge;
     for (std::size_t k = 0; k < net.faces[f].bodies.size(); ++k) {
-      out.emplace_back(net.faces[f].bodies[k], pitch * frame.space(net.faces[f].ideal[k]));
-      ideal.emplace_back().p = out.back().second;
-      real.push_back(state[out.back().first]);
+      out.push_back({net.faces[f].bodies[k], pitch * frame.space(net.faces[f].ideal[k])});
+      ideal.emplace_back().p = out.back().place;
+      real.push_back(state[out.back().body]);
     }
   }
   const model::Pose motion = motion_onto(ideal, real);
@@ -418,9 +417,9 @@ std::vector<std::pair<int, Vector3d>> ideal_places(const SolidNet& net, const mo
   return out;
 }
 
-SolidError solid_error(const SolidNet& net, const model::State& state, double theta) {
+FoldError solid_error(const SolidNet& net, const model::State& state, double theta) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  SolidError error{{}, {}, nan};
+  FoldError error{{}, {}, nan};
   error.fold.assign(net.creases.size(), nan);
   error.face_rms.assign(net.faces.size(), nan);
   if (!is_finite(state)) return error;
@@ -435,7 +434,7 @@ SolidError solid_error(const SolidNet& net, const model::State& state, double th
   for (std::size_t f = 0; f < net.faces.size(); ++f) {
     double own = 0;
     for (std::size_t k = 0; k < net.faces[f].bodies.size(); ++k, ++at)
-      own += (places[at].second - state[places[at].first].p).squaredNorm();
+      own += (places[at].place - state[places[at].body].p).squaredNorm();
     error.face_rms[f] = std::sqrt(own / static_cast<double>(net.faces[f].bodies.size())) / edge;
     sum += own;
   }

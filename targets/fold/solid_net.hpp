@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/lattice/planar/planar_structure.hpp"
-#include "model/linkage/state.hpp"
+#include "targets/fold/fold_error.hpp"
 #include "targets/fold/solid.hpp"
 
 namespace kinetix::targets {
@@ -48,17 +48,11 @@ SolidNet lay_out(const Solid& solid, int cells, int columns, const model::CellSi
 /// @return tilt of each crease, rad
 std::vector<double> fold_solid(SolidNet& net, double theta);
 
-/// How a state of a net keeps its solid.
-struct SolidError {
-  std::vector<double> fold;      ///< angle of each crease, rad, by planes through the bodies of its faces
-  std::vector<double> face_rms;  ///< of each face: bodies from the ideal solid over its edge
-  double rms = 0;                ///< over the edge of the solid, of the bodies of all faces
-};
-/// The solid, its edges cos(theta) times as long as the net's, is laid over all faces together. NaN gives NaN.
-SolidError solid_error(const SolidNet& net, const model::State& state, double theta);
+/// How a state of a net keeps its solid: folds by planes through the bodies of faces, distances of bodies over the edge of the
+/// solid. The solid, its edges cos(theta) times as long as the net's, is laid over all faces together. NaN gives NaN.
+FoldError solid_error(const SolidNet& net, const model::State& state, double theta);
 
 /// Places on the ideal solid of the bodies of all faces, laid over a state, mm. @pre the state is finite
-std::vector<std::pair<int, Eigen::Vector3d>> ideal_places(const SolidNet& net, const model::State& state,
-                                                          double theta);
+std::vector<IdealPoint> ideal_places(const SolidNet& net, const model::State& state, double theta);
 
 }  // namespace kinetix::targets

@@ -58,27 +58,23 @@ void keep_limits(const DisplayFile& file, const model::Elasticity& elasticity, D
   display.loads = panel_loads(file, panel, display.design.view, elasticity);
   if (share_of(file.limits, display.loads->hinges) <= HingeLimits::in_hand) return;
   display.unlimited = display.loads;
-  double kept = 0, too_much = 1;
-  for (int k = 0; k < press_halvings && !stop.stop_requested(); ++k) {
-    const double share = k == 0 ? first_share : (kept + too_much) / 2;
-    if (share < least_share) break;
+  const auto keeps = [&](double share, double) -> std::optional<bool> {
+    if (stop.stop_requested()) return std::nullopt;
     optim::DisplayDesign design = search(pressed_by(file, share));
-    if (stop.stop_requested()) break;  // it may have been cut short
+    if (stop.stop_requested()) return std::nullopt;  // it may have been cut short
     const PanelLoads loads = panel_loads(file, panel, design.view, elasticity);
-    if (!(share_of(file.limits, loads.hinges) <= HingeLimits::in_hand)) {
-      too_much = share;
-      continue;
-    }
-    kept = share;
-    if (!(loads.apart >= least_apart)) continue;
+    if (!(share_of(file.limits, loads.hinges) <= HingeLimits::in_hand)) return false;
+    if (!(loads.apart >= least_apart)) return true;
     display.design = std::move(design);
     display.loads = loads;
     display.pressed = share;
-  }
+    return true;
+  };
+  const LimitRange found = halve({}, {press_halvings, 0, first_share, least_share}, keeps);
   if (display.pressed < 1) return;
   display.limits_stopped = stop.stop_requested();
-  display.least_pressed = too_much;
-  display.faint = kept > 0;
+  display.least_pressed = found.too_much;
+  display.faint = found.kept > 0;
   display.unlimited.reset();
 }
 

@@ -8,10 +8,11 @@
 
 #include "app/goals/fold/fold_file.hpp"
 #include "app/goals/fold/fold_limits.hpp"
-#include "app/goals/fold/fold_outcome.hpp"
 #include "app/pipeline/hinge_loads.hpp"
 #include "app/pipeline/robust_search.hpp"
 #include "app/run/goal_kind.hpp"
+#include "app/run/run.hpp"
+#include "model/base/append.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "optim/fold/fit_box.hpp"
 #include "targets/document/number.hpp"
@@ -19,12 +20,27 @@
 namespace kinetix::app {
 namespace {
 
-/// Size of the tilts along a crease, rad: those that make up for elastic hinges differ a little.
-double mean_tilt(const model::Sheet& net, const targets::PlacedCrease& crease) {
+/// Size of the tilts of a crease, rad: those that make up for elastic hinges differ a little.
+double mean_tilt(const model::Sheet& net, const std::vector<int>& hinges) {
   double sum = 0;
-  const std::vector<model::Wall> walls = bending_walls(crease);
-  for (const model::Wall& wall : walls) sum += std::abs(net.hinge(*net.squares()->hinge_at(wall)).beta);
-  return sum / static_cast<double>(walls.size());
+  for (const int h : hinges) sum += std::abs(net.hinge(h).beta);
+  return sum / static_cast<double>(hinges.size());
+}
+
+/// Where searches for folds mostly end, rad: what is told of them beforehand.
+double usual_theta(const optim::AngleRange& allowed) {
+  return std::clamp(26 * radians_per_degree, allowed.lower, allowed.upper);
+}
+
+/// How far a search may go.
+optim::FoldOptions search_of(const FoldFile& file, const RunOptions& run) {
+  optim::FoldOptions options;
+  options.size = file.size;
+  options.tilt = file.tilt;
+  options.theta = file.theta;
+  options.threads = run.threads;
+  options.stop = run.stop;
+  return options;
 }
 
 // Rad: two columns a right angle, in most nets; no search tries more than four.
@@ -54,11 +70,10 @@ std::vector<int> usual_columns(const targets::FoldNet& net, double theta, double
 }
 
 /// Cells along the shortest edge of a box, at a theta: their edge, mm.
-double edge_of_cells(const FoldOutcome& found, int across) {
-  const optim::FoldedNet& net = found.design.folded;
-  const auto& asked_mm = *found.goal.box_mm;
+double edge_of_cells(const FoldFile& file, const optim::FoldedNet& net, int across) {
+  const auto& asked_mm = *file.goal.box_mm;
   const auto shortest = std::min_element(asked_mm.begin(), asked_mm.end());
-  const auto edges = optim::folded_box({across, across, across}, found.goal.open, 1, net.theta,
+  const auto edges = optim::folded_box({across, across, across}, file.goal.open, 1, net.theta,
                                        net.layout.creases[0].columns());
   return *shortest / edges[shortest - asked_mm.begin()];
 }
@@ -78,7 +93,7 @@ std::string too_fine(const FoldFile& file, const model::CellSize& size) {
 }
 
 /// Other cells that give a box its size, found by a search of each; where there are none the box that these cells give.
-std::string other_size(const FoldFile& file, const FoldOutcome& found, const RunOptions& options) {
+std::string other_size(const FoldFile& file, const optim::FoldDesign& found, const RunOptions& options) {
   const char* looser = "a larger tolerance.size";
   if (!looks_for_other_cells(file))
     return fmt::format("try another cell edge (structure.cell_mm), or allow {}", looser);
@@ -89,26 +104,54 @@ std::string other_size(const FoldFile& file, const FoldOutcome& found, const Run
   const auto better = optim::other_cells(box, file.size_tolerance);
   if (better)
     return fmt::format("structure.cell_mm: {:g} comes within {:.1f} %{}", better->edge_mm,
-                       100 * optim::size_miss(better->folded_mm, *found.goal.box_mm),
+                       100 * optim::size_miss(better->folded_mm, *file.goal.box_mm),
                        too_fine(file, box.size(better->edge_mm)));
   if (options.stop.stop_requested())
     return fmt::format(
         "the search was stopped before it had tried all cells; try another cell edge (structure.cell_mm), or "
         "allow {}",
         looser);
-  const auto mm = found.edges_mm();
+  const auto mm = edges_mm(file.goal, found);
   return fmt::format(
       "no cells of about {:.3g} to {:.3g} mm come as near; these fold to box_mm: [{:.1f}, {:.1f}, {:.1f}], "
       "which "
       "can be asked for, or {}",
-      edge_of_cells(found, optim::most_cells_across), edge_of_cells(found, 1), mm[0], mm[1], mm[2], looser);
+      edge_of_cells(file, found.folded, optim::most_cells_across), edge_of_cells(file, found.folded, 1),
+      mm[0], mm[1], mm[2], looser);
 }
+
+/// Edges of the box around a solid that stands on its first face, with that face's first edge along x.
+Eigen::Vector3d standing_size(const targets::Solid& solid) {
+  const auto corner = [&](int k) -> const Eigen::Vector3d& { return solid.corners[solid.faces[0][k]]; };
+  const Eigen::Vector3d x = (corner(1) - corner(0)).normalized();
+  const Eigen::Vector3d z = x.cross(corner(2) - corner(1)).normalized();
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& at : solid.corners)
+    box.extend(Eigen::Vector3d(x.dot(at), z.cross(x).dot(at), z.dot(at)));
+  return box.sizes();
+}
+
+// Rad, where searches for solids end that the tilts limit: at a smaller theta these would be larger than is allowed.
+constexpr double steep_theta = 22 * radians_per_degree;
+
+/// Of a crease: as few as fold the solid's sharpest edge at that theta, as its search begins with.
+int columns_of_solid(const targets::Solid& solid, const FoldFile& file) {
+  if (file.goal.solid->columns > 0) return file.goal.solid->columns;
+  double sharpest = 0;
+  for (const targets::SolidEdge& edge : edges_of(solid)) sharpest = std::max(sharpest, edge.turn);
+  const double theta = std::clamp(steep_theta, file.theta.lower, file.theta.upper),
+               turn = 2 * std::atan(std::tan(file.tilt) * std::sin(theta));
+  return static_cast<int>(std::clamp(std::ceil(sharpest / turn), 1.0, 1.0 * optim::most_solid_columns));
+}
+
+constexpr double seconds_a_solid_body = 0.005;  // measured: of a search of columns and theta
 
 class FoldGoal final : public Goal {
  public:
   explicit FoldGoal(FoldFile file) : Goal(file.name), file_(std::move(file)) {}
 
   Forecast forecast() const override {
+    if (file_.goal.solid) return forecast_solid();
     const targets::FoldNet& net = file_.goal.nets.front();
     const double theta = usual_theta(file_.theta);
     const std::vector<int> columns = usual_columns(net, theta, file_.tilt);
@@ -129,6 +172,7 @@ class FoldGoal final : public Goal {
   }
 
   Found search(const RunOptions& options) const override {
+    if (file_.goal.solid) return search_solid(options);
     Found plain = search(file_, options);
     if (!file_.robust) return plain;
     return search_robustly(
@@ -145,44 +189,34 @@ class FoldGoal final : public Goal {
   std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State& state,
                                          const RunOptions&) const override {
     const auto& found = outcome_of<FoldOutcome>(run);
-    const optim::FoldedNet& net = found.design.folded;
+    const FoldShape& shape = found.shape;
     auto out = std::make_shared<FoldMeasure>();
-    out->error = net.error;
-    out->tilt = net.tilt;
+    out->error = of == StateOf::model ? shape.error : shape.error_of(state);
+    out->tilt = shape.tilt;
     out->loads = found.loads;
-    if (of == StateOf::model) {
-      out->violations = found.design.folds
-                            ? violations(file_, found.creases(net.error), net.error.rms, in_words(of))
-                            : found.design.obstacles;
-      check_size(found, out->violations);
-      return out;
-    }
-    out->error = fold_error(net.net, net.layout, net.structure, state, net.theta);
-    out->violations = violations(file_, found.creases(out->error), out->error.rms, in_words(of));
+    out->violations = of == StateOf::model && !shape.folds
+                          ? shape.obstacles
+                          : shape.violations(file_, out->error, in_words(of));
     if (of == StateOf::physics) return out;
+    if (!found.size_missed.empty()) out->violations.push_back(found.size_missed);
+    if (of == StateOf::model) return out;
     for (std::size_t c = 0; c < out->tilt.size(); ++c)
-      out->tilt[c] = mean_tilt(run.design.structure, net.layout.creases[c]);
-    check_size(found, out->violations);
+      out->tilt[c] = mean_tilt(run.design.structure, shape.creases[c].hinges);
     if (!found.loads) return out;
     const HingeLoads loads = hinge_loads(run.equilibrium->path, run.equilibrium->drive, run.design.structure,
                                          run.design.hinge, run.design.own_hinges);
     out->loads = FoldLoads{run.theta, loads};
-    for (const std::string& why : violations(file_.limits, loads, "a smaller theta"))
-      out->violations.push_back(why);
+    model::append(app::violations(file_.limits, loads, "a smaller theta"), out->violations);
     return out;
   }
 
   /// Each vertex of a face, in all directions, from the solid of the size that the search chose.
   std::optional<Observed> observe(const Found& found, const model::Sheet& sheet,
                                   const model::State& state) const override {
-    const optim::FoldedNet& net = outcome_of<FoldOutcome>(found).design.folded;
-    if (!outcome_of<FoldOutcome>(found).design.folds || !is_finite(state)) return std::nullopt;
-    double sides = 0;  // cells
-    for (const model::CellRectangle& face : net.layout.faces)
-      sides += (face.width + face.height) / 2.0 / static_cast<double>(net.layout.faces.size());
-    Observed out{{}, file_.shape_tolerance * sides * sheet.size().edge_mm * std::cos(net.theta)};
-    for (const targets::IdealPoint& v :
-         ideal_vertices(net.net, net.layout, *sheet.squares(), state, net.theta))
+    const FoldShape& shape = outcome_of<FoldOutcome>(found).shape;
+    if (!shape.folds || !is_finite(state)) return std::nullopt;
+    Observed out{{}, file_.shape_tolerance * shape.side * sheet.size().edge_mm * std::cos(shape.theta)};
+    for (const targets::IdealPoint& v : shape.ideal(sheet, state))
       for (int k = 0; k < 3; ++k)
         out.points.push_back(
             {{v.body}, state[v.body].p, Eigen::Vector3d::Unit(k), (state[v.body].p - v.place)[k], 3});
@@ -190,31 +224,61 @@ class FoldGoal final : public Goal {
   }
 
  private:
-  Found search(const FoldFile& file, const RunOptions& options) const {
+  /// What is asked of any design.
+  static Found asked(const FoldFile& file) {
     Found out;
     take_settings(out, file);
     out.tolerances = {{"angle_deg", std::stod(targets::degrees_text(file.angle_tolerance))},
                       {"shape", file.shape_tolerance}};
     if (file.goal.box_mm) out.tolerances.emplace_back("size", file.size_tolerance);
     out.physics.when = PhysicsWish::When::if_met;
-    out.bounds = {file_.tilt, file_.theta};
     out.judged_against = judged_against(file.goal);
-    auto found = std::make_unique<FoldOutcome>();
-    found->goal = file.goal;
-    optim::FoldOptions first = search_of(file);
-    first.threads = options.threads;
-    first.stop = options.stop;
-    found->design = fit_fold(file.goal, first, options.progress);
+    return out;
+  }
+
+  Found with_outcome(Found out, FoldShape shape, KeptLoads loads = {}, std::string size_missed = {}) const {
+    out.bounds = {file_.tilt, file_.theta};
+    out.design.structure = shape.sheet;
+    out.theta = shape.theta;
+    auto found = std::make_unique<FoldOutcome>(std::move(shape));
+    found->loads = std::move(loads.loads);
+    found->unlimited = std::move(loads.unlimited);
+    found->size_missed = std::move(size_missed);
+    out.goal = std::move(found);
+    return out;
+  }
+
+  Found search(const FoldFile& file, const RunOptions& options) const {
+    Found out = asked(file);
+    out.bounds = {file_.tilt, file_.theta};
+    const optim::FoldOptions first = search_of(file, options);
+    optim::FoldDesign design = fit_fold(file.goal, first, options.progress);
     const auto narrower = [&](double largest_theta) {
       optim::FoldOptions narrowed = first;
       narrowed.theta.upper = largest_theta;
       return fit_fold(file.goal, narrowed);
     };
-    keep_limits(file, out, *this, *found, narrower, options);
-    if (is_size_missed(*found)) found->instead = other_size(file, *found, options);
-    out.design.structure = found->design.folded.structure;
-    out.theta = found->design.folded.theta;
-    out.goal = std::move(found);
+    KeptLoads loads = keep_limits(file, out, *this, design, narrower, options);
+    std::string size_missed = why_size_is_missed(file, design, options);
+    return with_outcome(std::move(out), shape_of(file.goal, design), std::move(loads),
+                        std::move(size_missed));
+  }
+
+  Found search_solid(const RunOptions& options) const {
+    const targets::SolidGoal& goal = *file_.goal.solid;
+    return with_outcome(asked(file_),
+                        shape_of(goal, fit_solid(targets::named_solid(goal.solid), goal.cells, goal.columns,
+                                                 search_of(file_, options), options.progress)));
+  }
+
+  Forecast forecast_solid() const {
+    const targets::SolidGoal& goal = *file_.goal.solid;
+    const targets::Solid solid = targets::named_solid(goal.solid);
+    const auto net = lay_out(solid, goal.cells, columns_of_solid(solid, file_), file_.size);
+    Forecast out{net.structure};
+    out.folded_mm = net.edge * file_.size.edge_mm * std::cos(usual_theta(file_.theta)) * standing_size(solid);
+    out.search_s = out.sheet.bodies() * seconds_a_solid_body;
+    add_settings(file_, out);
     return out;
   }
 
@@ -242,17 +306,15 @@ class FoldGoal final : public Goal {
         about(looks), about(looks + folds)));
   }
 
-  bool is_size_missed(const FoldOutcome& found) const {
-    return found.goal.box_mm && found.design.folds &&
-           !(optim::size_miss(found.edges_mm(), *found.goal.box_mm) <= file_.size_tolerance);
-  }
-
-  void check_size(const FoldOutcome& found, std::vector<std::string>& why) const {
-    if (!is_size_missed(found)) return;
-    why.push_back(fmt::format(
+  /// How far the box is from its size and what to do about it; empty where it is met.
+  std::string why_size_is_missed(const FoldFile& file, const optim::FoldDesign& design,
+                                 const RunOptions& options) const {
+    if (!file.goal.box_mm || !design.folds) return "";
+    const double miss = optim::size_miss(edges_mm(file.goal, design), *file.goal.box_mm);
+    if (miss <= file_.size_tolerance) return "";
+    return fmt::format(
         "an edge of the box is {:.1f} % longer or shorter than asked for; at most {:.1f} % is allowed: {}",
-        100 * optim::size_miss(found.edges_mm(), *found.goal.box_mm), 100 * file_.size_tolerance,
-        found.instead));
+        100 * miss, 100 * file_.size_tolerance, other_size(file, design, options));
   }
 
   FoldFile file_;
@@ -265,11 +327,7 @@ std::unique_ptr<Goal> make_goal(FoldFile file) { return std::make_unique<FoldGoa
 extern const GoalKind fold_kind = {
     .name = "fold",
     .example = "target: {kind: fold, box: [4, 4, 4]}",
-    .read =
-        [](const targets::Node& root) {
-          FoldFile file = read_fold_file(root);
-          return file.goal.solid ? make_solid_goal(std::move(file)) : make_goal(std::move(file));
-        },
+    .read = [](const targets::Node& root) { return make_goal(read_fold_file(root)); },
     .table = fold_keys,
     .metrics = {
         {"fold_deg", "deg", "[fold of each crease](#face_rms), a list"},

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "app/goals/fold/crease_checks.hpp"
 #include "app/pipeline/hinge_loads.hpp"
 #include "app/pipeline/matter.hpp"
 #include "model/closure/drive_theta.hpp"
@@ -20,62 +19,46 @@ struct Borne {
   bool meets_goal = false;
 };
 
-bool meets_goal(const FoldFile& file, const optim::FoldDesign& design, const MatterPath& found) {
-  FoldOutcome outcome;
-  outcome.goal = file.goal;
-  outcome.design = design;
-  optim::FoldedNet& net = outcome.design.folded;
-  net.error = fold_error(net.net, net.layout, net.structure, found.path.state, net.theta);
-  return found.path.stop == model::EquilibriumPath::Stop::reached &&
-         violations(file, outcome.creases(net.error), net.error.rms, "equilibrium").empty();
-}
-
 Borne borne_by(const FoldFile& file, Found trial, const Goal& goal, const optim::FoldDesign& design,
                const std::stop_token& stop) {
+  const FoldShape shape = shape_of(file.goal, design);
   trial.design.structure = design.folded.structure;
   trial.theta = design.folded.theta;
-  auto fold = std::make_unique<FoldOutcome>();
-  fold->design = design;
-  trial.goal = std::move(fold);
+  trial.goal = std::make_unique<FoldOutcome>(shape);
   trial = planned(std::move(trial));
   const MatterPath found = path_in_matter(trial, goal, stop);
   return {{model::mean_theta(found.sheet, found.path.state),
            hinge_loads(found.path, found.drive, found.sheet, trial.design.hinge, trial.design.own_hinges)},
-          meets_goal(file, design, found)};
+          found.path.stop == model::EquilibriumPath::Stop::reached &&
+              shape.violations(file, shape.error_of(found.path.state), "equilibrium").empty()};
 }
 
 }  // namespace
 
-void keep_limits(const FoldFile& file, const Found& asked_of, const Goal& goal, FoldOutcome& fold,
-                 const std::function<optim::FoldDesign(double)>& search, const RunOptions& options) {
-  if (!file.limits.any() || !fold.design.folds) return;
-  const FoldLoads asked = borne_by(file, asked_of, goal, fold.design, options.stop).loads;
-  if (options.stop.stop_requested()) return;  // cut short, its path says nothing of the fold
-  fold.loads = asked;
-  if (share_of(file.limits, asked.hinges) <= HingeLimits::in_hand) return;
-  double kept = file.theta.lower, too_much = fold.design.folded.theta;
-  for (int k = 0; k < theta_halvings && too_much - kept > one_theta; ++k) {
-    options.progress("limits", static_cast<double>(k) / theta_halvings);
-    const double theta = (kept + too_much) / 2;
-    optim::FoldDesign design = search(theta);
-    if (options.stop.stop_requested()) return;
-    if (!design.folds) {
-      kept = theta;
-      continue;
-    }
-    const Borne borne = borne_by(file, asked_of, goal, design, options.stop);
-    if (options.stop.stop_requested()) return;
-    if (!(share_of(file.limits, borne.loads.hinges) <= HingeLimits::in_hand)) {
-      too_much = theta;
-      continue;
-    }
-    kept = theta;
+KeptLoads keep_limits(const FoldFile& file, const Found& asked_of, const Goal& goal,
+                      optim::FoldDesign& design, const std::function<optim::FoldDesign(double)>& search,
+                      const RunOptions& options) {
+  if (!file.limits.any() || !design.folds) return {};
+  const FoldLoads asked = borne_by(file, asked_of, goal, design, options.stop).loads;
+  if (options.stop.stop_requested()) return {};  // cut short, its path says nothing of the fold
+  KeptLoads out{asked, {}};
+  if (share_of(file.limits, asked.hinges) <= HingeLimits::in_hand) return out;
+  const auto keeps = [&](double theta, double share) -> std::optional<bool> {
+    options.progress("limits", share);
+    optim::FoldDesign next = search(theta);
+    if (options.stop.stop_requested()) return std::nullopt;
+    if (!next.folds) return true;
+    const Borne borne = borne_by(file, asked_of, goal, next, options.stop);
+    if (options.stop.stop_requested()) return std::nullopt;
+    if (!(share_of(file.limits, borne.loads.hinges) <= HingeLimits::in_hand)) return false;
     // Hinges of a sheet that stays short of its goal are strained little: that is no way to keep limits.
-    if (!borne.meets_goal) continue;
-    fold.design = std::move(design);
-    fold.loads = borne.loads;
-    fold.unlimited = asked;
-  }
+    if (!borne.meets_goal) return true;
+    design = std::move(next);
+    out = {borne.loads, asked};
+    return true;
+  };
+  halve({file.theta.lower, design.folded.theta}, {theta_halvings, one_theta}, keeps);
+  return out;
 }
 
 }  // namespace kinetix::app

@@ -10,7 +10,7 @@
 #include <stop_token>
 #include <utility>
 
-#include "app/goals/fold/fold_outcome.hpp"
+#include "app/goals/fold/fold_goal.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/pipeline/robust_search.hpp"
 #include "model/base/angle.hpp"

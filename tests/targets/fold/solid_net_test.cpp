@@ -44,7 +44,7 @@ TEST(SolidNet, FoldsExactlyToItsSolid) {
         EXPECT_LE(hinge_gaps(net.structure, motion.at(theta)).max, 1e-12);
         EXPECT_LE(hinge_gaps(net.structure, motion.at(theta)).axis_max, 1e-12);
       }
-      const SolidError error = solid_error(net, motion.at(0.6), 0.6);
+      const FoldError error = solid_error(net, motion.at(0.6), 0.6);
       for (std::size_t c = 0; c < net.creases.size(); ++c)
         EXPECT_NEAR(to_degrees(error.fold[c] - net.creases[c].angle), 0, 1e-9);
       EXPECT_LE(error.rms, 1e-12);

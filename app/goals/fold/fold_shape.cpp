@@ -1,0 +1,243 @@
+#include "app/goals/fold/fold_shape.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "optim/fold/fit_box.hpp"
+#include "targets/document/number.hpp"
+
+namespace kinetix::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double told_miss = 0.001;  // degrees of a crease, and share of a face's edge: less is no matter
+
+/// "2 columns", or "1 to 4 columns"
+std::string columns_in_words(const targets::NetLayout& layout) {
+  int least = targets::max_crease_columns, most = 0;
+  for (const targets::PlacedCrease& crease : layout.creases) {
+    least = std::min(least, crease.columns());
+    most = std::max(most, crease.columns());
+  }
+  if (least >= most) return fmt::format("{} {}", most, most == 1 ? "column" : "columns");
+  return fmt::format("{} to {} columns", least, most);
+}
+
+std::string size_text(const targets::FoldGoal& goal, const std::array<double, 3>& mm) {
+  std::string text = fmt::format("{:.1f} x {:.1f} x {:.1f} mm when it is {}", mm[0], mm[1], mm[2],
+                                 goal.open ? "folded" : "closed");
+  const auto& asked = goal.box_mm;
+  if (asked)
+    text += fmt::format(", of {:g} x {:g} x {:g} mm: {:.1f} % off at most", (*asked)[0], (*asked)[1],
+                        (*asked)[2], 100 * optim::size_miss(mm, *asked));
+  return text;
+}
+
+std::string face_name(int face) { return std::to_string(face + 1); }
+
+/// "3-7", by the numbers of its faces.
+std::string crease_name(const targets::SolidCrease& crease) {
+  return face_name(crease.first) + "-" + face_name(crease.second);
+}
+
+Json places_json(const targets::SolidNet& net, const std::vector<int>& bodies) {
+  Json out = Json::array();
+  for (const int body : bodies)
+    out.push_back({net.structure.graph.vertices[body].x(), net.structure.graph.vertices[body].y()});
+  return out;
+}
+
+/// The corners of a face round it and back to the first, as bodies.
+std::vector<int> round_face(const targets::SolidFace& face) {
+  std::vector<int> corners;
+  for (const std::vector<int>& side : face.sides)
+    for (const int body : {side.front(), side.back()})
+      if (corners.empty() || corners.back() != body) corners.push_back(body);
+  if (corners.back() != corners.front()) corners.push_back(corners.front());
+  return corners;
+}
+
+Json target_of(const targets::FoldGoal& goal, const targets::FoldNet& net) {
+  Json out = {{"kind", "fold"}};
+  if (goal.box) out["box"] = *goal.box;
+  if (goal.box_mm) out["box_mm"] = *goal.box_mm;
+  if (goal.open) out["open"] = targets::box_face_names()[*goal.open];
+  out["faces"] = Json::array();
+  for (const targets::FoldFace& face : net.faces)
+    out["faces"].push_back({{"name", face.name}, {"cells", {face.width, face.height}}});
+  out["creases"] = Json::array();
+  for (const targets::FoldCrease& crease : net.creases)
+    out["creases"].push_back({{"faces", {net.faces[crease.first].name, net.faces[crease.second].name}},
+                              {"side", to_string(crease.side)},
+                              {"angle_deg", to_degrees(crease.angle)},
+                              {"shift", crease.shift}});
+  return out;
+}
+
+Json target_of(const targets::SolidGoal& goal, const targets::SolidNet& net) {
+  Json out = {{"kind", "fold"}, {"solid", targets::solid_names()[goal.solid]}, {"cells", goal.cells}};
+  out["faces"] = Json::array();
+  for (std::size_t f = 0; f < net.faces.size(); ++f)
+    out["faces"].push_back({{"name", face_name(static_cast<int>(f))}});
+  out["creases"] = Json::array();
+  for (const targets::SolidCrease& crease : net.creases)
+    out["creases"].push_back({{"faces", {face_name(crease.first), face_name(crease.second)}},
+                              {"angle_deg", to_degrees(crease.angle)}});
+  return out;
+}
+
+void add_crease(const optim::FoldedNet& net, std::size_t c, FoldShape& shape) {
+  const targets::FoldCrease& crease = net.net.creases[c];
+  const targets::PlacedCrease& placed = net.layout.creases[c];
+  FoldShape::Crease out{crease_name(net.net, crease), crease.angle, {}, {}};
+  for (const model::Wall& wall : bending_walls(placed)) out.hinges.push_back(*net.structure.hinge_at(wall));
+  out.section = {{"name", out.name},
+                 {"faces", {crease.first, crease.second}},
+                 {"axis", placed.axis == model::Axis::x ? "x" : "y"},
+                 {"cell", label(placed.cells.low)},
+                 {"cells", {placed.cells.width, placed.cells.height}},
+                 {"columns", placed.columns()}};
+  shape.creases.push_back(std::move(out));
+}
+
+void add_crease(const targets::SolidNet& net, const targets::SolidCrease& crease, FoldShape& shape) {
+  const auto& edges = net.structure.graph.edges;
+  const auto &near = crease.hinges.front(), &far = crease.hinges.back();
+  const std::vector<int> corners = {edges[near.front()].from, edges[near.back()].from, edges[far.back()].to,
+                                    edges[far.front()].to};
+  FoldShape::Crease out{crease_name(crease), crease.angle, {}, {}};
+  for (const std::vector<int>& column : crease.hinges)
+    out.hinges.insert(out.hinges.end(), column.begin(), column.end());
+  out.section = {{"name", out.name},
+                 {"faces", {crease.first, crease.second}},
+                 {"corners", places_json(net, corners)},
+                 {"columns", net.columns}};
+  shape.creases.push_back(std::move(out));
+}
+
+void add_face(const optim::FoldedNet& net, std::size_t f, FoldShape& shape) {
+  const model::CellRectangle& face = net.layout.faces[f];
+  shape.faces.push_back(
+      {{"name", net.net.faces[f].name}, {"cell", label(face.low)}, {"cells", {face.width, face.height}}});
+  std::vector<int>& outline = shape.outlines.emplace_back();
+  for (const auto& [i, j] :
+       {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1), std::pair(0, 0)})
+    outline.push_back(*net.structure.body_at({face.low.i + i * face.width, face.low.j + j * face.height}));
+  shape.side += (face.width + face.height) / 2.0 / static_cast<double>(net.layout.faces.size());
+}
+
+void add_face(const targets::SolidNet& net, std::size_t f, FoldShape& shape) {
+  std::vector<int> ends;
+  for (const auto& side : net.faces[f].sides) ends.insert(ends.end(), {side.front(), side.back()});
+  shape.faces.push_back({{"name", face_name(static_cast<int>(f))}, {"corners", places_json(net, ends)}});
+  shape.outlines.push_back(round_face(net.faces[f]));
+}
+
+/// Adds what both searches know alike.
+template <class Design>
+void add_search(const Design& design, FoldShape& shape) {
+  shape.attempts = design.attempts;
+  shape.evaluations = design.evaluations;
+  shape.folds = design.folds;
+  shape.stopped = design.stopped;
+}
+
+}  // namespace
+
+std::vector<std::string> FoldShape::violations(const FoldFile& file, const targets::FoldError& of,
+                                               const std::string& who) const {
+  std::vector<std::string> why;
+  for (std::size_t c = 0; c < creases.size(); ++c)
+    if (!(std::abs(of.fold[c] - creases[c].angle) <= file.angle_tolerance))
+      why.push_back(
+          fmt::format("{}: crease `{}` folds by {:.2f} deg; {:.2f} deg is required, within {:.3g} deg", who,
+                      creases[c].name, to_degrees(of.fold[c]), to_degrees(creases[c].angle),
+                      to_degrees(file.angle_tolerance)));
+  if (!(of.rms <= file.shape_tolerance))
+    why.push_back(
+        fmt::format("{}: faces are off the solid by {:.3g} of their edge; at most {:.3g} is allowed", who,
+                    of.rms, file.shape_tolerance));
+  return why;
+}
+
+double FoldShape::largest_miss(const targets::FoldError& of) const {
+  double most = 0;
+  for (std::size_t c = 0; c < creases.size(); ++c)
+    most = std::max(most, std::abs(of.fold[c] - creases[c].angle));
+  return most;
+}
+
+std::string FoldShape::in_words(const targets::FoldError& of) const {
+  return fmt::format(
+      "{} crease{} within {:.3g} deg, faces {} of their edge from the solid (rms)", creases.size(),
+      creases.size() == 1 ? "" : "s", std::max(to_degrees(largest_miss(of)), told_miss),
+      of.rms < told_miss ? fmt::format("less than {:g}", told_miss) : fmt::format("{:.3g}", of.rms));
+}
+
+std::array<double, 3> edges_mm(const targets::FoldGoal& goal, const optim::FoldDesign& design) {
+  const optim::FoldedNet& net = design.folded;
+  return optim::folded_box(*goal.box, goal.open, net.structure.size.edge_mm, net.theta,
+                           net.layout.creases[0].columns());
+}
+
+FoldShape shape_of(const targets::FoldGoal& goal, const optim::FoldDesign& design) {
+  const optim::FoldedNet& net = design.folded;
+  FoldShape out{.sheet = net.structure,
+                .theta = net.theta,
+                .target = target_of(goal, net.net),
+                .error = net.error,
+                .tilt = net.tilt};
+  for (std::size_t f = 0; f < net.net.faces.size(); ++f) add_face(net, f, out);
+  for (std::size_t c = 0; c < net.net.creases.size(); ++c) add_crease(net, c, out);
+  add_search(design, out);
+  out.obstacles = design.obstacles;
+  out.why_not = "no unfolding and no number of columns tried folds freely";
+  out.unfoldings = goal.nets.size();
+  out.unfolding = design.net;
+  out.lines = {{"net", fmt::format("{} face{}, {} per crease, unfolding {} of {}", net.net.faces.size(),
+                                   net.net.faces.size() == 1 ? "" : "s", columns_in_words(net.layout),
+                                   design.net + 1, goal.nets.size())}};
+  if (goal.box) {
+    out.edges_mm = edges_mm(goal, design);
+    out.lines.push_back({"size", size_text(goal, *out.edges_mm)});
+  }
+  out.error_of = [net](const model::State& state) {
+    return fold_error(net.net, net.layout, net.structure, state, net.theta);
+  };
+  out.ideal = [net](const model::Sheet& sheet, const model::State& state) {
+    return ideal_vertices(net.net, net.layout, *sheet.squares(), state, net.theta);
+  };
+  return out;
+}
+
+FoldShape shape_of(const targets::SolidGoal& goal, const optim::SolidDesign& design) {
+  const targets::SolidNet& net = design.net;
+  FoldShape out{.sheet = net.structure,
+                .theta = design.theta,
+                .target = target_of(goal, net),
+                .side = net.edge,
+                .error = design.error,
+                .tilt = design.tilt};
+  for (std::size_t f = 0; f < net.faces.size(); ++f) add_face(net, f, out);
+  for (const targets::SolidCrease& crease : net.creases) add_crease(net, crease, out);
+  add_search(design, out);
+  for (const optim::FoldAttempt& attempt : design.attempts) out.obstacles.push_back(attempt.why);
+  out.why_not = "no number of columns tried folds freely";
+  out.lines = {{"net", fmt::format("{} face{} of {} cells a side, {} {} per crease", net.faces.size(),
+                                   net.faces.size() == 1 ? "" : "s", 2 * goal.cells, net.columns,
+                                   net.columns == 1 ? "column" : "columns")},
+               {"size", fmt::format("edges of {:.1f} mm when it is closed",
+                                    net.edge * net.structure.size.edge_mm * std::cos(design.theta))}};
+  out.error_of = [net, theta = design.theta](const model::State& state) {
+    return solid_error(net, state, theta);
+  };
+  out.ideal = [net, theta = design.theta](const model::Sheet&, const model::State& state) {
+    return ideal_places(net, state, theta);
+  };
+  return out;
+}
+
+}  // namespace kinetix::app
