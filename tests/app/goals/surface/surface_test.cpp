@@ -4,7 +4,7 @@
 
 #include "app/goals/read_target.hpp"
 #include "app/goals/ribs/ribs_goal.hpp"
-#include "app/goals/surface/surface_outcome.hpp"
+#include "app/goals/surface/surface_goal.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "model/base/invalid_input.hpp"
 #include "optim/surface/developable.hpp"
