@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "model/lattice/planar/exact_designs.hpp"
 #include "model/sheet/sheet_motion.hpp"
