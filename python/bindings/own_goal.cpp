@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/result/search_json.hpp"
+#include "app/run/contact_reason.hpp"
 #include "app/run/search_words.hpp"
+#include "model/base/append.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "model/sheet/sheet_motion.hpp"
@@ -104,14 +106,7 @@ std::shared_ptr<const app::Measure> OwnGoal::measure(const app::Run& run, app::S
     out->violations.push_back(fmt::format("{}the error is {:.3g}; at most {:g} is allowed",
                                           in_physics ? "in the physics run " : "", norm, tolerance));
   if (in_physics) return out;
-  model::ThetaRangeOptions until;
-  until.limit = run.theta;
-  const auto touch = theta_range(run.design.structure, run.plan.exact, until).positive;
-  if (touch.touches)
-    out->violations.push_back(
-        fmt::format("walls run into each other at theta {:.2f} deg, before the {:.2f} deg of the goal: use "
-                    "lower or thinner walls, or larger cells",
-                    to_degrees(touch.theta), to_degrees(run.theta)));
+  model::append(collisions_on_the_way(run, "use lower or thinner walls, or larger cells"), out->violations);
   return out;
 }
 
