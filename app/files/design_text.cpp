@@ -83,14 +83,7 @@ std::string hinge_section_text(const HingeSection& hinge) {
 }
 
 std::string physics_text(const PhysicsSection& physics) {
-  std::string text;
-  const auto add = [&](const char* key, const auto& value) {
-    if (value) text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", key, targets::shortest_text(*value));
-  };
-  add("step_s", physics.step_s);
-  add("disturbance", physics.disturbance);
-  add("disturbance_seed", physics.disturbance_seed);
-  add("reach_mm", physics.reach_mm);
+  const std::string text = physics_keys().text(physics);
   return text.empty() ? "" : "physics: {" + text + "}\n";
 }
 

@@ -60,6 +60,12 @@ void check_version(const targets::Section& root) {
                         " is not supported; this program reads version 1");
 }
 
+targets::Section read_root(const targets::Node& node, const targets::KeyTable& keys) {
+  const targets::Section root(node, keys);
+  check_version(root);
+  return root;
+}
+
 std::string read_name(const targets::Section& root) {
   const auto node = root.optional("name");
   if (!node) return file_stem(root);

@@ -17,6 +17,9 @@ void refuse_result(const targets::Node& root);
 /// version
 void check_version(const targets::Section& root);
 
+/// The whole of a file by its keys. @throws InvalidInput as Section and check_version()
+targets::Section read_root(const targets::Node& node, const targets::KeyTable& keys);
+
 /// The `name:` key, by default the file's name without its ending (with `_` for what a name may not hold). It
 /// names the folder of results: 1 to 100 letters, digits, `_`, `-` and `.`, not starting with a point.
 /// @throws InvalidInput for any other name

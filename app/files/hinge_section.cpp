@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "targets/document/bound_key.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {
@@ -10,6 +11,7 @@ namespace {
 namespace value = targets::value;
 using Model = HingeSection::Model;
 using model::HingeKind;
+using model::MadeHinge;
 
 // What the key `model` may say.
 constexpr targets::Word<Model> models[] = {{"rotary", Model::rotary}, {"elastic", Model::elastic}};
@@ -32,25 +34,29 @@ std::vector<std::string> material_names() {
 
 const targets::KeyTable& material_keys() {
   static const targets::KeyTable keys({
-      {"E_mpa", value::number(modulus), targets::needed, "Young's modulus"},
-      {"nu", value::number(poisson), targets::needed, "Poisson's ratio"},
-      {"strain_max", value::number(strain), targets::needed,
+      {"E_mpa", &model::Material::E_mpa, value::number(modulus), targets::needed_as("a modulus in MPa"),
+       "Young's modulus"},
+      {"nu", &model::Material::nu, value::number(poisson), targets::needed_as("Poisson's ratio"),
+       "Poisson's ratio"},
+      {"strain_max", &model::Material::strain_max, value::number(strain), targets::needed_as("a strain"),
        "the largest strain that it withstands repeatedly"},
   });
   return keys;
 }
 
 const targets::KeyTable& stiffness_keys() {
+  using Stiffness = model::HingeStiffness;
   const auto newtons = value::number(targets::above(0, "N/mm")),
              moments = value::number(targets::above(0, "N mm/rad"));
+  const auto force = targets::needed_as("a stiffness in N/mm");
   static const targets::KeyTable keys({
-      {"axial", newtons, targets::needed, "along the wall, across the hinge's axis"},
-      {"shear", newtons, targets::needed, "across the wall and the axis"},
-      {"along", newtons, targets::needed, "along the axis"},
-      {"turn", moments, targets::needed, "about the axis"},
-      {"rock", moments, targets::otherwise("axial times `reach_mm` squared"),
+      {"axial", &Stiffness::axial, newtons, force, "along the wall, across the hinge's axis"},
+      {"shear", &Stiffness::shear, newtons, force, "across the wall and the axis"},
+      {"along", &Stiffness::along, newtons, force, "along the axis"},
+      {"turn", &Stiffness::turn, moments, targets::needed_as("a stiffness in N mm/rad"), "about the axis"},
+      {"rock", &Stiffness::rock, moments, targets::otherwise("axial times `reach_mm` squared"),
        "about the direction across the wall and the axis"},
-      {"twist", moments, targets::otherwise("shear times `reach_mm` squared"),
+      {"twist", &Stiffness::twist, moments, targets::otherwise("shear times `reach_mm` squared"),
        "about the wall's own direction"},
   });
   return keys;
@@ -67,17 +73,16 @@ std::string material_meaning() {
 std::vector<targets::Key> stiffness_and_shape() {
   static const HingeSection usual{};
   return {
-      {"k_point", value::number(targets::above(0, "N/mm")), targets::by_default(usual.k_point),
+      {"k_point", &HingeSection::k_point, value::number(targets::above(0, "N/mm")),
        "stiffness of each of two points on the axis, `reach_mm` to either side, against pulling the two "
        "halves of a "
        "wall apart, in every direction: N is `k: {axial: 2 N, shear: 2 N, along: 2 N}`"},
       {"k_turn", value::number(targets::at_least(0, "N mm/rad")), targets::by_default(usual.k_turn),
        "stiffness against turning; above 0 where hinges are elastic"},
-      {"k",
-       value::map(stiffness_keys()),
-       {},
+      {"k", stiffness_keys(),
        "stiffness of the whole hinge by the directions of its own frame, instead of `k_point` and `k_turn`"},
-      {"reach_mm", value::length(targets::from_to(0.01, 10, "mm (0.01 to 10 cells)")),
+      {"reach_mm", &HingeSection::reach_mm,
+       value::length(targets::from_to(0.01, 10, "mm (0.01 to 10 cells)")),
        targets::otherwise(
            "0.18 cells; of a made hinge its height over the root of 12, with `play` half of it"),
        "half distance of the two points at which a hinge holds its bodies together: what makes it resist "
@@ -91,22 +96,24 @@ std::vector<targets::Key> stiffness_and_shape() {
        "gap"},
       {"material", value::either({value::choice(material_names()), value::map(material_keys())}),
        targets::otherwise("needed; of a pin `" + std::string(default_pin) + "`"), material_meaning()},
-      {"gap_mm", value::length(targets::between(0, 1, "mm (below the cell edge)")),
+      {"gap_mm", &MadeHinge::gap_mm, value::length(targets::between(0, 1, "mm (below the cell edge)")),
        targets::otherwise("needed by blocks and films"), "length of a block or film along the wall"},
       {"thickness_mm", value::number(targets::above(0, "mm")),
        targets::otherwise("the wall's; needed by films"), "of a block or film, at most the wall's"},
       {"height_mm", value::number(targets::above(0, "mm")), targets::otherwise("the wall's"),
        "of the hinge along its axis, at most the wall's"},
-      {"diameter_mm", value::length(targets::between(0, 0.5, "mm (below half a cell)")),
+      {"diameter_mm", &MadeHinge::diameter_mm,
+       value::length(targets::between(0, 0.5, "mm (below half a cell)")),
        targets::otherwise("needed by pins"),
        "of the rod of a pin; its knuckle, 1.6 mm and two clearances wider, is at most 0.7 cells"},
-      {"clearance_mm", value::length({0, 0.5, true, false, "mm (below half a cell)"}),
+      {"clearance_mm", &MadeHinge::clearance_mm,
+       value::length({0, 0.5, true, false, "mm (below half a cell)"}),
        targets::by_default(default_clearance_mm), "of a pin, between rod and bore, a side"},
-      {"play", value::boolean(), targets::by_default("false"),
+      {"play", &MadeHinge::with_play, value::boolean(),
        "whether a pin moves freely within its clearance, a dead band in which nothing resists: sheets are "
        "then "
        "loose, and their equilibrium is any of many"},
-      {"caps", value::boolean(), targets::by_default("false"),
+      {"caps", &MadeHinge::caps, value::boolean(),
        "whether knuckles of a pin are round caps about the middle of their walls, as large as the hinge "
        "furthest off its middle asks for, with their bores beside it: all look alike"},
   };
@@ -115,7 +122,7 @@ std::vector<targets::Key> stiffness_and_shape() {
 std::vector<targets::Key> keys_with(targets::Key model) {
   std::vector<targets::Key> keys = stiffness_and_shape();
   keys.insert(keys.begin(), std::move(model));
-  keys.push_back({"k_contact", value::number(targets::above(0, "N/mm")),
+  keys.push_back({"k_contact", &HingeSection::k_contact, value::number(targets::above(0, "N/mm")),
                   targets::otherwise("10 `k_point`, or 5 times the largest stiffness of `k` or of a made "
                                      "hinge; of several the stiffest counts"),
                   "stiffness of two walls pressed together"});
@@ -150,17 +157,6 @@ void check_one_way(const targets::Section& section) {
       throw node->key_error("belongs to a made hinge; give `kind: pin`, `block` or `film` as well");
 }
 
-model::HingeStiffness read_stiffness(const targets::Section& section) {
-  model::HingeStiffness k;
-  section.read_needed("axial", "a stiffness in N/mm", k.axial);
-  section.read_needed("shear", "a stiffness in N/mm", k.shear);
-  section.read_needed("along", "a stiffness in N/mm", k.along);
-  section.read_needed("turn", "a stiffness in N mm/rad", k.turn);
-  section.read("rock", k.rock);
-  section.read("twist", k.twist);
-  return k;
-}
-
 model::Material read_material(const targets::Node& node) {
   if (node.kind() != targets::Node::Kind::map) {
     const std::vector<std::string> names = material_names();
@@ -168,9 +164,7 @@ model::Material read_material(const targets::Node& node) {
   }
   const targets::Section own(node, material_keys());
   model::Material material{.name = ""};
-  own.read_needed("E_mpa", "a modulus in MPa", material.E_mpa);
-  own.read_needed("nu", "Poisson's ratio", material.nu);
-  own.read_needed("strain_max", "a strain", material.strain_max);
+  own.read_into(material);
   return material;
 }
 
@@ -186,25 +180,10 @@ void check_kind(const targets::Section& section, HingeKind kind) {
     refuse({"diameter_mm", "clearance_mm", "play", "caps"}, "belongs to pins, not to blocks and films");
 }
 
-/// A length that the section must hold.
-void read_length_of(const targets::Section& section, const char* key, double& value, double edge_mm) {
-  section.node().required(key, "a length in mm");
-  section.read_length(key, value, edge_mm);
-}
-
-void read_beam(const targets::Section& section, const model::CellSize& size, model::MadeHinge& hinge) {
-  read_length_of(section, "gap_mm", hinge.gap_mm, size.edge_mm);
-  if (hinge.kind == HingeKind::film) section.node().required("thickness_mm", "a length in mm");
-  hinge.thickness_mm = size.thickness_mm;
-  section.read("thickness_mm", hinge.thickness_mm, {0, size.thickness_mm, false, true, "mm (the wall's)"});
-}
-
-void read_pin(const targets::Section& section, const model::CellSize& size, model::MadeHinge& hinge) {
-  hinge.clearance_mm = default_clearance_mm;
-  section.read_length("clearance_mm", hinge.clearance_mm, size.edge_mm);
-  read_length_of(section, "diameter_mm", hinge.diameter_mm, size.edge_mm);
-  section.read("play", hinge.with_play);
-  section.read("caps", hinge.caps);
+/// Which lengths the kind must have.
+void check_lengths(const targets::Section& section, HingeKind kind) {
+  section.node().required(kind == HingeKind::pin ? "diameter_mm" : "gap_mm", "a length in mm");
+  if (kind == HingeKind::film) section.node().required("thickness_mm", "a length in mm");
 }
 
 /// The message of validate() begins with the field: at its key, without saying it twice, where the file gives it.
@@ -230,7 +209,13 @@ model::MadeHinge read_made(const targets::Section& section, const model::CellSiz
     section.node().required("material", "a name or {E_mpa: ..., nu: ..., strain_max: ...}");
   hinge.height_mm = size.height_mm;
   section.read("height_mm", hinge.height_mm, {0, size.height_mm, false, true, "mm (the wall's)"});
-  (hinge.kind == HingeKind::pin ? read_pin : read_beam)(section, size, hinge);
+  check_lengths(section, hinge.kind);
+  if (hinge.kind == HingeKind::pin)
+    hinge.clearance_mm = default_clearance_mm;
+  else
+    hinge.thickness_mm = size.thickness_mm;
+  section.read("thickness_mm", hinge.thickness_mm, {0, size.thickness_mm, false, true, "mm (the wall's)"});
+  section.read_into(hinge, size.edge_mm);
   check_made(section, hinge, size);
   return hinge;
 }
@@ -239,12 +224,11 @@ model::MadeHinge read_made(const targets::Section& section, const model::CellSiz
 HingeSection read_stiffness_or_shape(const targets::Section& section, const model::CellSize& size,
                                      HingeSection hinge) {
   check_one_way(section);
-  section.read("k_point", hinge.k_point);
   section.read(
       "k_turn", hinge.k_turn,
       hinge.model == Model::elastic ? targets::above(0, "N mm/rad") : targets::at_least(0, "N mm/rad"));
-  section.read_length("reach_mm", hinge.reach_mm, size.edge_mm);
-  if (section.optional("k")) hinge.k = read_stiffness(section.section("k"));
+  section.read_into(hinge, size.edge_mm);
+  if (const auto k = section.section("k"); k.given()) k.read_into(hinge.k.emplace());
   if (section.optional("kind")) hinge.made = read_made(section, size);
   return hinge;
 }
@@ -257,16 +241,14 @@ HingeSection read_section(const targets::Section& root, const model::CellSize& s
   if (hinge.model == Model::rotary && has_parts)
     throw section.optional("model")->error(
         "`rotary` hinges cannot stretch, and `except` names some that do; allowed: elastic");
-  hinge = read_stiffness_or_shape(section, size, hinge);
-  section.read("k_contact", hinge.k_contact);
-  return hinge;
+  return read_stiffness_or_shape(section, size, hinge);
 }
 
 std::string text(double number) { return targets::shortest_text(number); }
 
 std::string material_text(const model::Material& m) {
   if (!m.name.empty()) return m.name;
-  return fmt::format("{{E_mpa: {}, nu: {}, strain_max: {}}}", text(m.E_mpa), text(m.nu), text(m.strain_max));
+  return "{" + material_keys().text(m) + "}";
 }
 
 std::string made_text(const model::MadeHinge& h) {
@@ -282,12 +264,7 @@ std::string made_text(const model::MadeHinge& h) {
 
 std::string stiffness_text(const HingeSection& hinge) {
   if (!hinge.k) return fmt::format("k_point: {}, k_turn: {}", text(hinge.k_point), text(hinge.k_turn));
-  const model::HingeStiffness& k = *hinge.k;
-  const auto tilt = [](const char* key, const std::optional<double>& own) {
-    return own ? fmt::format(", {}: {}", key, text(*own)) : std::string();
-  };
-  return fmt::format("k: {{axial: {}, shear: {}, along: {}, turn: {}{}{}}}", text(k.axial), text(k.shear),
-                     text(k.along), text(k.turn), tilt("rock", k.rock), tilt("twist", k.twist));
+  return "k: {" + stiffness_keys().text(*hinge.k) + "}";
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "targets/document/bound_key.hpp"
+
 namespace kinetix::app {
 namespace {
 
@@ -35,17 +37,20 @@ const targets::KeyTable& physics_keys() {
           {"solver", value::choice({only_solver}), targets::by_default(only_solver),
            "how the joints of a step are solved: all at once, by a sparse factorisation, which is exact also "
            "for long chains and closed loops"},
-          {"step_s", value::number({0, 0.1, false, true, "seconds"}),
+          {"step_s", &PhysicsSection::step_s, value::number({0, 0.1, false, true, "seconds"}),
            targets::otherwise(
                "0.01; 0.004, then 0.001 where that run does not settle where the model says; 0.001 "
                "alone where there is no model to compare with"),
            "time step"},
-          {"disturbance", value::number(targets::from_to(0, 1)), targets::by_default(usual.disturbance),
+          {"disturbance", &PhysicsSection::disturbance, value::number(targets::from_to(0, 1)),
+           targets::by_default(usual.disturbance),
            "how far the first motion of every part is thrown off at random, over its spin: whether the run "
            "still ends where it should"},
-          {"disturbance_seed", value::integer(0, std::numeric_limits<int>::max()), targets::by_default(0.0),
+          {"disturbance_seed", &PhysicsSection::disturbance_seed,
+           value::integer(0, std::numeric_limits<int>::max()), targets::by_default(0.0),
            "another number throws the parts another way"},
-          {"reach_mm", value::length(targets::from_to(0.01, 10, "mm (0.01 to 10 cells)")),
+          {"reach_mm", &PhysicsSection::reach_mm,
+           value::length(targets::from_to(0.01, 10, "mm (0.01 to 10 cells)")),
            targets::otherwise("`hinge.reach_mm`, or that of a made hinge; else " +
                               targets::shortest_text(usual.reach) + " cells"),
            "half distance of the two points at which a hinge holds its bodies together"},
@@ -64,11 +69,8 @@ PhysicsSection read_physics(const targets::Section& root, double edge_mm) {
   PhysicsSection physics;
   const targets::Section section = root.section("physics");
   check_solver(section);
-  section.read("step_s", physics.step_s);
-  section.read("disturbance", physics.disturbance, targets::from_to(0, 1));
-  section.read("disturbance_seed", physics.disturbance_seed);
   check_reach(root, section);
-  section.read_length("reach_mm", physics.reach_mm, edge_mm);
+  section.read_into(physics, edge_mm);
   return physics;
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "targets/document/number.hpp"
+#include "targets/document/bound_key.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -29,11 +29,13 @@ std::string sd_meaning(double model::PrintError::*field, const char* what) {
 
 const targets::KeyTable& sd_keys() {
   static const targets::KeyTable keys({
-      {"t_mm", value::number(targets::from_to(0, 10, "mm")), targets::otherwise("the process's"),
+      {"t_mm", &model::PrintError::t_mm, value::number(targets::from_to(0, 10, "mm")),
+       targets::otherwise("the process's"),
        sd_meaning(&model::PrintError::t_mm, "a hinge's place along its wall")},
-      {"tilt_deg", value::number(targets::from_to(0, 45, "degrees")), targets::otherwise("the process's"),
-       sd_meaning(&model::PrintError::tilt_deg, "a wall's tilt")},
-      {"clearance_mm", value::number(targets::from_to(0, 10, "mm")), targets::otherwise("the process's"),
+      {"tilt_deg", &model::PrintError::tilt_deg, value::number(targets::from_to(0, 45, "degrees")),
+       targets::otherwise("the process's"), sd_meaning(&model::PrintError::tilt_deg, "a wall's tilt")},
+      {"clearance_mm", &model::PrintError::clearance_mm, value::number(targets::from_to(0, 10, "mm")),
+       targets::otherwise("the process's"),
        sd_meaning(&model::PrintError::clearance_mm, "a pin's clearance")},
   });
   return keys;
@@ -44,7 +46,7 @@ targets::Key limit_key(const char* name, double model::Process::*field, const ch
   std::string text = what;
   for (const model::Process& p : model::processes())
     text += fmt::format("{} {} {}", &p == &model::processes().front() ? ":" : ",", p.name, p.*field);
-  return {name, value::number({0, 100, false, true, "mm"}), targets::otherwise("the process's"), text};
+  return {name, field, value::number({0, 100, false, true, "mm"}), targets::otherwise("the process's"), text};
 }
 
 const targets::KeyTable& own_process_keys() {
@@ -54,7 +56,7 @@ const targets::KeyTable& own_process_keys() {
       limit_key("clearance_mm", &model::Process::clearance_mm, "least clearance of a pin, a side"),
       limit_key("least_wall_mm", &model::Process::least_wall_mm, "least thickness of a wall"),
       limit_key("least_pin_mm", &model::Process::least_pin_mm, "least diameter of a pin's rod"),
-      {"sd", value::map(sd_keys()), {}, "how far prints are from what was designed"},
+      {"sd", sd_keys(), "how far prints are from what was designed"},
   });
   return keys;
 }
@@ -85,18 +87,9 @@ targets::Key design_process_key() {
 std::string process_text(const model::Process& process) {
   const model::Process& base = *model::find_process(process.name);
   if (process == base) return process.name;
-  std::string own, sd;
-  const auto add = [](std::string& to, const char* key, double value, double usual) {
-    if (value != usual)
-      to += fmt::format("{}{}: {}", to.empty() ? "" : ", ", key, targets::shortest_text(value));
-  };
-  add(own, "clearance_mm", process.clearance_mm, base.clearance_mm);
-  add(own, "least_wall_mm", process.least_wall_mm, base.least_wall_mm);
-  add(own, "least_pin_mm", process.least_pin_mm, base.least_pin_mm);
-  add(sd, "t_mm", process.sd.t_mm, base.sd.t_mm);
-  add(sd, "tilt_deg", process.sd.tilt_deg, base.sd.tilt_deg);
-  add(sd, "clearance_mm", process.sd.clearance_mm, base.sd.clearance_mm);
-  if (!sd.empty()) own += fmt::format("{}sd: {{{}}}", own.empty() ? "" : ", ", sd);
+  std::string own = own_process_keys().text(process, base);
+  if (const std::string sd = sd_keys().text(process.sd, base.sd); !sd.empty())
+    own += fmt::format("{}sd: {{{}}}", own.empty() ? "" : ", ", sd);
   return fmt::format("{{base: {}, {}}}", process.name, own);
 }
 
@@ -124,13 +117,8 @@ model::Process read_process(const targets::Section& root) {
   const targets::Section own(*node, own_process_keys());
   const auto base = own.optional("base");
   model::Process process = base ? named(*base) : model::processes().front();
-  own.read("clearance_mm", process.clearance_mm);
-  own.read("least_wall_mm", process.least_wall_mm);
-  own.read("least_pin_mm", process.least_pin_mm);
-  const targets::Section sd = own.section("sd");
-  sd.read("t_mm", process.sd.t_mm);
-  sd.read("tilt_deg", process.sd.tilt_deg);
-  sd.read("clearance_mm", process.sd.clearance_mm);
+  own.read_into(process);
+  own.read_into(process.sd);
   return process;
 }
 

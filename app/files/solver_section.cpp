@@ -1,5 +1,7 @@
 #include "app/files/solver_section.hpp"
 
+#include "targets/document/bound_key.hpp"
+
 namespace kinetix::app {
 namespace {
 
@@ -32,10 +34,10 @@ targets::KeyTable solver_keys(const std::vector<optim::SolverName>& names, std::
   std::vector<targets::Key> keys = {
       {"name", value::choice(words), targets::by_default(words[0].c_str()), meaning}};
   if (starts)
-    keys.push_back({"starts", value::integer(1, 10'000), targets::by_default(*starts),
+    keys.push_back({"starts", &SolverSection::starts, value::integer(1, 10'000), targets::by_default(*starts),
                     "searches, each from another start"});
-  keys.push_back({"max_evaluations", value::integer(1, 10'000'000), targets::by_default(max_evaluations),
-                  "most evaluations " + of_what});
+  keys.push_back({"max_evaluations", &SolverSection::max_evaluations, value::integer(1, 10'000'000),
+                  targets::by_default(max_evaluations), "most evaluations " + of_what});
   return targets::KeyTable(std::move(keys));
 }
 
@@ -43,8 +45,7 @@ SolverSection read_solver(const targets::Section& root) {
   SolverSection solver;
   const targets::Section section = root.section("solver");
   if (const auto node = section.optional("name")) solver.name = read_solver_name(*node);
-  if (section.knows("starts")) section.read("starts", solver.starts);
-  section.read("max_evaluations", solver.max_evaluations);
+  section.read_into(solver);
   return solver;
 }
 

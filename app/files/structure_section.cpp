@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "targets/document/bound_key.hpp"
+
 namespace kinetix::app {
 namespace {
 
@@ -14,6 +16,7 @@ constexpr std::size_t max_cells = 1'000'000;  // in all: refused before memory i
 // Cell edges: of thinner walls, light and contact are lost to rounding.
 constexpr double least_thickness = 1e-6;
 constexpr double least_height_mm = 1e-4;  // below the default of the smallest cells, 0.0006 mm
+constexpr double thin_thickness = 0.08, thin_height = 0.15;  // of an edge
 // What messages about `cells` ask for.
 constexpr const char* wanted_cells = "[columns, rows], or a list of cells [[i, j], ...]";
 
@@ -54,11 +57,27 @@ targets::Key cell_mm_key(targets::Default fallback, const targets::Bounds& bound
 }
 
 targets::Key wall_mm_key(const char* thickness, const char* height) {
-  return {"wall_mm", value::map(wall_mm_keys(thickness, height)), {}, "size of the walls"};
+  return {"wall_mm", wall_mm_keys(thickness, height), "size of the walls"};
+}
+
+targets::Key thin_walls_key(const std::string& edge, std::string meaning) {
+  const auto key = [&](const char* name, std::optional<double> ThinWalls::*member, double part) {
+    return targets::Key(name, member, value::number(targets::above(0, "mm")),
+                        targets::otherwise(targets::shortest_text(part) + " " + edge), "of the walls");
+  };
+  return {"wall_mm",
+          targets::KeyTable({key("thickness", &ThinWalls::thickness_mm, thin_thickness),
+                             key("height", &ThinWalls::height_mm, thin_height)}),
+          std::move(meaning)};
 }
 
 model::CellSize default_size(double edge_mm) {
   return {edge_mm, std::min(0.1 * edge_mm, 3.0), std::min(0.6 * edge_mm, 30.0)};
+}
+
+model::CellSize ThinWalls::size(double edge_mm) const {
+  return {edge_mm, thickness_mm.value_or(thin_thickness * edge_mm),
+          height_mm.value_or(thin_height * edge_mm)};
 }
 
 std::vector<model::Cell> read_cells(const targets::Node& node) {

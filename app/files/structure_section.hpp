@@ -23,6 +23,16 @@ targets::Key cell_mm_key(targets::Default fallback, const targets::Bounds& bound
 targets::Key wall_mm_key(const char* thickness = "a tenth of `cell_mm`, at most 3",
                          const char* height = "0.6 of `cell_mm`, at most 30");
 
+/// Walls of which a file gives none, one or both sizes; the others follow from the edge of a cell, or the length of a mean wall:
+/// 0.08 of it thick, 0.15 of it high. Thinner ones do not print, thicker and higher ones run into each other.
+struct ThinWalls {
+  std::optional<double> thickness_mm = {}, height_mm = {};
+
+  model::CellSize size(double edge_mm) const;
+};
+/// Their key. @param edge of what their sizes are a part, in words
+targets::Key thin_walls_key(const std::string& edge, std::string meaning);
+
 /// The `cells:` key: [columns, rows], or a list of cells [i, j] with i and j from 0 to 9999.
 /// @throws InvalidInput for anything else, a cell given twice, or more than a million cells
 std::vector<model::Cell> read_cells(const targets::Node& cells);

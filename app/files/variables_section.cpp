@@ -38,10 +38,9 @@ targets::Key tilt_range_key(const optim::AngleRange& usual) {
 
 targets::Key theta_key(const optim::AngleRange& usual) {
   return {"theta",
-          value::map(targets::KeyTable(
+          targets::KeyTable(
               {{"range_deg", value::angle_range(fold), targets::by_default_deg(usual.lower, usual.upper),
-                "smallest and largest theta, cut where the walls close the cells"}})),
-          {},
+                "smallest and largest theta, cut where the walls close the cells"}}),
           "the fold parameter, one for the whole sheet"};
 }
 
@@ -49,16 +48,16 @@ targets::KeyTable net_variables_keys(double tilt, const optim::AngleRange& theta
   targets::Key range = tilt_range_key({-tilt, tilt});
   range.meaning += "; holds 0 inside, and the nearer end counts for both signs, since tilts alternate";
   return targets::KeyTable(
-      {{"beta", value::map(targets::KeyTable({range})), {}, "the tilts of the hinges"}, theta_key(theta)});
+      {{"beta", targets::KeyTable({range}), "the tilts of the hinges"}, theta_key(theta)});
 }
 
 optim::AngleRange read_theta(const targets::Section& root, const model::CellSize& size,
                              const optim::AngleRange& usual) {
   const targets::Section variables = root.section("variables"), theta = variables.section("theta");
-  std::array<double, 2> range = {usual.lower, usual.upper};
+  optim::AngleRange range = usual;
   theta.read("range_deg", range);
   const double closing = closing_theta(size);
-  if (range[0] < closing) return {range[0], range[1]};
+  if (range.lower < closing) return range;
   throw place_of_theta(root, variables, theta)
       .error(fmt::format("theta starts above {:.2f} deg, where walls of {:.3g} mm close cells of {:.3g} mm",
                          to_degrees(closing), size.thickness_mm, size.edge_mm));

@@ -62,6 +62,8 @@ ValueType either(std::vector<ValueType> ways) { return {.kind = Kind::either, .p
 
 }  // namespace value
 
+Default needed_as(std::string what) { return {Default::Kind::needed, std::move(what)}; }
+
 Default by_default(double value) { return {Default::Kind::literal, shortest_text(value)}; }
 
 Default by_default(const char* word) { return {Default::Kind::literal, word}; }
@@ -77,6 +79,16 @@ Default by_default_deg(double lower_radians, double upper_radians) {
 }
 
 Default otherwise(std::string text) { return {Default::Kind::described, std::move(text)}; }
+
+Key::Key(std::string name, ValueType type, Default fallback, std::string meaning, With with)
+    : name(std::move(name)),
+      type(std::move(type)),
+      fallback(std::move(fallback)),
+      meaning(std::move(meaning)),
+      with(std::move(with)) {}
+
+Key::Key(std::string name, KeyTable keys, std::string meaning, Default fallback)
+    : Key(std::move(name), value::map(std::move(keys)), std::move(fallback), std::move(meaning)) {}
 
 Key goal_kind_key(std::string kind) {
   return {"kind", value::choice(std::vector<std::string>{std::move(kind)}), needed, "the kind of goal"};
@@ -123,6 +135,17 @@ const Key& KeyTable::at(std::string_view name) const {
   for (const Key& key : keys_)
     if (key.name == name) return key;
   throw std::logic_error("the key `" + std::string(name) + "` is read, but its table does not have it");
+}
+
+std::string KeyTable::text(std::type_index type, const void* object, const void* usual) const {
+  std::string text;
+  for (const Key& key : keys_) {
+    if (key.binding.object != type) continue;
+    const std::string value = key.binding.text(object);
+    const bool is_given = key.fallback.kind == Default::Kind::needed || value != key.binding.text(usual);
+    if (is_given) text += (text.empty() ? "" : ", ") + key.name + ": " + value;
+  }
+  return text;
 }
 
 }  // namespace kinetix::targets

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <typeindex>
 #include <utility>
 #include <vector>
 
@@ -13,6 +15,7 @@
 namespace kinetix::targets {
 
 class KeyTable;
+class Section;
 
 /// A word that a file may say, and what it stands for.
 template <class Value>
@@ -73,11 +76,13 @@ struct Default {
   };
 
   Kind kind = Kind::described;
-  std::string text = {};
+  std::string text = {};  ///< needed: what belongs there, for the message when the key is missing
 };
 
 /// For keys that must be given.
 inline const Default needed = {Default::Kind::needed, {}};
+/// @param what what belongs there, for the message when the key is missing
+Default needed_as(std::string what);
 /// The value that the program uses, so that the table cannot say another.
 Default by_default(double value);
 Default by_default(const char* word);
@@ -100,13 +105,33 @@ struct With {
   std::vector<std::string> names;
 };
 
+/// The member that a key fills and is written from.
+struct Binding {
+  std::type_index object = typeid(void);  ///< whose member; void: none, the key is read by name
+  std::function<void(const Section& section, std::string_view key, void* object, double edge_mm)> read = {};
+  /// Of a number, as a file says it; empty: not at all.
+  std::function<std::string(const void* object)> text = {};
+};
+
 /// One key of a map.
 struct Key {
+  Key(std::string name, ValueType type, Default fallback, std::string meaning, With with = {});
+  /// A section.
+  Key(std::string name, KeyTable keys, std::string meaning, Default fallback = {});
+  /// A number, a range or a truth value that fills a member (targets/document/bound_key.hpp).
+  template <class Object, class Value>
+  Key(std::string name, Value Object::*member, ValueType type, Default fallback, std::string meaning,
+      With with = {});
+  /// With the member's value in a new object as default.
+  template <class Object, class Value>
+  Key(std::string name, Value Object::*member, ValueType type, std::string meaning, With with = {});
+
   std::string name;
   ValueType type;
   Default fallback;
-  std::string meaning;  ///< what it says, in Markdown; units are the type's
-  With with = {};       ///< the alternatives that it goes with
+  std::string meaning;   ///< what it says, in Markdown; units are the type's
+  With with = {};        ///< the alternatives that it goes with
+  Binding binding = {};  ///< the member that it fills
 };
 
 /// The key `kind` of a target's own table.
@@ -141,8 +166,14 @@ class KeyTable {
   KeyTable only(std::string_view alternative) const;
   /// @throws std::logic_error for a key that the table does not have: whatever is read must be in it
   const Key& at(std::string_view name) const;
+  /// "step_s: 0.01, reach_mm: 2": numbers that are members of the object, those that must be given or differ from another one's.
+  template <class Object>
+  std::string text(const Object& object, const Object& usual = {}) const {
+    return text(typeid(Object), &object, &usual);
+  }
 
  private:
+  std::string text(std::type_index type, const void* object, const void* usual) const;
   bool is_alternative(std::string_view name) const;
 
   std::vector<Key> keys_;

@@ -52,6 +52,18 @@ const ValueType& Section::type(std::string_view key, Kind kind) const {
   return type;
 }
 
+void Section::read_into(std::type_index type, void* object, double edge_mm) const {
+  for (const Key& key : keys_->keys())
+    if (key.binding.object == type) {
+      if (key.fallback.kind == Default::Kind::needed) required(key.name, key.fallback.text);
+      key.binding.read(*this, key.name, object, edge_mm);
+    } else if (key.type.kind == Kind::map && optional(key.name)) {
+      section(key.name).read_into(type, object, edge_mm);
+    }
+}
+
+bool Section::is_length(std::string_view key) const { return keys_->at(key).type.in_cells; }
+
 Section Section::section(std::string_view key) const { return {optional(key), *type(key, Kind::map).keys}; }
 
 double Section::number(const Node& node, const ValueType& type, const Bounds& bounds) const {

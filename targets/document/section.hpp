@@ -25,6 +25,12 @@ Value read_word(const Node& node, const Word<Value> (&words)[count]) {
   return words[node.one_of(names_of(words))].second;
 }
 
+/// Whatever holds the two ends of a range.
+template <class Range>
+concept EndsOfRange = requires(Range& range) {
+  range.lower = range.upper;
+};
+
 /// A map of a file, read by the table that documents it: a key that is not in the table can neither be given
 /// nor be read, and what may stand there is what the table says. A section that a file leaves out holds no
 /// key.
@@ -47,6 +53,8 @@ class Section {
 
   /// Whether the table has the key.
   bool knows(std::string_view key) const;
+  /// Whether the table gives the key's bounds in cell edges.
+  bool is_length(std::string_view key) const;
   /// The value as it stands.
   std::optional<Node> optional(std::string_view key) const;
   /// @param what what belongs there, for the message when the key is missing. @pre given
@@ -63,11 +71,24 @@ class Section {
   void read(std::string_view key, bool& value) const;
   /// [lower, upper]; angles in radians.
   void read(std::string_view key, std::array<double, 2>& value) const;
+  template <EndsOfRange Range>
+  void read(std::string_view key, Range& value) const {
+    std::array<double, 2> ends = {value.lower, value.upper};
+    read(key, ends);
+    value = {ends[0], ends[1]};
+  }
 
   template <class Value, std::size_t count>
   void read(std::string_view key, Value& value, const Word<Value> (&words)[count]) const {
     check_words(key, names_of(words));
     if (const auto node = optional(key)) value = read_word(*node, words);
+  }
+
+  /// Every key that fills a member of this object, also in sections within; those of other types are left.
+  /// @param edge_mm cell edge, where bounds are in cell edges
+  template <class Object>
+  void read_into(Object& object, double edge_mm = 0) const {
+    read_into(typeid(Object), &object, edge_mm);
   }
 
   /// A key that must be given. @param what what belongs there, for the message when it is missing
@@ -89,6 +110,7 @@ class Section {
   }
 
  private:
+  void read_into(std::type_index type, void* object, double edge_mm) const;
   const ValueType& type(std::string_view key, ValueType::Kind kind) const;
   double number(const Node& node, const ValueType& type, const Bounds& bounds) const;
   void check_words(std::string_view key, const std::vector<std::string_view>& names) const;

@@ -13,6 +13,7 @@
 #include "optim/curve/bend_ties.hpp"
 #include "optim/solvers/multi_start.hpp"
 #include "targets/curve/read_curve.hpp"
+#include "targets/document/bound_key.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -62,9 +63,9 @@ void check_cell_against_curve(const targets::Node& cell_mm, double edge_mm, doub
 
 /// default_theta, or what is nearest to it of `variables.theta.range_deg`.
 double length_theta(const targets::Section& root, const optim::AngleRange& usual) {
-  std::array<double, 2> range = {usual.lower, usual.upper};
+  optim::AngleRange range = usual;
   root.section("variables").section("theta").read("range_deg", range);
-  return std::clamp(default_theta, range[0], range[1]);
+  return std::clamp(default_theta, range.lower, range.upper);
 }
 
 double default_edge(const targets::Section& root, double curve_mm, int columns, double theta) {
@@ -135,9 +136,7 @@ void read_variables(const targets::Section& root, CurveFile& file) {
   const targets::Section section = root.section("variables");
   if (!section.given()) return;
   const targets::Section beta = section.section("beta");
-  std::array<double, 2> range = {file.beta.lower, file.beta.upper};
-  beta.read("range_deg", range);
-  file.beta = {range[0], range[1]};
+  beta.read("range_deg", file.beta);
   if (const auto per = beta.optional("per")) file.per = read_per(*per);
   file.symmetry = read_symmetry(beta, file.columns, file.rows);
   if (const auto node = section.optional("beta"))
@@ -151,13 +150,6 @@ double usual_shape_tolerance(const CurveFile& file) {
   const double seen = std::min(GoalSettings::grain * file.size.edge_mm / diagonal,
                                share_of_rise * rise(file.curve) / diagonal);
   return std::clamp(seen, least_shape_tolerance, file.shape_tolerance);
-}
-
-void read_tolerance(const targets::Section& root, CurveFile& file) {
-  file.shape_tolerance = usual_shape_tolerance(file);
-  const targets::Section section = root.section("tolerance");
-  section.read("shape", file.shape_tolerance);
-  section.read("verify", file.verify_tolerance);
 }
 
 targets::KeyTable curve_structure_keys(const CurveFile& usual) {
@@ -183,19 +175,17 @@ targets::KeyTable variables_keys(const CurveFile& usual) {
        "which hinges tilt alike; under `all`, the tilts of neighbouring columns have opposite signs"},
       symmetry_key("of the folded shape; no strip has `rotate_4`"),
   });
-  return targets::KeyTable(
-      {{"beta", value::map(beta), {}, "the tilts of the hinges"}, theta_key(usual.theta)});
+  return targets::KeyTable({{"beta", beta, "the tilts of the hinges"}, theta_key(usual.theta)});
 }
 
-targets::KeyTable tolerance_keys(const CurveFile& usual) {
+targets::KeyTable tolerance_keys() {
   return targets::KeyTable({
-      {"shape", value::number(targets::part_of_one),
+      {"shape", &CurveFile::shape_tolerance, value::number(targets::part_of_one),
        targets::otherwise(
            "0.01; less for a flat curve (a twentieth of its rise over its chord), or small cells (half of "
            "one), but at least 0.001"),
        "most of [shape_rms](#shape_rms-and-shape_max), over the diagonal of the curve's bounding box"},
-      {"verify", value::number(targets::part_of_one), targets::by_default(usual.verify_tolerance),
-       "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
+      verify_key(),
   });
 }
 
@@ -204,38 +194,30 @@ targets::KeyTable tolerance_keys(const CurveFile& usual) {
 const targets::KeyTable& curve_keys() {
   static const CurveFile usual(targets::Curve({{0, 0}, {1, 0}, {2, 0}}));
   static const optim::MultiStartOptions search{};
-  static const targets::KeyTable keys = file_keys({
-      {"target", value::map(targets::curve_target_keys()), targets::needed, "the goal"},
-      {"structure", value::map(curve_structure_keys(usual)), {}, "the flat sheet"},
-      {"variables", value::map(variables_keys(usual)), {}, "what the search may change, and how far"},
-      {"tolerance", value::map(tolerance_keys(usual)), {}, "when the goal is met"},
-      {"solver",
-       value::map(
-           solver_keys(optim::all_solvers(), search.starts, search.solver.max_evaluations, "per start")),
-       {},
-       "how the search is run"},
-      {"hinge", value::map(hinge_keys()), {}, "what the hinges are made of"},
-      goal_drive_key(),
-      {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
-      process_key(),
-      robust_key(
-          "theta, gaps of blocks and films and, where `structure.cell_mm` is left out, numbers of columns"),
-  });
+  static const targets::KeyTable keys = goal_keys(
+      {
+          {"target", targets::curve_target_keys(), "the goal", targets::needed},
+          {"structure", curve_structure_keys(usual), "the flat sheet"},
+          {"variables", variables_keys(usual), "what the search may change, and how far"},
+          {"tolerance", tolerance_keys(), "when the goal is met"},
+          {"solver",
+           solver_keys(optim::all_solvers(), search.starts, search.solver.max_evaluations, "per start"),
+           "how the search is run"},
+      },
+      any_hinge,
+      {robust_key("theta, gaps of blocks and films and, where `structure.cell_mm` is left out, numbers of "
+                  "columns")});
   return keys;
 }
 
 CurveFile read_curve_file(const targets::Node& node) {
-  const targets::Section root(node, curve_keys());
-  check_version(root);
-  const std::string name = read_name(root);
+  const targets::Section root = read_root(node, curve_keys());
   CurveFile file(read_goal(root));
-  file.name = name;
   read_structure(root, file);
   read_variables(root, file);
-  read_tolerance(root, file);
-  file.solver = read_solver(root);
-  file.robust = read_robust(root);
-  file.physics = read_physics(root, file.size.edge_mm);
+  file.shape_tolerance = usual_shape_tolerance(file);
+  root.read_into(file);
+  read_settings(root, file.size.edge_mm, file);
   read_hinges(root, file.size, file);
   return file;
 }

@@ -4,8 +4,6 @@
 #include <string>
 
 #include "app/files/goal_settings.hpp"
-#include "app/files/process_section.hpp"
-#include "app/files/solver_section.hpp"
 #include "model/lattice/square/structure.hpp"
 #include "targets/curve/curve.hpp"
 
@@ -21,7 +19,6 @@ namespace kinetix::app {
 struct CurveFile : GoalSettings {
   explicit CurveFile(targets::Curve goal) : curve(std::move(goal)) {}
 
-  std::string name;      ///< default: the file's name without its ending
   targets::Curve curve;  ///< target.points
 
   int columns = 40;           ///< structure.cells, >= 2
@@ -35,7 +32,6 @@ struct CurveFile : GoalSettings {
 
   double shape_tolerance = 0.01;  ///< of shape_rms, over the curve's bounding-box diagonal, (0, 1]
 
-  SolverSection solver = {};
   bool free_size = false;  ///< structure.cell_mm was left out: cells follow from the curve's length
   bool free_walls = true;  ///< structure.wall_mm was left out: walls follow from the cells
 };

@@ -13,6 +13,7 @@
 #include "app/goals/display/search_panel.hpp"
 #include "optim/display/display_search.hpp"
 #include "targets/display/read_display.hpp"
+#include "targets/document/bound_key.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -48,7 +49,7 @@ targets::KeyTable display_structure_keys() {
   return targets::KeyTable(std::move(keys));
 }
 
-targets::KeyTable drive_keys(const DisplayFile& usual) {
+targets::KeyTable drive_keys() {
   return targets::KeyTable(
       {
           {"kind", value::choice(drives), targets::by_default("plates"),
@@ -56,20 +57,20 @@ targets::KeyTable drive_keys(const DisplayFile& usual) {
            "and all "
            "rows are free, which shows a clearer picture"},
           {"axis", value::choice(axes), targets::by_default("y"), "normal of the plates", "plates"},
-          {"compression", value::number(allowed_compression), targets::by_default(usual.compression),
+          {"compression", &DisplayFile::compression, value::number(allowed_compression),
            "1 less the final over the initial distance of the plates; 0.12 where `variables.offset_mm` is 0",
            "plates"},
           press_key(),
-          {"angle_deg", value::angle(allowed_turn), targets::by_default_deg(usual.angle),
+          {"angle_deg", &DisplayFile::angle, value::angle(allowed_turn),
            "turn of the hinge, to the side that shows the picture", "hinge"},
           wall_key("hinge", targets::otherwise("a wall in the middle of the panel that is hardly scaled")),
       },
       {{"plates", "hinge"}, "kind"});
 }
 
-targets::KeyTable t_keys(const DisplayFile& usual) {
+targets::KeyTable t_keys() {
   return targets::KeyTable({
-      {"range", value::range({0, 1, false, false}), targets::by_default(usual.t),
+      {"range", &DisplayFile::t, value::range({0, 1, false, false}),
        "where hinges may sit along their walls; `[0.08, 0.92]` where `variables.offset_mm` is 0; with a "
        "`symmetry` the side that is nearer to 0.5 counts for both where it takes t to 1 - t"},
       {"corner_mm", value::length(targets::from_to(0, 0.45, "mm (up to 0.45 cells)")),
@@ -78,7 +79,7 @@ targets::KeyTable t_keys(const DisplayFile& usual) {
   });
 }
 
-targets::KeyTable variables_keys(const DisplayFile& usual) {
+targets::KeyTable variables_keys() {
   const targets::KeyTable compression({{"range", value::range(allowed_compression), targets::needed,
                                         "where to search; the search starts from `drive.compression`"}});
   return targets::KeyTable({
@@ -92,24 +93,23 @@ targets::KeyTable variables_keys(const DisplayFile& usual) {
        "most that hinges with offsets may stretch on purpose: a clearer picture for more force and a longer "
        "search; "
        "0: none at all"},
-      {"t", value::map(t_keys(usual)), {}, "the positions of the hinges"},
-      {"compression", value::map(compression), targets::otherwise("`drive.compression`, not searched"),
-       "how far the panel is compressed"},
+      {"t", t_keys(), "the positions of the hinges"},
+      {"compression", compression, "how far the panel is compressed",
+       targets::otherwise("`drive.compression`, not searched")},
       {"axis", value::list(value::choice(axes), "`[x, y]`", 1, 2), targets::otherwise("`drive.axis`"),
        "directions to try; the best is taken"},
   });
 }
 
-targets::KeyTable tolerance_keys(const DisplayFile& usual) {
+targets::KeyTable tolerance_keys() {
   std::vector<targets::Key> keys = {
-      {"stretch", value::number(targets::part_of_one), targets::by_default(usual.stretch),
+      {"stretch", &DisplayFile::stretch, value::number(targets::part_of_one),
        "most that a hinge may stretch, cell edges"},
-      {"auc", value::number({0.5, 1, false, true}), targets::by_default(usual.auc),
+      {"auc", &DisplayFile::auc, value::number({0.5, 1, false, true}),
        "least [auc](#contrast-and-auc); of greys the rank correlation"},
-      {"contrast", value::number(targets::at_least(0)), targets::by_default(usual.contrast),
+      {"contrast", &DisplayFile::contrast, value::number(targets::at_least(0)),
        "least [contrast](#contrast-and-auc), of pictures with two levels"},
-      {"verify", value::number(targets::part_of_one), targets::by_default(usual.verify),
-       "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
+      verify_key(DisplayFile::usual_verify),
   };
   const auto limits =
       hinge_limit_keys("the panel is pressed less where it has to be",
@@ -206,14 +206,13 @@ void read_driven_hinge(const targets::Section& root, const targets::Section& dri
 
 void read_drive(const targets::Section& root, DisplayFile& file) {
   const targets::Section section = root.section("drive");
-  section.read("kind", file.drive, drives);
-  const bool by_hinge = file.drive == DriveKind::hinge;
+  section.read("kind", file.drive_kind, drives);
+  const bool by_hinge = file.drive_kind == DriveKind::hinge;
   if (section.given())
-    section.node().reject_unknown_keys(drive_keys(file).only(by_hinge ? "hinge" : "plates").names());
+    section.node().reject_unknown_keys(drive_keys().only(by_hinge ? "hinge" : "plates").names());
   section.read("axis", file.axes.front(), axes);
-  section.read("compression", file.compression);
   section.read("press", file.press);
-  section.read("angle_deg", file.angle);
+  section.read_into(file);
   if (by_hinge) read_driven_hinge(root, section, file);
 }
 
@@ -235,7 +234,7 @@ void check_scaled_t(const targets::Section& t, const DisplayFile& file) {
 }
 
 void read_t(const targets::Section& t, DisplayFile& file) {
-  t.read("range", file.t);
+  t.read_into(file);
   std::optional<double> corner_mm;
   t.read_length("corner_mm", corner_mm, file.size.edge_mm);
   if (corner_mm) {
@@ -286,23 +285,19 @@ void read_limits(const targets::Section& section, DisplayFile& file) {
   file.limits = read_hinge_limits(section, file.hinge);
   if (const auto& made = file.hinge.made; made && made->kind != model::HingeKind::pin && !file.limits.strain)
     file.limits.strain = made->material.strain_max;
-  if (const auto force = section.optional("force_N"); force && file.drive == DriveKind::hinge)
+  if (const auto force = section.optional("force_N"); force && file.drive_kind == DriveKind::hinge)
     throw force->key_error("is for plates; a driven hinge has a moment");
 }
 
 void read_tolerance(const targets::Section& root, DisplayFile& file) {
   const targets::Section section = root.section("tolerance");
-  section.read("stretch", file.stretch);
-  section.read("auc", file.auc);
   if (const auto contrast = section.optional("contrast"); contrast && !file.goal.is_binary())
     throw contrast->key_error("is for pictures of two levels; greys are judged by tolerance.auc alone");
-  section.read("contrast", file.contrast);
-  section.read("verify", file.verify);
+  section.read_into(file);
   read_limits(section, file);
 }
 
-void read_search(const targets::Section& root, DisplayFile& file) {
-  file.solver = read_solver(root);
+void check_search(const targets::Section& root, const DisplayFile& file) {
   if (const auto solver = root.optional("solver"); solver && file.offset > 0)
     throw solver->key_error(
         "is for hinges on their walls (variables.offset_mm: 0); the scales of walls are a convex problem "
@@ -320,37 +315,33 @@ void read_search(const targets::Section& root, DisplayFile& file) {
 double turn_of_compression(double compression) { return 2 * std::acos(1 - compression); }
 
 const targets::KeyTable& display_keys() {
-  static const DisplayFile usual = DisplayFile();
   static const optim::DisplayOptions search{};
-  static const targets::KeyTable keys = file_keys({
-      {"target", value::map(targets::display_target_keys()), targets::needed, "the goal"},
-      {"structure", value::map(display_structure_keys()), {}, "the flat panel"},
-      {"variables", value::map(variables_keys(usual)), {}, "what the search may change, and how far"},
-      {"drive", value::map(drive_keys(usual)), {}, "how the panel is compressed"},
-      {"hinge", value::map(elastic_hinge_keys()), {}, "what the hinges are made of"},
-      {"tolerance", value::map(tolerance_keys(usual)), {}, "when the goal is met"},
-      {"solver",
-       value::map(solver_keys(fitting_solvers, search.starts, search.solver.max_evaluations,
-                              "per stage of a search")),
-       {},
-       "how the search is run; starts are counted per direction"},
-      {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
-      process_key(),
-  });
+  static const targets::KeyTable keys = goal_keys(
+      {
+          {"target", targets::display_target_keys(), "the goal", targets::needed},
+          {"structure", display_structure_keys(), "the flat panel"},
+          {"variables", variables_keys(), "what the search may change, and how far"},
+          {"drive", drive_keys(), "how the panel is compressed"},
+          {"hinge", elastic_hinge_keys(), any_hinge},
+          {"tolerance", tolerance_keys(), "when the goal is met"},
+          {"solver",
+           solver_keys(fitting_solvers, search.starts, search.solver.max_evaluations,
+                       "per stage of a search"),
+           "how the search is run; starts are counted per direction"},
+      },
+      {});
   return keys;
 }
 
 DisplayFile read_display_file(const targets::Node& node) {
-  const targets::Section root(node, display_keys());
-  check_version(root);
+  const targets::Section root = read_root(node, display_keys());
   DisplayFile file;
-  file.name = read_name(root);
   read_goal(root, file);
   read_drive(root, file);
   read_variables(root, file);
   read_tolerance(root, file);
-  read_search(root, file);
-  file.physics = read_physics(root, file.size.edge_mm);
+  read_settings(root, file.size.edge_mm, file);
+  check_search(root, file);
   return file;
 }
 

@@ -5,11 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "app/files/goal_settings.hpp"
 #include "app/files/hinge_limits.hpp"
 #include "app/files/lattice_section.hpp"
-#include "app/files/physics_section.hpp"
-#include "app/files/process_section.hpp"
-#include "app/files/solver_section.hpp"
 #include "model/lattice/square/structure.hpp"
 #include "model/linkage/linkage_drive.hpp"
 #include "optim/display/display_problem.hpp"
@@ -32,13 +30,16 @@ double turn_of_compression(double compression);
 ///       compression: {range: [0.05, 0.2]}                       # searched for, from drive.compression
 ///       axis: [x, y]                                            # each is tried, the best taken
 ///     tolerance: {stretch: 0.12, auc: 0.97, contrast: 3, verify: 0.05}
-struct DisplayFile {
-  std::string name;
+///
+/// `hinge` is elastic, `solver` mma, ccsa or slsqp, its starts for each axis.
+struct DisplayFile : GoalSettings {
+  DisplayFile() { verify_tolerance = usual_verify; }
+
   targets::DisplayGoal goal;
   optim::Channel channel = optim::Channel::light;
   model::CellSize size = {};   ///< structure.cell_mm (default 10), structure.wall_mm
   LatticeChoice lattice = {};  ///< structure.lattice, angle_deg, rim; others than squares with offsets alone
-  model::LinkageDrive::Kind drive = model::LinkageDrive::Kind::plates;  ///< drive.kind
+  model::LinkageDrive::Kind drive_kind = model::LinkageDrive::Kind::plates;  ///< drive.kind
   std::vector<model::Axis> axes = {
       model::Axis::y};  ///< drive.axis or variables.axis: normals of the plates to try
   /// drive.compression: fraction by which the plates come closer, (0, 0.5], within the range if there is one
@@ -62,11 +63,7 @@ struct DisplayFile {
   double auc = 0.97;      ///< tolerance.auc: least, (0.5, 1]; rank correlation for grey goals
   double contrast = 3;    ///< tolerance.contrast: least d', dimensionless, of goals with two levels, >= 0
   HingeLimits limits = {};
-  double verify = 0.05;  ///< tolerance.verify: of verify_rms, cell edges, (0, 1]
-  HingeSection hinge = {};
-  model::Process process = model::processes().front();
-  SolverSection solver = {};  ///< mma, ccsa or slsqp; starts for each axis
-  PhysicsSection physics = {};
+  static constexpr double usual_verify = 0.05;  ///< tolerance.verify
 };
 
 // Defaults of searches with hinges on their walls, as the paper's displays are: local texture, which is read

@@ -3,6 +3,7 @@
 #include "app/files/file_header.hpp"
 #include "app/files/structure_section.hpp"
 #include "app/files/variables_section.hpp"
+#include "targets/document/bound_key.hpp"
 #include "targets/fold/read_fold.hpp"
 
 namespace kinetix::app {
@@ -16,16 +17,15 @@ targets::KeyTable fold_structure_keys() {
   return targets::KeyTable({cell_mm_key(targets::by_default(fold_cell_mm)), wall_mm_key()});
 }
 
-targets::KeyTable tolerance_keys(const FoldFile& usual) {
+targets::KeyTable tolerance_keys() {
   std::vector<targets::Key> keys = {
-      {"angle_deg", value::angle({0, 90, false, true, "degrees"}),
-       targets::by_default_deg(usual.angle_tolerance), "most that the fold of a crease may be off"},
-      {"shape", value::number(targets::part_of_one), targets::by_default(usual.shape_tolerance),
+      {"angle_deg", &FoldFile::angle_tolerance, value::angle({0, 90, false, true, "degrees"}),
+       "most that the fold of a crease may be off"},
+      {"shape", &FoldFile::shape_tolerance, value::number(targets::part_of_one),
        "most of [face_rms](#face_rms), over the edge of a face"},
-      {"size", value::number(targets::part_of_one), targets::by_default(usual.size_tolerance),
+      {"size", &FoldFile::size_tolerance, value::number(targets::part_of_one),
        "most that an edge of the folded box may differ from `target.box_mm`, over its length"},
-      {"verify", value::number(targets::part_of_one), targets::by_default(usual.verify_tolerance),
-       "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
+      verify_key(),
   };
   const auto limits = hinge_limit_keys("the net folds at a smaller theta where it has to");
   keys.insert(keys.end() - 1, limits.begin(), limits.end());
@@ -90,10 +90,7 @@ void check_strain_limit(const targets::Node& strain, const FoldFile& file) {
 
 void read_tolerance(const targets::Section& root, FoldFile& file) {
   const targets::Section section = root.section("tolerance");
-  section.read("angle_deg", file.angle_tolerance);
-  section.read("shape", file.shape_tolerance);
-  section.read("size", file.size_tolerance);
-  section.read("verify", file.verify_tolerance);
+  root.read_into(file);
   if (const auto size = section.optional("size"); size && !file.goal.box_mm)
     throw size->key_error("is of `target.box_mm`, which is not given; leave it out");
   file.limits = read_hinge_limits(section, file.hinge, file.hinge_parts);
@@ -102,20 +99,15 @@ void read_tolerance(const targets::Section& root, FoldFile& file) {
 }
 
 targets::KeyTable keys_of(const FoldFile& usual) {
-  return file_keys({
-      {"target", value::map(targets::fold_target_keys()), targets::needed, "the goal"},
-      {"structure", value::map(fold_structure_keys()), {}, "the flat net"},
-      {"variables",
-       value::map(net_variables_keys(usual.tilt, usual.theta)),
-       {},
-       "what the search may change, and how far"},
-      {"tolerance", value::map(tolerance_keys(usual)), {}, "when the goal is met"},
-      {"hinge", value::map(hinge_keys()), {}, "what the hinges are made of"},
-      goal_drive_key(),
-      {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
-      process_key(),
-      robust_key(),
-  });
+  return goal_keys(
+      {
+          {"target", targets::fold_target_keys(), "the goal", targets::needed},
+          {"structure", fold_structure_keys(), "the flat net"},
+          {"variables", net_variables_keys(usual.tilt, usual.theta),
+           "what the search may change, and how far"},
+          {"tolerance", tolerance_keys(), "when the goal is met"},
+      },
+      any_hinge, {robust_key()});
 }
 
 }  // namespace
@@ -126,20 +118,17 @@ const targets::KeyTable& fold_keys() {
 }
 
 FoldFile read_fold_file(const targets::Node& node) {
-  const targets::Section root(node, fold_keys());
-  check_version(root);
+  const targets::Section root = read_root(node, fold_keys());
   FoldFile file;
-  file.name = read_name(root);
   file.goal = read_fold(root.required("target", ""));
   read_structure(root, file);
   const NetVariables variables = read_net_variables(root, file.size, {file.tilt, file.theta});
   file.tilt = variables.tilt;
   file.theta = variables.theta;
   if (file.goal.box_mm) choose_cells(root, file);
-  file.physics = read_physics(root, file.size.edge_mm);
+  read_settings(root, file.size.edge_mm, file);
   read_hinges(root, file.size, file);
   read_tolerance(root, file);
-  file.robust = read_robust(root);
   if (file.goal.solid && file.robust)
     throw root.optional("robust")->error("is for boxes and nets of squares; leave it out for a solid");
   if (file.goal.solid && file.limits.any())

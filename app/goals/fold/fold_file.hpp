@@ -5,7 +5,6 @@
 
 #include "app/files/goal_settings.hpp"
 #include "app/files/hinge_limits.hpp"
-#include "app/files/process_section.hpp"
 #include "model/lattice/square/structure.hpp"
 #include "optim/fold/fit_box.hpp"
 #include "optim/solvers/variables.hpp"
@@ -20,7 +19,6 @@ namespace kinetix::app {
 ///     variables: {beta: {range_deg: [-60, 60]}, theta: {range_deg: [2, 44]}}
 ///     tolerance: {angle_deg: 0.1, shape: 0.02, verify: 0.02}
 struct FoldFile : GoalSettings {
-  std::string name;
   targets::FoldGoal goal;
   std::optional<optim::BoxOptions> box = {};  ///< of goal.box_mm: the box with walls for any cell edge
   std::array<double, 3> box_folded_mm =

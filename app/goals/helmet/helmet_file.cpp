@@ -10,6 +10,7 @@
 #include "app/files/structure_section.hpp"
 #include "app/files/variables_section.hpp"
 #include "model/contact/wall_contact.hpp"
+#include "targets/document/bound_key.hpp"
 #include "targets/helmet/read_head.hpp"
 
 namespace kinetix::app {
@@ -23,19 +24,21 @@ constexpr int most_ribs = 200;              // one every other millimetre of a h
 constexpr double least_helmet_cell_mm = 1;  // of cells, and between ribs: smaller ones make too many cells
 constexpr double most_cell_mm = 60;         // about a head's radius: larger cells cannot follow it
 
-targets::KeyTable target_keys(const optim::RibsSpec& usual) {
+targets::KeyTable target_keys() {
+  using Spec = optim::RibsSpec;
   std::vector<targets::Key> keys = targets::head_keys();
   keys.insert(keys.begin(), targets::goal_kind_key("helmet"));
-  keys.insert(keys.end(),
-              {{"ribs", value::integer(1, most_ribs), targets::by_default(usual.ribs),
-                "how many there are along the spine, evenly spaced"},
-               {"spacing_mm", value::number(targets::from_to(least_helmet_cell_mm, 1000, "mm")),
-                targets::otherwise("follows from `ribs`"),
-                "distance of the ribs instead of their number: they are as many, evenly spaced, as come "
-                "nearest to it"},
-               targets::coverage_key(),
-               {"clearance_mm", value::number(targets::from_to(0, 100, "mm")),
-                targets::by_default(usual.clearance_mm), "distance of the helmet from the head"}});
+  keys.insert(
+      keys.end(),
+      {{"ribs", &Spec::ribs, value::integer(1, most_ribs),
+        "how many there are along the spine, evenly spaced"},
+       {"spacing_mm", &Spec::spacing_mm, value::number(targets::from_to(least_helmet_cell_mm, 1000, "mm")),
+        targets::otherwise("follows from `ribs`"),
+        "distance of the ribs instead of their number: they are as many, evenly spaced, as come "
+        "nearest to it"},
+       targets::coverage_key(),
+       {"clearance_mm", &Spec::clearance_mm, value::number(targets::from_to(0, 100, "mm")),
+        "distance of the helmet from the head"}});
   return targets::KeyTable(std::move(keys));
 }
 
@@ -47,19 +50,18 @@ targets::KeyTable helmet_structure_keys() {
 
 targets::KeyTable tolerance_keys() {
   return targets::KeyTable({
-      {"rms_mm", value::number(targets::above(0, "mm")),
+      {"rms_mm", &HelmetFile::rms_mm, value::number(targets::above(0, "mm")),
        targets::otherwise(
            fmt::format("{:g}; less with a smaller `max_mm` by default", HelmetFile::usual_rms_mm)),
        "most of the [distance](#distances-of-a-helmet) from head plus clearance, root mean square"},
-      {"max_mm", value::number(targets::above(0, "mm")),
+      {"max_mm", &HelmetFile::max_mm, value::number(targets::above(0, "mm")),
        targets::otherwise(
            fmt::format("{:g}, or half a cell, or a thirtieth of `target.coverage_mm` where that is less",
                        HelmetFile::usual_max_mm)),
        "likewise, the largest"},
-      {"covered_share", value::number(targets::Bounds{0, 1, true, true}), targets::otherwise("any will do"),
-       "least of [covered_share](#covered_share)"},
-      {"verify", value::number({0, 1, false, true}), targets::by_default(GoalSettings::usual_verify),
-       "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
+      {"covered_share", &HelmetFile::covered_share, value::number(targets::Bounds{0, 1, true, true}),
+       targets::otherwise("any will do"), "least of [covered_share](#covered_share)"},
+      verify_key(),
   });
 }
 
@@ -73,12 +75,10 @@ void read_structure(const targets::Section& root, HelmetFile& file) {
 void read_ribs(const targets::Section& target, HelmetFile& file) {
   const auto ribs = target.optional("ribs"), spacing = target.optional("spacing_mm");
   if (ribs && spacing) throw spacing->key_error("and target.ribs say the same thing; give one of them");
-  target.read("ribs", file.spec.ribs);
-  target.read("spacing_mm", file.spec.spacing_mm);
+  target.read_into(file.spec);
   if (spacing && *file.spec.spacing_mm < 2 * file.spec.size.edge_mm * std::cos(file.spec.start_theta))
     throw spacing->error("ribs so close overlap flat: leave two cells at least, which are " +
                          targets::shortest_text(2 * file.spec.size.edge_mm) + " mm flat");
-  target.read("clearance_mm", file.spec.clearance_mm);
   file.spec.coverage_mm = file.head.coverage_mm;
 }
 
@@ -98,11 +98,7 @@ double usual_max_mm(const HelmetFile& file) {
 void read_tolerance(const targets::Section& root, HelmetFile& file) {
   file.max_mm = usual_max_mm(file);
   file.rms_mm = HelmetFile::usual_rms_mm * file.max_mm / HelmetFile::usual_max_mm;
-  const targets::Section section = root.section("tolerance");
-  section.read("rms_mm", file.rms_mm);
-  section.read("max_mm", file.max_mm);
-  section.read("covered_share", file.covered_share);
-  section.read("verify", file.verify_tolerance);
+  root.read_into(file);
 }
 
 /// Says why, where a solver or a key of it would suit another kind of goal.
@@ -121,40 +117,31 @@ void check_solver(const targets::Section& root) {
 
 const targets::KeyTable& helmet_keys() {
   static const optim::RibsSpec usual{};
-  static const targets::KeyTable keys = file_keys({
-      {"target", value::map(target_keys(usual)), targets::needed, "the goal"},
-      {"structure", value::map(helmet_structure_keys()), {}, "the flat helmet"},
-      {"variables",
-       value::map(net_variables_keys(usual.tilt, usual.theta)),
-       {},
-       "what the search may change, and how far"},
-      {"tolerance", value::map(tolerance_keys()), {}, "when the goal is met"},
-      {"solver",
-       value::map(solver_keys({optim::SolverName::ceres}, {}, helmet_evaluations, "of the search")),
-       {},
-       "how the search is run"},
-      {"hinge", value::map(hinge_keys()), {}, "what the hinges are made of"},
-      goal_drive_key(),
-      {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
-      process_key(),
-  });
+  static const targets::KeyTable keys = goal_keys(
+      {
+          {"target", target_keys(), "the goal", targets::needed},
+          {"structure", helmet_structure_keys(), "the flat helmet"},
+          {"variables", net_variables_keys(usual.tilt, usual.theta),
+           "what the search may change, and how far"},
+          {"tolerance", tolerance_keys(), "when the goal is met"},
+          {"solver", solver_keys({optim::SolverName::ceres}, {}, helmet_evaluations, "of the search"),
+           "how the search is run"},
+      },
+      any_hinge);
   return keys;
 }
 
 HelmetFile read_helmet_file(const targets::Node& node) {
-  const targets::Section root(node, helmet_keys());
-  check_version(root);
-  const std::string name = read_name(root);
+  const targets::Section root = read_root(node, helmet_keys());
   const targets::Section target = root.section("target");
   targets::Head head = read_head(target);  // apart: GCC 12 frees bases twice where a later initializer throws
-  HelmetFile file{{}, name, std::move(head)};
+  HelmetFile file{{}, std::move(head)};
   read_structure(root, file);
   read_variables(root, file.spec);
   read_ribs(target, file);
   read_tolerance(root, file);
   check_solver(root);
-  file.solver = read_solver(root);
-  file.physics = read_physics(root, file.spec.size.edge_mm);
+  read_settings(root, file.spec.size.edge_mm, file);
   read_hinges(root, file.spec.size, file);
   return file;
 }

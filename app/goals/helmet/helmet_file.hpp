@@ -4,8 +4,6 @@
 #include <string>
 
 #include "app/files/goal_settings.hpp"
-#include "app/files/process_section.hpp"
-#include "app/files/solver_section.hpp"
 #include "optim/helmet/fit_helmet.hpp"
 #include "targets/helmet/head.hpp"
 
@@ -23,13 +21,11 @@ struct HelmetFile : GoalSettings {
   /// Tolerances in mm, small against the usual clearance of 5 mm, and in cell edges, as for other kinds.
   static constexpr double usual_rms_mm = 0.8, usual_max_mm = 3;
 
-  std::string name;
   targets::Head head;            ///< target.mesh, units, up, front, crown, coverage_mm
   optim::RibsSpec spec = {};     ///< target.ribs, spacing_mm, clearance_mm; structure; variables
   double rms_mm = usual_rms_mm;  ///< tolerance.rms_mm: of the distance to head plus clearance, > 0
   double max_mm = usual_max_mm;  ///< tolerance.max_mm: likewise, the largest, > 0
   std::optional<double> covered_share = {};  ///< tolerance.covered_share, [0, 1]; nothing: any will do
-  SolverSection solver = {};                 ///< ceres, no starts
 };
 
 /// Most evaluations of the one search there is: second-order steps need few.

@@ -6,6 +6,7 @@
 
 #include "app/files/file_header.hpp"
 #include "app/files/process_section.hpp"
+#include "targets/document/bound_key.hpp"
 #include "targets/outline/read_outline.hpp"
 
 namespace kinetix::app {
@@ -40,29 +41,28 @@ targets::KeyTable outline_structure_keys(const OutlineFile& usual) {
   return targets::KeyTable(std::move(keys));
 }
 
-targets::KeyTable variables_keys(const OutlineFile& usual) {
+targets::KeyTable variables_keys() {
   const targets::KeyTable t(
-      {{"range", value::range(targets::place_along), targets::by_default(usual.t),
+      {{"range", &OutlineFile::t, value::range(targets::place_along),
         "where hinges may sit on their walls; the side that is nearer to 0.5 counts for both"}});
   const targets::KeyTable theta(
-      {{"range_deg", value::angle_range(fold_range), targets::by_default_deg(usual.theta[0], usual.theta[1]),
+      {{"range_deg", &OutlineFile::theta, value::angle_range(fold_range),
         "turn of the bodies in the pressed state: several within the range are tried"}});
   return targets::KeyTable({
-      {"offset_mm", value::length(offset), targets::otherwise("0.08 of `cell_mm`"),
+      {"offset_mm", &OutlineFile::offset_mm, value::length(offset), targets::otherwise("0.08 of `cell_mm`"),
        "how far hinges may sit off the middle of their walls, to either side"},
-      {"t", value::map(t), {}, "where hinges sit on their walls"},
-      {"theta", value::map(theta), {}, "how far the panel is pressed"},
+      {"t", t, "where hinges sit on their walls"},
+      {"theta", theta, "how far the panel is pressed"},
   });
 }
 
-targets::KeyTable tolerance_keys(const OutlineFile& usual) {
+targets::KeyTable tolerance_keys() {
   return targets::KeyTable({
-      {"shape", value::number(targets::part_of_one), targets::by_default(usual.shape_tolerance),
+      {"shape", &OutlineFile::shape_tolerance, value::number(targets::part_of_one),
        "most of [outline_rms](#outline_rms-and-iou), over the diagonal of the outline's bounding box"},
-      {"iou", value::number(targets::part_of_one), targets::by_default(usual.iou_tolerance),
+      {"iou", &OutlineFile::iou_tolerance, value::number(targets::part_of_one),
        "least of [iou](#outline_rms-and-iou)"},
-      {"verify", value::number(targets::part_of_one), targets::by_default(usual.verify_tolerance),
-       "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
+      verify_key(),
   });
 }
 
@@ -93,13 +93,12 @@ void read_structure(const targets::Section& root, OutlineFile& file) {
 }
 
 void read_variables(const targets::Section& root, OutlineFile& file) {
-  const targets::Section variables = root.section("variables");
-  variables.read_length("offset_mm", file.offset_mm, file.cell_mm.value_or(file.folded.diagonal()));
-  const targets::Section t = variables.section("t");
-  t.read("range", file.t);
+  root.read_into(file, file.cell_mm.value_or(file.folded.diagonal()));
   if (!(file.t[0] < 0.5 && file.t[1] > 0.5))
-    throw t.optional("range")->error("must hold 0.5, where hinges start");
-  variables.section("theta").read("range_deg", file.theta);
+    throw root.section("variables")
+        .section("t")
+        .optional("range")
+        ->error("must hold 0.5, where hinges start");
 }
 
 /// A made hinge can sit so far off the middle of its wall and no further.
@@ -126,35 +125,27 @@ double OutlineFile::offset(double edge_mm) const { return offset_mm ? *offset_mm
 
 const targets::KeyTable& outline_keys() {
   static const OutlineFile usual;
-  static const targets::KeyTable keys = file_keys({
-      {"target", value::map(targets::outline_target_keys()), targets::needed, "the goal"},
-      {"structure", value::map(outline_structure_keys(usual)), {}, "the flat panel"},
-      {"variables", value::map(variables_keys(usual)), {}, "what the search may change, and how far"},
-      {"tolerance", value::map(tolerance_keys(usual)), {}, "when the goal is met"},
-      {"hinge", value::map(hinge_keys()), {}, "what the hinges are made of; needs `structure.cell_mm`"},
-      goal_drive_key(),
-      {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
-      process_key(),
-  });
+  static const targets::KeyTable keys = goal_keys(
+      {
+          {"target", targets::outline_target_keys(), "the goal", targets::needed},
+          {"structure", outline_structure_keys(usual), "the flat panel"},
+          {"variables", variables_keys(), "what the search may change, and how far"},
+          {"tolerance", tolerance_keys(), "when the goal is met"},
+      },
+      sized_hinge);
   return keys;
 }
 
 OutlineFile read_outline_file(const targets::Node& node) {
-  const targets::Section root(node, outline_keys());
-  check_version(root);
+  const targets::Section root = read_root(node, outline_keys());
   const targets::Section target = root.section("target");
   OutlineFile file;
-  file.name = read_name(root);
   file.folded = targets::read_outline(
       target.required("points", "the path of a CSV file or a list of points [[x, y], ...] in mm"));
   if (const auto flat = target.optional("flat")) file.flat = targets::read_outline(*flat);
   read_structure(root, file);
   read_variables(root, file);
-  const targets::Section tolerance = root.section("tolerance");
-  tolerance.read("shape", file.shape_tolerance);
-  tolerance.read("iou", file.iou_tolerance);
-  tolerance.read("verify", file.verify_tolerance);
-  file.physics = read_physics(root, file.cell_mm.value_or(file.folded.diagonal() / file.columns));
+  read_settings(root, file.cell_mm.value_or(file.folded.diagonal() / file.columns), file);
   read_hinges(root, file.cell_mm ? std::optional(file.size(*file.cell_mm)) : std::nullopt, file);
   if (!file.hinge_parts.empty())
     throw root.section("hinge").optional("except")->key_error(

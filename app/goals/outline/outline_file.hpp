@@ -6,7 +6,6 @@
 
 #include "app/files/goal_settings.hpp"
 #include "app/files/lattice_section.hpp"
-#include "app/files/process_section.hpp"
 #include "targets/outline/outline.hpp"
 
 namespace kinetix::app {
@@ -19,7 +18,6 @@ namespace kinetix::app {
 ///     variables: {offset_mm: 0.8, t: {range: [0.12, 0.88]}, theta: {range_deg: [20, 40]}}
 ///     tolerance: {shape: 0.015, iou: 0.95, verify: 0.02}
 struct OutlineFile : GoalSettings {
-  std::string name;
   targets::Outline folded{{{0, 0}, {1, 0}, {0, 1}}};  ///< target.points
   std::optional<targets::Outline> flat = {};          ///< target.flat
   LatticeChoice lattice = {};               ///< structure.lattice, angle_deg, rim (closed by default)

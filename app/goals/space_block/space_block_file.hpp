@@ -1,9 +1,7 @@
 #pragma once
 
-#include <string>
-
 #include "app/files/goal_settings.hpp"
-#include "app/files/process_section.hpp"
+#include "app/files/structure_section.hpp"
 #include "optim/space_block/fit_space_block.hpp"
 
 namespace kinetix::app {
@@ -16,17 +14,15 @@ namespace kinetix::app {
 ///     variables: {theta: {range_deg: [5, 44]}, gusset: {range: [0.1, 0.8]}}
 ///     tolerance: {factor: 0.005, size: 0.05, verify: 0.02}
 struct SpaceBlockFile : GoalSettings {
-  std::string name;
   targets::SpaceBlockGoal goal;
   optim::SpaceBlockVariables variables = {};
-  std::optional<double> thickness_mm = {};  ///< structure.wall_mm; nothing: 0.08 edges
-  std::optional<double> height_mm = {};     ///< likewise; nothing: 0.15 edges
-  double factor_tolerance = 0.005;          ///< of each direction's factor, (0, 1]
-  double size_tolerance = 0.05;             ///< of each length at rest, over it, (0, 1]
+  ThinWalls walls = {};             ///< structure.wall_mm
+  double factor_tolerance = 0.005;  ///< of each direction's factor, (0, 1]
+  double size_tolerance = 0.05;     ///< of each length at rest, over it, (0, 1]
 
   optim::SpaceBlockDesign found;  ///< in closed form, while the file is read
 
-  model::CellSize size() const;
+  model::CellSize size() const { return walls.size(found.edge_mm); }
 };
 
 /// Every key of a target.yaml of kind space_block.

@@ -7,6 +7,7 @@
 
 #include "app/files/file_header.hpp"
 #include "app/files/structure_section.hpp"
+#include "targets/document/bound_key.hpp"
 #include "targets/space_curve/read_space_curve.hpp"
 
 namespace kinetix::app {
@@ -37,31 +38,32 @@ targets::KeyTable space_curve_structure_keys(const SpaceCurveFile& usual) {
   });
 }
 
-targets::KeyTable variables_keys(const SpaceCurveFile& usual) {
-  const optim::SpaceVariables& v = usual.variables;
+targets::KeyTable variables_keys() {
+  using Variables = optim::SpaceVariables;
+  static const Variables usual{};
   const targets::KeyTable beta(
-      {{"range_deg", value::angle_range(tilt), targets::by_default_deg(-v.beta, v.beta),
+      {{"range_deg", value::angle_range(tilt), targets::by_default_deg(-usual.beta, usual.beta),
         "tilts of bending columns; the side that is nearer to 0 counts for both"}});
-  const targets::KeyTable t({{"range", value::range(targets::place_along), targets::by_default(v.t),
+  const targets::KeyTable t({{"range", &Variables::t, value::range(targets::place_along),
                               "where hinges of shearing columns may sit on their walls; the side that is "
                               "nearer to 0.5 counts for both"}});
   const targets::KeyTable theta(
-      {{"range_deg", value::angle_range(folds), targets::by_default_deg(v.theta.lower, v.theta.upper),
+      {{"range_deg", &Variables::theta, value::angle_range(folds),
         "turn of the bodies in the folded state; several within the range are tried where `cell_mm` is left "
         "out"}});
   return targets::KeyTable({
-      {"beta", value::map(beta), {}, "the tilts of the hinges"},
-      {"t", value::map(t), {}, "where hinges sit on their walls"},
-      {"theta", value::map(theta), {}, "how far the strip is folded"},
+      {"beta", beta, "the tilts of the hinges"},
+      {"t", t, "where hinges sit on their walls"},
+      {"theta", theta, "how far the strip is folded"},
   });
 }
 
 targets::KeyTable tolerance_keys(const SpaceCurveFile& usual) {
   return targets::KeyTable({
-      {"shape", value::number(targets::part_of_one), targets::by_default(usual.shape_tolerance),
+      {"shape", &SpaceCurveFile::shape_tolerance, value::number(targets::part_of_one),
+       targets::by_default(usual.shape_tolerance),
        "most of [shape_rms](#shape_rms-and-shape_max), over the diagonal of the curve's bounding box"},
-      {"verify", value::number(targets::part_of_one), targets::by_default(usual.verify_tolerance),
-       "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
+      verify_key(),
   });
 }
 
@@ -134,12 +136,9 @@ void read_variables(const targets::Section& root, SpaceCurveFile& file) {
   if (!(tilts[0] < 0 && tilts[1] > 0))
     throw beta.optional("range_deg")->error("must hold 0, an upright hinge");
   v.beta = std::min(-tilts[0], tilts[1]);
-  const targets::Section t = variables.section("t");
-  t.read("range", v.t);
-  if (!(v.t[0] < 0.5 && v.t[1] > 0.5)) throw t.optional("range")->error("must hold 0.5, where hinges start");
-  std::array<double, 2> theta = {v.theta.lower, v.theta.upper};
-  variables.section("theta").read("range_deg", theta);
-  v.theta = {theta[0], theta[1]};
+  root.read_into(v);
+  if (!(v.t[0] < 0.5 && v.t[1] > 0.5))
+    throw variables.section("t").optional("range")->error("must hold 0.5, where hinges start");
 }
 
 /// Cells of a given size and number have a length range of their own.
@@ -170,39 +169,30 @@ void check_reach(const SpaceCurveFile& file, const targets::Node& points, const 
 
 const targets::KeyTable& space_curve_keys() {
   static const SpaceCurveFile usual(targets::SpaceGoal({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}));
-  static const targets::KeyTable keys = file_keys({
-      {"target", value::map(targets::space_curve_target_keys()), targets::needed, "the goal"},
-      {"structure", value::map(space_curve_structure_keys(usual)), {}, "the flat strip"},
-      {"variables", value::map(variables_keys(usual)), {}, "what the search may change, and how far"},
-      {"tolerance", value::map(tolerance_keys(usual)), {}, "when the goal is met"},
-      {"hinge", value::map(hinge_keys()), {}, "what the hinges are made of; needs `structure.cell_mm`"},
-      goal_drive_key(),
-      {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
-      process_key(),
-      robust_key(),
-  });
+  static const targets::KeyTable keys = goal_keys(
+      {
+          {"target", targets::space_curve_target_keys(), "the goal", targets::needed},
+          {"structure", space_curve_structure_keys(usual), "the flat strip"},
+          {"variables", variables_keys(), "what the search may change, and how far"},
+          {"tolerance", tolerance_keys(usual), "when the goal is met"},
+      },
+      sized_hinge, {robust_key()});
   return keys;
 }
 
 SpaceCurveFile read_space_curve_file(const targets::Node& node) {
-  const targets::Section root(node, space_curve_keys());
-  check_version(root);
-  const std::string name = read_name(root);
+  const targets::Section root = read_root(node, space_curve_keys());
   const targets::Node points = root.section("target").required(
       "points", "the path of a CSV file or a list of points [[x, y, z], ...] in mm");
   targets::ReadSpaceGoal goal = targets::read_space_goal(points);
   SpaceCurveFile file(std::move(goal.goal));
-  file.name = name;
   read_variables(root, file);
   read_structure(root, file);
-  const targets::Section tolerance = root.section("tolerance");
-  tolerance.read("shape", file.shape_tolerance);
-  tolerance.read("verify", file.verify_tolerance);
+  root.read_into(file);
   check_length(root, file);
   check_reach(file, points, goal.places);
   read_hinges(root, file.variables.free_edge ? std::nullopt : std::optional(file.variables.size), file);
-  file.robust = read_robust(root);
-  file.physics = read_physics(root, file.variables.size.edge_mm);
+  read_settings(root, file.variables.size.edge_mm, file);
   return file;
 }
 

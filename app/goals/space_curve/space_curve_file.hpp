@@ -3,7 +3,6 @@
 #include <string>
 
 #include "app/files/goal_settings.hpp"
-#include "app/files/process_section.hpp"
 #include "optim/space_curve/fit_space_curve.hpp"
 
 namespace kinetix::app {
@@ -18,7 +17,6 @@ namespace kinetix::app {
 struct SpaceCurveFile : GoalSettings {
   explicit SpaceCurveFile(targets::SpaceGoal goal) : wanted(std::move(goal)) {}
 
-  std::string name;
   targets::SpaceGoal wanted;             ///< target.points
   optim::SpaceVariables variables = {};  ///< structure and variables
   double shape_tolerance = 0.01;  ///< of shape_rms, over the diagonal of the goal's bounding box, (0, 1]

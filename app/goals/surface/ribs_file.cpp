@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/files/file_header.hpp"
+#include "app/files/process_section.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "targets/surface/read_surface.hpp"
 
@@ -26,12 +27,10 @@ void refuse_keys_of_sheets(const targets::Section& root) {
 optim::RibsSpec read_spec(const targets::Section& root, const targets::RibbedSurface& surface) {
   const targets::Node key = *root.section("target").optional("ribs");
   optim::RibsSpec spec = usual_ribs(surface, key.integer(1, most_ribs));
-  const targets::Section structure = root.section("structure"), wall = structure.section("wall_mm");
-  structure.read("cell_mm", spec.size.edge_mm);
-  std::optional<double> thickness, height;
-  wall.read("thickness", thickness);
-  wall.read("height", height);
-  spec.size = size_with_walls(spec.size.edge_mm, thickness, height);
+  root.section("structure").read("cell_mm", spec.size.edge_mm);
+  ThinWalls walls;
+  root.read_into(walls);
+  spec.size = walls.size(spec.size.edge_mm);
   root.section("variables").read("beta_deg", spec.tilt);
   spec.theta.upper = std::min(spec.theta.upper, closing_theta(spec.size));
   spec.start_theta = std::clamp(spec.start_theta, spec.theta.lower, spec.theta.upper);
@@ -47,17 +46,16 @@ optim::RibsSpec usual_ribs(const targets::RibbedSurface& surface, int ribs) {
   spec.clearance_mm = 0;
   spec.tilt = largest_tilt;
   const double pitch = std::min(surface.diagonal / cells_a_diagonal, surface.spine.length() / (2 * ribs + 1));
-  spec.size = size_with_walls(pitch / std::cos(spec.start_theta), {}, {});
+  spec.size = ThinWalls().size(pitch / std::cos(spec.start_theta));
   return spec;
 }
 
 RibsFile read_ribs_file(const targets::Node& node) {
-  const targets::Section root(node, surface_file_keys());
-  check_version(root);
+  const targets::Section root = read_root(node, surface_file_keys());
   refuse_keys_of_sheets(root);
   const targets::Section target = root.section("target");
   targets::RibbedSurface surface = targets::read_ribbed_surface(target);
-  RibsFile file{{}, read_name(root), targets::surface_name(target), std::move(surface)};
+  RibsFile file{{}, targets::surface_name(target), std::move(surface)};
   file.spec = read_spec(root, file.surface);
   const targets::Section tolerance = root.section("tolerance");
   tolerance.read("shape", file.shape_tolerance);
@@ -66,9 +64,8 @@ RibsFile read_ribs_file(const targets::Node& node) {
   if (const auto curvature = tolerance.optional("curvature_share"))
     throw curvature->key_error("belongs to a sheet of facets, ribs follow any curvature; leave it out");
   tolerance.read("covered_share", file.covered_tolerance);
-  tolerance.read("verify", file.verify_tolerance);
+  read_settings(root, file.spec.size.edge_mm, file);
   file.process = read_process(root, file.spec.size, {});
-  file.physics = read_physics(root, file.spec.size.edge_mm);
   return file;
 }
 

@@ -12,7 +12,7 @@ namespace kinetix::app {
 ///     variables: {beta_deg: 75}
 ///     tolerance: {shape: 0.015, covered_share: 0.5, verify: 0.02}
 struct RibsFile : GoalSettings {
-  std::string name, surface_name;
+  std::string surface_name;
   targets::RibbedSurface surface;
   optim::RibsSpec spec = {};       ///< target.ribs, structure, variables
   double shape_tolerance = 0.015;  ///< rms of the bodies from the surface, over the diagonal, (0, 1]

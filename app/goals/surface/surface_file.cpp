@@ -3,6 +3,7 @@
 #include "app/files/file_header.hpp"
 #include "app/files/structure_section.hpp"
 #include "model/base/invalid_input.hpp"
+#include "targets/document/bound_key.hpp"
 #include "targets/surface/read_surface.hpp"
 
 namespace kinetix::app {
@@ -10,9 +11,7 @@ namespace {
 
 namespace value = targets::value;
 
-constexpr int most_facets = 24;  // a side: a search of as many takes minutes
-// Of a mean wall: thinner ones do not print, thicker and higher ones run into each other on curved sheets.
-constexpr double usual_thickness = 0.08, usual_height = 0.15;
+constexpr int most_facets = 24;       // a side: a search of as many takes minutes
 constexpr double most_curvature = 1;  // rad over a facet: a facet stands for so much of a turn at most
 const targets::Bounds share = {0, 1, true, true};
 const targets::Bounds tilts = targets::between(0, 85, "degrees");
@@ -37,46 +36,35 @@ targets::KeyTable surface_structure_keys() {
       {"cell_mm", value::number(targets::above(0, "mm")),
        targets::otherwise("leaves room between ribs, and 25 cells along the diagonal"),
        "of ribs: edge of a cell"},
-      {"wall_mm",
-       value::map(targets::KeyTable({
-           {"thickness", value::number(targets::above(0, "mm")),
-            targets::otherwise("0.08 of a mean wall, or of a cell of ribs"), "of the walls"},
-           {"height", value::number(targets::above(0, "mm")),
-            targets::otherwise("0.15 of a mean wall, or of a cell of ribs"), "of the walls"},
-       })),
-       {},
-       "the walls; their lengths follow from the surface"},
+      thin_walls_key("of a mean wall, or of a cell of ribs",
+                     "the walls; their lengths follow from the surface"),
   });
 }
 
-targets::KeyTable variables_keys(const SurfaceFile& usual) {
+targets::KeyTable variables_keys() {
   return targets::KeyTable({
-      {"theta_deg", value::angle(turns), targets::by_default_deg(usual.theta),
-       "turn of the bodies on the surface"},
-      {"beta_deg", value::angle(tilts), targets::by_default_deg(usual.tilt),
-       "largest tilt of a hinge, to either side"},
-      {"sector_deg", value::angle_range(sectors), targets::by_default_deg(usual.sector[0], usual.sector[1]),
+      {"theta_deg", &SurfaceFile::theta, value::angle(turns), "turn of the bodies on the surface"},
+      {"beta_deg", &SurfaceFile::tilt, value::angle(tilts), "largest tilt of a hinge, to either side"},
+      {"sector_deg", &SurfaceFile::sector, value::angle_range(sectors),
        "angles between the creases of a vertex; below 50 and above 130 no bodies may fit round it, below 60 "
        "and above 120 walls soon meet"},
-      {"edge", value::range(edges), targets::by_default(usual.edge),
-       "lengths of the facets' edges, over their mean"},
+      {"edge", &SurfaceFile::edge, value::range(edges), "lengths of the facets' edges, over their mean"},
   });
 }
 
-targets::KeyTable tolerance_keys(const SurfaceFile& usual) {
+targets::KeyTable tolerance_keys() {
   return targets::KeyTable({
-      {"shape", value::number(targets::part_of_one), targets::by_default(usual.shape_tolerance),
+      {"shape", &SurfaceFile::shape_tolerance, value::number(targets::part_of_one),
        "most of [surface_rms](#surface_rms), over the diagonal of the surface's box"},
-      {"cover", value::number(share), targets::by_default(usual.cover_tolerance),
+      {"cover", &SurfaceFile::cover_tolerance, value::number(share),
        "of a sheet: least of [cover](#surface_rms)"},
-      {"curvature_share", value::number(share), targets::by_default(usual.curvature_tolerance),
+      {"curvature_share", &SurfaceFile::curvature_tolerance, value::number(share),
        "of a sheet: least of [curvature_share](#curvature_share), where the surface curves both ways by more "
        "than 0.1 sr"},
       {"covered_share", value::number(share),
        targets::otherwise(targets::shortest_text(usual_covered_share) + " with `target.ribs`"),
        "of ribs: least of [covered_share](#covered_share)"},
-      {"verify", value::number(targets::part_of_one), targets::by_default(usual.verify_tolerance),
-       "most of [verify_rms](#verify_rms-and-verify_max), cell edges"},
+      verify_key(),
   });
 }
 
@@ -89,32 +77,19 @@ void read_structure(const targets::Section& root, SurfaceFile& file) {
     file.columns = sides[0].integer(2, most_facets);
     file.rows = sides[1].integer(2, most_facets);
   }
-  const targets::Section wall = structure.section("wall_mm");
-  wall.read("thickness", file.thickness_mm);
-  wall.read("height", file.height_mm);
+  root.read_into(file.walls);
 }
 
-void read_variables(const targets::Section& root, SurfaceFile& file) {
+void read_variables_and_tolerance(const targets::Section& root, SurfaceFile& file) {
+  root.read_into(file);
   const targets::Section variables = root.section("variables");
-  variables.read("theta_deg", file.theta);
-  variables.read("beta_deg", file.tilt);
-  variables.read("sector_deg", file.sector);
-  variables.read("edge", file.edge);
   if (const auto edge = variables.optional("edge"); edge && !(file.edge[0] < 1 && file.edge[1] > 1))
     throw edge->error("must hold 1, the mean edge");
   if (const auto sector = variables.optional("sector_deg");
       sector && !(file.sector[0] < pi / 2 && file.sector[1] > pi / 2))
     throw sector->error("must hold 90 deg");
-}
-
-void read_tolerance(const targets::Section& root, SurfaceFile& file) {
-  const targets::Section tolerance = root.section("tolerance");
-  tolerance.read("shape", file.shape_tolerance);
-  if (const auto covered = tolerance.optional("covered_share"))
+  if (const auto covered = root.section("tolerance").optional("covered_share"))
     throw covered->key_error("belongs to `target.ribs`; of a sheet give `tolerance.cover`");
-  tolerance.read("cover", file.cover_tolerance);
-  tolerance.read("curvature_share", file.curvature_tolerance);
-  tolerance.read("verify", file.verify_tolerance);
 }
 
 /// Facets are flat: one cannot stand for a turn of a rad.
@@ -131,42 +106,27 @@ void check_curvature(const targets::Section& target, const SurfaceFile& file) {
 
 }  // namespace
 
-model::CellSize size_with_walls(double edge_mm, const std::optional<double>& thickness_mm,
-                                const std::optional<double>& height_mm) {
-  return {edge_mm, thickness_mm.value_or(usual_thickness * edge_mm),
-          height_mm.value_or(usual_height * edge_mm)};
-}
-
-model::CellSize SurfaceFile::size(double edge_mm) const {
-  return size_with_walls(edge_mm, thickness_mm, height_mm);
-}
-
 const targets::KeyTable& surface_file_keys() {
-  static const SurfaceFile usual;
-  static const targets::KeyTable keys = file_keys({
-      {"target", value::map(target_keys()), targets::needed, "the goal"},
-      {"structure", value::map(surface_structure_keys()), {}, "the sheet"},
-      {"variables", value::map(variables_keys(usual)), {}, "how far the search may go"},
-      {"tolerance", value::map(tolerance_keys(usual)), {}, "when the goal is met"},
-      {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
-      process_key(),
-  });
+  static const targets::KeyTable keys = goal_keys(
+      {
+          {"target", target_keys(), "the goal", targets::needed},
+          {"structure", surface_structure_keys(), "the sheet"},
+          {"variables", variables_keys(), "how far the search may go"},
+          {"tolerance", tolerance_keys(), "when the goal is met"},
+      },
+      {});
   return keys;
 }
 
 SurfaceFile read_surface_file(const targets::Node& node) {
-  const targets::Section root(node, surface_file_keys());
-  check_version(root);
+  const targets::Section root = read_root(node, surface_file_keys());
   SurfaceFile file;
-  file.name = read_name(root);
   const targets::Section target = root.section("target");
   file.patch = targets::read_surface(target);
   read_structure(root, file);
   check_curvature(target, file);
-  read_variables(root, file);
-  read_tolerance(root, file);
-  file.process = read_process(root);
-  file.physics = read_physics(root, file.patch.diagonal() / (4 * std::max(file.columns, file.rows)));
+  read_variables_and_tolerance(root, file);
+  read_settings(root, file.patch.diagonal() / (4 * std::max(file.columns, file.rows)), file);
   return file;
 }
 

@@ -5,15 +5,11 @@
 #include <string>
 
 #include "app/files/goal_settings.hpp"
-#include "app/files/process_section.hpp"
+#include "app/files/structure_section.hpp"
 #include "model/base/angle.hpp"
 #include "targets/surface/surface_patch.hpp"
 
 namespace kinetix::app {
-
-/// Cells or walls of this edge; walls that are not given are 0.08 of it thick and 0.15 of it high.
-model::CellSize size_with_walls(double edge_mm, const std::optional<double>& thickness_mm,
-                                const std::optional<double>& height_mm);
 
 /// A target.yaml of kind surface, as asked for or by default. Angles in radians, lengths in mm. `kinetix: 1` and a
 /// `target` are enough.
@@ -23,13 +19,11 @@ model::CellSize size_with_walls(double edge_mm, const std::optional<double>& thi
 ///     variables: {beta_deg: 75, theta_deg: 14, sector_deg: [60, 120], edge: [0.75, 1.3]}
 ///     tolerance: {shape: 0.015, verify: 0.02}
 struct SurfaceFile : GoalSettings {
-  std::string name;
   targets::SurfacePatch patch;
-  int columns = 8, rows = 8;                ///< structure.facets, each in [2, 24]
-  std::optional<double> thickness_mm = {};  ///< structure.wall_mm; nothing: 0.08 walls
-  std::optional<double> height_mm = {};     ///< likewise; nothing: 0.15 walls
-  double theta = 0.25;                      ///< variables.theta_deg, rad, (0, 0.7]
-  double tilt = 75 * radians_per_degree;    ///< variables.beta_deg, rad
+  int columns = 8, rows = 8;              ///< structure.facets, each in [2, 24]
+  ThinWalls walls = {};                   ///< structure.wall_mm
+  double theta = 0.25;                    ///< variables.theta_deg, rad, (0, 0.7]
+  double tilt = 75 * radians_per_degree;  ///< variables.beta_deg, rad
   std::array<double, 2> sector = {60 * radians_per_degree,
                                   120 * radians_per_degree};  ///< variables.sector_deg
   std::array<double, 2> edge = {0.75, 1.3};                   ///< variables.edge, of the mean edge
@@ -38,7 +32,7 @@ struct SurfaceFile : GoalSettings {
   double curvature_tolerance = 0.5;  ///< least share of the curvature that is wanted, [0, 1]
 
   /// Of a sheet whose mean wall has this length, mm.
-  model::CellSize size(double edge_mm) const;
+  model::CellSize size(double edge_mm) const { return walls.size(edge_mm); }
 };
 
 /// `tolerance.covered_share` of ribs over a surface where the file has none, ratio: less is not the surface any more.

@@ -236,7 +236,7 @@ solver: {name: ccsa, max_evaluations: 7}
   EXPECT_EQ(file.stretch, 0.2);
   EXPECT_EQ(file.auc, 0.9);
   EXPECT_EQ(file.contrast, 2);
-  EXPECT_EQ(file.verify, 0.1);
+  EXPECT_EQ(file.verify_tolerance, 0.1);
   EXPECT_EQ(file.hinge.k_point, 500);
   EXPECT_EQ(file.solver.name, optim::SolverName::ccsa);
   EXPECT_EQ(file.solver.max_evaluations, 7);
