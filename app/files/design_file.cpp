@@ -12,6 +12,7 @@
 #include "app/files/process_section.hpp"
 #include "app/files/wall_node.hpp"
 #include "model/lattice/square/cell_tuple.hpp"
+#include "targets/document/bound_key.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -30,22 +31,19 @@ const targets::Bounds offset = targets::between(-0.5, 0.5, "mm (within half a ce
 }  // namespace
 
 const targets::KeyTable& hinge_entry_keys() {
-  static const model::HingeParameters basic{};
+  using Hinge = model::HingeParameters;
   static const targets::KeyTable keys({
       wall_key(),
-      {"t", value::number(fraction), targets::by_default(basic.t),
-       "where the hinge sits on the wall, from its lower vertex"},
-      {"alpha_deg", value::angle(in_plane), targets::by_default_deg(basic.alpha),
+      {"t", &Hinge::t, value::number(fraction), "where the hinge sits on the wall, from its lower vertex"},
+      {"alpha_deg", &Hinge::alpha, value::angle(in_plane),
        "angle of the hinge's axis to the wall's edge, in the plane of the wall"},
-      {"beta_deg", value::angle(tilt), targets::by_default_deg(basic.beta),
+      {"beta_deg", &Hinge::beta, value::angle(tilt),
        "how far the wall leans from upright, and its hinge with it"},
-      {"offset_mm", value::length(offset), targets::by_default(basic.offset),
+      {"offset_mm", value::length(offset), targets::by_default(Hinge{}.offset),
        "how far the hinge sits off the middle of the wall, to the left as seen from its lower vertex "
        "(towards "
        "z x e)"},
-      {"hinge",
-       value::map(single_hinge_keys()),
-       {},
+      {"hinge", single_hinge_keys(),
        "what the hinge of this wall is made of, where it is not what `hinge` says of all"},
   });
   return keys;
@@ -76,8 +74,8 @@ targets::KeyTable tuple_keys() {
 
 targets::KeyTable pattern_keys() {
   return targets::KeyTable({
-      {"even", value::map(tuple_keys()), {}, "cells whose i + j is even"},
-      {"odd", value::map(tuple_keys()), {}, "cells whose i + j is odd"},
+      {"even", tuple_keys(), "cells whose i + j is even"},
+      {"odd", tuple_keys(), "cells whose i + j is odd"},
       {"shared", value::choice(ways_to_share), targets::by_default("must_agree"),
        "what to do where two cells disagree about the wall between them: refuse the file, or take the "
        "average"},
@@ -87,13 +85,9 @@ targets::KeyTable pattern_keys() {
 targets::KeyTable state_keys() {
   return targets::KeyTable({
       {"theta_deg", value::angle(tilt), targets::by_default_deg(0), "the state to show; 0 is flat"},
-      {"pattern",
-       value::map(pattern_keys()),
-       {},
+      {"pattern", pattern_keys(),
        "hinges of all cells by the paper's tuples, alternating like a checkerboard"},
-      {"hinges",
-       value::list(value::map(hinge_entry_keys()), "a list of hinges", 0),
-       {},
+      {"hinges", value::list(value::map(hinge_entry_keys()), "a list of hinges", 0), targets::no_default,
        "single hinges; one that is named here takes nothing from the pattern"},
   });
 }
@@ -141,9 +135,7 @@ void read_pattern(const targets::Section& design, model::Sheet& sheet) {
 
 model::HingeParameters read_parameters(const targets::Section& hinge, double edge_mm) {
   model::HingeParameters p;
-  hinge.read("t", p.t);
-  hinge.read("alpha_deg", p.alpha);
-  hinge.read("beta_deg", p.beta);
+  hinge.read_into(p);
   double offset_mm = 0;
   hinge.read_length("offset_mm", offset_mm, edge_mm);
   p.offset = offset_mm / edge_mm;
@@ -244,10 +236,10 @@ Design read_design(const std::string& path) {
 const targets::KeyTable& design_keys() {
   static const targets::KeyTable keys = file_keys({
       lattice_structure_key(),
-      {"design", value::map(state_keys()), {}, "where every hinge sits and how it is tilted"},
+      {"design", state_keys(), "where every hinge sits and how it is tilted"},
       drive_key(),
-      {"hinge", value::map(hinge_keys()), {}, "what the hinges are made of"},
-      {"physics", value::map(physics_keys()), {}, "settings of the physics run"},
+      {"hinge", hinge_keys(), "what the hinges are made of"},
+      {"physics", physics_keys(), "settings of the physics run"},
       design_process_key(),
   });
   return keys;
@@ -256,8 +248,7 @@ const targets::KeyTable& design_keys() {
 Design read_design(const targets::Node& node) {
   check_kind_of_file(node);
   if (lists_bodies(node)) return read_bodies(node);
-  const targets::Section root(node, design_keys());
-  check_version(root);
+  const targets::Section root = read_root(node, design_keys());
   Design file{.name = read_name(root), .structure = read_structure(root)};
   read_state(root, file);
   file.own_hinges.merge(read_own_hinges(root, file.structure));  // single walls go before

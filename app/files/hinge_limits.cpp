@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "targets/document/bound_key.hpp"
+
 namespace kinetix::app {
 
 namespace value = targets::value;
@@ -19,21 +21,18 @@ double bearable_strain(const HingeSection& hinge) {
 }  // namespace
 
 std::vector<targets::Key> hinge_limit_keys(const std::string& instead, const targets::Default& usual_strain) {
-  return {{"force_N",
-           value::number(targets::above(0, "N")),
-           {},
+  return {{"force_N", &HingeLimits::force_N, value::number(targets::above(0, "N")),
            "most that the drive may take on the way; " + instead},
-          {"strain", value::number({0, 10, false, true, {}}), usual_strain,
+          {"strain", &HingeLimits::strain, value::number({0, 10, false, true, {}}), usual_strain,
            "most that a hinge made as a block or film may be strained, likewise"}};
 }
 
 HingeLimits read_hinge_limits(const targets::Section& tolerance, const HingeSection& hinge,
                               const std::vector<HingePart>& parts) {
   HingeLimits limits;
-  tolerance.read("force_N", limits.force_N);
+  tolerance.read_into(limits);
   double most = bearable_strain(hinge);
   for (const HingePart& part : parts) most = std::max(most, bearable_strain(part.hinge));
-  tolerance.read("strain", limits.strain);
   if (const auto strain = tolerance.optional("strain"); strain && most == 0)
     throw strain->key_error("applies to hinges made as blocks or films; give hinge.kind as well");
   if (limits.strain && *limits.strain > most)

@@ -87,9 +87,7 @@ std::vector<targets::Key> stiffness_and_shape() {
            "0.18 cells; of a made hinge its height over the root of 12, with `play` half of it"),
        "half distance of the two points at which a hinge holds its bodies together: what makes it resist "
        "tilting"},
-      {"kind",
-       value::choice(kinds),
-       {},
+      {"kind", value::choice(kinds), targets::no_default,
        "how the hinge is made, from which its stiffness follows ([hinges](hinges.md)): `pin`, a rod in "
        "knuckles with "
        "play; `block`, soft material in the gap between the halves of the wall; `film`, a thin film over the "
@@ -132,9 +130,8 @@ std::vector<targets::Key> keys_with(targets::Key model) {
 constexpr int most_lines = 1000000;  // of a sheet: more than fit in a file
 
 targets::Key except_key() {
-  return {"except",
-          value::list(value::map(hinge_part_keys()), "a list of hinges made otherwise", 0),
-          {},
+  return {"except", value::list(value::map(hinge_part_keys()), "a list of hinges made otherwise", 0),
+          targets::no_default,
           "hinges that are made otherwise than the rest: a crease of film in a panel of pins; of two entries "
           "that hold one hinge the later counts"};
 }

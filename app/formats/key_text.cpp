@@ -38,13 +38,9 @@ std::string integer_text(const targets::Bounds& bounds) {
   return "whole " + number_text(bounds);
 }
 
-bool is_numeric(const targets::ValueType& type) {
-  return type.kind == Kind::number || type.kind == Kind::angle || type.kind == Kind::integer;
-}
-
 std::string list_text(const targets::ValueType& type) {
   const targets::ValueType& entry = type.parts[0];
-  const bool says_more = is_numeric(entry) || entry.kind == Kind::choice;
+  const bool says_more = entry.is_numeric() || entry.kind == Kind::choice;
   return type.form + (says_more ? ", each " + type_text(entry) : "");
 }
 
@@ -60,7 +56,7 @@ std::string ways_text(const std::vector<targets::ValueType>& ways) {
 /// Units and ranges that the type alone would not tell.
 std::string unit_text(const targets::ValueType& type) {
   if (type.kind == Kind::list) return unit_text(type.parts[0]);
-  return is_numeric(type) && !type.bounds.unit.empty() ? fmt::format(", in {}", type.bounds.unit) : "";
+  return type.is_numeric() && !type.bounds.unit.empty() ? fmt::format(", in {}", type.bounds.unit) : "";
 }
 
 std::string unmarked(const std::string& markdown) {

@@ -41,22 +41,16 @@ std::string key_of(const targets::Section& entry) {
 const targets::KeyTable& hinge_choice_keys() {
   static const targets::KeyTable keys({
       {"kinetix", value::integer(1, 1), targets::needed, "version of the file format"},
-      {"hinges",
-       value::list(value::map(choice_keys()), "a list of hinges", 0),
-       {},
+      {"hinges", value::list(value::map(choice_keys()), "a list of hinges", 0), targets::no_default,
        "hinges whose axis is set by hand"},
-      {"towards",
-       axis_type(),
-       {},
+      {"towards", axis_type(), targets::no_default,
        "of ambiguous hinges that are not listed: the axis nearer to this direction is taken"},
   });
   return keys;
 }
 
 model::HingeChoices read_hinge_choices(const std::string& file) {
-  const targets::Node node = targets::read_document(file);
-  const targets::Section root(node, hinge_choice_keys());
-  check_version(root);
+  const targets::Section root = read_root(targets::read_document(file), hinge_choice_keys());
   model::HingeChoices out;
   if (const auto list = root.optional("hinges"))
     for (const targets::Node& entry : list->list("a list of hinges")) {

@@ -32,9 +32,8 @@ struct GoalKind {
   std::unique_ptr<Goal> (*read)(const targets::Node& root);
   /// Every key of its files.
   const targets::KeyTable& (*table)();
-  Model model = Model::exact;          ///< that its states come from
-  std::vector<GoalMetric> metrics;     ///< that its searches add to `metrics`
-  std::vector<std::string> keys = {};  ///< paths of numbers that only files of this kind may leave out
+  Model model = Model::exact;       ///< that its states come from
+  std::vector<GoalMetric> metrics;  ///< that its searches add to `metrics`
   std::vector<GoalMeasure> measures = {};
 };
 

@@ -89,9 +89,8 @@ const KeyTable& display_target_keys() {
            "of the image: letter and rest, or levels of grey", "image"},
           {"invert", value::boolean(), by_default("false"), "light instead of dark parts are the letter",
            "image"},
-          {"rows",
-           value::list(value::text("0 and 1 a cell"), "rows such as `[\"0110\", \"1001\"]`"),
-           {},
+          {"rows", value::list(value::text("0 and 1 a cell"), "rows such as `[\"0110\", \"1001\"]`"),
+           no_default,
            "what to show, cell by cell: 1 is letter, top row first; where `structure.cells` is a multiple of "
            "their size, each cell as several"},
           {"channel", value::choice({"light", "aperture", "area", "rotation"}),

@@ -31,9 +31,9 @@ Default default_of(const ValueType& type, const Value& value) {
 }
 
 template <class Value>
-std::string number_text(ValueType::Kind kind, const Value& value) {
+std::string file_text(ValueType::Kind kind, const Value& value) {
   if constexpr (is_optional<Value>)
-    return value ? number_text(kind, *value) : std::string();
+    return value ? file_text(kind, *value) : std::string();
   else
     return kind == ValueType::Kind::angle ? degrees_text(value) : shortest_text(value);
 }
@@ -51,7 +51,7 @@ Key::Key(std::string name, Value Object::*member, ValueType of, Default fallback
   };
   if constexpr (is_optional<Value> || std::is_arithmetic_v<Value>)
     binding.text = [member, kind = type.kind](const void* object) {
-      return number_text(kind, static_cast<const Object*>(object)->*member);
+      return file_text(kind, static_cast<const Object*>(object)->*member);
     };
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -56,13 +55,6 @@ class Node {
   std::string text(const std::string& what) const;
   /// Position of the word among the allowed ones.
   std::size_t one_of(const std::vector<std::string_view>& allowed) const;
-
-  template <class Value>
-  Value choice(std::initializer_list<std::pair<std::string_view, Value>> allowed) const {
-    std::vector<std::string_view> names;
-    for (const auto& [name, value] : allowed) names.push_back(name);
-    return allowed.begin()[one_of(names)].second;
-  }
 
   /// [lower, upper] with lower < upper, both in bounds.
   std::array<double, 2> range(const Bounds& bounds) const;

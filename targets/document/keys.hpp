@@ -28,6 +28,8 @@ struct ValueType {
   /// Entries of a list that has no limit: more than fit in memory.
   static constexpr std::size_t any_length = static_cast<std::size_t>(-1);
 
+  bool is_numeric() const { return kind == Kind::number || kind == Kind::angle || kind == Kind::integer; }
+
   Kind kind = Kind::text;
   Bounds bounds = {};                   ///< number, angle (in degrees; read as radians), integer
   bool in_cells = false;                ///< number: the bounds are in cell edges, the value is in mm
@@ -79,6 +81,8 @@ struct Default {
   std::string text = {};  ///< needed: what belongs there, for the message when the key is missing
 };
 
+/// For keys without which nothing holds.
+inline const Default no_default = {};
 /// For keys that must be given.
 inline const Default needed = {Default::Kind::needed, {}};
 /// @param what what belongs there, for the message when the key is missing

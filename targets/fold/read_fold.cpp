@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "targets/document/bound_key.hpp"
 #include "targets/fold/solid.hpp"
 
 namespace kinetix::targets {
@@ -37,12 +38,12 @@ const KeyTable& crease_keys() {
       {"faces", value::list(value::text("name of a face"), "`[first, second]`, names of two faces", 2, 2),
        needed, "the faces that the crease joins"},
       {"side", value::choice(side_words), needed, "side of the first face, beyond which the second one lies"},
-      {"angle_deg", value::angle(from_to(-180, 180, "degrees")), needed,
-       "the angle to fold by; positive towards +z"},
-      {"shift", value::integer(-max_face_side, max_face_side), by_default(FoldCrease{}.shift),
+      {"angle_deg", &FoldCrease::angle, value::angle(from_to(-180, 180, "degrees")),
+       needed_as("the angle to fold by"), "the angle to fold by; positive towards +z"},
+      {"shift", &FoldCrease::shift, value::integer(-max_face_side, max_face_side),
        "cells by which the second face is moved along the crease"},
-      {"columns", value::integer(1, max_crease_columns), otherwise("`target.crease_columns`"),
-       "columns of cells that the crease bends over"},
+      {"columns", &FoldCrease::columns, value::integer(1, max_crease_columns),
+       otherwise("`target.crease_columns`"), "columns of cells that the crease bends over"},
   });
   return keys;
 }
@@ -127,10 +128,8 @@ FoldCrease read_crease(const Node& entry, const std::vector<std::string_view>& n
   crease.second = static_cast<int>(pair[1].one_of(names));
   if (crease.first == crease.second) throw pair[1].error("joins a face with itself; name two faces");
   node.read_needed("side", "the side of the first face: left, right, bottom or top", crease.side, side_words);
-  node.read_needed("angle_deg", "the angle to fold by", crease.angle);
-  node.read("shift", crease.shift);
   crease.columns = columns;
-  node.read("columns", crease.columns);
+  node.read_into(crease);
   return crease;
 }
 
@@ -166,13 +165,9 @@ const KeyTable& fold_target_keys() {
   static const KeyTable keys(
       {
           goal_kind_key("fold"),
-          {"box",
-           value::list(value::integer(1, max_face_side), "`[a, b, c]`, cells", 3, 3),
-           {},
+          {"box", value::list(value::integer(1, max_face_side), "`[a, b, c]`, cells", 3, 3), no_default,
            "edge lengths along x, y and z: the bottom has a x b cells. Every unfolding of it is tried"},
-          {"box_mm",
-           value::list(value::number(box_edge_mm), "`[a, b, c]`, mm", 3, 3),
-           {},
+          {"box_mm", value::list(value::number(box_edge_mm), "`[a, b, c]`, mm", 3, 3), no_default,
            "edge lengths in mm along x, y and z of the box when it is folded: cells and, where "
            "`structure.cell_mm` is left "
            "out, their size are chosen so that it comes nearest"},
@@ -181,17 +176,12 @@ const KeyTable& fold_target_keys() {
            otherwise("the box is closed"),
            "the face to leave out",
            {"box", "box_mm"}},
-          {"net", value::map(net_keys()), {}, "faces that lie side by side, joined by creases"},
-          {"solid",
-           value::choice(solid_names()),
-           {},
+          {"net", net_keys(), "faces that lie side by side, joined by creases"},
+          {"solid", value::choice(solid_names()), no_default,
            "a solid of equal edges, cut open into one sheet whose creases run in as many directions as its "
            "edges"},
-          {"cells",
-           value::integer(least_solid_cells, max_solid_cells),
-           by_default(SolidGoal{}.cells),
-           "of half a side of a face",
-           {"solid"}},
+          {"cells", value::integer(least_solid_cells, max_solid_cells), by_default(SolidGoal{}.cells),
+           "of half a side of a face", "solid"},
           {"crease_columns", value::integer(1, max_crease_columns), otherwise("the search chooses"),
            "columns of cells that every crease bends over"},
       },

@@ -24,9 +24,7 @@ const KeyTable& space_block_target_keys() {
        "its length when it is pressed over that at rest: in all directions, or along x, y and z; no "
        "direction "
        "can shrink by more than the two others together"},
-      {"size_mm",
-       value::list(value::number(lengths), "`[x, y, z]` in mm", 3, 3),
-       {},
+      {"size_mm", value::list(value::number(lengths), "`[x, y, z]` in mm", 3, 3), no_default,
        "of the block at rest, from the outermost rotors on; cells are as many and as large as come nearest"},
   });
   return keys;

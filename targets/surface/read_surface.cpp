@@ -5,6 +5,7 @@
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/curve/read_points.hpp"
+#include "targets/document/bound_key.hpp"
 #include "targets/document/hidden_quotes.hpp"
 #include "targets/helmet/head_pose.hpp"
 #include "targets/helmet/length_units.hpp"
@@ -24,12 +25,17 @@ const Bounds size = from_to(1, 5000, "mm");                // of surfaces: a fin
 constexpr double least_side = 20, most_side = 5000;        // mm, of the box of a mesh that ribs go over
 constexpr double whole_turn = 360 * radians_per_degree;    // rad: ribs go all round a profile
 const char* const height_axis = "z";                       // of points of a profile, behind x, the radius
-constexpr double usual_width = 100;                        // mm: a sheet of it prints on any machine
-constexpr double usual_radius = 50;                        // mm, of vases: a drinking glass
-constexpr double usual_height = 120;                       // mm, of vases
-constexpr double usual_arc = 60 * radians_per_degree;      // rad: as much as eight facets follow well
-// A saddle whose rims are as steep as 17 deg, over half its width: eight facets keep within 1.5 % of it, and not of 0.3.
-constexpr double usual_rise = 0.15;
+
+/// Of shapes, as asked for or by default.
+struct Sizes {
+  double width = 100;                    ///< mm: a sheet of it prints on any machine
+  double radius = 50;                    ///< mm, of vases: a drinking glass
+  double height = 120;                   ///< mm, of vases
+  double arc = 60 * radians_per_degree;  ///< rad: as much as eight facets follow well
+  /// A saddle whose rims are as steep as 17 deg, over half its width: eight facets keep within 1.5 % of it, and not of 0.3.
+  double rise = 0.15;
+  std::optional<double> swell = {};  ///< mm, of vases: a fifth of the radius
+};
 
 void refuse(const Section& target, std::initializer_list<const char*> keys, const std::string& why) {
   for (const char* key : keys)
@@ -90,23 +96,16 @@ Turned read_turned(const Section& target, const Node& node, double usual) {
 }
 
 SurfacePatch read_shape(const Section& target, Shape shape) {
-  double width = usual_width, arc = usual_arc, rise = usual_rise, radius = usual_radius,
-         height = usual_height;
-  target.read("width_mm", width);
-  target.read("arc_deg", arc);
-  target.read("rise", rise);
-  target.read("radius_mm", radius);
-  target.read("height_mm", height);
-  double swell = radius / 5;
-  target.read("swell_mm", swell);
+  Sizes of;
+  target.read_into(of);
   if (shape != Shape::vase)
     refuse(target, {"radius_mm", "height_mm", "swell_mm"}, "belongs to a vase; leave it out");
   if (shape == Shape::vase) refuse(target, {"width_mm"}, "a vase has height_mm and radius_mm; leave it out");
   if (shape != Shape::saddle) refuse(target, {"rise"}, "belongs to a saddle; leave it out");
   if (shape == Shape::saddle) refuse(target, {"arc_deg"}, "a saddle has a rise; leave it out");
-  if (shape == Shape::cap) return cap_patch(width, arc);
-  if (shape == Shape::saddle) return saddle_patch(width, rise);
-  return vase_patch(height, radius, swell, arc);
+  if (shape == Shape::cap) return cap_patch(of.width, of.arc);
+  if (shape == Shape::saddle) return saddle_patch(of.width, of.rise);
+  return vase_patch(of.height, of.radius, of.swell.value_or(of.radius / 5), of.arc);
 }
 
 }  // namespace
@@ -126,15 +125,15 @@ std::vector<Key> surface_keys() {
        "a surface of revolution: points `[x, z]`, x the radius, z the height on the axis, ascending; a "
        "smooth line goes "
        "through them"},
-      {"width_mm", value::number(size), by_default(usual_width), "of the square of a cap or saddle"},
-      {"arc_deg", value::angle(arc_turn), by_default_deg(usual_arc),
+      {"width_mm", &Sizes::width, value::number(size), "of the square of a cap or saddle"},
+      {"arc_deg", &Sizes::arc, value::angle(arc_turn),
        "of a cap: what its surface turns by from corner to corner; of a vase: from rim to rim round its "
        "axis, at most 120; of a `profile` likewise, with `ribs` up to 360, which is then the default"},
-      {"rise", value::number({0, 1, false, true}), by_default(usual_rise),
+      {"rise", &Sizes::rise, value::number({0, 1, false, true}),
        "of a saddle: its height in the middle of a side, over half of its width"},
-      {"height_mm", value::number(size), by_default(usual_height), "of a vase, along its axis"},
-      {"radius_mm", value::number(size), by_default(usual_radius), "of a vase, in the middle of its height"},
-      {"swell_mm", value::number(from_to(0, 2500, "mm")), otherwise("a fifth of `radius_mm`"),
+      {"height_mm", &Sizes::height, value::number(size), "of a vase, along its axis"},
+      {"radius_mm", &Sizes::radius, value::number(size), "of a vase, in the middle of its height"},
+      {"swell_mm", &Sizes::swell, value::number(from_to(0, 2500, "mm")), otherwise("a fifth of `radius_mm`"),
        "of a vase: how much its belly is wider than its middle, and its neck narrower; at most half the "
        "radius, and so that the front, as wide as `arc_deg` of the middle, keeps within the neck"},
   };
@@ -149,7 +148,7 @@ SurfacePatch read_surface(const Section& target) {
   if (!mesh && !shape && !profile)
     throw target.error("needs a `mesh` or a `shape`: cap, saddle or vase, or a `profile`");
   if (profile) {
-    const Turned turned = read_turned(target, *profile, usual_arc);
+    const Turned turned = read_turned(target, *profile, Sizes{}.arc);
     return profile->located([&] { return revolution_patch(turned.profile, turned.arc); });
   }
   if (mesh) {

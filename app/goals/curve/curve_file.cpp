@@ -178,17 +178,6 @@ targets::KeyTable variables_keys(const CurveFile& usual) {
   return targets::KeyTable({{"beta", beta, "the tilts of the hinges"}, theta_key(usual.theta)});
 }
 
-targets::KeyTable tolerance_keys() {
-  return targets::KeyTable({
-      {"shape", &CurveFile::shape_tolerance, value::number(targets::part_of_one),
-       targets::otherwise(
-           "0.01; less for a flat curve (a twentieth of its rise over its chord), or small cells (half of "
-           "one), but at least 0.001"),
-       "most of [shape_rms](#shape_rms-and-shape_max), over the diagonal of the curve's bounding box"},
-      verify_key(),
-  });
-}
-
 }  // namespace
 
 const targets::KeyTable& curve_keys() {
@@ -199,7 +188,17 @@ const targets::KeyTable& curve_keys() {
           {"target", targets::curve_target_keys(), "the goal", targets::needed},
           {"structure", curve_structure_keys(usual), "the flat sheet"},
           {"variables", variables_keys(usual), "what the search may change, and how far"},
-          {"tolerance", tolerance_keys(), "when the goal is met"},
+          {"tolerance",
+           targets::KeyTable({
+               {"shape", &CurveFile::shape_tolerance, value::number(targets::part_of_one),
+                targets::otherwise("0.01; less for a flat curve (a twentieth of its rise over its chord), or "
+                                   "small cells (half of "
+                                   "one), but at least 0.001"),
+                "most of [shape_rms](#shape_rms-and-shape_max), over the diagonal of the curve's bounding "
+                "box"},
+               verify_key(),
+           }),
+           "when the goal is met"},
           {"solver",
            solver_keys(optim::all_solvers(), search.starts, search.solver.max_evaluations, "per start"),
            "how the search is run"},

@@ -49,7 +49,7 @@ targets::KeyTable display_structure_keys() {
   return targets::KeyTable(std::move(keys));
 }
 
-targets::KeyTable drive_keys() {
+targets::KeyTable display_drive_keys() {
   return targets::KeyTable(
       {
           {"kind", value::choice(drives), targets::by_default("plates"),
@@ -79,7 +79,7 @@ targets::KeyTable t_keys() {
   });
 }
 
-targets::KeyTable variables_keys() {
+targets::KeyTable display_variables_keys() {
   const targets::KeyTable compression({{"range", value::range(allowed_compression), targets::needed,
                                         "where to search; the search starts from `drive.compression`"}});
   return targets::KeyTable({
@@ -101,7 +101,7 @@ targets::KeyTable variables_keys() {
   });
 }
 
-targets::KeyTable tolerance_keys() {
+targets::KeyTable display_tolerance_keys() {
   std::vector<targets::Key> keys = {
       {"stretch", &DisplayFile::stretch, value::number(targets::part_of_one),
        "most that a hinge may stretch, cell edges"},
@@ -209,7 +209,7 @@ void read_drive(const targets::Section& root, DisplayFile& file) {
   section.read("kind", file.drive_kind, drives);
   const bool by_hinge = file.drive_kind == DriveKind::hinge;
   if (section.given())
-    section.node().reject_unknown_keys(drive_keys().only(by_hinge ? "hinge" : "plates").names());
+    section.node().reject_unknown_keys(display_drive_keys().only(by_hinge ? "hinge" : "plates").names());
   section.read("axis", file.axes.front(), axes);
   section.read("press", file.press);
   section.read_into(file);
@@ -320,10 +320,10 @@ const targets::KeyTable& display_keys() {
       {
           {"target", targets::display_target_keys(), "the goal", targets::needed},
           {"structure", display_structure_keys(), "the flat panel"},
-          {"variables", variables_keys(), "what the search may change, and how far"},
-          {"drive", drive_keys(), "how the panel is compressed"},
+          {"variables", display_variables_keys(), "what the search may change, and how far"},
+          {"drive", display_drive_keys(), "how the panel is compressed"},
           {"hinge", elastic_hinge_keys(), any_hinge},
-          {"tolerance", tolerance_keys(), "when the goal is met"},
+          {"tolerance", display_tolerance_keys(), "when the goal is met"},
           {"solver",
            solver_keys(fitting_solvers, search.starts, search.solver.max_evaluations,
                        "per stage of a search"),

@@ -17,7 +17,7 @@ targets::KeyTable fold_structure_keys() {
   return targets::KeyTable({cell_mm_key(targets::by_default(fold_cell_mm)), wall_mm_key()});
 }
 
-targets::KeyTable tolerance_keys() {
+targets::KeyTable fold_tolerance_keys() {
   std::vector<targets::Key> keys = {
       {"angle_deg", &FoldFile::angle_tolerance, value::angle({0, 90, false, true, "degrees"}),
        "most that the fold of a crease may be off"},
@@ -105,7 +105,7 @@ targets::KeyTable keys_of(const FoldFile& usual) {
           {"structure", fold_structure_keys(), "the flat net"},
           {"variables", net_variables_keys(usual.tilt, usual.theta),
            "what the search may change, and how far"},
-          {"tolerance", tolerance_keys(), "when the goal is met"},
+          {"tolerance", fold_tolerance_keys(), "when the goal is met"},
       },
       any_hinge, {robust_key()});
 }

@@ -24,7 +24,7 @@ constexpr int most_ribs = 200;              // one every other millimetre of a h
 constexpr double least_helmet_cell_mm = 1;  // of cells, and between ribs: smaller ones make too many cells
 constexpr double most_cell_mm = 60;         // about a head's radius: larger cells cannot follow it
 
-targets::KeyTable target_keys() {
+targets::KeyTable helmet_target_keys() {
   using Spec = optim::RibsSpec;
   std::vector<targets::Key> keys = targets::head_keys();
   keys.insert(keys.begin(), targets::goal_kind_key("helmet"));
@@ -46,23 +46,6 @@ targets::KeyTable helmet_structure_keys() {
   return targets::KeyTable({cell_mm_key(targets::by_default(helmet_cell_mm),
                                         targets::from_to(least_helmet_cell_mm, most_cell_mm, "mm")),
                             wall_mm_key()});
-}
-
-targets::KeyTable tolerance_keys() {
-  return targets::KeyTable({
-      {"rms_mm", &HelmetFile::rms_mm, value::number(targets::above(0, "mm")),
-       targets::otherwise(
-           fmt::format("{:g}; less with a smaller `max_mm` by default", HelmetFile::usual_rms_mm)),
-       "most of the [distance](#distances-of-a-helmet) from head plus clearance, root mean square"},
-      {"max_mm", &HelmetFile::max_mm, value::number(targets::above(0, "mm")),
-       targets::otherwise(
-           fmt::format("{:g}, or half a cell, or a thirtieth of `target.coverage_mm` where that is less",
-                       HelmetFile::usual_max_mm)),
-       "likewise, the largest"},
-      {"covered_share", &HelmetFile::covered_share, value::number(targets::Bounds{0, 1, true, true}),
-       targets::otherwise("any will do"), "least of [covered_share](#covered_share)"},
-      verify_key(),
-  });
 }
 
 void read_structure(const targets::Section& root, HelmetFile& file) {
@@ -119,11 +102,26 @@ const targets::KeyTable& helmet_keys() {
   static const optim::RibsSpec usual{};
   static const targets::KeyTable keys = goal_keys(
       {
-          {"target", target_keys(), "the goal", targets::needed},
+          {"target", helmet_target_keys(), "the goal", targets::needed},
           {"structure", helmet_structure_keys(), "the flat helmet"},
           {"variables", net_variables_keys(usual.tilt, usual.theta),
            "what the search may change, and how far"},
-          {"tolerance", tolerance_keys(), "when the goal is met"},
+          {"tolerance",
+           targets::KeyTable({
+               {"rms_mm", &HelmetFile::rms_mm, value::number(targets::above(0, "mm")),
+                targets::otherwise(
+                    fmt::format("{:g}; less with a smaller `max_mm` by default", HelmetFile::usual_rms_mm)),
+                "most of the [distance](#distances-of-a-helmet) from head plus clearance, root mean square"},
+               {"max_mm", &HelmetFile::max_mm, value::number(targets::above(0, "mm")),
+                targets::otherwise(fmt::format(
+                    "{:g}, or half a cell, or a thirtieth of `target.coverage_mm` where that is less",
+                    HelmetFile::usual_max_mm)),
+                "likewise, the largest"},
+               {"covered_share", &HelmetFile::covered_share, value::number(targets::Bounds{0, 1, true, true}),
+                targets::otherwise("any will do"), "least of [covered_share](#covered_share)"},
+               verify_key(),
+           }),
+           "when the goal is met"},
           {"solver", solver_keys({optim::SolverName::ceres}, {}, helmet_evaluations, "of the search"),
            "how the search is run"},
       },

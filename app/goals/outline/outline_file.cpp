@@ -41,7 +41,7 @@ targets::KeyTable outline_structure_keys(const OutlineFile& usual) {
   return targets::KeyTable(std::move(keys));
 }
 
-targets::KeyTable variables_keys() {
+targets::KeyTable outline_variables_keys() {
   const targets::KeyTable t(
       {{"range", &OutlineFile::t, value::range(targets::place_along),
         "where hinges may sit on their walls; the side that is nearer to 0.5 counts for both"}});
@@ -53,16 +53,6 @@ targets::KeyTable variables_keys() {
        "how far hinges may sit off the middle of their walls, to either side"},
       {"t", t, "where hinges sit on their walls"},
       {"theta", theta, "how far the panel is pressed"},
-  });
-}
-
-targets::KeyTable tolerance_keys() {
-  return targets::KeyTable({
-      {"shape", &OutlineFile::shape_tolerance, value::number(targets::part_of_one),
-       "most of [outline_rms](#outline_rms-and-iou), over the diagonal of the outline's bounding box"},
-      {"iou", &OutlineFile::iou_tolerance, value::number(targets::part_of_one),
-       "least of [iou](#outline_rms-and-iou)"},
-      verify_key(),
   });
 }
 
@@ -129,8 +119,17 @@ const targets::KeyTable& outline_keys() {
       {
           {"target", targets::outline_target_keys(), "the goal", targets::needed},
           {"structure", outline_structure_keys(usual), "the flat panel"},
-          {"variables", variables_keys(), "what the search may change, and how far"},
-          {"tolerance", tolerance_keys(), "when the goal is met"},
+          {"variables", outline_variables_keys(), "what the search may change, and how far"},
+          {"tolerance",
+           targets::KeyTable({
+               {"shape", &OutlineFile::shape_tolerance, value::number(targets::part_of_one),
+                "most of [outline_rms](#outline_rms-and-iou), over the diagonal of the outline's bounding "
+                "box"},
+               {"iou", &OutlineFile::iou_tolerance, value::number(targets::part_of_one),
+                "least of [iou](#outline_rms-and-iou)"},
+               verify_key(),
+           }),
+           "when the goal is met"},
       },
       sized_hinge);
   return keys;

@@ -20,16 +20,6 @@ constexpr int bodies_a_cell =
 const targets::Bounds block_turns = targets::between(0, 45, "degrees");
 const targets::Bounds gusset_lengths = targets::from_to(0.02, 0.9);
 
-targets::KeyTable block_structure_keys() {
-  return targets::KeyTable({
-      {"cells", value::list(value::integer(1, most_block_cells), "`[x, y, z]`", 3, 3),
-       targets::otherwise("[2, 2, 2], or as `target.size_mm` asks"),
-       "cubic cells of the sodalite net, each 2.83 edges long"},
-      cell_mm_key(targets::otherwise("20, or as `target.size_mm` asks")),
-      thin_walls_key("edges", "the walls, from each rotor to the middle of a gusset"),
-  });
-}
-
 targets::KeyTable block_variables_keys() {
   using Variables = optim::SpaceBlockVariables;
   const targets::KeyTable theta(
@@ -40,16 +30,6 @@ targets::KeyTable block_variables_keys() {
         "0.2, or as near to it as theta keeps its range"}});
   return targets::KeyTable(
       {{"theta", theta, "how far rotors turn"}, {"gusset", gusset, "how long gussets may be"}});
-}
-
-targets::KeyTable block_tolerance_keys() {
-  return targets::KeyTable({
-      {"factor", &SpaceBlockFile::factor_tolerance, value::number(targets::part_of_one),
-       "most that the factor of a direction may differ from `target.factor`"},
-      {"size", &SpaceBlockFile::size_tolerance, value::number(targets::part_of_one),
-       "most that a length at rest may differ from `target.size_mm`, over it"},
-      verify_key(),
-  });
 }
 
 void read_block_structure(const targets::Section& root, SpaceBlockFile& file) {
@@ -91,9 +71,25 @@ const targets::KeyTable& space_block_keys() {
   static const targets::KeyTable keys = goal_keys(
       {
           {"target", targets::space_block_target_keys(), "the goal", targets::needed},
-          {"structure", block_structure_keys(), "the lattice"},
+          {"structure",
+           targets::KeyTable({
+               {"cells", value::list(value::integer(1, most_block_cells), "`[x, y, z]`", 3, 3),
+                targets::otherwise("[2, 2, 2], or as `target.size_mm` asks"),
+                "cubic cells of the sodalite net, each 2.83 edges long"},
+               cell_mm_key(targets::otherwise("20, or as `target.size_mm` asks")),
+               thin_walls_key("edges", "the walls, from each rotor to the middle of a gusset"),
+           }),
+           "the lattice"},
           {"variables", block_variables_keys(), "how far the search may go"},
-          {"tolerance", block_tolerance_keys(), "when the goal is met"},
+          {"tolerance",
+           targets::KeyTable({
+               {"factor", &SpaceBlockFile::factor_tolerance, value::number(targets::part_of_one),
+                "most that the factor of a direction may differ from `target.factor`"},
+               {"size", &SpaceBlockFile::size_tolerance, value::number(targets::part_of_one),
+                "most that a length at rest may differ from `target.size_mm`, over it"},
+               verify_key(),
+           }),
+           "when the goal is met"},
       },
       {});
   return keys;

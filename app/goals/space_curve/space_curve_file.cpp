@@ -38,7 +38,7 @@ targets::KeyTable space_curve_structure_keys(const SpaceCurveFile& usual) {
   });
 }
 
-targets::KeyTable variables_keys() {
+targets::KeyTable strip_variables_keys() {
   using Variables = optim::SpaceVariables;
   static const Variables usual{};
   const targets::KeyTable beta(
@@ -55,15 +55,6 @@ targets::KeyTable variables_keys() {
       {"beta", beta, "the tilts of the hinges"},
       {"t", t, "where hinges sit on their walls"},
       {"theta", theta, "how far the strip is folded"},
-  });
-}
-
-targets::KeyTable tolerance_keys(const SpaceCurveFile& usual) {
-  return targets::KeyTable({
-      {"shape", &SpaceCurveFile::shape_tolerance, value::number(targets::part_of_one),
-       targets::by_default(usual.shape_tolerance),
-       "most of [shape_rms](#shape_rms-and-shape_max), over the diagonal of the curve's bounding box"},
-      verify_key(),
   });
 }
 
@@ -173,8 +164,16 @@ const targets::KeyTable& space_curve_keys() {
       {
           {"target", targets::space_curve_target_keys(), "the goal", targets::needed},
           {"structure", space_curve_structure_keys(usual), "the flat strip"},
-          {"variables", variables_keys(), "what the search may change, and how far"},
-          {"tolerance", tolerance_keys(usual), "when the goal is met"},
+          {"variables", strip_variables_keys(), "what the search may change, and how far"},
+          {"tolerance",
+           targets::KeyTable({
+               {"shape", &SpaceCurveFile::shape_tolerance, value::number(targets::part_of_one),
+                targets::by_default(usual.shape_tolerance),
+                "most of [shape_rms](#shape_rms-and-shape_max), over the diagonal of the curve's bounding "
+                "box"},
+               verify_key(),
+           }),
+           "when the goal is met"},
       },
       sized_hinge, {robust_key()});
   return keys;

@@ -20,52 +20,12 @@ const targets::Bounds turns = targets::between(0, 45, "degrees");
 const targets::Bounds sectors = targets::between(0, 180, "degrees");
 const targets::Bounds edges = targets::between(0, 10);
 
-targets::KeyTable target_keys() {
+targets::KeyTable surface_target_keys() {
   std::vector<targets::Key> keys = targets::surface_keys();
   keys.insert(keys.begin(), targets::goal_kind_key("surface"));
   keys.push_back({"ribs", value::integer(1, most_ribs), targets::otherwise("a sheet of facets"),
                   "so many ribs on a spine, over any surface, open or closed, in place of a sheet"});
   return targets::KeyTable(std::move(keys));
-}
-
-targets::KeyTable surface_structure_keys() {
-  return targets::KeyTable({
-      {"facets", value::list(value::integer(2, most_facets), "`[columns, rows]`", 2, 2),
-       targets::by_default(std::array<double, 2>{8, 8}),
-       "flat pieces of the folded sheet, along x and y of the surface; each has 2 x 2 bodies"},
-      {"cell_mm", value::number(targets::above(0, "mm")),
-       targets::otherwise("leaves room between ribs, and 25 cells along the diagonal"),
-       "of ribs: edge of a cell"},
-      thin_walls_key("of a mean wall, or of a cell of ribs",
-                     "the walls; their lengths follow from the surface"),
-  });
-}
-
-targets::KeyTable variables_keys() {
-  return targets::KeyTable({
-      {"theta_deg", &SurfaceFile::theta, value::angle(turns), "turn of the bodies on the surface"},
-      {"beta_deg", &SurfaceFile::tilt, value::angle(tilts), "largest tilt of a hinge, to either side"},
-      {"sector_deg", &SurfaceFile::sector, value::angle_range(sectors),
-       "angles between the creases of a vertex; below 50 and above 130 no bodies may fit round it, below 60 "
-       "and above 120 walls soon meet"},
-      {"edge", &SurfaceFile::edge, value::range(edges), "lengths of the facets' edges, over their mean"},
-  });
-}
-
-targets::KeyTable tolerance_keys() {
-  return targets::KeyTable({
-      {"shape", &SurfaceFile::shape_tolerance, value::number(targets::part_of_one),
-       "most of [surface_rms](#surface_rms), over the diagonal of the surface's box"},
-      {"cover", &SurfaceFile::cover_tolerance, value::number(share),
-       "of a sheet: least of [cover](#surface_rms)"},
-      {"curvature_share", &SurfaceFile::curvature_tolerance, value::number(share),
-       "of a sheet: least of [curvature_share](#curvature_share), where the surface curves both ways by more "
-       "than 0.1 sr"},
-      {"covered_share", value::number(share),
-       targets::otherwise(targets::shortest_text(usual_covered_share) + " with `target.ribs`"),
-       "of ribs: least of [covered_share](#covered_share)"},
-      verify_key(),
-  });
 }
 
 void read_structure(const targets::Section& root, SurfaceFile& file) {
@@ -109,10 +69,48 @@ void check_curvature(const targets::Section& target, const SurfaceFile& file) {
 const targets::KeyTable& surface_file_keys() {
   static const targets::KeyTable keys = goal_keys(
       {
-          {"target", target_keys(), "the goal", targets::needed},
-          {"structure", surface_structure_keys(), "the sheet"},
-          {"variables", variables_keys(), "how far the search may go"},
-          {"tolerance", tolerance_keys(), "when the goal is met"},
+          {"target", surface_target_keys(), "the goal", targets::needed},
+          {"structure",
+           targets::KeyTable({
+               {"facets", value::list(value::integer(2, most_facets), "`[columns, rows]`", 2, 2),
+                targets::by_default(std::array<double, 2>{8, 8}),
+                "flat pieces of the folded sheet, along x and y of the surface; each has 2 x 2 bodies"},
+               {"cell_mm", value::number(targets::above(0, "mm")),
+                targets::otherwise("leaves room between ribs, and 25 cells along the diagonal"),
+                "of ribs: edge of a cell"},
+               thin_walls_key("of a mean wall, or of a cell of ribs",
+                              "the walls; their lengths follow from the surface"),
+           }),
+           "the sheet"},
+          {"variables",
+           targets::KeyTable({
+               {"theta_deg", &SurfaceFile::theta, value::angle(turns), "turn of the bodies on the surface"},
+               {"beta_deg", &SurfaceFile::tilt, value::angle(tilts),
+                "largest tilt of a hinge, to either side"},
+               {"sector_deg", &SurfaceFile::sector, value::angle_range(sectors),
+                "angles between the creases of a vertex; below 50 and above 130 no bodies may fit round it, "
+                "below 60 "
+                "and above 120 walls soon meet"},
+               {"edge", &SurfaceFile::edge, value::range(edges),
+                "lengths of the facets' edges, over their mean"},
+           }),
+           "how far the search may go"},
+          {"tolerance",
+           targets::KeyTable({
+               {"shape", &SurfaceFile::shape_tolerance, value::number(targets::part_of_one),
+                "most of [surface_rms](#surface_rms), over the diagonal of the surface's box"},
+               {"cover", &SurfaceFile::cover_tolerance, value::number(share),
+                "of a sheet: least of [cover](#surface_rms)"},
+               {"curvature_share", &SurfaceFile::curvature_tolerance, value::number(share),
+                "of a sheet: least of [curvature_share](#curvature_share), where the surface curves both "
+                "ways by more "
+                "than 0.1 sr"},
+               {"covered_share", value::number(share),
+                targets::otherwise(targets::shortest_text(usual_covered_share) + " with `target.ribs`"),
+                "of ribs: least of [covered_share](#covered_share)"},
+               verify_key(),
+           }),
+           "when the goal is met"},
       },
       {});
   return keys;

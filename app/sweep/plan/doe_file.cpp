@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "app/files/file_header.hpp"
-#include "optim/doe/sampling.hpp"
+#include "targets/document/bound_key.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -22,13 +22,14 @@ constexpr targets::Word<Model> models[] = {
 /// Whether samples start from the base's own state.
 constexpr targets::Word<bool> starts[] = {{"flat", false}, {"base", true}};
 /// What the key `method.kind` may say.
-constexpr targets::Word<DoeMethod::Kind> methods[] = {{"factorial", DoeMethod::Kind::factorial},
-                                                      {"lhs", DoeMethod::Kind::lhs},
-                                                      {"sobol", DoeMethod::Kind::sobol},
-                                                      {"saltelli", DoeMethod::Kind::saltelli},
-                                                      {"monte_carlo", DoeMethod::Kind::monte_carlo},
-                                                      {"one_at_a_time", DoeMethod::Kind::one_at_a_time},
-                                                      {"morris", DoeMethod::Kind::morris}};
+constexpr targets::Word<optim::SamplingMethod> methods[] = {
+    {"factorial", optim::SamplingMethod::factorial},
+    {"lhs", optim::SamplingMethod::lhs},
+    {"sobol", optim::SamplingMethod::sobol},
+    {"saltelli", optim::SamplingMethod::saltelli},
+    {"monte_carlo", optim::SamplingMethod::monte_carlo},
+    {"one_at_a_time", optim::SamplingMethod::one_at_a_time},
+    {"morris", optim::SamplingMethod::morris}};
 
 const targets::KeyTable& method_keys() {
   static const optim::SamplingOptions usual{};
@@ -50,16 +51,20 @@ const targets::KeyTable& method_keys() {
 const targets::KeyTable& path_keys() {
   static const targets::KeyTable keys({
       {"path", value::text("path"), needed, "of one or more numbers of the base"},
-      {"times", value::number(), targets::by_default(FactorPath{}.times), "what the factor is multiplied by"},
-      {"plus", value::number(), targets::by_default(FactorPath{}.plus), "what is added to it then"},
+      {"times", &FactorPath::times, value::number(), targets::by_default(FactorPath{}.times),
+       "what the factor is multiplied by"},
+      {"plus", &FactorPath::plus, value::number(), targets::by_default(FactorPath{}.plus),
+       "what is added to it then"},
   });
   return keys;
 }
 
 const targets::KeyTable& normal_keys() {
   static const targets::KeyTable keys({
-      {"mean", value::number(), needed, "of the normal distribution"},
-      {"sd", value::number(targets::above(0)), needed, "its standard deviation"},
+      {"mean", &optim::NormalSpread::mean, value::number(),
+       targets::needed_as("the mean of the normal distribution"), "of the normal distribution"},
+      {"sd", &optim::NormalSpread::sd, value::number(targets::above(0)),
+       targets::needed_as("the standard deviation, above 0"), "its standard deviation"},
   });
   return keys;
 }
@@ -77,12 +82,14 @@ const targets::KeyTable& factor_keys() {
           {"range", value::range({}), {}, "evenly spread values between two ends"},
           {"levels", value::integer(2, most_levels), otherwise("`method.levels`"),
            "levels of a grid; not with `values`"},
-          {"normal", value::map(normal_keys()), {}, "normally distributed values"},
+          {"normal", normal_keys(), "normally distributed values"},
           {"values", value::list(value::number(), "a list of numbers"), {}, "these values and no others"},
-          {"each", value::boolean(), targets::by_default("false"),
+          {"each", &DoeFactor::each, value::boolean(), targets::by_default("false"),
            "every number that the path matches is a factor of its own"},
-          {"add", value::boolean(), targets::by_default("false"), "values are added to the base's own"},
-          {"scale", value::boolean(), targets::by_default("false"), "values multiply the base's own"},
+          {"add", &DoeFactor::add, value::boolean(), targets::by_default("false"),
+           "values are added to the base's own"},
+          {"scale", &DoeFactor::scale, value::boolean(), targets::by_default("false"),
+           "values multiply the base's own"},
       },
       {{"range", "normal", "values"}});
   return keys;
@@ -106,22 +113,22 @@ bool read_start(const targets::Section& root, Model model) {
   return read_word(*node, starts);
 }
 
-std::int64_t read_count(const targets::Node& node) {
+std::uint64_t read_count(const targets::Node& node) {
   const double count = node.number(targets::from_to(1, static_cast<double>(most_samples), "samples"));
   if (count != std::floor(count)) throw node.error("is not a whole number of samples");
-  return static_cast<std::int64_t>(count);
+  return static_cast<std::uint64_t>(count);
 }
 
 DoeMethod read_method(const targets::Section& root) {
   DoeMethod method{.node = root.required("method", "e.g. `method: {kind: sobol, samples: 1024}`")};
   const targets::Section section = root.section("method");
   section.read_needed("kind", "factorial, lhs, sobol, saltelli, monte_carlo, one_at_a_time or morris",
-                      method.kind, methods);
-  if (const auto samples = section.optional("samples")) method.samples = read_count(*samples);
+                      method.options.method, methods);
+  if (const auto samples = section.optional("samples")) method.options.samples = read_count(*samples);
   section.read("levels", method.levels);
   int seed = 0;
   section.read("seed", seed);
-  method.seed = static_cast<std::uint64_t>(seed);
+  method.options.seed = static_cast<std::uint64_t>(seed);
   return method;
 }
 
@@ -130,8 +137,7 @@ FactorPath read_path(const targets::Node& node) {
     return {node.located([&] { return targets::parse_path(node.text("a path into the base file")); })};
   const targets::Section section(node, path_keys());
   FactorPath path = read_path(section.required("path", "a path into the base file"));
-  section.read("times", path.times);
-  section.read("plus", path.plus);
+  section.read_into(path);
   if (path.times == 0) throw node.error("`times: 0` leaves nothing of the factor");
   return path;
 }
@@ -153,8 +159,8 @@ std::vector<double> read_list(const targets::Node& node) {
   return values;
 }
 
-FactorValues read_values(const targets::Section& factor) {
-  FactorValues values;
+optim::Factor read_values(const targets::Section& factor) {
+  optim::Factor values{.name = {}, .distribution = {}, .levels = 0};
   const auto range = factor.optional("range"), normal = factor.optional("normal"),
              list = factor.optional("values");
   if (range.has_value() + normal.has_value() + list.has_value() != 1)
@@ -162,21 +168,14 @@ FactorValues read_values(const targets::Section& factor) {
         "needs exactly one of `range: [lower, upper]`, `normal: {mean: m, sd: s}` and `values: [...]`");
   if (const auto levels = factor.optional("levels")) {
     if (list) throw levels->error("a list of values has as many levels as values; leave this out");
-    factor.read("levels", values.levels);
+    values.levels = levels->integer(2, most_levels);
   }
-  if (range) {
-    const auto [lower, upper] = range->range({});
-    values.lower = lower;
-    values.upper = upper;
-  } else if (normal) {
-    values.kind = FactorValues::Kind::normal;
-    const targets::Section section = factor.section("normal");
-    section.read_needed("mean", "the mean of the normal distribution", values.mean);
-    section.read_needed("sd", "the standard deviation, above 0", values.sd);
-  } else {
-    values.kind = FactorValues::Kind::list;
-    values.list = read_list(*list);
-  }
+  if (list)
+    values.distribution = optim::ValueList{read_list(*list)};
+  else if (normal)
+    factor.section("normal").read_into(values.distribution.emplace<optim::NormalSpread>());
+  else
+    factor.read("range", values.distribution.emplace<optim::UniformRange>());
   return values;
 }
 
@@ -186,9 +185,7 @@ DoeFactor read_factor(const targets::Node& node) {
   factor.name = to_string(factor.paths[0].path);
   if (const auto name = section.optional("name"))
     factor.name = name->text("a heading for the factor's column");
-  section.read("each", factor.each);
-  section.read("add", factor.add);
-  section.read("scale", factor.scale);
+  section.read_into(factor);
   if (factor.add && factor.scale)
     throw node.error("has `add: true` and `scale: true`; only one of them can be");
   if (factor.each && section.optional("name"))
@@ -242,7 +239,7 @@ const targets::KeyTable& doe_keys() {
        "of `model: equilibrium`: follow the load from flat, or settle from the base's own state at the end "
        "of "
        "its drive, for small errors"},
-      {"method", value::map(method_keys()), needed, "how samples are laid out"},
+      {"method", method_keys(), "how samples are laid out", needed},
       {"factors", value::list(value::map(factor_keys()), "a list of factors"), needed, "what varies"},
       {"responses", value::list(value::text("metric"), "a list of metrics"), needed,
        "what is recorded ([metrics](#responses-of-a-sweep))"},
@@ -253,8 +250,7 @@ const targets::KeyTable& doe_keys() {
 DoeFile read_doe(const std::string& file) {
   const targets::Node node = targets::read_document(file);
   check_kind_of_file(node);
-  const targets::Section root(node, doe_keys());
-  check_version(root);
+  const targets::Section root = read_root(node, doe_keys());
   constexpr const char* a_base = "the path of a design.yaml or a target.yaml";
   DoeFile doe{.name = read_name(root),
               .base = path_beside(root.required("base", a_base), a_base),

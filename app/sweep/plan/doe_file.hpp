@@ -6,21 +6,11 @@
 #include <vector>
 
 #include "app/run/plan.hpp"
+#include "optim/doe/sampling.hpp"
 #include "targets/document/document_path.hpp"
 #include "targets/document/section.hpp"
 
 namespace kinetix::app {
-
-/// The values that a factor may take, in the units of the key that it varies.
-struct FactorValues {
-  enum class Kind { range, normal, list };
-
-  Kind kind = Kind::range;
-  double lower = 0, upper = 0;  ///< range: its ends, lower < upper
-  double mean = 0, sd = 0;      ///< normal: sd > 0
-  std::vector<double> list;     ///< values: at least 1
-  int levels = 0;               ///< of a grid, ends included, >= 2; 0: not given
-};
 
 /// One path of a factor. What is written there is `times` the factor's value `plus` a constant in the key's
 /// unit, so that two keys can go together (`plus: 1, times: -1` gives 1 - k).
@@ -33,7 +23,8 @@ struct FactorPath {
 struct DoeFactor {
   std::string name;  ///< heading of its column; default: the first path as written
   std::vector<FactorPath> paths;
-  FactorValues values;
+  /// In the units of the key that it varies; its name is not set. Levels of a grid, ends included, >= 2; 0: not given.
+  optim::Factor values;
   bool each = false;   ///< every number that the path matches varies by itself
   bool add = false;    ///< values are added to the base's own
   bool scale = false;  ///< values multiply the base's own
@@ -42,14 +33,10 @@ struct DoeFactor {
 
 /// The `method:` section.
 struct DoeMethod {
-  enum class Kind { factorial, lhs, sobol, saltelli, monte_carlo, one_at_a_time, morris };
-
-  Kind kind = Kind::factorial;
-  /// What it counts is said at SamplingMethod; of factorial and one_at_a_time the levels decide alone.
-  std::optional<std::int64_t> samples = {};
+  optim::SamplingOptions options =
+      {};  ///< without a base point; of factorial and one_at_a_time the levels decide alone
   std::optional<int> levels = {};  ///< of ranges that give none of their own
-  std::uint64_t seed = 0;
-  targets::Node node;  ///< for messages
+  targets::Node node;              ///< for messages
 };
 
 /// A doe.yaml.

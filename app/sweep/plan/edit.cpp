@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <charconv>
 
 #include "app/files/design_file.hpp"
@@ -17,17 +16,38 @@ namespace {
 
 using Kind = Edit::Kind;
 
-// Keys of a hinge that a path may end with.
-constexpr std::pair<const char*, Kind> hinge_keys[] = {{"t", Kind::t},
-                                                       {"t_mm", Kind::t_mm},
-                                                       {"alpha_deg", Kind::alpha_deg},
-                                                       {"beta_deg", Kind::beta_deg},
-                                                       {"offset_mm", Kind::offset_mm}};
+// Of theta and tilts.
+const targets::Bounds tilt = targets::between(-90, 90, "degrees");
+
+/// A number of a hinge that a path may end with.
+struct HingeNumber {
+  const char* key;
+  Kind kind;
+  double model::HingeParameters::*member;
+  double flipped;          ///< what the numbers of two hinges that alternate add up to
+  targets::Bounds bounds;  ///< fractions, degrees or cell edges
+
+  bool in_degrees() const { return bounds.unit == "degrees"; }
+  bool in_mm() const { return kind == Kind::t_mm || kind == Kind::offset_mm; }
+};
+
+using Hinge = model::HingeParameters;
+const HingeNumber hinge_numbers[] = {
+    {"t", Kind::t, &Hinge::t, 1, targets::between(0, 1)},
+    {"t_mm", Kind::t_mm, &Hinge::t, 1, targets::between(0, 1)},
+    {"alpha_deg", Kind::alpha_deg, &Hinge::alpha, pi, targets::between(0, 180, "degrees")},
+    {"beta_deg", Kind::beta_deg, &Hinge::beta, 0, tilt},
+    {"offset_mm", Kind::offset_mm, &Hinge::offset, 0, targets::between(-0.5, 0.5, "cell edges")}};
 
 std::optional<Kind> hinge_key(const std::string& key) {
-  for (const auto& [name, kind] : hinge_keys)
-    if (key == name) return kind;
+  for (const HingeNumber& number : hinge_numbers)
+    if (key == number.key) return number.kind;
   return std::nullopt;
+}
+
+/// @pre of a hinge
+const HingeNumber& number_of(Kind kind) {
+  return hinge_numbers[static_cast<int>(kind) - static_cast<int>(Kind::t)];
 }
 
 bool selects(const targets::PathStep& step, int position) {
@@ -113,14 +133,9 @@ double degrees_of(double radians) {
   return degrees;
 }
 
-const targets::Bounds& bounds_of(Kind kind) {
-  static const targets::Bounds fraction = targets::between(0, 1),
-                               in_plane = targets::between(0, 180, "degrees"),
-                               tilt = targets::between(-90, 90, "degrees"),
-                               offset = targets::between(-0.5, 0.5, "cell edges");
-  if (kind == Kind::t || kind == Kind::t_mm) return fraction;
-  if (kind == Kind::offset_mm) return offset;
-  return kind == Kind::alpha_deg ? in_plane : tilt;
+void check_range(double value, const targets::Bounds& bounds) {
+  if (!bounds.contains(value))
+    throw InvalidInput(fmt::format("{} is out of range; allowed: {}", value, bounds.describe()));
 }
 
 }  // namespace
@@ -140,45 +155,26 @@ std::optional<double> base_value(const SweepBase& base, const targets::DocumentE
   if (edit.kind == Kind::document) return editor.number(edit.index);
   const Design& design = *base.design;
   if (edit.kind == Kind::theta_deg) return degrees_of(design.theta);
-  const model::HingeParameters& p = design.structure.hinge(edit.index);
-  switch (edit.kind) {
-    case Kind::t:
-      return edit.flipped ? 1 - p.t : p.t;
-    case Kind::t_mm:
-      return (edit.flipped ? 1 - p.t : p.t) * design.structure.size().edge_mm;
-    case Kind::alpha_deg:
-      return degrees_of(edit.flipped ? pi - p.alpha : p.alpha);
-    case Kind::offset_mm:
-      return (edit.flipped ? -p.offset : p.offset) * design.structure.size().edge_mm;
-    default:
-      return degrees_of(edit.flipped ? -p.beta : p.beta);
-  }
+  const HingeNumber& number = number_of(edit.kind);
+  const double own = design.structure.hinge(edit.index).*number.member,
+               value = edit.flipped ? number.flipped - own : own;
+  if (number.in_mm()) return value * design.structure.size().edge_mm;
+  return number.in_degrees() ? degrees_of(value) : value;
 }
 
 void apply(const Edit& edit, double value, Design& design) {
-  if (edit.kind == Kind::t_mm || edit.kind == Kind::offset_mm) value /= design.structure.size().edge_mm;
-  const targets::Bounds& bounds = bounds_of(edit.kind);
-  if (!bounds.contains(value))
-    throw InvalidInput(fmt::format("{} is out of range; allowed: {}", value, bounds.describe()));
   if (edit.kind == Kind::theta_deg) {
+    check_range(value, tilt);
     design.theta = targets::radians_of(value);
     return;
   }
-  model::HingeParameters& p = design.structure.hinge(edit.index);
-  switch (edit.kind) {
-    case Kind::alpha_deg:
-      p.alpha = edit.flipped ? pi - targets::radians_of(value) : targets::radians_of(value);
-      break;
-    case Kind::beta_deg:
-      p.beta = edit.flipped ? -targets::radians_of(value) : targets::radians_of(value);
-      break;
-    case Kind::offset_mm:
-      p.offset = edit.flipped ? -value : value;
-      if (const auto why = why_offset_does_not_fit(design, edit.index)) throw InvalidInput(*why);
-      break;
-    default:
-      p.t = edit.flipped ? 1 - value : value;
-  }
+  const HingeNumber& number = number_of(edit.kind);
+  if (number.in_mm()) value /= design.structure.size().edge_mm;
+  check_range(value, number.bounds);
+  if (number.in_degrees()) value = targets::radians_of(value);
+  design.structure.hinge(edit.index).*number.member = edit.flipped ? number.flipped - value : value;
+  if (edit.kind != Kind::offset_mm) return;
+  if (const auto why = why_offset_does_not_fit(design, edit.index)) throw InvalidInput(*why);
 }
 
 }  // namespace kinetix::app

@@ -48,20 +48,24 @@ std::set<std::string> patterns(const SweepBase& base, const targets::DocumentEdi
   return names;
 }
 
+/// Numbers that a file may leave out, by the type of what it is read by.
+void add_numbers(const targets::ValueType& type, const std::string& path, std::vector<std::string>& paths) {
+  if (type.is_numeric()) paths.push_back(path);
+  if (type.kind == targets::ValueType::Kind::either)
+    for (const targets::ValueType& way : type.parts) add_numbers(way, path, paths);
+  if (type.kind != targets::ValueType::Kind::map) return;
+  for (const targets::Key& key : type.keys->keys())
+    if (key.fallback.kind != targets::Default::Kind::needed || !key.type.is_numeric())
+      add_numbers(key.type, path.empty() ? key.name : path + "." + key.name, paths);
+}
+
 }  // namespace
 
 std::vector<std::string> optional_keys(const SweepBase& base) {
   if (base.has_bodies()) return {"structure.cell_mm", "drive.angle_deg"};
-  std::vector<std::string> keys = {"structure.cell_mm", "structure.wall_mm.thickness",
-                                   "structure.wall_mm.height", "physics.step_s", "physics.reach_mm"};
-  const auto add = [&](const auto& more) { keys.insert(keys.end(), more.begin(), more.end()); };
-  if (base.design)
-    add(std::vector{"hinge.k_point", "hinge.k_turn", "hinge.reach_mm", "hinge.k_contact",
-                    "hinge.thickness_mm", "hinge.height_mm", "hinge.clearance_mm", "design.theta_deg"});
-  if (!base.target) return keys;
-  add(std::vector{"tolerance.shape", "tolerance.verify", "solver.starts", "solver.max_evaluations"});
-  add(base.target->kind->keys);
-  return keys;
+  std::vector<std::string> paths;
+  add_numbers(targets::value::map(base.target ? base.target->kind->table() : design_keys()), {}, paths);
+  return paths;
 }
 
 std::string no_such_path(const SweepBase& base, const targets::DocumentEditor& editor,

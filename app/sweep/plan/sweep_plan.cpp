@@ -18,36 +18,11 @@ namespace {
 
 constexpr std::size_t most_columns = 1900;  // SQLite allows a table 2000
 
-optim::SamplingMethod method_of(DoeMethod::Kind kind) {
-  switch (kind) {
-    case DoeMethod::Kind::factorial:
-      return optim::SamplingMethod::factorial;
-    case DoeMethod::Kind::lhs:
-      return optim::SamplingMethod::lhs;
-    case DoeMethod::Kind::sobol:
-      return optim::SamplingMethod::sobol;
-    case DoeMethod::Kind::saltelli:
-      return optim::SamplingMethod::saltelli;
-    case DoeMethod::Kind::monte_carlo:
-      return optim::SamplingMethod::monte_carlo;
-    case DoeMethod::Kind::one_at_a_time:
-      return optim::SamplingMethod::one_at_a_time;
-    case DoeMethod::Kind::morris:
-      break;
-  }
-  return optim::SamplingMethod::morris;
-}
-
 optim::Factor as_factor(const DoeFile& doe, const DoeFactor& from, const std::string& name) {
-  optim::Factor factor{.name = name,
-                       .distribution = optim::UniformRange{from.values.lower, from.values.upper}};
-  if (from.values.kind == FactorValues::Kind::normal)
-    factor.distribution = optim::NormalSpread{.mean = from.values.mean, .sd = from.values.sd};
-  if (from.values.kind == FactorValues::Kind::list) factor.distribution = optim::ValueList{from.values.list};
-  if (from.values.levels > 0)
-    factor.levels = from.values.levels;
-  else if (doe.method.levels)
-    factor.levels = *doe.method.levels;
+  optim::Factor factor = from.values;
+  factor.name = name;
+  if (factor.levels == 0)
+    factor.levels = doe.method.levels.value_or(static_cast<int>(optim::Factor{}.levels));
   from.node.located([&] { factor.validate(); });
   return factor;
 }
@@ -186,9 +161,9 @@ std::vector<double> base_of(const Columns& columns) {
 }
 
 optim::SamplePlan make_samples(const DoeFile& doe, const Columns& columns, std::uint64_t seed) {
-  optim::SamplingOptions options{.method = method_of(doe.method.kind), .seed = seed, .base = {}};
-  if (doe.method.samples) options.samples = static_cast<std::uint64_t>(*doe.method.samples);
-  if (doe.method.kind == DoeMethod::Kind::one_at_a_time) options.base = base_of(columns);
+  optim::SamplingOptions options = doe.method.options;
+  options.seed = seed;
+  if (options.method == optim::SamplingMethod::one_at_a_time) options.base = base_of(columns);
   optim::SamplePlan samples =
       doe.method.node.located([&] { return optim::SamplePlan(columns.factors, options); });
   if (samples.size() > static_cast<std::uint64_t>(most_samples))
@@ -336,7 +311,7 @@ SweepPlan make_sweep_plan(const std::string& file, std::optional<std::uint64_t> 
   std::vector<Metric> responses = find_responses(doe, base, goal);
   check_columns(doe, columns, responses);
   check_moved(doe, columns, document, responses);
-  const std::uint64_t used = seed.value_or(doe.method.seed);
+  const std::uint64_t used = seed.value_or(doe.method.options.seed);
   optim::SamplePlan samples = make_samples(doe, columns, used);
   SweepPlan plan{std::move(doe),       std::move(base), std::move(document),
                  columns.edits,        columns.entries, std::move(samples),

@@ -184,7 +184,7 @@ TEST(Node, ConvertsScalarsThatAreAllowed) {
   EXPECT_DOUBLE_EQ(value("90").angle({}), pi / 2);
   EXPECT_EQ(value("[1, 2]").range({}), (std::array<double, 2>{1, 2}));
   EXPECT_DOUBLE_EQ(value("[-180, 60]").angle_range({})[1], pi / 3);
-  EXPECT_EQ(value("bb").choice<int>({{"a", 3}, {"bb", 4}}), 4);
+  EXPECT_EQ(value("bb").one_of({"a", "bb"}), 1);
 }
 
 TEST(Node, SaysWhereAndWhatIsAllowedForABadNumber) {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "model/base/angle.hpp"
+#include "targets/document/bound_key.hpp"
 #include "tests/support/bad_input.hpp"
 
 namespace kinetix::targets {
@@ -119,6 +120,72 @@ TEST(KeyTable, KnowsWhatGoesWithEachAlternative) {
                          {{"a", "b"}, "kind"});
   EXPECT_THAT(by_word.only("b").names(), ElementsAre("kind", "of_b"));
   EXPECT_THAT(by_word.only("b").at("kind").type.words, ElementsAre("b"));
+}
+
+struct Piece {
+  double part = 0.5, turn = pi / 6;
+  std::optional<double> depth_mm = {};
+  bool is_red = false;
+  int count = 3;
+  std::array<double, 2> range = {1, 2};
+};
+struct Owner {
+  double weight = 7;
+};
+
+const KeyTable& bound_keys() {
+  static const KeyTable inner(
+      {{"depth_mm", &Piece::depth_mm, value::length(from_to(0.01, 2, "mm (0.01 to 2 cells)")), "a length"}});
+  static const KeyTable keys({
+      {"part", &Piece::part, value::number({0, 1, false, true}), "a part"},
+      {"turn_deg", &Piece::turn, value::angle(between(-90, 90, "degrees")), "an angle"},
+      {"is_red", &Piece::is_red, value::boolean(), "a truth"},
+      {"count", &Piece::count, value::integer(1, 9), "a number of things"},
+      {"range", &Piece::range, value::range({}), "a range"},
+      {"weight", &Owner::weight, value::number(), needed_as("a weight"), "of another object"},
+      {"inner", inner, "a section"},
+  });
+  return keys;
+}
+
+Section bound(const std::string& text) { return {parse_document(text, "in.yaml"), bound_keys()}; }
+
+TEST(BoundKeys, FillTheMembersOfTheirObjectAlsoInSections) {
+  Piece piece;
+  bound("{part: 0.25, turn_deg: 45, is_red: true, count: 4, range: [3, 4], inner: {depth_mm: 20}}")
+      .read_into(piece, 10);
+  EXPECT_EQ(piece.part, 0.25);
+  EXPECT_DOUBLE_EQ(piece.turn, pi / 4);
+  EXPECT_EQ(piece.depth_mm, 20);
+  EXPECT_TRUE(piece.is_red);
+  EXPECT_EQ(piece.count, 4);
+  EXPECT_THAT(piece.range, ElementsAre(3, 4));
+}
+
+TEST(BoundKeys, AreCheckedByTheirTable) {
+  Piece piece;
+  Owner owner;
+  EXPECT_THAT(refusal([&] { bound("part: 2\n").read_into(piece); }), HasSubstr("part"));
+  EXPECT_THAT(refusal([&] { bound("inner: {depth_mm: 21}\n").read_into(piece, 10); }), HasSubstr("depth_mm"));
+  EXPECT_THAT(refusal([&] { bound("part: 1\n").read_into(owner); }), HasSubstr("a weight"));
+}
+
+TEST(BoundKeys, SayTheMembersOfANewObjectAsDefaults) {
+  EXPECT_EQ(bound_keys().at("part").fallback.text, "0.5");
+  EXPECT_EQ(bound_keys().at("turn_deg").fallback.text, "30");
+  EXPECT_EQ(bound_keys().at("is_red").fallback.text, "false");
+  EXPECT_EQ(bound_keys().at("count").fallback.text, "3");
+  EXPECT_EQ(bound_keys().at("range").fallback.text, "[1, 2]");
+}
+
+TEST(BoundKeys, WriteWhatDiffersAndWhatIsNeeded) {
+  static const KeyTable keys({{"part", &Piece::part, value::number(), "a part"},
+                              {"turn_deg", &Piece::turn, value::angle({}), "an angle"},
+                              {"weight", &Owner::weight, value::number(), needed, "of another object"}});
+  EXPECT_EQ(keys.text(Piece{}), "");
+  EXPECT_EQ(keys.text(Piece{.part = 0.25, .turn = pi / 4}), "part: 0.25, turn_deg: 45");
+  EXPECT_EQ(keys.text(Piece{}, Piece{.part = 1}), "part: 0.5");
+  EXPECT_EQ(keys.text(Owner{}), "weight: 7");
 }
 
 }  // namespace
