@@ -38,6 +38,12 @@ std::string file_text(ValueType::Kind kind, const Value& value) {
     return kind == ValueType::Kind::angle ? degrees_text(value) : shortest_text(value);
 }
 
+template <class Object>
+const Object& new_object() {
+  static Object object;  // without braces: GCC 12 frees bases of aggregates twice where a later member throws
+  return object;
+}
+
 template <class Object, class Value>
 Key::Key(std::string name, Value Object::*member, ValueType of, Default fallback, std::string meaning,
          With with)
@@ -57,7 +63,7 @@ Key::Key(std::string name, Value Object::*member, ValueType of, Default fallback
 
 template <class Object, class Value>
 Key::Key(std::string name, Value Object::*member, ValueType type, std::string meaning, With with)
-    : Key(std::move(name), member, type, default_of(type, Object{}.*member), std::move(meaning),
+    : Key(std::move(name), member, type, default_of(type, new_object<Object>().*member), std::move(meaning),
           std::move(with)) {}
 
 }  // namespace kinetix::targets
