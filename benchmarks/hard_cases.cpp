@@ -27,11 +27,11 @@ sim::PhysicsResult physics_of(const HardEquilibrium& found) {
   options.contact = found.contact;
   options.planar = found.planar;
   options.overlap_limit = 0.01;
-  return run_compression(found.structure, found.drive.on(found.structure), options);
+  return run_compression(found.structure, drive_on(found.structure, found.drive), options);
 }
 
 double energy_of(const HardEquilibrium& found, const model::State& state) {
-  const model::ElasticSystem system(found.structure, found.elasticity, found.drive.on(found.structure),
+  const model::ElasticSystem system(found.structure, found.elasticity, drive_on(found.structure, found.drive),
                                     found.planar, found.contact);
   return system.elastic_energy(state) * energy_unit(found.elasticity, found.structure.size.edge_mm);
 }

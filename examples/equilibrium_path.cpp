@@ -9,7 +9,7 @@ int main() {
   kinetix::Elasticity hinges;
   hinges.k_point = 1000;  // N/mm: how hard a hinge is to pull apart
   hinges.k_turn = 0.1;    // N mm/rad: how hard it is to turn
-  kinetix::Drive plates;
+  kinetix::Plates plates;
   plates.axis = kinetix::Axis::y;
   plates.compression = 0.1;  // of the 40 mm between the plates
 

@@ -8,7 +8,7 @@ int main() {
   const double theta = 25 * kinetix::radians_per_degree;
 
   const kinetix::PhysicsResult run =
-      kinetix::run_compression(sheet, kinetix::drive_to(sheet, theta).on(sheet));
+      kinetix::run_compression(sheet, kinetix::drive_on(sheet, kinetix::drive_to(sheet, theta)));
   std::printf("physics run: %s after %.2f s of simulated time\n", to_string(run.status).c_str(),
               run.simulated_s);
 

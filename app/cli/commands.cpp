@@ -12,6 +12,7 @@
 #include "app/console/open_report.hpp"
 #include "app/console/stopper.hpp"
 #include "app/exports/write_results.hpp"
+#include "app/files/bodies_section.hpp"
 #include "app/goals/read_target.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/io/own_input.hpp"
@@ -99,7 +100,8 @@ Design turned_to(Design design, const CommandOptions& options) {
     throw InvalidInput("--theta-deg turns a hinge, and here bodies are pulled",
                        {options.file, 0, 0, "drive"});
   design.theta = options.theta_deg * radians_per_degree;
-  if (design.drive) design.drive->angle = drive_of(design).to(design.theta).angle;
+  if (const model::HingeTurn* turn = turn_of(design))
+    design.drive = model::HingeTurn{turn->hinge, drive_of(design).to(design.theta).angle};
   return design;
 }
 

@@ -340,10 +340,10 @@ void read_bodies_drive(const targets::Section& drive, const BodiesReader& reader
     drive.read("expand", design.pull->expand);
     return;
   }
-  design.drive = DriveSection{.kind = DriveSection::Kind::hinge};
+  model::HingeTurn turn{-1, 0};
   if (const auto hinge = drive.optional("hinge")) {
-    design.drive->hinge = reader.hinge_of(*hinge);
-    if (design.structure.assembly()->hinges[design.drive->hinge].ball)
+    turn.hinge = reader.hinge_of(*hinge);
+    if (design.structure.assembly()->hinges[turn.hinge].ball)
       throw hinge->error("is a ball, which has no axis to be turned about");
   }
   const auto angle = drive.optional("angle_deg");
@@ -351,7 +351,8 @@ void read_bodies_drive(const targets::Section& drive, const BodiesReader& reader
     throw drive.error(
         "needs `angle_deg`, by how much a hinge is turned, or `poses` or `expand`, by which bodies are "
         "pulled");
-  design.drive->angle = angle->angle(turn_bounds);
+  turn.angle = angle->angle(turn_bounds);
+  design.drive = turn;
 }
 
 }  // namespace
@@ -405,10 +406,14 @@ std::string bodies_text(const Design& design) {
       out += fmt::format("tolerance: {{pull: {}}}\n", targets::shortest_text(pull->tolerance));
     return out + poses_text(*pull->poses);
   }
-  if (!design.drive) return out;
-  const std::string hinge =
-      design.drive->hinge < 0 ? "" : fmt::format("hinge: {}, ", a.hinges[design.drive->hinge].name);
-  return out + fmt::format("drive: {{{}angle_deg: {}}}\n", hinge, targets::degrees_text(design.drive->angle));
+  const model::HingeTurn* turn = turn_of(design);
+  if (!turn) return out;
+  const std::string hinge = turn->hinge < 0 ? "" : fmt::format("hinge: {}, ", a.hinges[turn->hinge].name);
+  return out + fmt::format("drive: {{{}angle_deg: {}}}\n", hinge, targets::degrees_text(turn->angle));
+}
+
+const model::HingeTurn* turn_of(const Design& design) {
+  return design.drive ? std::get_if<model::HingeTurn>(&*design.drive) : nullptr;
 }
 
 std::vector<NamedContent> design_files(const Design& design) {

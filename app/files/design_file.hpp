@@ -31,7 +31,7 @@ struct Design {
   model::Sheet structure;                               ///< with the parameters of every hinge
   model::Process process = model::processes().front();  ///< that prints it
   double theta = 0;                        ///< the state to show, rad, within (-pi/2, pi/2); default flat
-  std::optional<DriveSection> drive = {};  ///< nothing: to theta
+  std::optional<model::Drive> drive = {};  ///< nothing: to theta
   std::optional<PullSection> pull = {};    ///< of imported bodies, instead
   int side = 1;  ///< `side` of the drive: which way to leave a bifurcation that it leaves open, 1 or -1
   HingeSection hinge = {};

@@ -38,42 +38,6 @@ std::string hinges_text(const Design& design) {
   return "  hinges:  # walls that are not named have t: 0.5, alpha_deg: 90, beta_deg: 0\n" + text;
 }
 
-std::string walls_text(const model::Sheet& structure, const std::vector<int>& hinges) {
-  std::string text;
-  for (const int h : hinges) text += (text.empty() ? "" : ", ") + wall_name(structure, h);
-  return "[" + text + "]";
-}
-
-std::string cord_text(const model::Sheet& structure, const DriveSection& cord) {
-  return fmt::format("drive: {{kind: cord, through: {}, shorten_mm: {}{}",
-                     walls_text(structure, cord.through), targets::shortest_text(cord.shorten_mm),
-                     cord.branch ? fmt::format(", branch: {}", *cord.branch) : "");
-}
-
-std::string shape_memory_text(const model::Sheet& structure, const DriveSection& drive) {
-  return fmt::format("drive: {{kind: shape_memory, angle_deg: {}, k_turn: {}{}",
-                     targets::degrees_text(drive.angle), targets::shortest_text(drive.k_turn),
-                     drive.springs.empty() ? "" : ", walls: " + walls_text(structure, drive.springs));
-}
-
-std::string drive_text(const model::Sheet& structure, const std::optional<DriveSection>& drive, int side) {
-  const std::string aside = side == 1 ? "" : fmt::format("side: {}", side);
-  const std::string end = (aside.empty() ? "" : ", " + aside) + "}\n";
-  if (!drive) return aside.empty() ? "" : "drive: {" + aside + "}\n";
-  if (drive->kind == DriveSection::Kind::cord) return cord_text(structure, *drive) + end;
-  if (drive->kind == DriveSection::Kind::shape_memory) return shape_memory_text(structure, *drive) + end;
-  if (drive->kind == DriveSection::Kind::plates)
-    return fmt::format("drive: {{kind: plates, axis: {}, compression: {}{}{}{}",
-                       drive->axis == model::Axis::x ? "x" : "y", targets::shortest_text(drive->compression),
-                       drive->branch ? fmt::format(", branch: {}", *drive->branch) : "",
-                       drive->grip ? ", grip: " + to_string(*drive->grip) : "",
-                       drive->press ? ", press: true" : "") +
-           end;
-  return fmt::format("drive: {{kind: hinge, wall: {}, angle_deg: {}", wall_name(structure, drive->hinge),
-                     targets::degrees_text(drive->angle)) +
-         end;
-}
-
 std::string hinge_section_text(const HingeSection& hinge) {
   const std::string contact =
       hinge.k_contact ? ", k_contact: " + targets::shortest_text(*hinge.k_contact) : "";

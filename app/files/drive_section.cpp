@@ -1,5 +1,7 @@
 #include "app/files/drive_section.hpp"
 
+#include <fmt/format.h>
+
 #include "app/files/wall_node.hpp"
 #include "model/lattice/square/family/classify.hpp"
 #include "model/lattice/square/family/net_grip.hpp"
@@ -9,17 +11,13 @@ namespace kinetix::app {
 namespace {
 
 namespace value = targets::value;
-using Kind = DriveSection::Kind;
 
 // Of a compression (fraction of the plates' first distance): 0 leaves nothing to do, at 1 the plates meet.
 const targets::Bounds fraction = targets::between(0, 1);
 // Of a driven hinge, degrees: half a turn either way is all that one angle can tell.
 const targets::Bounds turn = targets::between(-180, 180, "degrees");
 // What the keys of the section may say.
-constexpr targets::Word<Kind> kinds[] = {{"plates", Kind::plates},
-                                         {"hinge", Kind::hinge},
-                                         {"cord", Kind::cord},
-                                         {"shape_memory", Kind::shape_memory}};
+
 constexpr targets::Word<model::Axis> axes[] = {{"x", model::Axis::x}, {"y", model::Axis::y}};
 constexpr targets::Word<int> signs[] = {{"1", 1}, {"-1", -1}};  // of `branch` and `side`, nothing between
 
@@ -62,7 +60,8 @@ model::Grip read_grip(const targets::Node& node, model::Axis axis, const model::
 const targets::KeyTable& drive_keys() {
   static const targets::KeyTable keys(
       {
-          {"kind", value::choice(kinds), targets::needed, "what moves the structure"},
+          {"kind", value::choice({"plates", "hinge", "cord", "shape_memory"}), targets::needed,
+           "what moves the structure"},
           {"axis", value::choice(axes), targets::by_default("y"), "normal of the two plates", "plates"},
           {"compression", value::number(fraction), targets::needed,
            "1 less the final over the initial distance of the plates", "plates"},
@@ -110,10 +109,10 @@ bool is_side_alone(const targets::Node& drive) {
   return true;
 }
 
-DriveSection read_plates(const targets::Node& node, const model::Sheet& structure) {
+model::Drive read_plates(const targets::Node& node, const model::Sheet& structure) {
   const targets::KeyTable keys = drive_keys().only("plates");
   const targets::Section section(node, keys);
-  DriveSection drive;
+  model::Plates drive;
   section.read("axis", drive.axis, axes);
   section.read_needed("compression", "a number above 0 and below 1", drive.compression);
   section.read("branch", drive.branch, signs);
@@ -122,10 +121,10 @@ DriveSection read_plates(const targets::Node& node, const model::Sheet& structur
   return drive;
 }
 
-DriveSection read_hinge(const targets::Node& node, const model::Sheet& structure) {
+model::Drive read_hinge(const targets::Node& node, const model::Sheet& structure) {
   const targets::KeyTable keys = drive_keys().only("hinge");
   const targets::Section section(node, keys);
-  DriveSection drive{.kind = Kind::hinge};
+  model::HingeTurn drive;
   drive.hinge = WallReader(structure).hinge_of(section);
   section.read_needed("angle_deg", turn.describe(), drive.angle);
   return drive;
@@ -139,10 +138,10 @@ std::vector<int> read_walls(const targets::Node& node, const model::Sheet& struc
   return hinges;
 }
 
-DriveSection read_cord(const targets::Node& node, const model::Sheet& structure) {
+model::Drive read_cord(const targets::Node& node, const model::Sheet& structure) {
   const targets::KeyTable keys = drive_keys().only("cord");
   const targets::Section section(node, keys);
-  DriveSection drive{.kind = Kind::cord};
+  model::CordPull drive;
   const targets::Node through =
       section.required("through", "at least two walls, e.g. `[[[0, 0], [0, 1]], [[1, 0], [1, 1]]]`");
   drive.through = read_walls(through, structure);
@@ -155,10 +154,10 @@ DriveSection read_cord(const targets::Node& node, const model::Sheet& structure)
   return drive;
 }
 
-DriveSection read_shape_memory(const targets::Node& node, const model::Sheet& structure) {
+model::Drive read_shape_memory(const targets::Node& node, const model::Sheet& structure) {
   const targets::KeyTable keys = drive_keys().only("shape_memory");
   const targets::Section section(node, keys);
-  DriveSection drive{.kind = Kind::shape_memory};
+  model::ShapeMemory drive;
   section.read_needed("angle_deg", turn.describe(), drive.angle);
   section.read_needed("k_turn", "a stiffness in N mm/rad, above 0", drive.k_turn);
   section.optional("k_turn")->located(
@@ -170,20 +169,58 @@ DriveSection read_shape_memory(const targets::Node& node, const model::Sheet& st
   return drive;
 }
 
-DriveSection read_drive(Kind kind, const targets::Node& node, const model::Sheet& structure) {
-  switch (kind) {
-    case Kind::plates:
-      return read_plates(node, structure);
-    case Kind::hinge:
-      return read_hinge(node, structure);
-    case Kind::cord:
-      return read_cord(node, structure);
-    case Kind::shape_memory:
-    case Kind::none:
-      break;
-  }
-  return read_shape_memory(node, structure);
+using DriveReader = model::Drive (*)(const targets::Node& node, const model::Sheet& structure);
+constexpr targets::Word<DriveReader> readers[] = {
+    {"plates", read_plates}, {"hinge", read_hinge}, {"cord", read_cord}, {"shape_memory", read_shape_memory}};
+
+std::string walls_text(const model::Sheet& structure, const std::vector<int>& hinges) {
+  std::string text;
+  for (const int h : hinges) text += (text.empty() ? "" : ", ") + wall_name(structure, h);
+  return "[" + text + "]";
 }
+
+std::string branch_text(const std::optional<int>& branch) {
+  return branch ? fmt::format(", branch: {}", *branch) : "";
+}
+
+/// The keys of a drive, its kind first.
+struct DriveText {
+  const model::Sheet& structure;
+
+  std::string operator()(const model::Plates& plates) const {
+    return fmt::format("kind: plates, axis: {}, compression: {}{}{}{}", to_string(plates.axis),
+                       targets::shortest_text(plates.compression), branch_text(plates.branch),
+                       plates.grip ? ", grip: " + to_string(*plates.grip) : "",
+                       plates.press ? ", press: true" : "");
+  }
+
+  std::string operator()(const model::HingeTurn& turn) const {
+    return fmt::format("kind: hinge, wall: {}, angle_deg: {}", wall_name(structure, turn.hinge),
+                       targets::degrees_text(turn.angle));
+  }
+
+  std::string operator()(const model::CordPull& cord) const {
+    return fmt::format("kind: cord, through: {}, shorten_mm: {}{}", walls_text(structure, cord.through),
+                       targets::shortest_text(cord.shorten_mm), branch_text(cord.branch));
+  }
+
+  std::string operator()(const model::ShapeMemory& hot) const {
+    return fmt::format("kind: shape_memory, angle_deg: {}, k_turn: {}{}", targets::degrees_text(hot.angle),
+                       targets::shortest_text(hot.k_turn),
+                       hot.springs.empty() ? "" : ", walls: " + walls_text(structure, hot.springs));
+  }
+};
+
+struct DriveWords {
+  const char* operator()(const model::Plates& plates) const {
+    return plates.press ? "two plates that press" : "two plates";
+  }
+  const char* operator()(const model::HingeTurn&) const {
+    return "one hinge that is turned, its force at a lever of a cell edge";
+  }
+  const char* operator()(const model::CordPull&) const { return "a cord that is pulled"; }
+  const char* operator()(const model::ShapeMemory&) const { return "springs of shape memory"; }
+};
 
 }  // namespace
 
@@ -200,16 +237,23 @@ targets::Key drive_key() {
           targets::otherwise("to `design.theta_deg`"), "how the structure is moved; `side` may stand alone"};
 }
 
-std::optional<DriveSection> read_drive_section(const targets::Section& root, const model::Sheet& structure) {
+std::optional<model::Drive> read_drive_section(const targets::Section& root, const model::Sheet& structure) {
   const auto node = root.optional("drive");
   if (!node) return std::nullopt;
   if (is_side_alone(*node)) {
     targets::Section(*node, side_alone_keys());
     return std::nullopt;
   }
-  return read_drive(read_word(node->required("kind", "plates, hinge, cord or shape_memory"), kinds), *node,
-                    structure);
+  return read_word(node->required("kind", "plates, hinge, cord or shape_memory"), readers)(*node, structure);
 }
+
+std::string drive_text(const model::Sheet& structure, const std::optional<model::Drive>& drive, int side) {
+  std::string keys = drive ? std::visit(DriveText{structure}, *drive) : "";
+  if (side != 1) keys += fmt::format("{}side: {}", keys.empty() ? "" : ", ", side);
+  return keys.empty() ? "" : "drive: {" + keys + "}\n";
+}
+
+const char* describe(const model::Drive& drive) { return std::visit(DriveWords{}, drive); }
 
 int read_side(const targets::Section& root) {
   const auto drive = root.optional("drive");

@@ -4,9 +4,9 @@ namespace kinetix::app {
 namespace {
 
 namespace value = targets::value;
-using Kind = GoalDrive::Kind;
 
-constexpr targets::Word<Kind> kinds[] = {{"usual", Kind::usual}, {"shape_memory", Kind::shape_memory}};
+constexpr targets::Word<bool> kinds[] = {{"usual", false},
+                                         {"shape_memory", true}};  // whether springs fold it
 
 const targets::KeyTable& keys() {
   static const targets::KeyTable all(
@@ -29,16 +29,17 @@ targets::Key goal_drive_key() {
   return {"drive", value::map(keys()), {}, "what moves the sheet where its hinges are elastic (`hinge`)"};
 }
 
-GoalDrive read_goal_drive(const targets::Section& root) {
+std::optional<model::ShapeMemory> read_goal_drive(const targets::Section& root) {
   const auto node = root.optional("drive");
-  GoalDrive drive;
-  if (!node) return drive;
-  if (const auto kind = node->optional("kind")) drive.kind = read_word(*kind, kinds);
-  const targets::KeyTable own = keys().only(drive.kind == Kind::usual ? "usual" : "shape_memory");
+  if (!node) return std::nullopt;
+  const auto kind = node->optional("kind");
+  const bool by_springs = kind && read_word(*kind, kinds);
+  const targets::KeyTable own = keys().only(by_springs ? "shape_memory" : "usual");
   const targets::Section section(*node, own);
-  if (drive.kind == Kind::shape_memory)
-    section.read_needed("k_turn", "a stiffness in N mm/rad", drive.k_turn);
-  return drive;
+  if (!by_springs) return std::nullopt;
+  model::ShapeMemory springs;
+  section.read_needed("k_turn", "a stiffness in N mm/rad", springs.k_turn);
+  return springs;
 }
 
 }  // namespace kinetix::app

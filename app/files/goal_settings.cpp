@@ -29,8 +29,7 @@ std::optional<double> read_robust(const targets::Section& root) {
 
 /// Of springs that would have nothing to turn.
 void refuse_idle_drive(const targets::Section& root, const GoalSettings& settings) {
-  if (settings.drive.kind == GoalDrive::Kind::usual || settings.hinge.model == HingeSection::Model::elastic)
-    return;
+  if (!settings.drive || settings.hinge.model == HingeSection::Model::elastic) return;
   throw root.optional("drive")->key_error(
       "shape_memory needs elastic hinges, which its springs turn: give `hinge:`, such as `hinge: "
       "{kind: film, material: pp, gap_mm: 2, thickness_mm: 0.4}`");

@@ -25,7 +25,8 @@ struct GoalSettings {
   PhysicsSection physics = {};
   HingeSection hinge = {};
   std::vector<HingePart> hinge_parts = {};  ///< hinges that are made otherwise
-  GoalDrive drive = {};                     ///< where hinges are elastic
+  std::optional<model::ShapeMemory> drive =
+      {};  ///< springs in place of the usual drive, where hinges are elastic
   model::Process process = model::processes().front();
   /// How much prints count beside the design itself where it is chosen by them, (0, 1]; of kinds that have robust_key()
   std::optional<double> robust = {};

@@ -149,9 +149,7 @@ int import_command(const CommandOptions& options, const ImportRequest& request) 
   Design design{.name = import_name(request), .structure = model::Sheet(std::move(bodies))};
   if (mobility.hinge >= 0) {
     const double turn = std::min(targets::radians_of(first_turn_deg), mobility.turn);
-    design.drive = DriveSection{.kind = DriveSection::Kind::hinge,
-                                .hinge = mobility.hinge,
-                                .angle = std::copysign(turn, mobility.sense)};
+    design.drive = model::HingeTurn{mobility.hinge, std::copysign(turn, mobility.sense)};
   }
   write_import(options, design, summary_json(parts, design, mobility), summary_text(parts, design, mobility));
   return done;

@@ -162,9 +162,7 @@ Run with_closed_way(Run run, const RunOptions& options) {
   if (run.plan.model == Model::equilibrium) refuse_equilibrium(run.design);
   const model::Linkage linkage = run.design.structure;
   const model::LinkageDrive drive = drive_of(run.design);
-  if (!run.design.pull)
-    run.design.drive =
-        DriveSection{.kind = DriveSection::Kind::hinge, .hinge = drive.hinge, .angle = drive.angle};
+  if (!run.design.pull) run.design.drive = model::HingeTurn{drive.hinge, drive.angle};
   Stopwatch watch;
   FollowedWay followed = run.design.pull ? pulled_way(run.design, linkage, options)
                                          : turned_way(run.design, linkage, drive, options);

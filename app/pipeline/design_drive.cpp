@@ -9,20 +9,7 @@ namespace kinetix::app {
 model::LinkageDrive drive_of(const Design& design) {
   if (design.pull) return {.kind = model::LinkageDrive::Kind::none};
   if (!design.drive) return drive_to(design.structure, design.theta);
-  model::SheetDrive drive;
-  drive.kind = design.drive->kind;
-  drive.axis = design.drive->axis;
-  drive.compression = design.drive->compression;
-  drive.branch = design.drive->branch.value_or(design.theta < 0 ? -1 : 1);
-  drive.grip = design.drive->grip;
-  drive.press = design.drive->press;
-  drive.hinge = design.drive->hinge;
-  drive.angle = design.drive->angle;
-  drive.through = design.drive->through;
-  drive.shorten_mm = design.drive->shorten_mm;
-  drive.springs = design.drive->springs;
-  drive.k_turn = design.drive->k_turn;
-  return drive_on(design.structure, drive);
+  return drive_on(design.structure, *design.drive, design.theta);
 }
 
 double exact_theta_of(const Design& design, const model::ExactMotion& exact) {

@@ -12,8 +12,11 @@ std::optional<Eigen::Vector3d> folded_size(const model::ExactMotion& motion, con
   return size.allFinite() ? std::optional(size) : std::nullopt;
 }
 
+/// Whether nothing else would stand against the drive.
 bool needs_elastic_hinges(const Design& design) {
-  return design.drive && (design.drive->press || design.drive->kind == DriveSection::Kind::shape_memory);
+  if (!design.drive) return false;
+  const auto* plates = std::get_if<model::Plates>(&*design.drive);
+  return plates ? plates->press : std::holds_alternative<model::ShapeMemory>(*design.drive);
 }
 
 }  // namespace

@@ -31,8 +31,12 @@ double stiffest_turn(const model::Elasticity& elasticity, int hinges) {
   return most;
 }
 
-model::SheetDrive springs(const GoalDrive& drive, double theta) {
-  return {.kind = model::LinkageDrive::Kind::shape_memory, .angle = 2 * theta, .k_turn = drive.k_turn};
+/// The drive as design.yaml has it: nothing where the file need not say it.
+std::optional<model::Drive> springs_to(const Found& found, double theta) {
+  if (!found.goal_drive) return std::nullopt;
+  model::ShapeMemory springs = *found.goal_drive;
+  springs.angle = 2 * theta;
+  return springs;
 }
 
 double rms_mm(const Goal::Observed& observed) {
@@ -50,11 +54,11 @@ optim::MatterGoal goal_of(const Found& found, const Goal& goal) {
 }
 
 /// Of springs theta is where they rest, which is further than the sheet comes: it has the bounds of any sheet.
-optim::CompensationOptions bounded(const TurnBounds& bounds, const GoalDrive& drive) {
+optim::CompensationOptions bounded(const TurnBounds& bounds, bool by_springs) {
   optim::CompensationOptions options;
   options.ties = bounds.ties;
   options.tilt = bounds.tilt;
-  if (drive.kind == GoalDrive::Kind::shape_memory) return options;
+  if (by_springs) return options;
   options.least_theta = bounds.theta.lower;
   options.most_theta = bounds.theta.upper;
   return options;
@@ -73,7 +77,7 @@ model::EquilibriumPath path_to(const Found& found, const model::Sheet& sheet, do
 optim::Compensation made_up_for(const Found& found, const Goal& goal, const model::EquilibriumPath& path,
                                 const model::Elasticity& elasticity, double tolerance_mm,
                                 const std::stop_token& stop) {
-  optim::CompensationOptions search = bounded(found.bounds, found.goal_drive);
+  optim::CompensationOptions search = bounded(found.bounds, found.goal_drive.has_value());
   search.enough_mm = near_enough * tolerance_mm;
   search.stop = stop;
   return compensate({found.design.structure, found.theta, path.state}, elasticity, goal_of(found, goal),
@@ -98,7 +102,7 @@ Run showing(Run run, const optim::InMatter& found, const model::Elasticity& elas
                       exact.why.end());
   run.states.clear();
   run.fidelity.clear();
-  run.design.drive = goal_drive_section(run);
+  run.design.drive = springs_to(run, run.theta);
   const model::LinkageDrive drive = goal_drive(run, run.design.structure, run.theta);
   ElasticState state = follow_drive(run, drive, elasticity, motion_states, options);
   const model::State exact_shown = run.to_shown ? moved(run.own, *run.to_shown) : run.own;
@@ -141,7 +145,7 @@ Run measured(Run run, const Goal& goal, const RunOptions& options) {
     run.violations = measure->violations;
     run.by_equilibrium = std::move(measure);
   }
-  if (!run.met() && run.goal_drive.kind == GoalDrive::Kind::usual && is_far_off(run, goal, end))
+  if (!run.met() && !run.goal_drive && is_far_off(run, goal, end))
     run.violations.push_back(advise_springs(equilibrium.elasticity, run.design.structure.hinges()));
   return run;
 }
@@ -162,14 +166,8 @@ Run elsewhere(Run run, const Goal& goal, double away) {
 }  // namespace
 
 model::LinkageDrive goal_drive(const Found& found, const model::Sheet& sheet, double theta) {
-  return found.goal_drive.kind == GoalDrive::Kind::usual ? drive_to(sheet, theta)
-                                                         : drive_on(sheet, springs(found.goal_drive, theta));
-}
-
-std::optional<DriveSection> goal_drive_section(const Found& found) {
-  if (found.goal_drive.kind == GoalDrive::Kind::usual) return std::nullopt;
-  return DriveSection{
-      .kind = DriveSection::Kind::shape_memory, .angle = 2 * found.theta, .k_turn = found.goal_drive.k_turn};
+  const auto springs = springs_to(found, theta);
+  return springs ? drive_on(sheet, *springs) : drive_to(sheet, theta);
 }
 
 bool is_of_matter(const Found& found) {

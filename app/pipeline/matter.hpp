@@ -7,10 +7,8 @@ namespace kinetix::app {
 /// Whether the goal was searched for by closed form and its file says what elastic hinges are made of.
 bool is_of_matter(const Found& found);
 
-/// The drive of a goal that takes a sheet to theta, rad, and the same as design.yaml has it: nothing where the
-/// file need not say it.
+/// The drive of a goal that takes a sheet to theta, rad.
 model::LinkageDrive goal_drive(const Found& found, const model::Sheet& sheet, double theta);
-std::optional<DriveSection> goal_drive_section(const Found& found);
 
 /// A design that makes up for its elastic hinges, and its path from flat.
 struct MatterPath {

@@ -103,7 +103,7 @@ sim::PhysicsOptions physics_of(const Design& design, bool planar) {
   if (design.structure.assembly()) return physics_of_bodies(design);
   const double edge = design.structure.size().edge_mm;
   if (design.hinge.model == HingeSection::Model::elastic) {
-    const double k_spring = design.drive ? design.drive->k_turn : 0;
+    const double k_spring = design.drive ? spring_stiffness(*design.drive) : 0;
     return elastic_physics(elasticity_of(design), design.physics, edge, planar, k_spring);
   }
   return rotary_physics(design.hinge, design.physics, edge);

@@ -42,8 +42,9 @@ struct Found {
   Tolerances tolerances;                    ///< of a goal
   std::string judged_against = "the goal";  ///< what distances of points of the sheet are from, in words
   bool is_strip = false;                    ///< whether its columns alone say where something is in the sheet
-  GoalDrive goal_drive;                     ///< of goals of exact families
-  std::vector<HingePart> hinge_parts;       ///< of a goal's file
+  std::optional<model::ShapeMemory>
+      goal_drive;                      ///< of goals of exact families: springs in place of the usual drive
+  std::vector<HingePart> hinge_parts;  ///< of a goal's file
   /// Of a robust search, but of curves, which have columns to choose as well.
   std::optional<RobustChoice> robust;
   double verify_tolerance = GoalSettings::usual_verify;  ///< of Verification::distance.rms, cell edges

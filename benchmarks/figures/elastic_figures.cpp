@@ -28,9 +28,8 @@ Figure adjoint_error() {
 
 /// The paper's display of a letter T, k = 0.1, at 16 % compression.
 testing::Equilibrium pressed_letter(int cells) {
-  model::Drive drive;
-  drive.compression = 0.16;
-  return testing::equilibrium(testing::letter_panel(0.1, cells), {}, drive, true);
+  return testing::equilibrium(testing::letter_panel(0.1, cells), {}, model::Plates{.compression = 0.16},
+                              true);
 }
 
 /// Seconds, medians.
@@ -39,7 +38,7 @@ struct AdjointTimes {
 };
 
 AdjointTimes adjoint_times(const testing::Equilibrium& b, int repeats) {
-  model::ElasticSystem system(b.structure, b.elasticity, b.drive.on(b.structure), b.planar, true);
+  model::ElasticSystem system(b.structure, b.elasticity, drive_on(b.structure, b.drive), b.planar, true);
   system.set_multiplier(b.multiplier);
   model::TangentStiffness tangent(system.dofs());
   const model::EquilibriumGradient gradient{Eigen::VectorXd::Random(system.dofs().coordinates()), 0, 0};

@@ -45,7 +45,7 @@ namespace {
 
 Figure against_equilibrium(const std::string& name, const model::Structure& structure,
                            const model::Drive& drive) {
-  return equilibrium_against_physics(name, structure, drive.on(structure));
+  return equilibrium_against_physics(name, structure, drive_on(structure, drive));
 }
 
 /// Columns that twist beside basic ones: hinges strain.
@@ -65,11 +65,7 @@ Figure by_shape_memory(double degrees) {
       shape_memory_drive(s, {}, 20, degrees * radians_per_degree));
 }
 
-model::Drive pressed(double compression) {
-  model::Drive drive;
-  drive.compression = compression;
-  return drive;
-}
+model::Drive pressed(double compression) { return model::Plates{.compression = compression}; }
 
 }  // namespace
 
@@ -82,7 +78,8 @@ std::vector<Figure> elastic_physics_figures() {
   for (const double theta : {20.0, 40.0})
     figures.push_back(against_equilibrium(
         fmt::format("twist strip of 9 columns, hinge driven to theta {} deg", theta),
-        testing::twisting_strip(), testing::hinge_drive({{5, 0}, model::Axis::y}, theta * degree)));
+        testing::twisting_strip(),
+        testing::hinge_drive(testing::twisting_strip(), {{5, 0}, model::Axis::y}, theta * degree)));
   figures.push_back(against_equilibrium("gradient panel, 8 x 8, theta 20 deg", testing::gradient_panel(),
                                         testing::plates_drive(model::Axis::x, 20 * degree)));
   figures.push_back(by_cord(5));

@@ -22,11 +22,11 @@ struct ExactScene {
 };
 
 std::vector<ExactScene> exact_scenes() {
-  return {
-      {"planar grid", testing::crossable_grid(), testing::hinge_drive({{0, 0}, model::Axis::y}, 25 * degree)},
-      {"bending strip", testing::bending_strip(), testing::plates_drive(model::Axis::y, 25 * degree)},
-      {"bending sheet", testing::bending_sheet(),
-       testing::hinge_drive({{0, 0}, model::Axis::y}, 25 * degree)}};
+  return {{"planar grid", testing::crossable_grid(),
+           testing::hinge_drive(testing::crossable_grid(), {{0, 0}, model::Axis::y}, 25 * degree)},
+          {"bending strip", testing::bending_strip(), testing::plates_drive(model::Axis::y, 25 * degree)},
+          {"bending sheet", testing::bending_sheet(),
+           testing::hinge_drive(testing::bending_sheet(), {{0, 0}, model::Axis::y}, 25 * degree)}};
 }
 
 /// Cell edges, rms; infinite where the path does not end at its goal.
@@ -100,8 +100,7 @@ Figure timed(const std::string& what, const Followed& run, double allowed) {
 }
 
 std::vector<Figure> letters() {
-  model::Drive drive;
-  drive.compression = 0.16;
+  const model::Plates drive{.compression = 0.16};
   const auto run = [&](int cells, int repeats, double allowed) {
     return followed(testing::letter_panel(0.1, cells), drive, repeats, allowed);
   };

@@ -10,7 +10,7 @@
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/lattice/planar/exact_designs.hpp"
 #include "model/lattice/planar/lattices/honeycomb.hpp"
-#include "model/lattice/square/family/drive.hpp"
+#include "model/sheet/sheet_motion.hpp"
 #include "sim/compression_run.hpp"
 
 namespace kinetix::bench {
@@ -135,7 +135,7 @@ Cost physics_run(const Shape& shape) {
   bool right = true;
   for (int k = 0; k < repeats(shape.first * shape.second); ++k) {
     const sim::PhysicsResult run =
-        run_compression(structure, drive_to(structure, short_way).on(structure), options);
+        run_compression(structure, drive_on(structure, drive_to(structure, short_way)), options);
     times.push_back(run.seconds / run.steps);
     right = right && run.gaps.max < 2e-3;
   }

@@ -2,7 +2,7 @@
 
 #include "benchmarks/figure.hpp"
 #include "benchmarks/scenes.hpp"
-#include "model/lattice/square/family/drive.hpp"
+#include "model/sheet/sheet_motion.hpp"
 #include "sim/compression_run.hpp"
 
 namespace kinetix::bench {
@@ -13,7 +13,7 @@ Figure against_exact(const Scene& scene, int columns) {
   const optim::FreeCurveDesign found = fitted_strip(scene, columns, structure);
   const model::ExactDesign<double>& design = found.design.design;
   const sim::PhysicsResult physics =
-      sim::run_compression(structure, drive_to(structure, design.theta).on(structure));
+      sim::run_compression(structure, drive_on(structure, drive_to(structure, design.theta)));
   const double rms = aligned_distance(structure, physics.state, fold(design, structure)).rms;
   const bool settled = physics.status == sim::PhysicsResult::Status::settled;
   const bool in_time = columns != 40 || physics.seconds <= 10;
@@ -28,7 +28,7 @@ std::string solver_row(const std::string& name, int columns, const sim::PhysicsO
   model::ExactDesign<double> design;
   const model::Structure structure = arc(columns, 1, design);
   const sim::PhysicsResult run =
-      run_compression(structure, drive_to(structure, design.theta).on(structure), options);
+      run_compression(structure, drive_on(structure, drive_to(structure, design.theta)), options);
   const double rms = aligned_distance(structure, run.state, fold(design, structure)).rms;
   return fmt::format("| {} | {} | {:.2f} s | {:.1e} | {:.1e} | {} |\n", name, columns, run.seconds, rms,
                      run.gaps.max, to_string(run.status));

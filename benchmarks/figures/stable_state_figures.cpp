@@ -7,8 +7,8 @@
 #include "benchmarks/figure.hpp"
 #include "model/elastic/path/stable_states.hpp"
 #include "model/lattice/square/cell_tuple.hpp"
-#include "model/lattice/square/family/drive.hpp"
 #include "model/lattice/square/unit_laws.hpp"
+#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::bench {
 namespace {

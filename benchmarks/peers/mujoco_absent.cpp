@@ -4,6 +4,8 @@ namespace kinetix::bench {
 
 bool has_mujoco() { return false; }
 
-MujocoResult run_mujoco(const model::Structure&, const model::Drive&, const MujocoSettings&) { return {}; }
+MujocoResult run_mujoco(const model::Structure&, const model::LinkageDrive&, const MujocoSettings&) {
+  return {};
+}
 
 }  // namespace kinetix::bench

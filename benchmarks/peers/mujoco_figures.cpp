@@ -50,7 +50,7 @@ struct PeerRun {
 PeerScene scene_of(const std::string& name, const model::ExactDesign<double>& design,
                    const model::Structure& structure) {
   const model::Wall middle{{design.columns() / 2, design.rows() / 2}, model::Axis::y};
-  return {name, structure, testing::hinge_drive(middle, design.theta), fold(design, structure)};
+  return {name, structure, testing::hinge_drive(structure, middle, design.theta), fold(design, structure)};
 }
 
 PeerScene rib(int columns) {
@@ -104,9 +104,10 @@ std::vector<PeerRun> bullet_runs(const PeerScene& scene) {
         options.joint_stiffness = stiffness;
         options.settle_speed = rest;
         options.contact = false;
-        runs.push_back(timed(
-            scene, fmt::format("{} steps, joint stiffness {:.0e}", course.steps, stiffness),
-            [&] { return run_compression(scene.structure, scene.drive.on(scene.structure), options); }));
+        runs.push_back(
+            timed(scene, fmt::format("{} steps, joint stiffness {:.0e}", course.steps, stiffness), [&] {
+              return run_compression(scene.structure, drive_on(scene.structure, scene.drive), options);
+            }));
         if (is_over(runs)) return runs;
       }
   return runs;

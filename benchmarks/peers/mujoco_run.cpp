@@ -39,11 +39,11 @@ int steps_in(double seconds, double step_s) { return static_cast<int>(std::ceil(
 
 class Run {
  public:
-  Run(const model::Structure& structure, const model::Drive& drive, const MujocoSettings& settings)
+  Run(const model::Structure& structure, const model::LinkageDrive& drive, const MujocoSettings& settings)
       : structure_(structure),
         drive_(drive),
         settings_(settings),
-        driven_(*structure.hinge_at(drive.wall)),
+        driven_(drive.hinge),
         links_(mujoco_links(structure, driven_, settings.bodies)),
         model_(compile(mujoco_scene(structure, links_, driven_, settings))),
         data_(mj_makeData(model_.get()), &mj_deleteData),
@@ -127,7 +127,7 @@ class Run {
   }
 
   const model::Structure& structure_;
-  const model::Drive& drive_;
+  const model::LinkageDrive& drive_;
   const MujocoSettings& settings_;
   const int driven_;
   const std::vector<MujocoLink> links_;
@@ -143,10 +143,9 @@ class Run {
 
 bool has_mujoco() { return true; }
 
-MujocoResult run_mujoco(const model::Structure& structure, const model::Drive& drive,
+MujocoResult run_mujoco(const model::Structure& structure, const model::LinkageDrive& drive,
                         const MujocoSettings& settings) {
-  if (drive.kind != model::Drive::Kind::hinge) throw InvalidInput("the MuJoCo run is driven by a hinge");
-  validate(drive, structure);
+  if (drive.hinge < 0) throw InvalidInput("the MuJoCo run is driven by a hinge");
   mju_user_warning = keep_quiet;
   return Run(structure, drive, settings).run();
 }

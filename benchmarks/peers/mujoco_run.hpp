@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "model/lattice/square/family/drive.hpp"
 #include "model/linkage/state.hpp"
+#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::bench {
 
@@ -53,7 +53,7 @@ bool has_mujoco();
 /// no gravity.
 /// @throws InvalidInput for a drive that is not a driven hinge of the structure; std::runtime_error for a
 /// scene that MuJoCo refuses
-MujocoResult run_mujoco(const model::Structure& structure, const model::Drive& drive,
+MujocoResult run_mujoco(const model::Structure& structure, const model::LinkageDrive& drive,
                         const MujocoSettings& settings = {});
 
 }  // namespace kinetix::bench

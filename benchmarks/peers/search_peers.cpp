@@ -5,7 +5,7 @@
 #include "benchmarks/peers/simulated_fit.hpp"
 #include "benchmarks/scenes.hpp"
 #include "benchmarks/stopwatch.hpp"
-#include "model/lattice/square/family/drive.hpp"
+#include "model/sheet/sheet_motion.hpp"
 #include "optim/curve/curve_starts.hpp"
 #include "sim/compression_run.hpp"
 
@@ -91,7 +91,7 @@ Figure simulation_in_the_loop(const Scene& scene, int columns, optim::SolverName
     const model::ExactDesign<double> design = fit.design(found.x, 1);
     model::Structure structure = make_structure(model::rectangle(columns, 1), size);
     apply(design, structure);
-    sim::run_compression(structure, drive_to(structure, design.theta).on(structure));
+    sim::run_compression(structure, drive_on(structure, drive_to(structure, design.theta)));
   });
   const SimulatedFit looped(fit, size, quick_runs());
   Eigen::VectorXd r;

@@ -1,6 +1,6 @@
 #include "benchmarks/peers/simulated_fit.hpp"
 
-#include "model/lattice/square/family/drive.hpp"
+#include "model/sheet/sheet_motion.hpp"
 #include "sim/compression_run.hpp"
 #include "targets/curve/curve_error.hpp"
 
@@ -26,7 +26,7 @@ bool SimulatedFit::evaluate(const VectorXd& x, VectorXd& r, Eigen::MatrixXd*) co
   model::Structure structure = make_structure(model::rectangle(design.columns(), 1), size_);
   apply(design, structure);
   const sim::PhysicsResult run =
-      run_compression(structure, drive_to(structure, design.theta).on(structure), options_);
+      run_compression(structure, drive_on(structure, drive_to(structure, design.theta)), options_);
   ++runs_;
   r = VectorXd::Ones(residuals_);
   if (run.status != sim::PhysicsResult::Status::settled) return true;

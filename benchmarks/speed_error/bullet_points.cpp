@@ -82,7 +82,7 @@ MeasuredPoint measured(const SpeedErrorScene& scene, const GridLine& line, int s
   const sim::PhysicsOptions options = options_of(scene, line, steps, rest);
   sim::PhysicsResult run;
   const auto timed_run = [&] {
-    run = run_compression(scene.structure, scene.drive.on(scene.structure), options);
+    run = run_compression(scene.structure, drive_on(scene.structure, scene.drive), options);
     return run.seconds;
   };
   time_runs(timed_run, point);

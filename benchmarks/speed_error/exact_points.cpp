@@ -22,7 +22,7 @@ model::ExactDesign<long double> in_long_double(const model::ExactDesign<double>&
 /// @pre the sheet folds along x and fills its rectangle, as all of the scenes do
 model::State folded_in_long_double(const SpeedErrorScene& scene) {
   model::ExactDesign<double> design = scene.family.design;
-  design.theta = scene.drive.theta();
+  design.theta = drive_on(scene.structure, scene.drive).theta();
   std::vector<model::PoseOf<long double>> poses;
   fold(in_long_double(design), scene.structure.size.edge_mm, poses);
   model::State state;
@@ -32,13 +32,14 @@ model::State folded_in_long_double(const SpeedErrorScene& scene) {
 
 model::State folded_from_the_last_body(const SpeedErrorScene& scene) {
   const int last = static_cast<int>(scene.structure.bodies.size()) - 1;
-  return fold_net(make_net_tree(scene.structure, last), scene.structure, scene.drive.theta());
+  return fold_net(make_net_tree(scene.structure, last), scene.structure,
+                  drive_on(scene.structure, scene.drive).theta());
 }
 
 /// As a search computes it, over and over for one structure.
 double seconds_a_state(const SpeedErrorScene& scene) {
   const int calls = std::max(1, bodies_a_repeat / static_cast<int>(scene.structure.bodies.size()));
-  const double theta = scene.drive.theta(), edge_mm = scene.structure.size.edge_mm;
+  const double theta = drive_on(scene.structure, scene.drive).theta(), edge_mm = scene.structure.size.edge_mm;
   model::State state;
   if (scene.family.family == model::Family::F4)
     return median_seconds(repeats, calls,

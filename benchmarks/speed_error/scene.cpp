@@ -66,9 +66,8 @@ model::Structure circle_panel(int cells) {
 }
 
 SpeedErrorScene display(const std::string& name, const model::Structure& structure) {
-  model::Drive drive;
-  drive.compression = display_compression;
-  SpeedErrorScene scene{name, structure, drive, classify(structure), {}};
+  SpeedErrorScene scene{
+      name, structure, model::Plates{.compression = display_compression}, classify(structure), {}};
   set_finest_equilibrium(scene);
   return scene;
 }

@@ -5,7 +5,7 @@
 
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/lattice/square/family/classify.hpp"
-#include "model/lattice/square/family/drive.hpp"
+#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::bench {
 

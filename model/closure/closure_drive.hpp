@@ -13,6 +13,8 @@ namespace kinetix::model {
 struct HingeTurn {
   int hinge = 0;
   double angle = 0;  ///< rad, (-pi, pi)
+
+  bool operator==(const HingeTurn&) const = default;
 };
 
 /// The motion of one body since `from`, projected on a direction:

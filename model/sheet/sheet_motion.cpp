@@ -7,40 +7,12 @@
 #include "model/lattice/planar/planar_drive.hpp"
 #include "model/lattice/planar/planar_motion.hpp"
 #include "model/lattice/square/family/classify.hpp"
-#include "model/lattice/square/family/drive.hpp"
 #include "model/lattice/square/family/planar_sheet.hpp"
 #include "model/linkage/actuators.hpp"
 #include "model/linkage/make_drive.hpp"
 
 namespace kinetix::model {
 namespace {
-
-Drive square_drive(const Structure& sheet, const SheetDrive& drive) {
-  Drive out;
-  out.kind = drive.kind;
-  out.axis = drive.axis;
-  out.compression = drive.compression;
-  out.branch = drive.branch;
-  out.grip = drive.grip;
-  out.press = drive.press;
-  if (drive.kind == LinkageDrive::Kind::hinge) out.wall = sheet.hinges.at(drive.hinge).wall;
-  out.angle = drive.angle;
-  return out;
-}
-
-LinkageDrive planar_drive(const PlanarStructure& sheet, const SheetDrive& drive) {
-  if (drive.kind == LinkageDrive::Kind::hinge) return hinge_drive(sheet, drive.hinge, drive.angle);
-  LinkageDrive out = plate_drive(sheet, drive.axis, drive.compression, drive.branch);
-  out.press = drive.press;
-  return out;
-}
-
-LinkageDrive block_drive(const SodaliteStructure& block, const SheetDrive& drive) {
-  if (drive.kind == LinkageDrive::Kind::hinge) return hinge_drive(block, drive.hinge, drive.angle);
-  LinkageDrive out = plate_drive(block, drive.axis, drive.compression, drive.branch);
-  out.press = drive.press;
-  return out;
-}
 
 /// A hinge of imported bodies that is turned. @param hinge -1: that which turns most in the first motion
 LinkageDrive turned(const Linkage& bodies, int hinge, double angle) {
@@ -66,19 +38,61 @@ int side_of(const Sheet& sheet, const LinkageDrive& cord) {
   return forth < back ? 1 : -1;
 }
 
-LinkageDrive pull(const Sheet& sheet, const SheetDrive& drive) {
-  LinkageDrive cord = cord_drive(sheet, drive.through, drive.shorten_mm, drive.branch);
-  cord.branch = side_of(sheet, cord);
-  return cord;
-}
+/// Makes the drive by bodies and hinges of what a file says.
+struct OnSheet {
+  const Sheet& sheet;
+  int side;  ///< of flat, where the drive names none
 
-/// Of any lattice alike.
-LinkageDrive drive_on_hinges(const Sheet& sheet, const SheetDrive& drive) {
-  validate_hinges(sheet);
-  return drive.kind == LinkageDrive::Kind::cord
-             ? pull(sheet, drive)
-             : shape_memory_drive(sheet, drive.springs, drive.k_turn, drive.angle);
-}
+  LinkageDrive operator()(const Plates& plates) const {
+    LinkageDrive out = plates_on(plates, plates.branch.value_or(side));
+    out.press = plates.press;
+    return out;
+  }
+
+  LinkageDrive operator()(const HingeTurn& turn) const {
+    if (sheet.assembly()) return turned(sheet, turn.hinge, turn.angle);
+    if (const Structure* squares = sheet.squares()) return hinge_drive(*squares, turn.hinge, turn.angle);
+    if (const SodaliteStructure* block = sheet.sodalite()) return hinge_drive(*block, turn.hinge, turn.angle);
+    return hinge_drive(*sheet.planar(), turn.hinge, turn.angle);
+  }
+
+  LinkageDrive operator()(const CordPull& pull) const {
+    validate_hinges(sheet);
+    LinkageDrive cord = cord_drive(sheet, pull.through, pull.shorten_mm, pull.branch.value_or(side));
+    cord.branch = side_of(sheet, cord);
+    return cord;
+  }
+
+  LinkageDrive operator()(const ShapeMemory& hot) const {
+    validate_hinges(sheet);
+    return shape_memory_drive(sheet, hot.springs, hot.k_turn, hot.angle);
+  }
+
+ private:
+  LinkageDrive plates_on(const Plates& plates, int branch) const {
+    if (const Structure* squares = sheet.squares())
+      return plate_drive(*squares, plates.axis, plates.compression, branch, plates.grip);
+    if (const SodaliteStructure* block = sheet.sodalite())
+      return plate_drive(*block, plates.axis, plates.compression, branch);
+    return plate_drive(*sheet.planar(), plates.axis, plates.compression, branch);
+  }
+};
+
+/// Sets how far a drive goes to where `shown` goes.
+struct EndAt {
+  const LinkageDrive& shown;
+
+  void operator()(Plates& plates) const {
+    plates.compression = shown.compression;
+    plates.branch = shown.branch;
+  }
+  void operator()(HingeTurn& turn) const { turn.angle = shown.angle; }
+  void operator()(CordPull& cord) const {
+    cord.shorten_mm = shown.shorten_mm;
+    cord.branch = shown.branch;
+  }
+  void operator()(ShapeMemory& hot) const { hot.angle = shown.angle; }
+};
 
 Sheet between(const Sheet& before, const Sheet& after, double part) {
   if (part >= 1) return after;
@@ -113,17 +127,37 @@ ExactMotion exact_motion(const Sheet& sheet) {
   return exact_motion(*sheet.planar());
 }
 
-LinkageDrive drive_on(const Sheet& sheet, const SheetDrive& drive) {
-  if (drive.kind == LinkageDrive::Kind::cord || drive.kind == LinkageDrive::Kind::shape_memory)
-    return drive_on_hinges(sheet, drive);
-  if (const Structure* squares = sheet.squares()) return square_drive(*squares, drive).on(*squares);
-  if (const SodaliteStructure* block = sheet.sodalite()) return block_drive(*block, drive);
-  if (sheet.assembly()) return turned(sheet, drive.hinge, drive.angle);
-  return planar_drive(*sheet.planar(), drive);
+LinkageDrive drive_on(const Sheet& sheet, const Drive& drive, double theta) {
+  return std::visit(OnSheet{sheet, theta < 0 ? -1 : 1}, drive);
+}
+
+Drive as_far_as(const LinkageDrive& shown, Drive drive) {
+  std::visit(EndAt{shown}, drive);
+  return drive;
+}
+
+Drive scaled(Drive drive, double factor) {
+  if (auto* cord = std::get_if<CordPull>(&drive)) cord->shorten_mm *= factor;
+  return drive;
+}
+
+double spring_stiffness(const Drive& drive) {
+  const auto* hot = std::get_if<ShapeMemory>(&drive);
+  return hot ? hot->k_turn : 0;
+}
+
+DrivenLinkage driven(const Sheet& sheet, const Drive& drive) {
+  return {sheet, drive_on(sheet, drive), exact_motion(sheet)};
+}
+
+std::vector<DrivenLinkage> driven(const Sheet& sheet, const std::vector<Drive>& drives) {
+  std::vector<DrivenLinkage> all;
+  for (const Drive& drive : drives) all.push_back(driven(sheet, drive));
+  return all;
 }
 
 LinkageDrive drive_to(const Sheet& sheet, double theta) {
-  if (const Structure* squares = sheet.squares()) return drive_to(*squares, theta).on(*squares);
+  if (const Structure* squares = sheet.squares()) return drive_on(sheet, drive_to(*squares, theta));
   if (const SodaliteStructure* block = sheet.sodalite()) return drive_to(*block, theta);
   if (sheet.assembly()) return turned(sheet, -1, 0).to(theta);
   return drive_to(*sheet.planar(), theta);

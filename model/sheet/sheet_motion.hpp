@@ -1,9 +1,9 @@
 #pragma once
 
 #include <functional>
-#include <optional>
+#include <vector>
 
-#include "model/lattice/square/grip.hpp"
+#include "model/lattice/square/family/drive.hpp"
 #include "model/linkage/exact_motion.hpp"
 #include "model/sheet/sheet.hpp"
 
@@ -17,26 +17,22 @@ void place_hinges(const std::vector<Eigen::Vector2d>& y, Sheet& sheet);
 /// The closed form of a sheet, by the rules of its lattice. Imported bodies have none: they follow their drive step by step.
 ExactMotion exact_motion(const Sheet& sheet);
 
-/// How a sheet is driven, as files say it (see LinkageDrive).
-struct SheetDrive {
-  LinkageDrive::Kind kind = LinkageDrive::Kind::plates;
-  Axis axis = Axis::y;            ///< plates: their normal
-  double compression = 0;         ///< plates: 1 - final / initial distance, in [0, 1)
-  int branch = 1;                 ///< plates, cord: 1 or -1, the sign of theta
-  std::optional<Grip> grip = {};  ///< plates: the part of squares that they grip; nothing: the rim
-  bool press = false;             ///< plates: push their rows and never pull them
-  int hinge =
-      -1;  ///< hinge: the driven one; -1, of imported bodies: that which turns most in the first motion
-  double angle = 0;  ///< hinge: its turn; shape memory: twice theta of its springs; rad, in (-pi, pi)
-  std::vector<int> through = {};  ///< cord: the hinges through which it runs
-  double shorten_mm = 0;          ///< cord
-  std::vector<int> springs = {};  ///< shape memory: the hinges that have one; empty: all
-  double k_turn = 0;              ///< shape memory: of each spring, N mm/rad
-};
-
 /// The drive by bodies and hinges. A cord that pulls an exactly moving sheet to one side of flat goes there.
+/// @param theta of the design, whose sign a drive takes that names no branch
 /// @throws InvalidInput for values out of range, plates that find nothing to hold, and a cord that nothing shortens
-LinkageDrive drive_on(const Sheet& sheet, const SheetDrive& drive);
+LinkageDrive drive_on(const Sheet& sheet, const Drive& drive, double theta = 0);
+
+/// The same drive as far as `shown`, which was made of it.
+Drive as_far_as(const LinkageDrive& shown, Drive drive);
+/// The same drive of a sheet so many times as large.
+Drive scaled(Drive drive, double factor);
+/// Stiffness of each spring that the drive brings along, N mm/rad; 0 where it brings none.
+double spring_stiffness(const Drive& drive);
+
+/// A sheet under a drive, with its closed form where it belongs to an exact family. @throws as drive_on
+DrivenLinkage driven(const Sheet& sheet, const Drive& drive);
+/// The same of each.
+std::vector<DrivenLinkage> driven(const Sheet& sheet, const std::vector<Drive>& drives);
 
 /// The drive that takes a sheet to theta, rad, in (-pi/2, pi/2), the one that folds its lattice most evenly.
 LinkageDrive drive_to(const Sheet& sheet, double theta);

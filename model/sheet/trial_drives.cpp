@@ -14,8 +14,6 @@
 namespace kinetix::model {
 namespace {
 
-using Kind = LinkageDrive::Kind;
-
 class Trials {
  public:
   Trials(const Sheet& sheet, const ExactMotion& exact, double theta)
@@ -49,7 +47,7 @@ class Trials {
   }
 
   LinkageDrive plates(Axis axis) const {
-    SheetDrive drive{.axis = axis, .branch = theta_ < 0 ? -1 : 1};
+    Plates drive{.axis = axis, .branch = theta_ < 0 ? -1 : 1};
     const LinkageDrive still = drive_on(sheet_, drive);
     drive.compression = 2 * std::pow(std::sin(theta_ / 2), 2);  // 1 - cos(theta) without its rounding
     if (exact_) drive.compression = 1 - apart(still, folded_) / apart(still, rest_);
@@ -68,7 +66,7 @@ class Trials {
   LinkageDrive hinge(int h) const {
     const int sense = linkage_.bodies[linkage_.hinges[h].lower].sense;
     const double angle = exact_ ? hinge_turn(linkage_, folded_, h) : turn_at_theta(sense, theta_);
-    return drive_on(sheet_, {.kind = Kind::hinge, .hinge = h, .angle = angle});
+    return drive_on(sheet_, HingeTurn{h, angle});
   }
 
   /// Of the upright ones, of all where there is none: nearest to and farthest from the middle of the sheet.

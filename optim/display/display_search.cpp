@@ -25,7 +25,7 @@ constexpr int starts_by_rule = 4;    // either choice of the checkerboard, at fu
 constexpr double half = 0.5;         // of the full strength, rule_k's distance from 0.5
 constexpr double most_shift = 0.08;  // of t, to either side: more would blur the picture that the rule shows
 
-model::Drive along(model::Drive plates, model::Axis axis) {
+model::Plates along(model::Plates plates, model::Axis axis) {
   plates.axis = axis;
   return plates;
 }

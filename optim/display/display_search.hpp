@@ -12,7 +12,7 @@ namespace kinetix::optim {
 
 struct DisplayOptions {
   Channel channel = Channel::aperture;
-  model::Drive plates = {};            ///< where the search starts; compression 0.12 unless given
+  model::Plates plates = {};           ///< where the search starts; compression 0.12 unless given
   std::vector<model::Axis> axes = {};  ///< normals of the plates to search with; empty: that of `plates`
   std::optional<std::array<double, 2>> compression = {};  ///< range to search in, within (0, 1); nothing:
                                                           ///< that of `plates`
@@ -33,7 +33,7 @@ struct DisplayOptions {
 struct DisplayView {
   Eigen::VectorXd t;       ///< of each hinge, in (0, 1)
   Eigen::VectorXd offset;  ///< of each hinge, cell edges; empty: all 0
-  model::Drive plates;
+  model::Plates plates;
   std::optional<model::HingeTurn> turn = {};  ///< of a driven hinge, in place of plates
   model::State state;                         ///< mm
   std::vector<double> channel;                ///< of each cell, by definition, in the channel's unit

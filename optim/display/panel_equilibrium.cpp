@@ -16,14 +16,12 @@ constexpr int most_iterations = 40;  // of Newton's method: after more, the path
 }  // namespace
 
 PanelEquilibrium::PanelEquilibrium(model::Sheet panel, const model::Elasticity& elasticity,
-                                   const model::Drive& plates)
+                                   const model::Plates& plates)
     : panel_(std::move(panel)), elasticity_(elasticity), drive_(plates) {
   const model::ElasticSystem refuses_overlap(panel_, elasticity_, plates_on_panel(), true, true);
 }
 
-model::LinkageDrive PanelEquilibrium::plates_on_panel() const {
-  return drive_on(panel_, {.axis = drive_.axis, .compression = drive_.compression, .branch = drive_.branch});
-}
+model::LinkageDrive PanelEquilibrium::plates_on_panel() const { return drive_on(panel_, drive_); }
 
 bool PanelEquilibrium::settle(const Eigen::VectorXd& t, const Eigen::VectorXd& offset) {
   for (int h = 0; h < panel_.hinges(); ++h) {

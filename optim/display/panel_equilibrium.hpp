@@ -13,9 +13,9 @@ namespace kinetix::optim {
 /// equilibrium before where that leads to one nearby, else along the path from flat.
 class PanelEquilibrium {
  public:
-  /// @pre all hinges stand upright; elasticity and drive are valid, the drive is one of plates
+  /// @pre all hinges stand upright; elasticity and plates are valid
   /// @throws InvalidInput for walls that overlap in the flat state
-  PanelEquilibrium(model::Sheet panel, const model::Elasticity& elasticity, const model::Drive& plates);
+  PanelEquilibrium(model::Sheet panel, const model::Elasticity& elasticity, const model::Plates& plates);
 
   /// @param t of every hinge, in (0, 1)   @param offset of every hinge, cell edges; empty: they stay   @return whether a stable equilibrium at the drive's goal was found;
   /// the state stays as it was where not
@@ -29,7 +29,7 @@ class PanelEquilibrium {
   void forget() { kept_.clear(); }
 
   const model::Sheet& panel() const { return panel_; }
-  const model::Drive& plates() const { return drive_; }
+  const model::Plates& plates() const { return drive_; }
   /// @pre settle() returned true
   const model::State& state() const { return state_; }  ///< mm
 
@@ -52,7 +52,7 @@ class PanelEquilibrium {
 
   model::Sheet panel_;
   model::Elasticity elasticity_;
-  model::Drive drive_;
+  model::Plates drive_;
   model::State state_, kept_;
   int paths_ = 0;
 };

@@ -23,7 +23,8 @@ TEST_P(MujocoRun, SettlesInTheClosedForm) {
   for (const auto& [columns, rows] : {std::pair{8, 1}, {4, 4}}) {
     model::ExactDesign<double> design;
     const model::Structure structure = arc(columns, rows, design);
-    const model::Drive drive = testing::hinge_drive({{columns / 2, rows / 2}, model::Axis::y}, design.theta);
+    const model::LinkageDrive drive = drive_on(
+        structure, hinge_drive_to(structure, {{columns / 2, rows / 2}, model::Axis::y}, design.theta));
     const MujocoResult run = run_mujoco(structure, drive, settings());
     EXPECT_EQ(run.status, MujocoResult::Status::settled) << to_string(run.status);
     EXPECT_LT(run.gaps.max, 1e-5);
@@ -35,7 +36,7 @@ TEST_P(MujocoRun, SettlesInTheClosedForm) {
 TEST_P(MujocoRun, TakesNoPlates) {
   model::ExactDesign<double> design;
   const model::Structure structure = arc(4, 1, design);
-  EXPECT_THROW(run_mujoco(structure, model::Drive{}, settings()), InvalidInput);
+  EXPECT_THROW(run_mujoco(structure, model::LinkageDrive{}, settings()), InvalidInput);
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, MujocoRun, ::testing::Values("free", "tree"));

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "model/lattice/square/family/drive.hpp"
+#include "model/sheet/sheet_motion.hpp"
 #include "sim/compression_run.hpp"
 #include "tests/support/random_designs.hpp"
 
@@ -14,7 +14,8 @@ TEST(SinglePrecisionRun, EndsAtTheClosedFormAsFarAsItsNumbersGo) {
   const model::Structure strip = testing::structure_of(design, {10, 1, 6});
   sim::PhysicsOptions options;
   options.step_s = 1.0 / 120;
-  const sim::PhysicsResult run = run_compression(strip, drive_to(strip, design.theta).on(strip), options);
+  const sim::PhysicsResult run =
+      run_compression(strip, drive_on(strip, drive_to(strip, design.theta)), options);
   const double rms = aligned_distance(strip, run.state, fold(design, strip)).rms;
   EXPECT_LE(rms, 1e-5);
   EXPECT_GE(rms, 1e-9) << "that is double precision";

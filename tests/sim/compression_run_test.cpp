@@ -22,7 +22,7 @@ using Status = PhysicsResult::Status;
 TEST(CompressionRun, ShrinksABasicSheetByTheCosineAndTurnsItsBodiesToAndFro) {
   for (const double theta : {0.6, -0.6}) {
     const model::Structure sheet = make_structure(model::rectangle(3, 3), {});
-    const PhysicsResult result = run_compression(sheet, drive_to(sheet, theta).on(sheet));
+    const PhysicsResult result = run_compression(sheet, drive_on(sheet, drive_to(sheet, theta)));
     ASSERT_EQ(result.status, Status::settled) << result.why;
     model::State expected = rest_state(sheet);
     for (std::size_t b = 0; b < expected.size(); ++b) {
@@ -78,7 +78,7 @@ TEST(CompressionRun, FoldsASheetThatBendsAlongY) {
   const model::Classification kind = classify(sheet);
   ASSERT_TRUE(kind.transposed);
   for (const double theta : {0.4, -0.4}) {
-    const PhysicsResult result = run_compression(sheet, drive_to(sheet, theta).on(sheet));
+    const PhysicsResult result = run_compression(sheet, drive_on(sheet, drive_to(sheet, theta)));
     EXPECT_EQ(result.status, Status::settled) << result.why;
     EXPECT_LE(aligned_distance(sheet, result.state, fold(kind, sheet, theta)).max, 1e-7);
   }
@@ -90,11 +90,9 @@ TEST(CompressionRun, ReachesTheSameStateByADrivenHinge) {
     const model::Structure structure = structure_of(design);
     for (const model::Wall& wall :
          {model::Wall{{0, 0}, model::Axis::y}, model::Wall{{3, 0}, model::Axis::y}}) {
-      model::Drive drive;
-      drive.kind = model::Drive::Kind::hinge;
-      drive.wall = wall;
-      drive.angle = wall.from.is_class_a() ? -2 * theta : 2 * theta;
-      expect_exact(design, run_compression(structure, drive.on(structure)));
+      const model::HingeTurn drive{*structure.hinge_at(wall),
+                                   wall.from.is_class_a() ? -2 * theta : 2 * theta};
+      expect_exact(design, run_compression(structure, drive_on(structure, drive)));
     }
   }
 }
@@ -124,11 +122,8 @@ TEST(CompressionRun, TurnsAHingeBeyondAQuarterTurn) {
     design.theta = theta;
     expect_exact(design, run(design, physics_without_contact()));
     const model::Structure structure = structure_of(design);
-    model::Drive drive;
-    drive.kind = model::Drive::Kind::hinge;
-    drive.wall = {{0, 0}, model::Axis::y};
-    drive.angle = -2 * theta;
-    expect_exact(design, run_compression(structure, drive.on(structure), physics_without_contact()));
+    const model::HingeTurn drive{*structure.hinge_at({{0, 0}, model::Axis::y}), -2 * theta};
+    expect_exact(design, run_compression(structure, drive_on(structure, drive), physics_without_contact()));
   }
 }
 
@@ -150,11 +145,8 @@ model::Structure fishbone() {
 
 TEST(CompressionRun, FoldsANetFromOneHingeWithoutStrain) {
   const model::Structure net = fishbone();
-  model::Drive drive;
-  drive.kind = model::Drive::Kind::hinge;
-  drive.wall = {{0, 0}, model::Axis::y};
-  drive.angle = -0.8;
-  const PhysicsResult result = run_compression(net, drive.on(net));
+  const model::HingeTurn drive{*net.hinge_at({{0, 0}, model::Axis::y}), -0.8};
+  const PhysicsResult result = run_compression(net, drive_on(net, drive));
   EXPECT_EQ(result.status, Status::settled) << result.why;
   EXPECT_LE(result.gaps.max, 1e-10);
   for (const model::Hinge& hinge : net.hinges) {
@@ -193,7 +185,7 @@ TEST(CompressionRun, ShowsFramesFromFlatToTheEndAndRisingProgress) {
     last = state;
   };
   const PhysicsResult result =
-      run_compression(structure, drive_to(structure, 0.4).on(structure), {}, observer);
+      run_compression(structure, drive_on(structure, drive_to(structure, 0.4)), {}, observer);
   ASSERT_GE(times.size(), 11u);
   for (int k = 0; k < 11; ++k) EXPECT_NEAR(times[k], 0.1 * k, 1e-9);
   EXPECT_EQ(times.back(), result.simulated_s);

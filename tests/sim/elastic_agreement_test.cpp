@@ -37,9 +37,9 @@ Pair both(const model::Structure& s, const model::Drive& drive, bool contact = t
   options.elastic = relative(elasticity, s.size.edge_mm);
   options.planar = pair.path.planar;
   options.contact = contact;
-  pair.run = run_compression(s, drive.on(s), options);
+  pair.run = run_compression(s, drive_on(s, drive), options);
   EXPECT_EQ(pair.run.status, Status::settled) << pair.run.why;
-  pair.comparison = compare_equilibria({s, elasticity, drive.on(s), pair.path.planar, contact},
+  pair.comparison = compare_equilibria({s, elasticity, drive_on(s, drive), pair.path.planar, contact},
                                        pair.run.state, pair.path.state, 1e-2);
   return pair;
 }
@@ -81,8 +81,8 @@ TEST(ElasticAgreement, OfTheGradientPanel) {
 TEST(ElasticAgreement, OfATwistingStripOnTheBarrierAndInContact) {
   const model::Structure s = twisting_strip();
   const model::Wall middle{{5, 0}, model::Axis::y};
-  EXPECT_LE(both(s, hinge_drive(middle, 20 * radians_per_degree)).comparison.distance.rms, 1e-5);
-  const Pair touching = both(s, hinge_drive(middle, 40 * radians_per_degree));
+  EXPECT_LE(both(s, hinge_drive(s, middle, 20 * radians_per_degree)).comparison.distance.rms, 1e-5);
+  const Pair touching = both(s, hinge_drive(s, middle, 40 * radians_per_degree));
   EXPECT_TRUE(touching.run.contact.touches());
   EXPECT_GT(touching.path.steps.back().contacts, 0);
   EXPECT_LE(touching.comparison.distance.rms, 1e-2);
@@ -129,7 +129,8 @@ TEST(ElasticAgreement, OfFramedHingesOnABentSheet) {
 }
 
 TEST(ElasticAgreement, OfFramedHingesOnATwistingStrip) {
-  expect_framed_agreement(twisting_strip(), hinge_drive({{5, 0}, model::Axis::y}, 20 * radians_per_degree),
+  expect_framed_agreement(twisting_strip(),
+                          hinge_drive(twisting_strip(), {{5, 0}, model::Axis::y}, 20 * radians_per_degree),
                           1e-3);
 }
 
@@ -141,8 +142,9 @@ TEST(ElasticAgreement, OfAStripOfThickBlocksThatComesToRestInSpace) {
                                                         .gap_mm = 1,
                                                         .thickness_mm = 0.8,
                                                         .height_mm = 6});
-  const Pair pair = both(twisting_strip(), hinge_drive({{5, 0}, model::Axis::y}, 20 * radians_per_degree),
-                         false, elasticity_of(thick, reach_mm));
+  const Pair pair =
+      both(twisting_strip(), hinge_drive(twisting_strip(), {{5, 0}, model::Axis::y}, 20 * radians_per_degree),
+           false, elasticity_of(thick, reach_mm));
   EXPECT_LE(pair.comparison.distance.rms, 1e-3);
 }
 

@@ -5,7 +5,7 @@
 #include "model/closure/closure.hpp"
 #include "model/closure/closure_drive.hpp"
 #include "model/hinge/elasticity.hpp"
-#include "model/lattice/square/family/drive.hpp"
+#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::testing {
 
@@ -73,10 +73,10 @@ inline void drop_hinge_moment(const model::Structure& structure, const model::St
 inline double imbalance(const model::Structure& structure, const model::Drive& drive,
                         const model::State& state, const model::Stiffness& k, bool planar) {
   Eigen::VectorXd gradient = elastic_gradient(structure, state, k);
-  if (drive.kind == model::Drive::Kind::plates)
-    drop_plate_forces(structure, drive.axis, gradient);
+  if (const auto* plates = std::get_if<model::Plates>(&drive))
+    drop_plate_forces(structure, plates->axis, gradient);
   else
-    drop_hinge_moment(structure, state, *structure.hinge_at(drive.wall), gradient);
+    drop_hinge_moment(structure, state, std::get<model::HingeTurn>(drive).hinge, gradient);
   const Eigen::VectorXd misfit = closure_residual(structure, state);
   double largest = 0;
   for (int h = 0; h < static_cast<int>(structure.hinges.size()); ++h)

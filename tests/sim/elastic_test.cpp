@@ -27,18 +27,14 @@ PhysicsOptions elastic(double turn) {
   return options;
 }
 
-model::Drive hinge_drive(const model::Wall& wall, double angle) {
-  model::Drive drive;
-  drive.kind = model::Drive::Kind::hinge;
-  drive.wall = wall;
-  drive.angle = angle;
-  return drive;
+model::Drive hinge_drive(const model::Structure& structure, const model::Wall& wall, double angle) {
+  return model::HingeTurn{*structure.hinge_at(wall), angle};
 }
 
 /// The run settles, and the forces of the hinges balance.
 PhysicsResult settled(const model::Structure& structure, const model::Drive& drive,
                       const PhysicsOptions& options) {
-  const PhysicsResult result = run_compression(structure, drive.on(structure), options);
+  const PhysicsResult result = run_compression(structure, drive_on(structure, drive), options);
   EXPECT_EQ(result.status, Status::settled) << result.why;
   EXPECT_LE(imbalance(structure, drive, result.state, *options.elastic, options.planar), 1e-6);
   return result;
@@ -68,7 +64,8 @@ TEST(ElasticRun, IsNotSettledByStayingInPlaceForNoTime) {
   for (const double seconds : {0.0, 99 * options.step_s}) {
     options.settle_seconds = seconds;
     options.settle_force = 1e-300;  // never at rest by its forces
-    const PhysicsResult result = run_compression(structure, drive_to(structure, 0.5).on(structure), options);
+    const PhysicsResult result =
+        run_compression(structure, drive_on(structure, drive_to(structure, 0.5)), options);
     EXPECT_EQ(result.status, Status::not_settled) << result.why;
   }
 }
@@ -78,11 +75,13 @@ TEST(ElasticRun, LeavesNoMotionWhereItComesToRestJustBeforeTheTimeIsUp) {
   const auto design = strip({0.5, 0, 0.5, 0, 0.5, 0}, 0.5);
   const model::Structure structure = structure_of(design);
   PhysicsOptions options = elastic(1e-6);
-  const PhysicsResult early = run_compression(structure, drive_to(structure, 0.5).on(structure), options);
+  const PhysicsResult early =
+      run_compression(structure, drive_on(structure, drive_to(structure, 0.5)), options);
   ASSERT_EQ(early.status, Status::settled) << early.why;
   options.settle_residual_motion = 0.1;
   options.settle_seconds = std::max(early.simulated_s - options.drive_seconds, 100 * options.step_s);
-  const PhysicsResult late = run_compression(structure, drive_to(structure, 0.5).on(structure), options);
+  const PhysicsResult late =
+      run_compression(structure, drive_on(structure, drive_to(structure, 0.5)), options);
   EXPECT_EQ(late.status, Status::settled) << late.why;
   EXPECT_EQ(late.steps, early.steps);
   EXPECT_EQ(late.residual_motion, 0);
@@ -91,7 +90,7 @@ TEST(ElasticRun, LeavesNoMotionWhereItComesToRestJustBeforeTheTimeIsUp) {
 TEST(ElasticRun, ComesToTheExactFoldFromOneHingeAsTheTurningSpringsSoften) {
   const auto design = strip({0.5, 0, 0.5, 0, 0.5, 0}, 0.5);
   const model::Structure structure = structure_of(design);
-  const model::Drive drive = hinge_drive({{0, 0}, model::Axis::y}, -1);
+  const model::Drive drive = hinge_drive(structure, {{0, 0}, model::Axis::y}, -1);
   double before = 0;
   for (const double turn : {1e-6, 1e-7, 1e-8}) {
     const PhysicsResult result = settled(structure, drive, elastic(turn));
@@ -116,7 +115,7 @@ TEST(ElasticRun, ComesToRestWhereStepsLeadPastTheEquilibrium) {
   options.disturbance = 0.3;
   for (const double degrees : {60.0, 74.7, 80.0, 88.0}) {
     const model::LinkageDrive drive =
-        hinge_drive({{0, 0}, model::Axis::y}, degrees * radians_per_degree).on(structure);
+        drive_on(structure, hinge_drive(structure, {{0, 0}, model::Axis::y}, degrees * radians_per_degree));
     options.disturbance_seed = 1;
     const PhysicsResult one = run_compression(structure, drive, options);
     options.disturbance_seed = 13;
@@ -143,7 +142,7 @@ TEST(ElasticRun, EquilibriaTheTurningSpringsOfOneCellAgainstItsPoints) {
     for (const int branch : {1, -1}) {
       PhysicsOptions options = elastic(turn);
       options.planar = true;
-      model::Drive drive;
+      model::Plates drive;
       drive.compression = 0.1;
       drive.branch = branch;
       const PhysicsResult result = settled(cell, drive, options);
@@ -160,9 +159,9 @@ TEST(ElasticRun, PressesTheWallsOfOneCellByTheirAxialStiffness) {
     PhysicsOptions options = elastic(1e-3);
     options.elastic->ratios = {axial, 0.4, 0.7};
     options.planar = true;
-    model::Drive drive;
+    model::Plates drive;
     drive.compression = 0.1;
-    const PhysicsResult result = run_compression(cell, drive.on(cell), options);
+    const PhysicsResult result = run_compression(cell, drive_on(cell, drive), options);
     ASSERT_EQ(result.status, Status::settled) << result.why;
     const double theta = std::asin(result.state[0].R(1, 0));
     EXPECT_NEAR(std::cos(theta), 0.9 + 4 * 1e-3 / axial * theta / std::sin(theta), 1e-5);
@@ -173,7 +172,7 @@ TEST(ElasticRun, LeavesACellStraightThatIsPressedTooLittleToBuckle) {
   const model::Structure cell = make_structure(model::rectangle(1, 1), {});
   PhysicsOptions options = elastic(5e-3);
   options.planar = true;
-  model::Drive drive;
+  model::Plates drive;
   drive.compression = 0.01;
   const PhysicsResult result = settled(cell, drive, options);
   EXPECT_NEAR(elastic_energy(cell, result.state, *options.elastic), 2 * 0.01 * 0.01, 2e-7);
@@ -192,8 +191,8 @@ TEST(ElasticRun, HoldsATwistUnitInEquilibriumOnItsWayOverTheBarrier) {
     for (const double angle : {0.3, -0.3, 1.0, 1.4})
       for (const model::Axis axis : {model::Axis::x, model::Axis::y}) {
         SCOPED_TRACE(std::to_string(alpha_deg) + " deg, " + std::to_string(angle) + " rad");
-        const PhysicsResult result =
-            settled(twist_unit(alpha_deg), hinge_drive({{0, 0}, axis}, angle), elastic(1e-6));
+        const model::Structure unit = twist_unit(alpha_deg);
+        const PhysicsResult result = settled(unit, hinge_drive(unit, {{0, 0}, axis}, angle), elastic(1e-6));
         EXPECT_GT(result.gaps.axis_max, 5e-3);
         EXPECT_LE(result.drive_gap, 2e-6);
       }
@@ -229,7 +228,7 @@ TEST(ElasticRun, SettlesWhereWallsTouchInThePlane) {
   const model::Structure sheet = make_structure(model::rectangle(3, 3), {});
   PhysicsOptions options = elastic(1e-6);
   options.planar = options.contact = true;
-  const PhysicsResult result = run_compression(sheet, drive_to(sheet, 0.76).on(sheet), options);
+  const PhysicsResult result = run_compression(sheet, drive_on(sheet, drive_to(sheet, 0.76)), options);
   EXPECT_EQ(result.status, Status::settled) << result.why;
   EXPECT_TRUE(result.contact.touches());
   EXPECT_GT(result.gaps.max, options.gap_limit);
@@ -240,7 +239,7 @@ TEST(ElasticRun, EndsWhereAHingeStretchesTooFar) {
   options.planar = true;
   options.stretch_limit = 0.05;
   const model::Structure panel = letter_panel(0.15);
-  const PhysicsResult result = run_compression(panel, drive_to(panel, 0.5).on(panel), options);
+  const PhysicsResult result = run_compression(panel, drive_on(panel, drive_to(panel, 0.5)), options);
   EXPECT_EQ(result.status, Status::hinge_gap_exceeded);
   EXPECT_THAT(result.why, ::testing::HasSubstr("at most 0.05 is allowed"));
 }

@@ -40,7 +40,7 @@ TEST(FailedRun, ReportsTheStrainOfADoublyCurvedPatch) {
     if ((hinge.wall.axis == model::Axis::x ? i : j) & 1) hinge.parameters.beta *= -0.6;
   }
   ASSERT_EQ(classify(patch).family, model::Family::none);
-  const PhysicsResult result = run_compression(patch, drive_to(patch, 0.4).on(patch));
+  const PhysicsResult result = run_compression(patch, drive_on(patch, drive_to(patch, 0.4)));
   EXPECT_EQ(result.status, Status::hinge_gap_exceeded) << result.why;
   EXPECT_GT(result.gaps.max, 2e-3);
   EXPECT_LT(result.gaps.max, 0.1);
@@ -69,11 +69,12 @@ TEST(FailedRun, FindsTheStrainOfALetterPanelThatTheEquilibriumModelFound) {
   options.contact = false;
   options.step_s = 1.0 / 300;
   const double theta = std::acos(0.84);
-  EXPECT_EQ(run_compression(panel, drive_to(panel, theta).on(panel), options).status,
+  EXPECT_EQ(run_compression(panel, drive_on(panel, drive_to(panel, theta)), options).status,
             Status::hinge_gap_exceeded);
   options.gap_limit = options.tear_limit = 1;
   for (const double sign : {1.0, -1.0}) {
-    const PhysicsResult result = run_compression(panel, drive_to(panel, sign * theta).on(panel), options);
+    const PhysicsResult result =
+        run_compression(panel, drive_on(panel, drive_to(panel, sign * theta)), options);
     EXPECT_EQ(result.status, Status::settled) << result.why;
     EXPECT_NEAR(result.gaps.rms, 0.047, 0.001);
   }
@@ -102,7 +103,7 @@ TEST(FailedRun, SaysInWordsThatThereIsNoStateToCompare) {
         result.gaps = hinge_gaps(structure, result.state);
         result.drive_gap = -std::nan("");
         if (touching) result.contact = {0, 1, 1e-3};
-        judge(structure, drive_to(structure, 0.4).on(structure), options, false, result);
+        judge(structure, drive_on(structure, drive_to(structure, 0.4)), options, false, result);
         EXPECT_EQ(result.status, Status::blew_up) << result.why;
         EXPECT_THAT(result.why, HasSubstr("no state to compare"));
         EXPECT_THAT(result.why, Not(HasSubstr("nan")));
@@ -118,7 +119,7 @@ TEST(FailedRun, NoticesWhatBlowsUpInTheLastStep) {
   options.speed_limit = 1000;
   model::Structure rigid = make_structure(model::rectangle(1, 40), {});
   for (model::Hinge& hinge : rigid.hinges) hinge.parameters.alpha = 1;
-  const PhysicsResult result = run_compression(rigid, drive_to(rigid, 0.4).on(rigid), options);
+  const PhysicsResult result = run_compression(rigid, drive_on(rigid, drive_to(rigid, 0.4)), options);
   EXPECT_EQ(result.steps, 1);
   EXPECT_EQ(result.status, Status::blew_up) << result.why;
 }
@@ -150,7 +151,7 @@ TEST(FailedRun, NoticesTheOtherSignOfTheta) {
     PhysicsResult result;
     result.state = fold(reached, structure);
     result.gaps = hinge_gaps(structure, result.state);
-    judge(structure, drive.on(structure), {}, true, result);
+    judge(structure, drive_on(structure, drive), {}, true, result);
     EXPECT_EQ(result.status, theta > 0 ? Status::settled : Status::wrong_branch) << result.why;
   }
 }
@@ -198,22 +199,13 @@ TEST(PhysicsOptions, RejectNanAndWhatIsOutOfRange) {
 
 TEST(Drive, RejectsWhatCannotBeDriven) {
   const model::Structure structure = structure_of(bent);
-  const auto rejected = [&](auto change) {
-    model::Drive drive;
-    change(drive);
-    EXPECT_THROW(run_compression(structure, drive.on(structure)), InvalidInput);
+  const auto rejected = [&](const model::Drive& drive) {
+    EXPECT_THROW(run_compression(structure, drive_on(structure, drive)), InvalidInput);
   };
-  for (const double bad : {std::nan(""), -0.1, 1.0}) rejected([&](model::Drive& d) { d.compression = bad; });
-  rejected([](model::Drive& d) { d.branch = 0; });
-  rejected([](model::Drive& d) {
-    d.kind = model::Drive::Kind::hinge;
-    d.wall = {{9, 9}, model::Axis::x};
-  });
-  for (const double bad : {std::nan(""), pi, -4.0})
-    rejected([&](model::Drive& d) {
-      d.kind = model::Drive::Kind::hinge;
-      d.angle = bad;
-    });
+  for (const double bad : {std::nan(""), -0.1, 1.0}) rejected(model::Plates{.compression = bad});
+  rejected(model::Plates{.branch = 0});
+  EXPECT_THROW(hinge_drive_to(structure, {{9, 9}, model::Axis::x}, 0), InvalidInput);
+  for (const double bad : {std::nan(""), pi, -4.0}) rejected(model::HingeTurn{0, bad});
   EXPECT_THROW(drive_to(structure, pi / 2), InvalidInput);
   EXPECT_THROW(drive_to(structure, std::nan("")), InvalidInput);
 }
@@ -221,8 +213,8 @@ TEST(Drive, RejectsWhatCannotBeDriven) {
 TEST(Drive, KeepsSmallThetasToTheLastDigits) {
   const model::Structure structure = structure_of(bent);
   for (const double theta : {1.5, 0.3, 1e-3, 1e-6, 1e-9, 0.0}) {
-    EXPECT_NEAR(drive_to(structure, theta).theta(), theta, 1e-14 * theta);
-    EXPECT_NEAR(drive_to(structure, -theta).theta(), -theta, 1e-14 * theta);
+    EXPECT_NEAR(drive_on(structure, drive_to(structure, theta)).theta(), theta, 1e-14 * theta);
+    EXPECT_NEAR(drive_on(structure, drive_to(structure, -theta)).theta(), -theta, 1e-14 * theta);
   }
 }
 

@@ -156,7 +156,7 @@ TEST(LiveSheet, PlatesTakeItToTheMiddleBetweenThem) {
   const model::ExactMotion exact = exact_motion(structure);
   for (const model::Axis axis : {model::Axis::x, model::Axis::y}) {
     const int along = axis == model::Axis::x ? 0 : 1;
-    const model::LinkageDrive drive = plates_drive(axis, 0.6).on(structure);
+    const model::LinkageDrive drive = drive_on(structure, plates_drive(axis, 0.6));
     LiveSheet sheet(linkage, live(), 1000);
     sheet.place(moved(exact.at(0.3), {Eigen::Matrix3d::Identity(), Vector3d(3, -5, 8)}));
     sheet.drive_to(drive, exact.at(0.3));
@@ -176,7 +176,7 @@ TEST(LiveSheet, IsDrivenToTheFoldFromAnywhere) {
   const model::ExactMotion exact = exact_motion(structure);
   LiveSheet sheet(linkage, live(), 1000);
   sheet.place(exact.at(0.3));
-  sheet.drive_to(drive_to(structure, 0.6).on(structure), exact.at(0.3));
+  sheet.drive_to(drive_on(structure, drive_to(structure, 0.6)), exact.at(0.3));
   run(sheet, 1.5);
   EXPECT_NEAR(mean_theta(linkage, sheet.state()), 0.6, 1e-3);
   EXPECT_LT(off_family(structure, sheet.state()), 1e-3);

@@ -20,7 +20,7 @@ PhysicsOptions stiff() {
 
 void expect_closed_form(const model::Structure& net, const model::Drive& drive, double theta,
                         const PhysicsOptions& options, double tolerance) {
-  const PhysicsResult result = run_compression(net, drive.on(net), options);
+  const PhysicsResult result = run_compression(net, drive_on(net, drive), options);
   EXPECT_EQ(result.status, Status::settled) << result.why;
   EXPECT_LE(aligned_distance(net, result.state, fold(classify(net), net, theta)).max, tolerance);
 }
@@ -30,7 +30,7 @@ TEST(NetRun, FoldsACubeBetweenPlatesThatGripItsBase) {
   const model::Structure net = cube_net(60 * radians_per_degree);  // 81.8 deg
   for (const model::Axis axis : {model::Axis::x, model::Axis::y})
     for (const int sign : {1, -1}) {
-      model::Drive drive = drive_to(net, sign * theta);
+      auto drive = std::get<model::Plates>(drive_to(net, sign * theta));
       ASSERT_EQ(drive.grip, (model::Grip{{3, 3}, {5, 5}}));
       drive.axis = axis;
       expect_closed_form(net, drive, sign * theta, physics_without_contact(), 1e-7);
@@ -45,7 +45,7 @@ TEST(NetRun, FoldsACubeWhole) {
 
 TEST(NetRun, FoldsAFishboneByItsSpine) {
   const model::Structure net = fishbone(5, 20, 0.1);
-  const model::Drive drive = drive_to(net, 0.5);
+  const auto drive = std::get<model::Plates>(drive_to(net, 0.5));
   ASSERT_EQ(drive.grip, (model::Grip{{5, 0}, {6, 20}}));
   EXPECT_EQ(drive.axis, model::Axis::x);
   expect_closed_form(net, drive, 0.5, stiff(), 1e-7);
@@ -75,7 +75,7 @@ TEST(NetRun, StiffJointsKeepALongRibOnItsWay) {
     const model::State exact = fold(kind, net, 0.5 * tau * (2 - tau));
     farthest = std::max(farthest, aligned_distance(net, state, exact).max);
   };
-  run_compression(net, drive_to(net, 0.5).on(net), options, observer);
+  run_compression(net, drive_on(net, drive_to(net, 0.5)), options, observer);
   EXPECT_LE(farthest, 0.02);
 }
 

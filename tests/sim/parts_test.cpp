@@ -37,7 +37,7 @@ TEST(World, KeepsTheMiddleEulerAngleOfEveryHingeNearZeroBeyondAQuarterTurn) {
   design.t = {0.7, 0.8, 0.7};
   const model::Structure structure = testing::structure_of(design);
   const double theta = 1.0;
-  World world(structure, drive_to(structure, theta).on(structure), testing::physics_without_contact());
+  World world(structure, drive_on(structure, drive_to(structure, theta)), testing::physics_without_contact());
   world.parts().push(theta);
   for (int k = 1; k <= 1000; ++k) {
     world.set_drive(theta * k / 1000);
@@ -53,7 +53,7 @@ TEST(World, KeepsTheMiddleEulerAngleOfEveryHingeNearZeroBeyondAQuarterTurn) {
 TEST(World, KeepsTheMiddleEulerAngleSmallWhereHingesAreTilted) {
   const auto design = testing::strip(testing::curl(6, 0.6), 0.6);
   const model::Structure structure = testing::structure_of(design);
-  World world(structure, drive_to(structure, 0.6).on(structure), testing::physics_without_contact());
+  World world(structure, drive_on(structure, drive_to(structure, 0.6)), testing::physics_without_contact());
   world.parts().push(0.6);
   for (int k = 1; k <= 1000; ++k) {
     world.set_drive(0.6e-3 * k);

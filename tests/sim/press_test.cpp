@@ -22,7 +22,7 @@ struct Pressed {
 };
 
 Pressed pressed(const model::Structure& sheet, const model::Axis axis, double theta, bool press) {
-  Pressed out{sheet, plates_drive(axis, theta).on(sheet), {}, {}};
+  Pressed out{sheet, drive_on(sheet, plates_drive(axis, theta)), {}, {}};
   out.drive.press = press;
   PhysicsOptions options;
   options.elastic = relative(model::Elasticity{}, sheet.size.edge_mm);
@@ -81,7 +81,7 @@ TEST(Press, FoldsABasicSheetAsPlatesThatGripDo) {
 
 TEST(Press, TakesElasticHinges) {
   const model::Structure sheet = model::make_sheet(2, 2, {});
-  model::LinkageDrive drive = plates_drive(model::Axis::y, 0.3).on(sheet);
+  model::LinkageDrive drive = drive_on(sheet, plates_drive(model::Axis::y, 0.3));
   drive.press = true;
   EXPECT_THAT(refusal([&] { run_compression(sheet, drive); }), ::testing::HasSubstr("needs elastic hinges"));
 }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/lattice/square/family/drive.hpp"
+#include "model/sheet/sheet_motion.hpp"
 #include "sim/compression_run.hpp"
 #include "tests/support/random_designs.hpp"
 
@@ -32,7 +32,7 @@ inline std::vector<double> curl(int columns, double tilt) {
 inline sim::PhysicsResult run(const model::ExactDesign<double>& design,
                               const sim::PhysicsOptions& options = {}) {
   const model::Structure structure = structure_of(design);
-  return run_compression(structure, drive_to(structure, design.theta).on(structure), options);
+  return run_compression(structure, drive_on(structure, drive_to(structure, design.theta)), options);
 }
 
 /// The run settles, on the state that the reflections give.

@@ -7,7 +7,7 @@
 #include "model/closure/closure.hpp"
 #include "model/elastic/adjoint.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
-#include "model/lattice/square/family/drive.hpp"
+#include "model/sheet/sheet_motion.hpp"
 #include "tests/support/derivatives.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/random_elastic.hpp"
@@ -30,7 +30,7 @@ struct Equilibrium {
 
 /// Newton's method from the state that `b` has, to rounding.
 inline void settle(Equilibrium& b) {
-  model::ElasticSystem system(b.structure, b.elasticity, b.drive.on(b.structure), b.planar, true);
+  model::ElasticSystem system(b.structure, b.elasticity, drive_on(b.structure, b.drive), b.planar, true);
   system.set_multiplier(b.multiplier);
   system.place(b.theta, b.state);
   model::TangentStiffness tangent(system.dofs());
@@ -41,7 +41,7 @@ inline void settle(Equilibrium& b) {
   const double L = b.structure.size.edge_mm, unit = b.elasticity.k_point * L;
   b.found = result.converged && result.stable;
   b.multiplier = system.multiplier();
-  b.load = system.load(b.state, b.theta) * unit * (b.drive.kind == model::Drive::Kind::plates ? 1 : L);
+  b.load = system.load(b.state, b.theta) * unit * (system.drive().has_force() ? 1 : L);
   b.energy = system.elastic_energy(b.state) * unit * L;
   b.contacts = system.contacts(b.state);
 }
@@ -153,7 +153,7 @@ inline std::vector<StateFunction> state_functions() {
 
 /// Rows as of state_functions().
 inline Eigen::MatrixXd adjoint_jacobian(const Equilibrium& b) {
-  model::ElasticSystem system(b.structure, b.elasticity, b.drive.on(b.structure), b.planar, true);
+  model::ElasticSystem system(b.structure, b.elasticity, drive_on(b.structure, b.drive), b.planar, true);
   system.set_multiplier(b.multiplier);
   model::TangentStiffness tangent(system.dofs());
   system.linearise(b.state, b.theta, tangent);
@@ -239,7 +239,7 @@ inline Equilibrium random_equilibrium(const EquilibriumCase& c) {
   while (overlaps(s)) s = draw();
   const double theta = c.touching ? 0.45 : 0.35;
   const model::Drive drive =
-      c.plates ? plates_drive(model::Axis::y, theta) : hinge_drive({{1, 1}, model::Axis::x}, theta);
+      c.plates ? plates_drive(model::Axis::y, theta) : hinge_drive(s, {{1, 1}, model::Axis::x}, theta);
   return equilibrium(s, {1000, 20, 3, 3000}, drive, c.planar);
 }
 

@@ -4,8 +4,8 @@
 
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/lattice/square/family/classify.hpp"
-#include "model/lattice/square/family/drive.hpp"
 #include "model/lattice/square/unit_laws.hpp"
+#include "model/sheet/sheet_motion.hpp"
 
 /// Shorthand for equilibrium runs against closed forms.
 namespace kinetix::testing {
@@ -17,20 +17,12 @@ inline model::EquilibriumPathOptions without_contact() {
 }
 
 /// A wall turned so that its structure folds to theta, rad.
-inline model::Drive hinge_drive(const model::Wall& wall, double theta) {
-  model::Drive drive;
-  drive.kind = model::Drive::Kind::hinge;
-  drive.wall = wall;
-  drive.angle = -2 * wall.from.sense() * theta;
-  return drive;
+inline model::Drive hinge_drive(const model::Structure& s, const model::Wall& wall, double theta) {
+  return hinge_drive_to(s, wall, theta);
 }
 
 inline model::Drive plates_drive(model::Axis axis, double theta) {
-  model::Drive drive;
-  drive.axis = axis;
-  drive.compression = 1 - std::cos(theta);
-  drive.branch = theta < 0 ? -1 : 1;
-  return drive;
+  return model::Plates{.axis = axis, .compression = 1 - std::cos(theta), .branch = theta < 0 ? -1 : 1};
 }
 
 /// Rms distance of a state from the closed form at theta, cell edges.

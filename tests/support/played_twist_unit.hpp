@@ -5,8 +5,8 @@
 
 #include "model/elastic/path/stable_states.hpp"
 #include "model/lattice/square/cell_tuple.hpp"
-#include "model/lattice/square/family/drive.hpp"
 #include "model/matter/made_hinge.hpp"
+#include "model/sheet/sheet_motion.hpp"
 #include "tests/support/needed_play.hpp"
 
 /// The paper's twist unit as it was printed (section 5.1): a cell of 30 mm, walls 2 mm thick, with play in its pins.

@@ -249,12 +249,7 @@ class DisplayGoal final : public Goal {
     out.design.hinge.model = HingeSection::Model::elastic;
     if (!view.at_equilibrium) view.plates = plates_of(file_);
     view.plates.press = file_.press;
-    if (view.turn)
-      out.design.drive = DriveSection{
-          .kind = DriveSection::Kind::hinge, .hinge = view.turn->hinge, .angle = view.turn->angle};
-    else
-      out.design.drive = DriveSection{
-          .axis = view.plates.axis, .compression = view.plates.compression, .press = view.plates.press};
+    out.design.drive = drive_of(view);
     return out;
   }
 

@@ -35,7 +35,7 @@ PanelLoads panel_loads(const DisplayFile& file, const model::Sheet& basic, optim
   view.plates.press = file.press;
   model::Sheet panel = basic;
   place_hinges(view, panel);
-  const model::LinkageDrive drive = drive_on(panel, view);
+  const model::LinkageDrive drive = drive_on(panel, drive_of(view));
   const model::EquilibriumPath path =
       trace_equilibrium({panel, drive, exact_motion(panel)}, elasticity, path_of_run(true));
   PanelLoads loads;

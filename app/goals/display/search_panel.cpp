@@ -19,12 +19,8 @@ optim::ScaledDisplayOptions scaled_options(const DisplayFile& file) {
 
 }  // namespace
 
-model::Drive plates_of(const DisplayFile& file) {
-  model::Drive drive;
-  drive.kind = model::Drive::Kind::plates;
-  drive.axis = file.axes.front();
-  drive.compression = file.compression;
-  return drive;
+model::Plates plates_of(const DisplayFile& file) {
+  return {.axis = file.axes.front(), .compression = file.compression};
 }
 
 optim::DisplayOptions search_options(const DisplayFile& file, const model::Elasticity& elasticity,
@@ -97,16 +93,9 @@ DisplayReading read_shown_panel(const DisplayFile& file, const model::Sheet& pan
   return out;
 }
 
-model::LinkageDrive drive_on(const model::Sheet& panel, const optim::DisplayView& view) {
-  if (view.turn)
-    return drive_on(panel, model::SheetDrive{.kind = model::LinkageDrive::Kind::hinge,
-                                             .hinge = view.turn->hinge,
-                                             .angle = view.turn->angle});
-  const model::Drive& plates = view.plates;
-  return drive_on(panel, model::SheetDrive{.axis = plates.axis,
-                                           .compression = plates.compression,
-                                           .branch = plates.branch,
-                                           .press = plates.press});
+model::Drive drive_of(const optim::DisplayView& view) {
+  if (view.turn) return *view.turn;
+  return view.plates;
 }
 
 model::Sheet make_panel(const DisplayFile& file, targets::PanelSize size) {

@@ -6,13 +6,12 @@
 #include "app/goals/display/display_outcome.hpp"
 #include "app/run/run_options.hpp"
 #include "model/base/progress.hpp"
-#include "model/lattice/square/family/drive.hpp"
 #include "optim/display/fit_display.hpp"
 
 namespace kinetix::app {
 
 /// The plates that a file asks for; where a search may change them, where it starts. Searches take them to grip.
-model::Drive plates_of(const DisplayFile& file);
+model::Plates plates_of(const DisplayFile& file);
 
 /// Of a search with hinges on their walls.
 optim::DisplayOptions search_options(const DisplayFile& file, const model::Elasticity& elasticity,
@@ -36,7 +35,7 @@ DisplayReading read_panel(const DisplayFile& file, const model::Sheet& panel, co
 DisplayReading read_shown_panel(const DisplayFile& file, const model::Sheet& panel,
                                 const model::State& state);
 /// What moves a panel that was found, by its bodies and hinges.
-model::LinkageDrive drive_on(const model::Sheet& panel, const optim::DisplayView& view);
+model::Drive drive_of(const optim::DisplayView& view);
 
 /// The flat panel of a file with this many cells, all hinges basic.
 model::Sheet make_panel(const DisplayFile& file, targets::PanelSize size);

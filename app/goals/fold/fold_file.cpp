@@ -78,8 +78,7 @@ void choose_cells(const targets::Section& root, FoldFile& file) {
 void check_force_limit(const targets::Node& force, const FoldFile& file) {
   if (file.hinge.model != HingeSection::Model::elastic)
     throw force.key_error("applies to elastic hinges; give `hinge` as well");
-  if (file.drive.kind == GoalDrive::Kind::shape_memory)
-    throw force.key_error("is for a drive from outside; springs in the hinges need none");
+  if (file.drive) throw force.key_error("is for a drive from outside; springs in the hinges need none");
 }
 
 /// Hinges that cannot stretch are not followed to their equilibrium, which tells what they bear.

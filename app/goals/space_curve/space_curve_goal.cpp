@@ -224,7 +224,7 @@ class SpaceCurveGoal final : public Goal {
     out.is_laid_over = true;
     out.bounds = {file_.variables.beta, file_.variables.theta};
     const model::Wall middle = {{file_.variables.columns / 2, 0}, model::Axis::y};
-    out.physics = {.drive = hinge_drive_to(middle, out.theta).on(strip),
+    out.physics = {.drive = drive_on(strip, hinge_drive_to(strip, middle, out.theta)),
                    .least_settle_s = settle_seconds_a_column * file_.variables.columns};
     return out;
   }

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <bit>
 
+#include "app/files/bodies_section.hpp"
 #include "app/io/base64.hpp"
 #include "app/result/bodies_json.hpp"
 #include "model/base/angle.hpp"
@@ -109,7 +110,10 @@ Json meshes_message(const model::Assembly& assembly) {
   return {{"type", "meshes"}, {"bodies", bodies}, {"hinges", hinges}};
 }
 
-double asked_turn(const Design& design) { return design.drive ? design.drive->angle : 0; }
+double asked_turn(const Design& design) {
+  const model::HingeTurn* turn = turn_of(design);
+  return turn ? turn->angle : 0;
+}
 
 Json bodies_message(const Moving& moving) {
   const model::Assembly& assembly = *moving.bodies->structure.assembly();

@@ -29,24 +29,6 @@ Json hinge_json(const HingeSection& hinge) {
           {"text", hinge_text(hinge)}};
 }
 
-/// What moves it, in words.
-const char* drive_text(const Design& design) {
-  using Kind = DriveSection::Kind;
-  if (!design.drive) return "";
-  switch (design.drive->kind) {
-    case Kind::plates:
-      return design.drive->press ? "two plates that press" : "two plates";
-    case Kind::hinge:
-      return "one hinge that is turned, its force at a lever of a cell edge";
-    case Kind::cord:
-      return "a cord that is pulled";
-    case Kind::shape_memory:
-    case Kind::none:
-      break;
-  }
-  return "springs of shape memory";
-}
-
 Json numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 }  // namespace
@@ -76,7 +58,7 @@ Json design_message(const Design& design, const Moving& moving) {
           {"why", moving.exact.why},
           {"breaking", moving.nearest ? moving.nearest->changed : std::vector<int>{}},
           {"hinge", hinge_json(design.hinge)},
-          {"drive", drive_text(design)},
+          {"drive", design.drive ? describe(*design.drive) : ""},
           {"flat_mm", numbers(flat_size(moving.linkage))}};
 }
 

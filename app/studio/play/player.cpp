@@ -62,7 +62,7 @@ void Player::enter(Mode mode) {
 
 /// Whether it goes by another theta than the sheet's.
 bool Player::has_drive_of_its_own() const {
-  return design_.drive && design_.drive->kind != DriveSection::Kind::plates;
+  return design_.drive && !std::holds_alternative<model::Plates>(*design_.drive);
 }
 
 double Player::sheet_theta() const {
@@ -81,9 +81,10 @@ double Player::drive_theta(double theta, const model::State& state) const {
 /// How far springs of shape memory take the sheet, over where they rest: hinges hold them back by about the same part
 /// wherever that is.
 double Player::kept_by_springs() const {
-  if (!has_drive_of_its_own() || !drive_of(design_).heats_springs() || !moving_->exact) return 1;
+  const auto* springs = design_.drive ? std::get_if<model::ShapeMemory>(&*design_.drive) : nullptr;
+  if (!springs || !moving_->exact) return 1;
   Design hot = design_;
-  hot.drive->angle = 2 * usual_rest;
+  hot.drive = model::ShapeMemory{2 * usual_rest, springs->k_turn, springs->springs};
   const double kept = exact_theta_of(hot, moving_->exact) / usual_rest;
   return kept > 0 ? kept : 1;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 
+#include "app/files/bodies_section.hpp"
 #include "app/pipeline/design_drive.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/studio/play/play_time.hpp"
@@ -28,11 +29,7 @@ Eigen::Vector3d carried(const Moving& moving, double theta, int body, const Eige
 
 /// @pre it has a drive
 void end_drive_at(Design& design, double drive_theta) {
-  const model::LinkageDrive shown = drive_to(design, drive_theta);
-  design.drive->compression = shown.compression;
-  design.drive->branch = shown.branch;
-  design.drive->angle = shown.angle;
-  design.drive->shorten_mm = shown.shorten_mm;
+  design.drive = as_far_as(drive_to(design, drive_theta), *design.drive);
 }
 
 }  // namespace
@@ -40,8 +37,8 @@ void end_drive_at(Design& design, double drive_theta) {
 Moving::Moving(const Design& design) : linkage(design.structure), exact(exact_motion(design.structure)) {
   if (design.structure.assembly()) {
     bodies = std::make_shared<const Design>(design);
-    const bool is_named = design.drive && design.drive->hinge >= 0;
-    const int hinge = is_named ? design.drive->hinge : std::max(0, first_motion(linkage).fastest);
+    const model::HingeTurn* turn = turn_of(design);
+    const int hinge = turn && turn->hinge >= 0 ? turn->hinge : std::max(0, first_motion(linkage).fastest);
     take(std::make_shared<BodiesWay>(way_at_rest(linkage, hinge)));
     return;
   }

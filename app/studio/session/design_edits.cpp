@@ -92,7 +92,7 @@ Design with_cells(Design design, std::vector<model::Cell> cells, const model::Ce
   fit_to_walls(design.hinge, before, size);
   for (auto& [h, section] : own) fit_to_walls(section, before, size);
   if (structure.cells != squares_of(design).cells) design.drive.reset();
-  if (design.drive) design.drive->shorten_mm *= size.edge_mm / before.edge_mm;
+  if (design.drive) design.drive = scaled(*design.drive, size.edge_mm / before.edge_mm);
   design.structure = std::move(structure);
   design.own_hinges = std::move(own);
   return design;

@@ -234,19 +234,23 @@ TEST(DesignFile, TakesEverySection) {
   EXPECT_EQ(hinge_of(file, {{3, 0}, model::Axis::y}).t, 0.5);
   EXPECT_EQ(hinge_of(file, {{3, 0}, model::Axis::y}).alpha, pi / 2);
   ASSERT_TRUE(file.drive);
-  EXPECT_EQ(file.drive->kind, DriveSection::Kind::hinge);
-  EXPECT_EQ(file.drive->hinge, file.structure.squares()->hinge_at({{0, 0}, model::Axis::y}));
-  EXPECT_DOUBLE_EQ(file.drive->angle, -40 * radians_per_degree);
+  const auto turn = std::get<model::HingeTurn>(*file.drive);
+  EXPECT_EQ(turn.hinge, file.structure.squares()->hinge_at({{0, 0}, model::Axis::y}));
+  EXPECT_DOUBLE_EQ(turn.angle, -40 * radians_per_degree);
   EXPECT_EQ(file.hinge, (HingeSection{HingeSection::Model::elastic, 500, 0.2, 3.0}));
   EXPECT_EQ(file.physics.step_s, 0.002);
 }
 
+model::Plates read_plates(const std::string& text) {
+  return std::get<model::Plates>(read(text).drive.value());
+}
+
 TEST(DesignFile, DrivesByPlatesAlongYUnlessToldOtherwise) {
-  EXPECT_EQ(read(strip + "drive: {kind: plates, compression: 0.15}").drive,
-            (DriveSection{.kind = DriveSection::Kind::plates, .axis = model::Axis::y, .compression = 0.15}));
-  EXPECT_EQ(read(strip + "drive: {kind: plates, axis: x, compression: 0.15}").drive->axis, model::Axis::x);
-  EXPECT_FALSE(read(strip + "drive: {kind: plates, compression: 0.15}").drive->press);
-  EXPECT_TRUE(read(strip + "drive: {kind: plates, compression: 0.15, press: true}").drive->press);
+  EXPECT_EQ(read_plates(strip + "drive: {kind: plates, compression: 0.15}"),
+            (model::Plates{.axis = model::Axis::y, .compression = 0.15}));
+  EXPECT_EQ(read_plates(strip + "drive: {kind: plates, axis: x, compression: 0.15}").axis, model::Axis::x);
+  EXPECT_FALSE(read_plates(strip + "drive: {kind: plates, compression: 0.15}").press);
+  EXPECT_TRUE(read_plates(strip + "drive: {kind: plates, compression: 0.15, press: true}").press);
 }
 
 // A long row of cells on a bar of three, with a crease: plates can hold some parts of it.
@@ -256,14 +260,14 @@ const std::string tee =
 
 TEST(DesignFile, TakesThePartThatPlatesGrip) {
   const std::string spine = tee + "drive: {kind: plates, axis: x, compression: 0.1, grip: [[1, 0], [2, 4]]}";
-  EXPECT_EQ(read(spine).drive->grip, (model::Grip{{1, 0}, {2, 4}}));
+  EXPECT_EQ(read_plates(spine).grip, (model::Grip{{1, 0}, {2, 4}}));
   EXPECT_NE(design_text(read(spine)).find("grip: [[1, 0], [2, 4]]}"), std::string::npos);
-  EXPECT_FALSE(read(tee + "drive: {kind: plates, compression: 0.1}").drive->grip);
+  EXPECT_FALSE(read_plates(tee + "drive: {kind: plates, compression: 0.1}").grip);
 }
 
 TEST(DesignFile, TakesTheBranchAndTheSideOfABifurcation) {
   const Design file = read(strip + "drive: {kind: plates, compression: 0.15, branch: -1, side: -1}");
-  EXPECT_EQ(file.drive->branch, -1);
+  EXPECT_EQ(std::get<model::Plates>(*file.drive).branch, -1);
   EXPECT_EQ(file.side, -1);
   const Design side_alone = read(strip + "drive: {side: -1}");
   EXPECT_FALSE(side_alone.drive);
@@ -304,26 +308,19 @@ TEST(DesignFile, SurvivesWritingAndReadingBitForBit) {
         .structure = structure_of(design, {edge, 0.4 * edge * unit(random) + 1e-3, 9 * unit(random) + 0.1})};
     for (int h = 0; h < file.structure.hinges(); ++h) file.structure.hinge(h).alpha = 0.01 + 3 * unit(random);
     file.theta = design.theta;
-    if (round % 3 == 1)
-      file.drive = DriveSection{
-          .kind = DriveSection::Kind::plates, .axis = model::Axis::x, .compression = unit(random)};
-    if (round % 3 == 2)
-      file.drive = DriveSection{.kind = DriveSection::Kind::hinge,
-                                .hinge = file.structure.hinges() - 1,
-                                .angle = 6 * unit(random) - 3};
+    if (round % 3 == 1) file.drive = model::Plates{.axis = model::Axis::x, .compression = unit(random)};
+    if (round % 3 == 2) file.drive = model::HingeTurn{file.structure.hinges() - 1, 6 * unit(random) - 3};
     if (round % 12 == 5)
-      file.drive = DriveSection{.kind = DriveSection::Kind::cord,
-                                .branch = -1,
-                                .through = {0, file.structure.hinges() - 1},
-                                .shorten_mm = 1e-3 * edge * unit(random)};
+      file.drive = model::CordPull{.through = {0, file.structure.hinges() - 1},
+                                   .shorten_mm = 1e-3 * edge * unit(random),
+                                   .branch = -1};
     if (round % 12 == 8)
-      file.drive = DriveSection{.kind = DriveSection::Kind::shape_memory,
-                                .angle = 6 * unit(random) - 3,
-                                .springs = {0, 2},
-                                .k_turn = unit(random)};
-    if (file.drive && round % 4 < 2 && file.drive->kind == DriveSection::Kind::plates)
-      file.drive->branch = round % 8 < 4 ? 1 : -1;
-    if (file.drive && file.drive->kind == DriveSection::Kind::plates) file.drive->press = round % 5 < 2;
+      file.drive =
+          model::ShapeMemory{.angle = 6 * unit(random) - 3, .k_turn = unit(random), .springs = {0, 2}};
+    if (auto* plates = file.drive ? std::get_if<model::Plates>(&*file.drive) : nullptr) {
+      if (round % 4 < 2) plates->branch = round % 8 < 4 ? 1 : -1;
+      plates->press = round % 5 < 2;
+    }
     file.side = round % 7 < 3 ? -1 : 1;
     if (round % 2)
       file.hinge = {HingeSection::Model::elastic, 1000 * unit(random), unit(random), edge * unit(random)};

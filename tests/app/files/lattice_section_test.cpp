@@ -104,10 +104,7 @@ TEST(LatticeSection, SurvivesWritingAndReadingBitForBit) {
       for (int h = 0; h < file.structure.hinges(); ++h)  // offsets that a file can have: a number of mm
         file.structure.hinge(h).offset = std::round(1e6 * file.structure.hinge(h).offset * edge) / 1e6 / edge;
       file.theta = unit(random) - 0.5;
-      if (round % 2)
-        file.drive = DriveSection{.kind = DriveSection::Kind::hinge,
-                                  .hinge = file.structure.hinges() - 1,
-                                  .angle = 2 * unit(random) - 1};
+      if (round % 2) file.drive = model::HingeTurn{file.structure.hinges() - 1, 2 * unit(random) - 1};
       expect_same(read(design_text(file)), file);
     }
 }

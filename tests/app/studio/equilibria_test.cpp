@@ -51,23 +51,23 @@ TEST(StudioEquilibria, ComesBackWithoutAWayFromFlat) {
 }
 
 /// A strip that one hinge, a cord, or springs fold.
-app::Design driven(app::DriveSection::Kind kind) {
+enum class Moved { by_hinge, by_cord, by_springs };
+
+app::Design driven(Moved moved) {
   app::Design design = app::studio::template_design("strip");
   const auto wall = [&](int column) {
     return *design.structure.squares()->hinge_at({{column, 0}, model::Axis::y});
   };
-  design.drive = app::DriveSection{.kind = kind, .hinge = wall(6), .angle = 40 * deg};
-  design.drive->through = {wall(0), wall(12)};
-  design.drive->shorten_mm = 10;
-  design.drive->k_turn = 5;
+  if (moved == Moved::by_hinge) design.drive = model::HingeTurn{wall(6), 40 * deg};
+  if (moved == Moved::by_cord) design.drive = model::CordPull{{wall(0), wall(12)}, 10};
+  if (moved == Moved::by_springs) design.drive = model::ShapeMemory{.angle = 40 * deg, .k_turn = 5};
   return design;
 }
 
 TEST(StudioEquilibria, GoesUnderTheDesignsOwnDrive) {
-  using Kind = app::DriveSection::Kind;
-  for (const Kind kind : {Kind::hinge, Kind::cord, Kind::shape_memory}) {
-    SCOPED_TRACE(static_cast<int>(kind));
-    const app::Design design = driven(kind);
+  for (const Moved moved : {Moved::by_hinge, Moved::by_cord, Moved::by_springs}) {
+    SCOPED_TRACE(static_cast<int>(moved));
+    const app::Design design = driven(moved);
     const model::LinkageDrive drive = app::studio::drive_to(design, 15 * deg);
     const Equilibria equilibria(design, app::studio::Moving(design));
     std::string why;
@@ -82,10 +82,10 @@ TEST(StudioEquilibria, GoesUnderTheDesignsOwnDrive) {
     const model::Linkage linkage = design.structure;
     const double load = last.step.load, force = equilibria.force_N(last.step.theta, load);
     EXPECT_GT(std::abs(load), 0);
-    if (kind == Kind::hinge) {
+    if (moved == Moved::by_hinge) {
       EXPECT_EQ(force, load / linkage.size.edge_mm) << "at a lever of a cell edge";
       EXPECT_NEAR(hinge_turn(linkage, last.state, drive.hinge), drive.angle, 1e-9);
-    } else if (kind == Kind::cord) {
+    } else if (moved == Moved::by_cord) {
       EXPECT_EQ(force, load);
       EXPECT_NEAR(cord_length(linkage, drive.through, last.state), drive.rest_mm - drive.shorten_mm, 1e-6);
     } else {

@@ -268,14 +268,14 @@ TEST_F(StudioOfALoop, TurnsByAnotherHinge) {
 
 TEST(StudioOfBodiesOpened, IsAsFarTurnedAsItsDriveSays) {
   app::Design file = pair_of_walls();
-  file.drive =
-      app::DriveSection{.kind = app::DriveSection::Kind::hinge, .hinge = 0, .angle = 40 * radians_per_degree};
+  file.drive = model::HingeTurn{0, 40 * radians_per_degree};
   OpenStudio studio{file};
   Client client{studio.port()};
   ASSERT_TRUE(client.open(studio.token));
   const json design = followed(client);
   const Received frame = client.ask({{"type", "release"}});
-  EXPECT_NEAR(frame.head(3) * design["bodies"]["turn_per_theta"].get<double>(), file.drive->angle, 1e-12);
+  EXPECT_NEAR(frame.head(3) * design["bodies"]["turn_per_theta"].get<double>(), app::turn_of(file)->angle,
+              1e-12);
 }
 
 TEST(StudioOfBodiesOpened, GoesTheWayThatItsBodiesArePulled) {
@@ -317,7 +317,7 @@ TEST(StudioOfBodiesOpened, StopsWhereAHingeOpens) {
   model::AssemblyHinge& tilted = bodies.hinges[0];
   tilted.axis = Eigen::AngleAxisd(1 * radians_per_degree, tilted.along) * tilted.axis;
   file.structure = model::Sheet(bodies);
-  file.drive = app::DriveSection{.kind = app::DriveSection::Kind::hinge, .hinge = 1};
+  file.drive = model::HingeTurn{1, 0};
   OpenStudio studio{file};
   Client client{studio.port()};
   ASSERT_TRUE(client.open(studio.token));

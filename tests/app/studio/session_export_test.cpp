@@ -23,8 +23,7 @@ TEST_F(Studio, ExportsFilesForThePrinter) {
 /// Between plates that close in by 0.3: theta 45.6 degrees.
 app::Design pressed_panel() {
   app::Design design = app::studio::template_design("panel");
-  design.drive.emplace();
-  design.drive->compression = 0.3;
+  design.drive = model::Plates{.compression = 0.3};
   return design;
 }
 

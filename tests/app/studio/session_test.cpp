@@ -199,8 +199,7 @@ TEST_F(Studio, SavesTheDesignWhereverTheSliderStands) {
 
 TEST_F(Studio, SavesADriveThatEndsWhereItIsShown) {
   app::Design pressed = app::studio::template_design("panel");
-  pressed.drive.emplace();
-  pressed.drive->compression = 0.3;
+  pressed.drive = model::Plates{.compression = 0.3};
   OpenStudio one{pressed};
   Client page{one.port()};
   ASSERT_TRUE(page.open(one.token));
@@ -314,14 +313,11 @@ TEST_F(Studio, ThePhysicsFoldsByTheDesignsOwnDrive) {
   const model::Structure& squares = *file.structure.squares();
   app::Design pulled = file, turned = file, hot = file;
   const auto wall = [&](int column) { return *squares.hinge_at({{column, 0}, model::Axis::y}); };
-  pulled.drive = app::DriveSection{
-      .kind = app::DriveSection::Kind::cord, .through = {wall(0), wall(12)}, .shorten_mm = 20};
-  turned.drive = app::DriveSection{
-      .kind = app::DriveSection::Kind::hinge, .hinge = wall(6), .angle = -40 * radians_per_degree};
-  hot.drive = app::DriveSection{
-      .kind = app::DriveSection::Kind::shape_memory, .angle = 80 * radians_per_degree, .k_turn = 100};
+  pulled.drive = model::CordPull{{wall(0), wall(12)}, 20};
+  turned.drive = model::HingeTurn{wall(6), -40 * radians_per_degree};
+  hot.drive = model::ShapeMemory{.angle = 80 * radians_per_degree, .k_turn = 100};
   for (const app::Design& driven : {pulled, turned, hot}) {
-    const bool is_hot = driven.drive->kind == app::DriveSection::Kind::shape_memory;
+    const bool is_hot = std::holds_alternative<model::ShapeMemory>(*driven.drive);
     OpenStudio one{driven};
     Client page{one.port()};
     ASSERT_TRUE(page.open(one.token));
@@ -330,8 +326,7 @@ TEST_F(Studio, ThePhysicsFoldsByTheDesignsOwnDrive) {
     page.ask({{"type", "mode"}, {"mode", "bullet"}});
     page.send(R"({"type": "theta", "deg": 25})");
     EXPECT_EQ(page.text("state")["springs"], is_hot);
-    EXPECT_NEAR(folded_to(page, 25).head(3), 25 * radians_per_degree, 0.05)
-        << static_cast<int>(driven.drive->kind);
+    EXPECT_NEAR(folded_to(page, 25).head(3), 25 * radians_per_degree, 0.05) << driven.drive->index();
   }
 }
 
@@ -367,8 +362,7 @@ TEST_F(Studio, KeepsTheDriveWhileItsCellsStay) {
   const auto wall = [&](int column) {
     return *file.structure.squares()->hinge_at({{column, 0}, model::Axis::y});
   };
-  pulled.drive = app::DriveSection{
-      .kind = app::DriveSection::Kind::cord, .through = {wall(0), wall(12)}, .shorten_mm = 20};
+  pulled.drive = model::CordPull{{wall(0), wall(12)}, 20};
   OpenStudio one{pulled};
   Client page{one.port()};
   ASSERT_TRUE(page.open(one.token));
@@ -381,7 +375,7 @@ TEST_F(Studio, KeepsTheDriveWhileItsCellsStay) {
   page.send(R"({"type": "save"})");
   const auto saved = app::read_design(page.text("saved")["path"].get<std::string>()).drive;
   ASSERT_TRUE(saved);
-  EXPECT_DOUBLE_EQ(saved->shorten_mm, 10);
+  EXPECT_DOUBLE_EQ(std::get<model::CordPull>(*saved).shorten_mm, 10);
   page.send(R"({"type": "paint", "cell": [11, 0], "on": false})");
   page.text("design");
   EXPECT_EQ(page.text("design")["drive"], "");

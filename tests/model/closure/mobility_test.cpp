@@ -6,7 +6,7 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/square/cell_tuple.hpp"
-#include "model/lattice/square/family/drive.hpp"
+#include "model/sheet/sheet_motion.hpp"
 #include "tests/support/random_designs.hpp"
 
 namespace kinetix::model {

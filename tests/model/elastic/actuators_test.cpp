@@ -262,7 +262,8 @@ TEST(Drives, OfAllKindsFindTheSameStableStatesAndBarrier) {
   soft.k_turn = 1e-3;
   StableStateOptions options;
   options.path = without_contact();  // walls in contact make several minima of the one
-  const LinkageDrive hinge = testing::hinge_drive({{0, 0}, Axis::y}, -40 * radians_per_degree).on(s);
+  const LinkageDrive hinge =
+      drive_on(s, testing::hinge_drive(s, {{0, 0}, Axis::y}, -40 * radians_per_degree));
   const StableStates by_hinge = find_stable_states({{s, hinge, {}}}, soft, options);
   ASSERT_EQ(by_hinge.states.size(), 2u);
   ASSERT_EQ(by_hinge.barriers.size(), 1u);

@@ -12,7 +12,7 @@ namespace {
 using namespace testing;
 
 Sensitivity of_equilibrium(const Equilibrium& b, const EquilibriumGradient& gradient) {
-  ElasticSystem system(b.structure, b.elasticity, b.drive.on(b.structure), b.planar, true);
+  ElasticSystem system(b.structure, b.elasticity, drive_on(b.structure, b.drive), b.planar, true);
   system.set_multiplier(b.multiplier);
   TangentStiffness tangent(system.dofs());
   system.linearise(b.state, b.theta, tangent);
@@ -37,8 +37,8 @@ TEST(Adjoint, EnergyGrowsWithThetaByTheWorkOfTheLoad) {
   for (const EquilibriumCase& c : equilibrium_cases(3)) {
     SCOPED_TRACE(to_string(c));
     const Equilibrium b = random_equilibrium(c);
-    const double way =
-        c.plates ? 2 * b.structure.size.edge_mm * std::sin(b.theta) : -2 * b.drive.wall.from.sense();
+    const double way = c.plates ? 2 * b.structure.size.edge_mm * std::sin(b.theta)
+                                : -2 * drive_on(b.structure, b.drive).sense;
     EXPECT_NEAR(of_equilibrium(b, {{}, 0, 1}).theta, b.load * way, 1e-8 * std::abs(b.load * way));
   }
 }
@@ -48,7 +48,7 @@ TEST(Adjoint, OfManyFunctionsIsThatOfEach) {
     SCOPED_TRACE(to_string(c));
     const Equilibrium b = random_equilibrium(c);
     ASSERT_TRUE(b.found);
-    ElasticSystem system(b.structure, b.elasticity, b.drive.on(b.structure), b.planar, true);
+    ElasticSystem system(b.structure, b.elasticity, drive_on(b.structure, b.drive), b.planar, true);
     system.set_multiplier(b.multiplier);
     TangentStiffness tangent(system.dofs());
     system.linearise(b.state, b.theta, tangent);

@@ -23,7 +23,7 @@ class Comparison : public ::testing::Test {
   }
 
   const Structure sheet = testing::alternating(3, 3, testing::scaling_unit, testing::scaling_unit);
-  const EquilibriumScene scene{sheet, {}, plates_drive(Axis::y, compared_theta).on(sheet), true, true};
+  const EquilibriumScene scene{sheet, {}, drive_on(sheet, plates_drive(Axis::y, compared_theta)), true, true};
 };
 
 TEST_F(Comparison, OfAnEquilibriumWithItselfAgrees) {

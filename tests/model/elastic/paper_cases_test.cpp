@@ -53,7 +53,7 @@ TEST(PaperGrids, At90DegreesTheDistanceGoesWithTheCubeRootOfTheStiffnessRatio) {
 
 TEST(PaperGrids, At135DegreesTheClosedFormIsAEquilibriumButForTheStiffnessRatio) {
   const auto distance = [](const Structure& s, double theta, double k_turn) {
-    ElasticSystem system(s, {.k_turn = k_turn}, drive_to(s, theta).on(s), true, false);
+    ElasticSystem system(s, {.k_turn = k_turn}, drive_on(s, drive_to(s, theta)), true, false);
     State state = fold(classify(s), s, theta);
     TangentStiffness tangent(system.dofs());
     const NewtonResult result = minimise(system, theta, {}, state, tangent);
@@ -309,7 +309,7 @@ TEST(PaperTwoUnits, TwistingUnitsSnapToTheTwistOfEquationSixAndTheOthersDoTheirP
     SCOPED_TRACE(pair.name);
     const Structure s = alternating(6, 1, pair.even, pair.odd);
     const EquilibriumPath path =
-        trace_equilibrium(driven(s, hinge_drive({{3, 0}, Axis::y}, theta)), {.k_turn = 1e-3}, no_contact);
+        trace_equilibrium(driven(s, hinge_drive(s, {{3, 0}, Axis::y}, theta)), {.k_turn = 1e-3}, no_contact);
     ASSERT_EQ(path.stop, Stop::reached) << path.why;
     const double fold = crease_fold(pair.odd.beta, theta);
     for (const int c : {0, 2, 4}) EXPECT_NEAR(lean(s, path.state, c), twist, 1e-4);
@@ -327,7 +327,7 @@ TEST(PaperTwoUnits, TwistingUnitsSnapToTheTwistOfEquationSixAndTheOthersDoTheirP
 TEST(PaperTwoUnits, TwistingAndBasicUnitsTwistAboutTheStrip) {
   const Structure s = twisting_strip();
   const EquilibriumPath path = trace_equilibrium(
-      driven(s, hinge_drive({{5, 0}, Axis::y}, 44.9 * radians_per_degree)), {.k_turn = 1e-4}, no_contact);
+      driven(s, hinge_drive(s, {{5, 0}, Axis::y}, 44.9 * radians_per_degree)), {.k_turn = 1e-4}, no_contact);
   ASSERT_EQ(path.stop, Stop::reached) << path.why;
   for (const int from : {0, 2, 4, 6}) {
     const Screw screw = screw_of_period(s, path.state, from, path.theta);
@@ -340,7 +340,7 @@ TEST(PaperTwoUnits, TwistingAndBasicUnitsTwistAboutTheStrip) {
 TEST(PaperTwoUnits, TwistingUnitsAloneWorkAgainstEachOther) {
   const Structure s = alternating(6, 1, twisting_unit, twisting_unit);
   const EquilibriumPath path = trace_equilibrium(
-      driven(s, hinge_drive({{3, 0}, Axis::y}, 45 * radians_per_degree)), {.k_turn = 1e-3}, no_contact);
+      driven(s, hinge_drive(s, {{3, 0}, Axis::y}, 45 * radians_per_degree)), {.k_turn = 1e-3}, no_contact);
   EXPECT_GE(path.gaps.max, 1e-2);
   EXPECT_FALSE(solve_closure(s, path.state, {HingeTurn{*s.hinge_at({{3, 0}, Axis::y}), pi / 2}}).closed);
 }
@@ -370,7 +370,7 @@ TEST(PaperTessellations, DoNotTouchBeforeTheClosedFormDoes) {
 TEST(PaperTessellations, CurlingStripOfBendingAndTwistingUnitsBendsAndTwists) {
   const Structure s = curling_strip();
   const EquilibriumPath path = trace_equilibrium(
-      driven(s, hinge_drive({{4, 0}, Axis::y}, -45 * radians_per_degree)), {.k_turn = 1e-3}, no_contact);
+      driven(s, hinge_drive(s, {{4, 0}, Axis::y}, -45 * radians_per_degree)), {.k_turn = 1e-3}, no_contact);
   ASSERT_EQ(path.stop, Stop::reached) << path.why;
   for (int c = 0; c < 9; ++c)
     EXPECT_NEAR(lean(s, path.state, c),

@@ -8,7 +8,7 @@
 
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/hinge/hinge_energy.hpp"
-#include "model/lattice/square/family/drive.hpp"
+#include "model/sheet/sheet_motion.hpp"
 #include "tests/support/derivatives.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/random_elastic.hpp"
@@ -120,7 +120,7 @@ TEST(HingeLaw, ACellOfCubicHingesIsDrivenByFourTimesTheMomentOfOne) {
   // holds the drive, 100 k_point edge^2, times the error that rounding leaves: some 1e-6 N mm.
   const Elasticity cubic{.k_point = 1e6, .k_turn = 0.1, .law = std::make_shared<CubicHinge>()};
   for (const double theta : {0.3, -0.5}) {
-    const Drive drive = hinge_drive_to(cell.hinges[0].wall, theta);
+    const HingeTurn drive = hinge_drive_to(cell, cell.hinges[0].wall, theta);
     const EquilibriumPath path = trace_equilibrium(driven(cell, drive), cubic, testing::without_contact());
     ASSERT_EQ(path.stop, EquilibriumPath::Stop::reached) << path.why;
     const double turn = drive.angle;

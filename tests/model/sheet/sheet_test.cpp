@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "model/lattice/square/family/drive.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/planar_graphs.hpp"
@@ -168,13 +167,13 @@ TEST(Sheet, ColumnsGoFromTheLeftAndEachFromBelow) {
 
 TEST(SheetMotion, DrivesEveryLatticeByItsOwnRules) {
   const Structure s = squares();
-  EXPECT_EQ(drive_to(Sheet(s), 0.3).compression, drive_to(s, 0.3).on(s).compression);
+  EXPECT_EQ(drive_to(Sheet(s), 0.3).compression, drive_on(s, drive_to(s, 0.3)).compression);
   EXPECT_EQ(exact_motion(Sheet(s)).name, "F2");
   const Sheet sheet = hexagons();
   EXPECT_EQ(exact_motion(sheet).name, "planar");
   for (const double theta : {-0.4, 0.4})
     EXPECT_NEAR(exact_motion(sheet).theta_of(drive_to(sheet, theta)), theta, 1e-9);
-  const LinkageDrive turned = drive_on(sheet, {.kind = LinkageDrive::Kind::hinge, .hinge = 2, .angle = 0.5});
+  const LinkageDrive turned = drive_on(sheet, HingeTurn{2, 0.5});
   EXPECT_EQ(turned.hinge, 2);
   EXPECT_EQ(turned.angle, 0.5);
 }

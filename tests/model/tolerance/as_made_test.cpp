@@ -21,7 +21,7 @@ using testing::hinge_drive;
 
 AsMade of_equilibrium(const Equilibrium& b, const std::vector<ObservedPoint>& points,
                       const HingeScatter& scatter, const AsMadeOptions& options = {}) {
-  ElasticSystem system(b.structure, b.elasticity, b.drive.on(b.structure), b.planar, true);
+  ElasticSystem system(b.structure, b.elasticity, drive_on(b.structure, b.drive), b.planar, true);
   system.set_multiplier(b.multiplier);
   TangentStiffness tangent(system.dofs());
   system.linearise(b.state, b.theta, tangent);
@@ -35,7 +35,7 @@ Equilibrium bent(int columns, int rows) {
   for (Hinge& hinge : s.hinges)
     if (hinge.wall.axis == Axis::x)
       hinge.parameters.beta = (starts_in_class_b(hinge.wall) ? -0.2 : 0.2) * (1 + 0.1 * hinge.wall.from.i);
-  Equilibrium b = equilibrium(s, {}, hinge_drive({{0, 0}, Axis::y}, 0.35), false);
+  Equilibrium b = equilibrium(s, {}, hinge_drive(s, {{0, 0}, Axis::y}, 0.35), false);
   EXPECT_TRUE(b.found);
   return b;
 }
@@ -172,7 +172,7 @@ TEST(AsMade, ChangesOfTheStateAgreeWithTheAdjoint) {
   for (const bool planar : {false, true})
     for (const bool plates : {false, true}) {
       const Equilibrium b = random_equilibrium({5, planar, plates, false});
-      ElasticSystem system(b.structure, b.elasticity, b.drive.on(b.structure), planar, true);
+      ElasticSystem system(b.structure, b.elasticity, drive_on(b.structure, b.drive), planar, true);
       system.set_multiplier(b.multiplier);
       TangentStiffness tangent(system.dofs());
       system.linearise(b.state, b.theta, tangent);

@@ -46,8 +46,8 @@ Linkage printed_strip(const Eigen::Matrix4Xd& errors) {
 FlatStarts starts_of(const HingeScatter& scatter, double theta, int threads = 1) {
   AsMadeOptions options;
   options.threads = threads;
-  return *flat_starts(printed_strip, soft_blocks(), plates_drive(Axis::x, theta).on(tilted_strip()), scatter,
-                      prints, options);
+  return *flat_starts(printed_strip, soft_blocks(), drive_on(tilted_strip(), plates_drive(Axis::x, theta)),
+                      scatter, prints, options);
 }
 
 /// Theta of a print under plates that close in small steps, from equilibrium to equilibrium.
@@ -78,8 +78,8 @@ TEST(FlatStarts, OfPrintsWithOffsetsGoToTheSideOfPrintsThatAreWalkedThereInSmall
   PrintErrors errors(scatter, static_cast<Eigen::Index>(tilted_strip().hinges.size()), AsMadeOptions{}.seed);
   int other_side = 0;
   for (int k = 0; k < prints; ++k)
-    other_side += walked_theta(printed_strip(errors.next()), plates_drive(Axis::x, theta).on(tilted_strip()),
-                               theta) < 0;
+    other_side += walked_theta(printed_strip(errors.next()),
+                               drive_on(tilted_strip(), plates_drive(Axis::x, theta)), theta) < 0;
   EXPECT_EQ(starts.prints, prints);
   EXPECT_EQ(starts.either_side, 0);
   EXPECT_EQ(starts.other_side, other_side);
@@ -93,8 +93,8 @@ TEST(FlatStarts, WithoutErrorsAreLeftToChance) { EXPECT_EQ(starts_of({}, 0.3).ei
 TEST(FlatStarts, EndWhereTheyAreToldTo) {
   AsMadeOptions options;
   options.stop = [] { return true; };
-  EXPECT_FALSE(flat_starts(printed_strip, soft_blocks(), plates_drive(Axis::x, 0.3).on(tilted_strip()), {}, 2,
-                           options));
+  EXPECT_FALSE(flat_starts(printed_strip, soft_blocks(), drive_on(tilted_strip(), plates_drive(Axis::x, 0.3)),
+                           {}, 2, options));
 }
 
 }  // namespace

@@ -22,14 +22,16 @@ struct BentSheet {
   BentSheet() {
     for (Hinge& hinge : structure.hinges)
       if (hinge.wall.axis == Axis::x) hinge.parameters.beta = starts_in_class_b(hinge.wall) ? -tilt : tilt;
-    found = testing::equilibrium(structure, {}, testing::hinge_drive({{0, 0}, Axis::y}, turn), false);
+    found =
+        testing::equilibrium(structure, {}, testing::hinge_drive(structure, {{0, 0}, Axis::y}, turn), false);
   }
 
   PrintRuns prints(int count, const AsMadeOptions& options = {}) const {
     std::vector<ObservedPoint> points;
     for (int k = 0; k < static_cast<int>(found.state.size()); ++k)
       points.push_back({{k}, found.state[k].p, Vector3d(std::sin(k), 0.3, std::cos(k)).normalized(), 0});
-    const SettledDesign design(structure, {found.state, found.elasticity, found.drive.on(structure)}, false);
+    const SettledDesign design(structure, {found.state, found.elasticity, drive_on(structure, found.drive)},
+                               false);
     return print_runs([&](const Eigen::Matrix4Xd& errors) { return printed(errors); }, design, points,
                       print_scatter, count, options);
   }

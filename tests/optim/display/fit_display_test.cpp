@@ -189,7 +189,7 @@ TEST(DisplayProblem, DerivativesByOffsetsMatchCentralDifferences) {
     for (std::size_t c = 0; c < levels.size(); c += 3) levels[c] = 1;
     DisplayVariables variables{untied(panel.hinges()), {0.2, 0.8}, {{0.05, 0.2}}};
     variables.offset = 0.1;
-    model::Drive plates = pressed(0.1).plates;
+    model::Plates plates = pressed(0.1).plates;
     if (honeycomb) plates.axis = model::Axis::x;
     PanelEquilibrium equilibrium(panel, {}, plates);
     const PictureCost picture(levels);

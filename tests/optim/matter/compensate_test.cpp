@@ -29,7 +29,7 @@ model::Sheet bent_strip(int columns, double tilt) {
 model::Elasticity rubber() { return model::elasticity_of(model::HingeStiffness{6, 1.5, 1.5, 0.3}, 1.7); }
 
 model::LinkageDrive springs(const model::Sheet& sheet, double to) {
-  return drive_on(sheet, {.kind = model::LinkageDrive::Kind::shape_memory, .angle = 2 * to, .k_turn = 3});
+  return drive_on(sheet, model::ShapeMemory{.angle = 2 * to, .k_turn = 3});
 }
 
 /// Every vertex where the exact state has it, in all directions.

@@ -33,8 +33,8 @@ HardCase grid_case(bool scales, double k, double phi) {
   return {text("3x5 grid that %s, k = %.6g, hinge to phi = %g deg", scales ? "scales" : "shears", k, phi),
           text("closed form, rms <= %.0e%s", allowed, phi > 90 ? ", or the branching told" : ""), [=] {
             const model::Structure s = scales ? crossable_grid(k) : uncrossable_grid(k);
-            return follow_through({s, hinge_drive({{0, 0}, model::Axis::y}, phi / 2 * deg), of_ratio(1e-12)},
-                                  allowed);
+            return follow_through(
+                {s, hinge_drive(s, {{0, 0}, model::Axis::y}, phi / 2 * deg), of_ratio(1e-12)}, allowed);
           }};
 }
 

@@ -76,12 +76,12 @@ void add_drives(HardCases& cases) {
   cases.push_back(refused("a drive on the wall of a hinge that is not there, in column", "is not a wall",
                           {7.0, -1.0}, [](double column) {
                             const model::Wall wall{{static_cast<int>(column), 0}, model::Axis::x};
-                            trace_equilibrium(driven(small_panel(), hinge_drive(wall, 0.3)), {});
+                            trace_equilibrium(driven(small_panel(), hinge_drive(small_panel(), wall, 0.3)),
+                                              {});
                           }));
   cases.push_back(refused("plates to a compression of", "must be in [0, 1)", {-0.1, 1.0, 1.5, nan},
                           [](double compression) {
-                            model::Drive drive;
-                            drive.compression = compression;
+                            const model::Plates drive{.compression = compression};
                             trace_equilibrium(driven(small_panel(), drive), {});
                           }));
 }

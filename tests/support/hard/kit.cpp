@@ -17,11 +17,12 @@ double fold_energy(const HardScene& scene, const model::State& state) {
 
 /// Force times this is energy by the drive's coordinate.
 double travel(const HardScene& scene) {
-  if (scene.drive.kind == model::Drive::Kind::hinge) return 1;
-  const auto rows = gripped_bodies(scene.structure, scene.drive.axis);
+  const auto* plates = std::get_if<model::Plates>(&scene.drive);
+  if (!plates) return 1;
+  const auto rows = gripped_bodies(scene.structure, plates->axis);
   const auto at = [&](int side) {
     const model::Vertex v = scene.structure.bodies[rows[side].front()];
-    return scene.drive.axis == model::Axis::x ? v.i : v.j;
+    return plates->axis == model::Axis::x ? v.i : v.j;
   };
   return (at(1) - at(0)) * scene.structure.size.edge_mm;
 }
@@ -74,8 +75,8 @@ model::EquilibriumPath followed_finely(const HardScene& scene) {
 }
 
 double energy_of(const HardScene& scene, const model::State& state) {
-  const model::ElasticSystem system(scene.structure, scene.elasticity, scene.drive.on(scene.structure), false,
-                                    scene.contact);
+  const model::ElasticSystem system(scene.structure, scene.elasticity, drive_on(scene.structure, scene.drive),
+                                    false, scene.contact);
   return system.elastic_energy(state) * energy_unit(scene.elasticity, scene.structure.size.edge_mm);
 }
 
@@ -107,7 +108,7 @@ HardAnswer answer(const HardScene& scene, const model::EquilibriumPath& path, bo
 
 HardAnswer follow_closed_form(const HardScene& scene, double allowed) {
   const model::EquilibriumPath path = followed(scene);
-  const double theta = scene.drive.theta();
+  const double theta = scene.theta();
   const model::State exact = fold(classify(scene.structure), scene.structure, theta);
   const double error = aligned_distance(scene.structure, path.state, exact).rms;
   HardAnswer a = answer(scene, path, path.stop == model::EquilibriumPath::Stop::reached && error <= allowed,

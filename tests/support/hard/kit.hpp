@@ -39,6 +39,8 @@ struct HardScene {
   model::Drive drive;
   model::Elasticity elasticity;
   bool contact = false;
+
+  double theta() const { return drive_on(structure, drive).theta(); }  ///< rad
 };
 
 /// The same of any lattice, with its closed form where it has one.

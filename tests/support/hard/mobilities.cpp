@@ -33,7 +33,10 @@ HardAnswer share_turns() {
 }
 
 HardAnswer drive_one_of_two() {
-  const HardScene scene{two_cells_at_a_corner(), hinge_drive({{0, 0}, model::Axis::y}, 30 * deg), {}, true};
+  const HardScene scene{two_cells_at_a_corner(),
+                        hinge_drive(two_cells_at_a_corner(), {{0, 0}, model::Axis::y}, 30 * deg),
+                        {},
+                        true};
   const model::Structure& s = scene.structure;
   const model::EquilibriumPath path = followed(scene);
   const model::Mobility m = mobility(s, exact_motion(s));

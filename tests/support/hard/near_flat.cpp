@@ -27,7 +27,7 @@ double buckling_compression(const model::Structure& s, const model::Elasticity& 
 HardAnswer buckle(double over) {
   HardScene scene{panel(), {}, {}, true};
   const double critical = buckling_compression(scene.structure, scene.elasticity, 3);
-  scene.drive.compression = over * critical;
+  scene.drive = model::Plates{.compression = over * critical};
   const model::EquilibriumPath path = followed(scene);
   const int hinge = *scene.structure.hinge_at({{1, 1}, model::Axis::x});
   const double turn = std::abs(hinge_turn(scene.structure, path.state, hinge));
@@ -72,8 +72,8 @@ void add_small_turns(HardCases& cases) {
       cases.push_back(closed_form_case(
           text("%s, hinge to theta = %g", name, theta),
           [=] {
-            return HardScene{grid ? crossable_grid() : bending_strip(),
-                             hinge_drive({{0, 0}, model::Axis::y}, theta), of_ratio(1e-8)};
+            const model::Structure s = grid ? crossable_grid() : bending_strip();
+            return HardScene{s, hinge_drive(s, {{0, 0}, model::Axis::y}, theta), of_ratio(1e-8)};
           },
           1e-3 * theta));
     }

@@ -8,9 +8,8 @@ namespace kinetix::testing {
 namespace {
 
 HardScene tilted_cell(double alpha, double theta) {
-  return {alternating(1, 1, {.alpha = alpha * deg}, basic_unit),
-          hinge_drive({{0, 0}, model::Axis::y}, theta),
-          {}};
+  const model::Structure s = alternating(1, 1, {.alpha = alpha * deg}, basic_unit);
+  return {s, hinge_drive(s, {{0, 0}, model::Axis::y}, theta), {}};
 }
 
 /// Mirrored in its own plane, alpha becomes its supplement, and theta stays.
@@ -46,10 +45,10 @@ HardCase steep_strip(double beta, bool plates) {
       text("strip, beta = %g deg, %s to theta = 10 deg", beta, plates ? "plates" : "hinge"),
       [=] {
         const model::Structure s = alternating(6, 1, {.beta = beta * deg}, basic_unit);
-        return HardScene{
-            s,
-            plates ? plates_drive(model::Axis::y, 10 * deg) : hinge_drive({{0, 0}, model::Axis::y}, 10 * deg),
-            of_ratio(1e-8)};
+        return HardScene{s,
+                         plates ? plates_drive(model::Axis::y, 10 * deg)
+                                : hinge_drive(s, {{0, 0}, model::Axis::y}, 10 * deg),
+                         of_ratio(1e-8)};
       },
       1e-4);
   c.in_tests = !plates;
@@ -77,12 +76,14 @@ void add_stiffness_ratios(HardCases& cases) {
   for (const double ratio : {1.0, 1e-2}) {
     cases.push_back({text("bending strip, stiffness ratio %g", 1 / ratio), "work is energy to 1e-3",
                      [=] { return follow_strained(strip(ratio), 1e-3); }});
-    cases.push_back(
-        {text("3x5 grid that scales, hinge to phi = 20 deg, stiffness ratio %g", 1 / ratio),
-         "work is energy to 1e-3", [=] {
-           return follow_strained(
-               {crossable_grid(), hinge_drive({{0, 0}, model::Axis::y}, 10 * deg), of_ratio(ratio)}, 1e-3);
-         }});
+    cases.push_back({text("3x5 grid that scales, hinge to phi = 20 deg, stiffness ratio %g", 1 / ratio),
+                     "work is energy to 1e-3", [=] {
+                       return follow_strained(
+                           {crossable_grid(),
+                            hinge_drive(crossable_grid(), {{0, 0}, model::Axis::y}, 10 * deg),
+                            of_ratio(ratio)},
+                           1e-3);
+                     }});
   }
 }
 

@@ -71,7 +71,7 @@ HardAnswer energies_of_a_state() {
   const model::Structure s = random_panel(4, 3, random);
   const model::State state = shaken(s, rest_state(s), 0.2, random);
   const auto energy = [](const model::Structure& other, const model::State& there) {
-    return energy_of({other, hinge_drive(other.hinges.front().wall, 0.1), {}, true}, there);
+    return energy_of({other, hinge_drive(other, other.hinges.front().wall, 0.1), {}, true}, there);
   };
   const model::Structure shuffled = with_hinges_shuffled(s, random), far = built_elsewhere(s, random);
   return compared(energy(s, state), {energy(s, turned_over(state)), energy(shuffled, state),

@@ -21,7 +21,7 @@ Watched watched(const HardScene& scene) {
   Watched run;
   model::State before;
   const bool planar = all_vertical(scene.structure);
-  const model::ElasticSystem system(scene.structure, scene.elasticity, scene.drive.on(scene.structure),
+  const model::ElasticSystem system(scene.structure, scene.elasticity, drive_on(scene.structure, scene.drive),
                                     planar, true);
   run.path = trace_equilibrium(driven(scene.structure, scene.drive), scene.elasticity, {},
                                [&](const model::EquilibriumStep&, const model::State& s) {
@@ -46,7 +46,7 @@ bool is_near(const model::PathEvent* event, double side, double from, double to)
 HardAnswer overdrive(const HardScene& scene) {
   const Watched run = watched(scene);
   const model::ThetaRange range = theta_range(scene.structure, exact_motion(scene.structure));
-  const double side = scene.drive.theta() < 0 ? -1 : 1;
+  const double side = scene.theta() < 0 ? -1 : 1;
   const double limit = side * (side < 0 ? range.negative : range.positive).theta;
   const bool right = is_near(first_event(run.path, Kind::contact), side, limit - 2e-3, limit + 2e-3) &&
                      is_near(first_event(run.path, Kind::lock), side, limit - 2e-3, limit + 10 * deg) &&

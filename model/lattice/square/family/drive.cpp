@@ -8,24 +8,10 @@
 #include "model/lattice/planar/planar_drive.hpp"
 #include "model/lattice/square/family/classify.hpp"
 #include "model/lattice/square/family/net_grip.hpp"
+#include "model/linkage/make_drive.hpp"
 
 namespace kinetix::model {
 namespace {
-
-void validate_plates(const Drive& drive, const Structure& structure) {
-  if (!(drive.compression >= 0 && drive.compression < 1))
-    throw InvalidInput("drive.compression is " + number_text(drive.compression) + ", must be in [0, 1)");
-  if (drive.branch != 1 && drive.branch != -1)
-    throw InvalidInput("drive.branch is " + std::to_string(drive.branch) + ", must be 1 or -1");
-  if (drive.grip) validate(*drive.grip, drive.axis, structure);
-}
-
-void validate_hinge(const Drive& drive, const Structure& structure) {
-  if (!(std::abs(drive.angle) < pi))
-    throw InvalidInput("drive.angle is " + number_text(drive.angle) + " rad, must be in (-pi, pi)");
-  if (structure.hinge_at(drive.wall)) return;
-  throw InvalidInput("drive.wall " + to_string(drive.wall) + " is not a wall of the structure");
-}
 
 bool is_half(double t) { return std::abs(t - 0.5) <= 1e-9; }
 
@@ -56,16 +42,13 @@ bool keeps_its_rim_flat(const Classification& kind, const Structure& structure) 
   return std::all_of(kind.design.t.begin(), kind.design.t.end(), is_half);
 }
 
-Drive plate_drive(Axis axis, double theta) {
-  Drive drive;
-  drive.axis = axis;
-  drive.compression = 2 * std::pow(std::sin(theta / 2), 2);  // 1 - cos(theta) without its rounding
-  drive.branch = theta < 0 ? -1 : 1;
-  return drive;
+Plates plates_to(Axis axis, double theta) {
+  // 1 - cos(theta) without its rounding
+  return {.axis = axis, .compression = 2 * std::pow(std::sin(theta / 2), 2), .branch = theta < 0 ? -1 : 1};
 }
 
 /// Plates whose rows stay straight, parallel and closer than flat; along y if both directions have them.
-std::optional<Drive> planar_plates(const Structure& structure, const Classification& kind, double theta) {
+std::optional<Plates> planar_plates(const Structure& structure, const Classification& kind, double theta) {
   const State state = fold(kind, structure, theta);
   for (const Axis axis : {Axis::y, Axis::x}) {
     const GrippedRows rows = gripped_bodies(structure, axis);
@@ -73,34 +56,18 @@ std::optional<Drive> planar_plates(const Structure& structure, const Classificat
     const int d = component(axis);
     const auto distance = [&](const auto& place) { return place(rows[1].front()) - place(rows[0].front()); };
     const double rest = distance([&](int b) { return structure.rest_position(b)[d]; });
-    Drive drive = plate_drive(axis, theta);
+    Plates drive = plates_to(axis, theta);
     drive.compression = 1 - distance([&](int b) { return state[b].p[d]; }) / rest;
     if (drive.compression >= 0) return drive;
   }
   return std::nullopt;
 }
 
-/// @param half_turn of its hinge: theta where it is vertical
-Drive hinge_drive(const Wall& wall, double half_turn) { return hinge_drive_to(wall, half_turn); }
-
 std::vector<int> bodies_within(const Structure& structure, const std::optional<Grip>& grip) {
   std::vector<int> held;
   for (int b = 0; b < static_cast<int>(structure.bodies.size()); ++b)
     if (!grip || grip->contains(structure.bodies[b])) held.push_back(b);
   return held;
-}
-
-/// All but the bodies and hinges that it drives.
-LinkageDrive settings_of(const Drive& drive) {
-  LinkageDrive out;
-  out.kind = drive.kind;
-  out.axis = drive.axis;
-  out.compression = drive.compression;
-  out.branch = drive.branch;
-  out.press = drive.press;
-  out.sense = drive.wall.from.sense();
-  out.angle = drive.angle;
-  return out;
 }
 
 Eigen::Vector3d middle_of(const Structure& structure) {
@@ -112,7 +79,7 @@ Eigen::Vector3d middle_of(const Structure& structure) {
 
 /// The one nearest to the middle of those that turn by 2 theta; of the vertical ones, or of all, where there
 /// is none.
-Drive middle_hinge_drive(const Structure& structure, const NetTree& tree, double theta) {
+HingeTurn middle_hinge_drive(const Structure& structure, const NetTree& tree, double theta) {
   const Eigen::Vector3d middle = middle_of(structure);
   const std::vector<double> shifts = fold_shifts(tree.angles, structure);
   const std::vector<int> crease = find_creases(structure).of_hinge;
@@ -126,13 +93,14 @@ Drive middle_hinge_drive(const Structure& structure, const NetTree& tree, double
     if (rank(h) < rank(best)) best = h;
   const Hinge& hinge = structure.hinges[best];
   const double own = fold_angle(theta, shifts[crease[best]]).value;
-  return hinge_drive(hinge.wall, is_vertical(hinge) ? own : half_turn(hinge.parameters.beta, own));
+  return hinge_drive_to(structure, hinge.wall,
+                        is_vertical(hinge) ? own : half_turn(hinge.parameters.beta, own));
 }
 
 Drive net_drive(const Structure& structure, const Classification& kind, double theta) {
   const auto fold_to = [&](double at) { return fold(kind, structure, at); };
   if (const auto part = find_net_grip(structure)) {
-    Drive drive = plate_drive(part->axis, theta);
+    Plates drive = plates_to(part->axis, theta);
     drive.grip = part->grip;
     if (keeps_between_plates(structure, gripped_bodies(structure, drive.axis, drive.grip), fold_to))
       return drive;
@@ -141,8 +109,6 @@ Drive net_drive(const Structure& structure, const Classification& kind, double t
 }
 
 }  // namespace
-
-double Drive::theta() const { return settings_of(*this).theta(); }
 
 Drive drive_to(const Structure& structure, double theta) {
   if (!(std::abs(theta) < pi / 2))
@@ -154,52 +120,36 @@ Drive drive_to(const Structure& structure, double theta) {
   const auto hinge = std::find_if(structure.hinges.begin(), structure.hinges.end(),
                                   [](const Hinge& h) { return is_vertical(h); });
   if (hinge != structure.hinges.end() && !keeps_its_rim_flat(kind, structure))
-    return hinge_drive(hinge->wall, theta);
-  return plate_drive(kind.transposed ? Axis::x : Axis::y, theta);
+    return hinge_drive_to(structure, hinge->wall, theta);
+  return plates_to(kind.transposed ? Axis::x : Axis::y, theta);
 }
 
-void validate(const Drive& drive, const Structure& structure) {
-  if (drive.kind == Drive::Kind::plates) return validate_plates(drive, structure);
-  validate_hinge(drive, structure);
-}
-
-LinkageDrive Drive::on(const Structure& structure) const {
-  validate(*this, structure);
+LinkageDrive plate_drive(const Structure& structure, Axis axis, double compression, int branch,
+                         const std::optional<Grip>& grip) {
+  if (grip) validate(*grip, axis, structure);
   validate_hinges(structure);
-  LinkageDrive out = settings_of(*this);
-  if (kind == Kind::hinge) {
-    out.hinge = *structure.hinge_at(wall);
-    return out;
-  }
-  out.gripped = gripped_bodies(structure, axis, grip);
+  LinkageDrive out = plates_between(gripped_bodies(structure, axis, grip), axis, compression, branch,
+                                    static_cast<int>(structure.bodies.size()));
   out.grips_part = grip.has_value();
   out.held = bodies_within(structure, grip);
   return out;
 }
 
-DrivenLinkage driven(const Structure& structure, const Drive& drive) {
-  return {structure, drive.on(structure), exact_motion(structure)};
+LinkageDrive hinge_drive(const Structure& structure, int hinge, double angle) {
+  validate_hinges(structure);
+  return turned_hinge(hinge, structure.hinges.at(hinge).wall.from.sense(), angle);
 }
 
-std::vector<DrivenLinkage> driven(const Structure& structure, const std::vector<Drive>& drives) {
-  std::vector<DrivenLinkage> all;
-  for (const Drive& drive : drives) all.push_back({structure, drive.on(structure), exact_motion(structure)});
-  return all;
-}
-
-Drive hinge_drive_to(const Wall& wall, double theta) {
-  Drive drive;
-  drive.kind = Drive::Kind::hinge;
-  drive.wall = wall;
-  drive.angle = turn_at_theta(wall.from.sense(), theta);
-  return drive;
+HingeTurn hinge_drive_to(const Structure& structure, const Wall& wall, double theta) {
+  if (const auto hinge = structure.hinge_at(wall)) return {*hinge, turn_at_theta(wall.from.sense(), theta)};
+  throw InvalidInput("drive.wall " + to_string(wall) + " is not a wall of the structure");
 }
 
 std::vector<Drive> search_drives(const Structure& structure, double theta) {
   const auto upright = std::find_if(structure.hinges.begin(), structure.hinges.end(),
                                     [](const Hinge& hinge) { return is_vertical(hinge); });
   const Wall wall = (upright == structure.hinges.end() ? structure.hinges.begin() : upright)->wall;
-  return {hinge_drive_to(wall, theta), hinge_drive_to(wall, -theta)};
+  return {hinge_drive_to(structure, wall, theta), hinge_drive_to(structure, wall, -theta)};
 }
 
 }  // namespace kinetix::model

@@ -1,15 +1,16 @@
 #pragma once
 
 #include <optional>
+#include <variant>
+#include <vector>
 
+#include "model/closure/closure_drive.hpp"
 #include "model/lattice/square/grip.hpp"
-#include "model/linkage/exact_motion.hpp"
+#include "model/linkage/linkage_drive.hpp"
 
 namespace kinetix::model {
 
-/// How a compression run moves a structure from flat to the state it is to settle in.
-///
-/// **plates**: two rigid planes normal to `axis` close in on the structure. They grip the bodies of the first
+/// Two rigid planes normal to `axis` close in on the structure. They grip the bodies of the first
 /// and of the last row of vertices along the axis, of the whole structure or of the rectangle `grip`, like
 /// pins in a frictionless slot: such a body's coordinate along the axis is prescribed, and it is free to
 /// slide in the plane and to turn. Plates that merely press on the outline could not do this: the half walls
@@ -22,43 +23,55 @@ namespace kinetix::model {
 /// of each plate is keyed to the plane z = 0. Without it, nothing would keep a flat sheet from tipping over
 /// as a whole between plates that come closer. That of the first plate does not turn about the plates' normal
 /// either: a sheet could stand up on edge, and then tip over at no strain.
-///
-/// **hinge**: the two bodies of one wall are turned against each other about the hinge axis they share. The
-/// structure floats freely.
+struct Plates {
+  Axis axis = Axis::y;             ///< their normal
+  double compression = 0;          ///< 1 - final / initial distance, in [0, 1); 1 - cos(theta)
+  std::optional<int> branch = {};  ///< sign of theta, 1 or -1; nothing: that of the design's theta
+  std::optional<Grip> grip = {};   ///< of squares: what they grip; nothing: the rim of the structure
+  bool press = false;              ///< push their rows and never pull them (LinkageDrive::press)
+
+  bool operator==(const Plates&) const = default;
+};
+
+/// A cord that runs without friction through the points of hinges gets shorter. It pulls and never pushes.
+struct CordPull {
+  std::vector<int> through = {};  ///< the hinges, in order
+  double shorten_mm = 0;          ///< of its whole length
+  std::optional<int> branch =
+      {};  ///< sign of theta where it pulls to both sides alike; nothing: that of the design's theta
+
+  bool operator==(const CordPull&) const = default;
+};
+
+/// A spring of its own in each of some hinges, whose rest angle goes from flat to that of a checkerboard.
+struct ShapeMemory {
+  double angle = 0;               ///< twice the theta at which springs rest in the end, rad, in (-pi, pi)
+  double k_turn = 0;              ///< of each spring, N mm/rad
+  std::vector<int> springs = {};  ///< the hinges that have one; empty: all
+
+  bool operator==(const ShapeMemory&) const = default;
+};
+
+/// What moves a structure, as files say it. A hinge that is turned leaves the structure floating freely.
 ///
 /// Flat is a singular position: the height changes with theta squared and does not tell the two signs of
 /// theta apart. The run chooses the branch on purpose: the bodies start along the first-order motion of
 /// sim/start_motion.hpp, with the sign of theta, and class A is pushed on about z that way and class B
 /// against it, ever less, until the drive is through. A sheet that must strain needs the push, since it
 /// buckles only after its plates have come some way.
-struct Drive {
-  using Kind = LinkageDrive::Kind;
+using Drive = std::variant<Plates, HingeTurn, CordPull, ShapeMemory>;
 
-  Kind kind = Kind::plates;
-  Axis axis = Axis::y;  ///< plates: normal of the plates
-  double compression =
-      0.0;         ///< plates: 1 - final / initial distance of the plates, in [0, 1); 1 - cos(theta)
-  int branch = 1;  ///< plates: +1 or -1, the sign of theta
-  std::optional<Grip> grip = {};  ///< plates: what they grip; nothing: the rim of the structure
-  bool press = false;             ///< plates: push their rows and never pull them (LinkageDrive::press)
-  Wall wall;                      ///< hinge: the driven wall
-  double angle = 0.0;  ///< hinge: turn of wall.to() against wall.from about the hinge axis, rad, in
-                       ///< (-pi, pi). A basic hinge has -2 theta where wall.from is class A.
-
-  /// Magnitude with sign of the turn of the bodies that the whole drive asks for, rad: theta. Of a driven
-  /// hinge half its turn, which is theta where it is vertical and no crease that bends crosses another.
-  double theta() const;
-  /// The same by bodies and hinges of the structure.
-  /// @throws InvalidInput for what validate() refuses and for hinge parameters out of range
-  LinkageDrive on(const Structure& structure) const;
-};
-
-/// A structure under drives, with its closed form where it belongs to an exact family. @throws as Drive::on
-DrivenLinkage driven(const Structure& structure, const Drive& drive);
-std::vector<DrivenLinkage> driven(const Structure& structure, const std::vector<Drive>& drives);
+/// Plates on squares. @throws InvalidInput, naming the field, for a value outside its range (NaN included), for a part that
+/// they cannot grip, and for hinge parameters out of range
+LinkageDrive plate_drive(const Structure& structure, Axis axis, double compression, int branch,
+                         const std::optional<Grip>& grip = {});
+/// The second body of a wall turned against the first one. @param angle rad, in (-pi, pi)
+/// @throws InvalidInput for an angle or hinge parameters out of range
+LinkageDrive hinge_drive(const Structure& structure, int hinge, double angle);
 
 /// The drive that turns the bodies at a wall by theta, rad, (-pi/2, pi/2).
-Drive hinge_drive_to(const Wall& wall, double theta);
+/// @throws InvalidInput for a wall that the structure does not have
+HingeTurn hinge_drive_to(const Structure& structure, const Wall& wall, double theta);
 /// Drives for a search that knows nothing of the structure: its first upright hinge (else its first one) to
 /// theta and to -theta. @param theta rad, (0, pi/2)
 std::vector<Drive> search_drives(const Structure& structure, double theta);
@@ -72,9 +85,5 @@ std::vector<Drive> search_drives(const Structure& structure, double theta);
 /// @param theta rad, in (-pi/2, pi/2)
 /// @throws InvalidInput for theta outside its range
 Drive drive_to(const Structure& structure, double theta);
-
-/// @throws InvalidInput, naming the field, for a value outside its range (NaN included) or a driven wall that
-/// the structure does not have.
-void validate(const Drive& drive, const Structure& structure);
 
 }  // namespace kinetix::model

@@ -59,7 +59,7 @@ DrivenLinkage twist_unit(double alpha_deg, const CellSize& size, double asked_de
   const double alpha = alpha_deg * radians_per_degree;
   const CellTuple unit{.A_in = {pi / 2, alpha, pi / 2, alpha}};
   const Structure s = tiled(1, 1, unit, unit, size);
-  return driven(s, hinge_drive({{0, 0}, Axis::x}, -asked_deg / 2 * radians_per_degree));
+  return driven(s, hinge_drive(s, {{0, 0}, Axis::x}, -asked_deg / 2 * radians_per_degree));
 }
 
 std::vector<PathEvent> events_before(const EquilibriumPath& path, double theta) {
@@ -143,7 +143,7 @@ TEST(AskedAngle, OfOtherSheetsAndDrivesChangesNoEvent) {
   const std::vector<std::function<DrivenLinkage(double)>> scenes = {
       [&](double theta) { return driven(twist, plates_drive(Axis::y, -theta)); },
       [&](double theta) {
-        return driven(strip, hinge_drive({{0, 0}, Axis::x}, theta));
+        return driven(strip, hinge_drive(strip, {{0, 0}, Axis::x}, theta));
       },
       [&](double theta) { return driven(panel, drive_to(panel, theta)); },
       [&](double theta) {
@@ -196,7 +196,7 @@ TEST(AskedAngle, ContactIsFoundWhereWallsMeet) {
       const Structure s = twists ? tiled(1, 1, unit, unit, size) : make_structure(rectangle(2, 2), size);
       double last = 0;
       int begun = 0;
-      trace_equilibrium(driven(s, hinge_drive({{0, 0}, Axis::x}, twists ? -0.85 : 0.85)), hinges, {},
+      trace_equilibrium(driven(s, hinge_drive(s, {{0, 0}, Axis::x}, twists ? -0.85 : 0.85)), hinges, {},
                         [&](const EquilibriumStep& step, const State& state) {
                           if (step.contacts > 0 && begun++ == 0) {
                             EXPECT_LE(std::abs(step.theta - last), 1.2e-7);

@@ -13,7 +13,9 @@ constexpr double driven_theta = 0.3;  // rad, of the drives below
 
 class ClosedFormOfASheet : public ::testing::Test {
  protected:
-  ElasticSystem under(const Drive& drive) const { return {sheet_, {}, drive.on(sheet_), false, false}; }
+  ElasticSystem under(const Drive& drive) const {
+    return {sheet_, {}, drive_on(sheet_, drive), false, false};
+  }
 
   const Structure sheet_ = make_structure(rectangle(3, 2), {});
   const ExactMotion exact_ = exact_motion(sheet_);
@@ -21,7 +23,7 @@ class ClosedFormOfASheet : public ::testing::Test {
 
 TEST_F(ClosedFormOfASheet, IsWhereItsDriveHoldsIt) {
   for (const Drive& drive : {plates_drive(Axis::y, driven_theta), plates_drive(Axis::x, -driven_theta),
-                             hinge_drive({{0, 0}, Axis::y}, driven_theta)}) {
+                             hinge_drive(sheet_, {{0, 0}, Axis::y}, driven_theta)}) {
     const ElasticSystem system = under(drive);
     const State state = *ClosedForm(system, exact_).at(driven_theta);
     State placed = state;
@@ -42,7 +44,7 @@ TEST_F(ClosedFormOfASheet, IsNearUpToAHundredthOfARadian) {
 
 TEST_F(ClosedFormOfASheet, OfTheOtherSideIsMirroredBetweenPlatesAlone) {
   const ElasticSystem plates = under(plates_drive(Axis::y, driven_theta));
-  const ElasticSystem hinge = under(hinge_drive({{0, 0}, Axis::y}, driven_theta));
+  const ElasticSystem hinge = under(hinge_drive(sheet_, {{0, 0}, Axis::y}, driven_theta));
   const ClosedForm between_plates(plates, exact_), by_hinge(hinge, exact_);
   EXPECT_TRUE(between_plates.is_mirrored(*between_plates.at(-driven_theta), driven_theta));
   EXPECT_FALSE(between_plates.is_mirrored(*between_plates.at(driven_theta), driven_theta));

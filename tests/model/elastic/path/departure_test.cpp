@@ -141,7 +141,7 @@ TEST_P(KeepingStructure, IsNotToldToLeaveItsClosedForm) {
   const Structure& s = GetParam().structure;
   const Wall& middle = s.hinges[s.hinges.size() / 2].wall;
   for (const double theta : {20 * deg, -20 * deg})
-    for (const Drive& drive : {drive_to(s, theta), hinge_drive(middle, theta)}) {
+    for (const Drive& drive : {drive_to(s, theta), hinge_drive(s, middle, theta)}) {
       const EquilibriumPath path = trace_equilibrium(driven(s, drive), {}, without_contact());
       EXPECT_EQ(path.stop, Stop::reached) << path.why;
       const PathEvent* left = first_event(path, Kind::departure);
@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Departure, IsNoneWhereWallsMeetOnTheClosedForm) {
   const Structure s = uncrossable_grid();
   const EquilibriumPath path =
-      trace_equilibrium(driven(s, hinge_drive({{0, 0}, Axis::y}, 60 * deg)), {.k_turn = 1e-3}, {});
+      trace_equilibrium(driven(s, hinge_drive(s, {{0, 0}, Axis::y}, 60 * deg)), {.k_turn = 1e-3}, {});
   EXPECT_TRUE(first_event(path, Kind::contact));
   EXPECT_FALSE(first_event(path, Kind::departure));
 }
@@ -179,7 +179,8 @@ class WatchOfASheet : public ::testing::Test {
   static constexpr double theta_ = 0.3;  // rad, of the drive: hinges turn by six times what counts as far
   const Structure sheet_ = make_structure(rectangle(3, 2), {});
   const ExactMotion exact_ = exact_motion(sheet_);
-  const ElasticSystem system_{sheet_, {}, hinge_drive({{0, 0}, Axis::y}, theta_).on(sheet_), false, false};
+  const ElasticSystem system_{
+      sheet_, {}, drive_on(sheet_, hinge_drive(sheet_, {{0, 0}, Axis::y}, theta_)), false, false};
   const ClosedForm closed_form_{system_, exact_};
 };
 

@@ -23,11 +23,7 @@ Structure bent(double tilt) {
 }
 
 Drive by_hinge(const Structure& structure) {
-  Drive drive;
-  drive.kind = Drive::Kind::hinge;
-  drive.wall = structure.hinges[*structure.hinge_at({{2, 0}, Axis::y})].wall;
-  drive.angle = -2 * theta;
-  return drive;
+  return HingeTurn{*structure.hinge_at({{2, 0}, Axis::y}), -2 * theta};
 }
 
 TEST(NearEquilibrium, AtAClosedFormIsThatFormButForTheStiffnessRatio) {
@@ -50,7 +46,7 @@ TEST(NearEquilibrium, OfChangedHingesIsTheSameAsFromTheirOwnClosedForm) {
   const Elasticity e{.k_turn = 1e-2};
   const EquilibriumPath start = equilibrium_at_closed_form(driven(before, by_hinge(before)), e);
   const EquilibriumPath changed =
-      follow_change(start.state, changing(before, after, by_hinge(after).on(after)), e);
+      follow_change(start.state, changing(before, after, drive_on(after, by_hinge(after))), e);
   const EquilibriumPath own = equilibrium_at_closed_form(driven(after, by_hinge(after)), e);
   ASSERT_EQ(changed.stop, Stop::reached) << changed.why;
   ASSERT_EQ(own.stop, Stop::reached) << own.why;

@@ -18,7 +18,7 @@ TEST(NetEquilibrium, OfACubeBetweenPlatesIsTheClosedFormButForTheStiffnessRatio)
   const Structure net = cube_net(60 * radians_per_degree);
   for (const double theta : {0.4, -0.4}) {
     const Drive drive = drive_to(net, theta);
-    ASSERT_EQ(drive.grip, (Grip{{3, 3}, {5, 5}}));
+    ASSERT_EQ(std::get<Plates>(drive).grip, (Grip{{3, 3}, {5, 5}}));
     const EquilibriumPath soft = path_of(net, drive, 0.1), stiff = path_of(net, drive, 1e-3);
     EXPECT_EQ(soft.stop, Stop::reached) << soft.why;
     EXPECT_EQ(stiff.stop, Stop::reached) << stiff.why;
@@ -29,7 +29,7 @@ TEST(NetEquilibrium, OfACubeBetweenPlatesIsTheClosedFormButForTheStiffnessRatio)
 
 TEST(NetEquilibrium, IsTheSameByADrivenHinge) {
   const Structure net = cube_net(50 * radians_per_degree);
-  const EquilibriumPath path = path_of(net, hinge_drive({{4, 4}, Axis::y}, 0.4), 1e-3);
+  const EquilibriumPath path = path_of(net, hinge_drive(net, {{4, 4}, Axis::y}, 0.4), 1e-3);
   EXPECT_EQ(path.stop, Stop::reached) << path.why;
   EXPECT_LE(from_closed_form(net, path), 1e-4);
 }
@@ -37,7 +37,7 @@ TEST(NetEquilibrium, IsTheSameByADrivenHinge) {
 TEST(NetEquilibrium, OfAFishboneFollowsTheClosedFormBySpine) {
   const Structure net = fishbone(2, 9, 0.2);
   const Drive drive = drive_to(net, 0.4);
-  ASSERT_EQ(drive.grip, (Grip{{2, 0}, {3, 9}}));
+  ASSERT_EQ(std::get<Plates>(drive).grip, (Grip{{2, 0}, {3, 9}}));
   const EquilibriumPath path = path_of(net, drive, 1e-3);
   EXPECT_EQ(path.stop, Stop::reached) << path.why;
   EXPECT_LE(from_closed_form(net, path), 1e-3);
@@ -51,7 +51,7 @@ TEST(NetEquilibrium, IsOnTheBranchOfTheDriveThoughTheNetLeansToOneSide) {
     const Structure net = random_net(20, random);
     for (const double theta : {0.4, -0.4}) {
       const Drive drive = drive_to(net, theta);
-      if (!drive.grip) continue;
+      if (const auto* plates = std::get_if<Plates>(&drive); !plates || !plates->grip) continue;
       const EquilibriumPath path = path_of(net, drive, 1e-3);
       EXPECT_EQ(path.stop, Stop::reached) << "seed " << seed << ", net " << k << ": " << path.why;
       EXPECT_LE(from_closed_form(net, path), 1e-3) << "seed " << seed << ", net " << k;

@@ -47,7 +47,7 @@ class EventsOfASheet : public ::testing::Test {
   }
 
   const Structure sheet_ = make_structure(rectangle(2, 2), {});
-  const ElasticSystem system_{sheet_, {}, plates_drive(Axis::y, 0.5).on(sheet_), true, false};
+  const ElasticSystem system_{sheet_, {}, drive_on(sheet_, plates_drive(Axis::y, 0.5)), true, false};
   const ExactMotion none_;
   const ClosedForm closed_form_{system_, none_};
   PathEvents events_{system_, closed_form_, false};

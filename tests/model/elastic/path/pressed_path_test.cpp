@@ -13,7 +13,7 @@ namespace {
 using namespace testing;
 
 LinkageDrive pressing(const Structure& sheet, Axis axis, double theta) {
-  LinkageDrive drive = plates_drive(axis, theta).on(sheet);
+  LinkageDrive drive = drive_on(sheet, plates_drive(axis, theta));
   drive.press = true;
   return drive;
 }

@@ -137,11 +137,11 @@ LinkageDrive random_drive(const Structure& s, int columns, int rows, std::mt1993
   const double theta = branch * (0.3 + 0.1 * pick(5));
   switch (pick(3)) {
     case 0:
-      return plates_drive(pick(2) ? Axis::x : Axis::y, theta).on(s);
+      return drive_on(s, plates_drive(pick(2) ? Axis::x : Axis::y, theta));
     case 1:
       return cord_across(s, columns, pick(rows), 0.04 * (1 + pick(4)) * columns * s.size.edge_mm, branch);
     default:
-      return testing::hinge_drive({{pick(columns), pick(rows + 1)}, Axis::x}, theta).on(s);
+      return drive_on(s, testing::hinge_drive(s, {{pick(columns), pick(rows + 1)}, Axis::x}, theta));
   }
 }
 

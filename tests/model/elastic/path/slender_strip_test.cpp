@@ -16,7 +16,7 @@ using Kind = PathEvent::Kind;
 
 bool folds(const Structure& s, double theta, const Elasticity& elasticity) {
   const ExactMotion exact = exact_motion(s);
-  ElasticSystem system(s, elasticity, drive_to(s, theta).on(s), false, false);
+  ElasticSystem system(s, elasticity, drive_on(s, drive_to(s, theta)), false, false);
   State state = *ClosedForm(system, exact).at(theta);
   TangentStiffness tangent(system.dofs());
   const NewtonResult result = minimise(system, theta, {}, state, tangent);

@@ -151,8 +151,8 @@ TEST(SoftTurning, OfADrivenHingeBringsNoEvents) {
     for (const int sign : {1, -1}) {
       const Elasticity elasticity{.k_turn = k_turn};
       const double theta = sign * asked_theta;
-      const EquilibriumPath path =
-          trace_equilibrium(driven(s, hinge_drive({{1, 3}, Axis::y}, theta)), elasticity, without_contact());
+      const EquilibriumPath path = trace_equilibrium(driven(s, hinge_drive(s, {{1, 3}, Axis::y}, theta)),
+                                                     elasticity, without_contact());
       ASSERT_EQ(path.stop, Stop::reached) << path.why;
       EXPECT_LE(from_closed_form(s, path), 1e-4 * k_turn / 1e-2 + 1e-8);
       for (const PathEvent& event : path.events) ADD_FAILURE() << k_turn << ": " << event.what;
@@ -186,7 +186,7 @@ struct Settled {
   State state;
 
   Settled(const Structure& s, const Drive& drive, double k_turn)
-      : system(s, {.k_turn = k_turn}, drive.on(s), false, false),
+      : system(s, {.k_turn = k_turn}, drive_on(s, drive), false, false),
         tangent(system.dofs()),
         state(trace_equilibrium(driven(s, drive), {.k_turn = k_turn}, without_contact()).state) {
     state = at(drive.theta());
@@ -206,11 +206,12 @@ struct Settled {
 /// Where springs are stiff, the force on what is driven is as good.
 TEST(DriveLoad, IsTheForceOnWhatIsDriven) {
   const Structure s = bending_sheet(4);
-  for (const Drive& drive : {plates_drive(Axis::y, 0.4), plates_drive(Axis::y, -0.3),
-                             hinge_drive({{1, 1}, Axis::y}, 0.4), hinge_drive({{1, 1}, Axis::x}, -0.3)}) {
+  for (const Drive& drive :
+       {plates_drive(Axis::y, 0.4), plates_drive(Axis::y, -0.3), hinge_drive(s, {{1, 1}, Axis::y}, 0.4),
+        hinge_drive(s, {{1, 1}, Axis::x}, -0.3)}) {
     Settled at(s, drive, 20);
-    const double load = at.system.load(at.state, drive.theta());
-    EXPECT_NEAR(load_along_path(at.system, at.state, drive.theta(), at.tangent), load, 1e-8 * std::abs(load));
+    const double theta = at.system.drive().theta(), load = at.system.load(at.state, theta);
+    EXPECT_NEAR(load_along_path(at.system, at.state, theta, at.tangent), load, 1e-8 * std::abs(load));
   }
 }
 
@@ -219,7 +220,7 @@ TEST(PathDirection, IsThatBetweenTwoStatesOfThePath) {
   const Structure s = bending_sheet(4);
   constexpr double theta = 0.4, step = 1e-3;  // rad; differences are off by the step squared
   for (const bool plates : {true, false}) {
-    Settled at(s, plates ? plates_drive(Axis::y, theta) : hinge_drive({{1, 1}, Axis::y}, theta), 20);
+    Settled at(s, plates ? plates_drive(Axis::y, theta) : hinge_drive(s, {{1, 1}, Axis::y}, theta), 20);
     Eigen::VectorXd along =
         path_direction(at.system, at.state, theta, theta, at.tangent) + at.system.place_rate(theta);
     if (!plates) along *= at.system.drive_rate(theta) / at.system.driven_gradient(at.state).dot(along);

@@ -53,7 +53,7 @@ TEST(EquilibriumPath, OfASheetInSpaceNeverHasWallsDeepInEachOther) {
   std::mt19937 random(3);
   for (int k = 0; k < 8; ++k) {
     Structure panel = testing::random_panel(4, 1 + k % 2, random);
-    sheets.push_back({panel, drive_to(panel, 0.7).on(panel), exact_motion(panel)});
+    sheets.push_back({panel, drive_on(panel, drive_to(panel, 0.7)), exact_motion(panel)});
   }
   int in_contact = 0;
   for (const DrivenLinkage& driven : sheets) {

@@ -77,9 +77,9 @@ TEST(LimitPoints, AreNotWherePlatesLetGoAtTheEnd) {
 /// Up to the barrier and down behind it: the steepest rise and the steepest fall of the energy.
 TEST(LimitPoints, OfATwistUnitAreOnBothSidesOfItsBarrier) {
   const CellTuple unit{.A_in = {pi / 2, pi / 3, pi / 2, pi / 3}};
-  const EquilibriumPath path =
-      trace_equilibrium(driven(tiled(1, 1, unit, unit), hinge_drive({{0, 0}, Axis::y}, -pi / 4)),
-                        {.k_turn = 1e-5}, without_contact());
+  const Structure twist = tiled(1, 1, unit, unit);
+  const EquilibriumPath path = trace_equilibrium(
+      driven(twist, hinge_drive(twist, {{0, 0}, Axis::y}, -pi / 4)), {.k_turn = 1e-5}, without_contact());
   const std::vector<PathEvent> events = limit_points(path);
   ASSERT_EQ(events.size(), 2u);
   EXPECT_GT(events[0].at.theta, -pi / 8);
@@ -125,7 +125,8 @@ TEST(EnergySummit, OfAJumpIsTheStateBeforeItWhereTheLoadDoesNotVanish) {
   const CellTuple unit{.A_in = {pi / 2, pi / 3, pi / 2, pi / 3}};
   const Structure s = tiled(1, 1, unit, unit);
   const EnergyTurn jump{true, {at(0.1, 1, 5), rest_state(s)}, {at(0.2, 1, 2), rest_state(s)}};
-  const EnergyBarrier barrier = energy_summit(s, {.k_turn = 1e-5}, search_drives(s, 1)[0].on(s), {}, jump);
+  const EnergyBarrier barrier =
+      energy_summit(s, {.k_turn = 1e-5}, drive_on(s, search_drives(s, 1)[0]), {}, jump);
   EXPECT_EQ(barrier.energy, 5);
   EXPECT_EQ(barrier.theta, 0) << "of the sheet, which is flat, and not of the drive";
   EXPECT_EQ(barrier.drive, 0.1);

@@ -8,8 +8,8 @@
 #include "model/base/invalid_input.hpp"
 #include "model/closure/closure_drive.hpp"
 #include "model/lattice/square/family/classify.hpp"
-#include "model/lattice/square/family/drive.hpp"
 #include "model/lattice/square/family/net_grip.hpp"
+#include "model/sheet/sheet_motion.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/random_designs.hpp"
 #include "tests/support/random_nets.hpp"
@@ -94,15 +94,16 @@ TEST(Grip, DrivesOfRandomNetsHoldPartsThatPlatesKeep) {
   for (int k = 0; k < 40; ++k) {
     const Structure net = testing::random_net(5 + 2 * k, random);
     const Drive drive = drive_to(net, 0.4);
-    validate(drive, net);
-    if (drive.kind == Drive::Kind::hinge) {
+    const LinkageDrive made = drive_on(net, drive);
+    if (const auto* turn = std::get_if<HingeTurn>(&drive)) {
       const State folded = fold(classify(net), net, 0.4);
-      EXPECT_NEAR(hinge_turn(net, folded, *net.hinge_at(drive.wall)), drive.angle, 1e-12);
+      EXPECT_NEAR(hinge_turn(net, folded, turn->hinge), turn->angle, 1e-12);
       continue;
     }
-    EXPECT_NEAR(drive.theta(), 0.4, 1e-12);
-    if (!drive.grip) continue;
-    EXPECT_TRUE(keeps(net, drive.axis, *drive.grip)) << "seed " << seed << ", net " << k;
+    EXPECT_NEAR(made.theta(), 0.4, 1e-12);
+    const Plates& plates = std::get<Plates>(drive);
+    if (!plates.grip) continue;
+    EXPECT_TRUE(keeps(net, plates.axis, *plates.grip)) << "seed " << seed << ", net " << k;
     ++gripped;
   }
   EXPECT_GE(gripped, 10) << "seed " << seed;
@@ -111,10 +112,7 @@ TEST(Grip, DrivesOfRandomNetsHoldPartsThatPlatesKeep) {
 TEST(Grip, BadPartsAreRefused) {
   const Structure net = cube_net(0.5);
   const auto why = [&](const Grip& grip, Axis axis) {
-    Drive drive;
-    drive.axis = axis;
-    drive.grip = grip;
-    return testing::refusal([&] { validate(drive, net); });
+    return testing::refusal([&] { plate_drive(net, axis, 0, 1, grip); });
   };
   EXPECT_EQ(why(base, Axis::x), "");
   EXPECT_NE(why({{3, 3}, {3, 5}}, Axis::x).find("at least one cell both ways"), std::string::npos);
