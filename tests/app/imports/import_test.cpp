@@ -426,6 +426,7 @@ TEST(Import, IsExportedAndImportedAgain) {
         kinetix_opt("export " + design + " --json --format " + format + " -o " + (scratch / "made").string());
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_EQ(schema_errors(Json::parse(run.out), "print"), "");
+    EXPECT_THAT(text_of(scratch / "made/print.txt"), HasSubstr("2 bodies, 1 hinges"));
   }
   for (const std::string again : {"made/pair.3mf", "made/pair.glb"}) {
     const Outcome run =
@@ -484,6 +485,9 @@ TEST(Import, IsSimulatedInEquilibriumAndVerified) {
   const Json result = Json::parse(run.out);
   const double k_turn = result["structure"]["hinges"][0]["k"]["turn"], angle = 20 * pi / 180;
   EXPECT_NEAR(result["metrics"]["energy_Nmm"].get<double>(), k_turn * angle * angle / 2, 1e-9 * k_turn);
+  EXPECT_EQ(result["equilibrium"]["stop"], "reached");
+  EXPECT_LT(result["metrics"]["exact_rms"], 1e-9);
+  EXPECT_EQ(result["states"][1]["model"], "exact");
   const Outcome told = kinetix_opt("simulate --model equilibrium --theta-deg 10 " + design + " -o " +
                                    (scratch / "run").string());
   EXPECT_THAT(told.out, HasSubstr(fmt::format("load       {:.4g} N mm at hinge angle", -k_turn * angle)));

@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "model/assembly/assembly.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/planar_graphs.hpp"
 #include "tests/support/random_designs.hpp"
+#include "tests/support/strip_solids.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -188,6 +190,26 @@ TEST(SheetMotion, ChangesHingesFromTheFirstSheetToTheSecond) {
   EXPECT_LE((arm(at(0.5).linkage) - (arm(before) + arm(after)) / 2).norm(), 1e-15);
   EXPECT_TRUE(at(0).exact);
   EXPECT_FALSE(at(1).exact) << "one hinge off the middle keeps its cell from closing";
+}
+
+TEST(Sheet, HoldsImportedBodiesThatTurnAHingeOfTheirs) {
+  const Sheet sheet(make_assembly({{"left", false, testing::box_solid(-9, -0.5, 0.8, 6)},
+                                   {"right", false, testing::box_solid(0.5, 9, 0.8, 6)},
+                                   {"joint", true, testing::box_solid(-0.5, 0.5, 0.8, 6)}}));
+  EXPECT_EQ(sheet.bodies(), 2);
+  EXPECT_EQ(sheet.hinges(), 1);
+  EXPECT_EQ(sheet.cells(), 0);
+  EXPECT_EQ(lattice_name(sheet), "bodies");
+  EXPECT_EQ(wall_name(sheet, 0), "`joint`");
+  EXPECT_EQ(sheet.wall(0).upper, 1);
+  EXPECT_NEAR(sheet.rest_position(1).x(), 4.75, 1e-9);
+  expect_same(sheet, linkage_of(*sheet.assembly()));
+  EXPECT_FALSE(exact_motion(sheet));
+  const LinkageDrive drive = drive_to(sheet, 0.3);
+  EXPECT_EQ(drive.kind, LinkageDrive::Kind::hinge);
+  EXPECT_EQ(drive.hinge, 0);
+  EXPECT_DOUBLE_EQ(drive.theta(), 0.3);
+  EXPECT_THAT(refusal([&] { planar_structure(sheet); }), HasSubstr("no planar sheet"));
 }
 
 }  // namespace
