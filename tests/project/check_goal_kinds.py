@@ -30,7 +30,7 @@ wrong = []
 if not namings("space_curve").search("SpaceCurveOutcome") or namings("curve").search("SpaceCurveOutcome"):
     wrong.append("this check does not see the types of a kind of two words")
 for kind in kinds:
-    for folder in (f"targets/{kind}", f"optim/{kind}", *own_pages(kind)):
+    for folder in (f"optim/{kind}", *own_pages(kind)):
         if not (root / folder).exists():
             wrong.append(f"{folder} is not there")
     for registry in registries:
