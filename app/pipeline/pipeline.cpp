@@ -107,33 +107,20 @@ Run with_physics(Run run, const Goal* goal, Verification verification, const Phy
   return run;
 }
 
-/// By physics where there is a task for it, and by what else says how good the design is, side by side.
-Run checked(Run run, const Goal* goal, const std::optional<PhysicsTask>& task, const RunOptions& options) {
-  Judging judging(run, goal, options);
-  std::future<void> beside = work_beside(judging, options.threads);
-  std::optional<Verification> verification;
-  Stopwatch watch;
-  if (task) verification = verify(run, *task, options);
-  const double seconds = watch.lap();
-  options.progress(run.goal ? "prints, contact" : "contact", -1);
-  judging.work();
-  beside.get();
-  run = with_judgement(std::move(run), judging.judgement());
-  if (task) run.timings.verify = seconds;
-  return verification ? with_physics(std::move(run), goal, std::move(*verification), *task, options)
-                      : std::move(run);
-}
-
 /// A goal counts in the state that its drive leads to: where the drive stops on its way there is none.
 std::optional<std::string> why_drive_stops(const Run& run) {
   if (!run.goal || run.matter || !run.equilibrium || run.equilibrium->reached()) return std::nullopt;
   return drive_stop_reason(run.equilibrium->path);
 }
 
-/// However well the shape is kept: what tears does not keep it. After the physics run, which judges the shape alone.
-std::optional<std::string> why_hinges_tear(const Run& run) {
-  if (!run.goal || run.states.empty()) return std::nullopt;
-  return strained_too_far(run.design, run.states.front().poses);
+/// The goal is missed where a hinge tears in the state shown, however well the shape is kept.
+Run with_strain(Run run) {
+  const auto why =
+      run.goal && !run.states.empty() ? strained_too_far(run.design, run.states.front().poses) : std::nullopt;
+  if (!why) return run;
+  run.strained = run.met();
+  run.violations.push_back(*why);
+  return run;
 }
 
 /// The state that the search knows of its design, in place of a path that was stopped before its end.
@@ -168,15 +155,28 @@ Run with_model_states(Run run, const RunOptions& options) {
   return run;
 }
 
-Run finished(Run run, const Goal* goal, const RunOptions& options) {
-  const bool verifies = options.verify && !options.stop.stop_requested();
-  if (verifies && run.way) run = with_pieces(std::move(run), options);
-  const std::optional<PhysicsTask> task = verifies ? physics_task(run) : std::nullopt;
-  run = checked(std::move(run), goal, task, options);
-  if (const auto why = why_hinges_tear(run)) {
-    run.strained = run.met();
-    run.violations.push_back(*why);
-  }
+/// One run, from what was found to what every model says of it. @param goal null for a design
+Run run_found(Found found, const Goal* goal, const RunOptions& options) {
+  Run run = held(std::move(found), goal, options);
+  if (goal) run = settled(std::move(run), *goal, options);
+  const bool simulates = options.verify && !options.stop.stop_requested();
+  if (simulates && run.way) run = with_pieces(std::move(run), options);
+  const std::optional<PhysicsTask> task = simulates ? physics_task(run) : std::nullopt;
+
+  Judging judging(run, goal, options);
+  std::future<void> beside = work_beside(judging, options.threads);
+  Stopwatch watch;
+  std::optional<Verification> simulated;
+  if (task) simulated = verify(run, *task, options);
+  const double seconds = watch.lap();
+  options.progress(run.goal ? "prints, contact" : "contact", -1);
+  judging.work();
+  beside.get();
+
+  run = with_judgement(std::move(run), judging.judgement());
+  if (task) run.timings.verify = seconds;
+  if (simulated) run = with_physics(std::move(run), goal, std::move(*simulated), *task, options);
+  run = with_strain(std::move(run));
   run.stopped = options.stop.stop_requested();
   if (goal && !run.matter && run.plan.model != Model::equilibrium)
     model::append(exact_frames(run), run.states);
@@ -213,23 +213,24 @@ Run run_goal(const Goal& goal, const RunOptions& options) {
   Found found = goal.search(options);
   found.design.name = goal.name;
   const double seconds = watch.lap();
-  Run run = settled(held(std::move(found), &goal, options), goal, options);
+  Run run = run_found(std::move(found), &goal, options);
   run.timings.optimise = seconds;
-  return finished(std::move(run), &goal, options);
+  return run;
 }
 
 Run run_design(Design design, Model model, RunOptions options) {
+  const bool is_sheet = !design.structure.assembly();
+  options.verify &= model == Model::bullet;
+  options.certify &= is_sheet;
   Found found;
   found.theta = design.theta;
   found.model = plan_model(design, model);
-  found.design = std::move(design);
-  Run run = held(std::move(found), nullptr, options);
-  if (run.states.empty() && model == Model::exact)
-    throw InvalidInput(run.plan.exact.why +
+  if (model == Model::exact && is_sheet) found.plan.exact = exact_motion(design.structure);
+  if (model == Model::exact && is_sheet && !found.plan.exact)
+    throw InvalidInput(found.plan.exact.why +
                        "; use --model equilibrium or bullet, which need no exact family");
-  options.verify &= model == Model::bullet;
-  options.certify &= !run.way;
-  return finished(std::move(run), nullptr, options);
+  found.design = std::move(design);
+  return run_found(std::move(found), nullptr, options);
 }
 
 }  // namespace kinetix::app
