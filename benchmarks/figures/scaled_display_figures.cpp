@@ -31,7 +31,7 @@ app::Run shown_by(DriveKind drive, bool press, targets::DisplayGoal goal) {
   app::DisplayFile file;
   file.name = "display";
   file.goal = std::move(goal);
-  file.drive = drive;
+  file.drive_kind = drive;
   file.press = press;
   return run_goal(*make_goal(file), {});
 }

@@ -130,8 +130,9 @@ void add_mujoco_runs(const PeerScene& scene, MujocoSettings::Bodies bodies, std:
               "{}, {} steps, {}",
               bodies == MujocoSettings::Bodies::tree ? "tree of hinge joints" : "free bodies", course.steps,
               integrator == MujocoSettings::Integrator::euler ? "Euler" : "implicit");
-          runs.push_back(
-              timed(scene, words, [&] { return run_mujoco(scene.structure, scene.drive, settings); }));
+          runs.push_back(timed(scene, words, [&] {
+            return run_mujoco(scene.structure, drive_on(scene.structure, scene.drive), settings);
+          }));
           if (is_over(runs)) return;
         }
 }

@@ -27,7 +27,7 @@ PhysicsOptions elastic(double turn) {
   return options;
 }
 
-model::Drive hinge_drive(const model::Structure& structure, const model::Wall& wall, double angle) {
+model::Drive turn_of_wall(const model::Structure& structure, const model::Wall& wall, double angle) {
   return model::HingeTurn{*structure.hinge_at(wall), angle};
 }
 
@@ -90,7 +90,7 @@ TEST(ElasticRun, LeavesNoMotionWhereItComesToRestJustBeforeTheTimeIsUp) {
 TEST(ElasticRun, ComesToTheExactFoldFromOneHingeAsTheTurningSpringsSoften) {
   const auto design = strip({0.5, 0, 0.5, 0, 0.5, 0}, 0.5);
   const model::Structure structure = structure_of(design);
-  const model::Drive drive = hinge_drive(structure, {{0, 0}, model::Axis::y}, -1);
+  const model::Drive drive = turn_of_wall(structure, {{0, 0}, model::Axis::y}, -1);
   double before = 0;
   for (const double turn : {1e-6, 1e-7, 1e-8}) {
     const PhysicsResult result = settled(structure, drive, elastic(turn));
@@ -115,7 +115,7 @@ TEST(ElasticRun, ComesToRestWhereStepsLeadPastTheEquilibrium) {
   options.disturbance = 0.3;
   for (const double degrees : {60.0, 74.7, 80.0, 88.0}) {
     const model::LinkageDrive drive =
-        drive_on(structure, hinge_drive(structure, {{0, 0}, model::Axis::y}, degrees * radians_per_degree));
+        drive_on(structure, turn_of_wall(structure, {{0, 0}, model::Axis::y}, degrees * radians_per_degree));
     options.disturbance_seed = 1;
     const PhysicsResult one = run_compression(structure, drive, options);
     options.disturbance_seed = 13;
@@ -192,7 +192,7 @@ TEST(ElasticRun, HoldsATwistUnitInEquilibriumOnItsWayOverTheBarrier) {
       for (const model::Axis axis : {model::Axis::x, model::Axis::y}) {
         SCOPED_TRACE(std::to_string(alpha_deg) + " deg, " + std::to_string(angle) + " rad");
         const model::Structure unit = twist_unit(alpha_deg);
-        const PhysicsResult result = settled(unit, hinge_drive(unit, {{0, 0}, axis}, angle), elastic(1e-6));
+        const PhysicsResult result = settled(unit, turn_of_wall(unit, {{0, 0}, axis}, angle), elastic(1e-6));
         EXPECT_GT(result.gaps.axis_max, 5e-3);
         EXPECT_LE(result.drive_gap, 2e-6);
       }

@@ -7,18 +7,24 @@
 #include "model/lattice/square/unit_laws.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
+namespace kinetix::model {
+
+/// A wall turned so that its structure folds to theta, rad.
+inline Drive hinge_drive(const Structure& s, const Wall& wall, double theta) {
+  return hinge_drive_to(s, wall, theta);
+}
+
+}  // namespace kinetix::model
+
 /// Shorthand for equilibrium runs against closed forms.
 namespace kinetix::testing {
+
+using model::hinge_drive;
 
 inline model::EquilibriumPathOptions without_contact() {
   model::EquilibriumPathOptions options;
   options.contact = false;
   return options;
-}
-
-/// A wall turned so that its structure folds to theta, rad.
-inline model::Drive hinge_drive(const model::Structure& s, const model::Wall& wall, double theta) {
-  return hinge_drive_to(s, wall, theta);
 }
 
 inline model::Drive plates_drive(model::Axis axis, double theta) {

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <functional>
 
 #include "model/base/invalid_input.hpp"
 #include "model/closure/closure_drive.hpp"
@@ -53,9 +54,10 @@ HardAnswer drive_one_of_two() {
   return a;
 }
 
-HardAnswer drive_immobile(const model::Drive& drive) {
+HardAnswer drive_immobile(const std::function<model::Drive(const model::Structure&)>& drive_of) {
   std::mt19937 random(7);
-  const HardScene scene{random_panel(3, 3, random), drive, {}};
+  const model::Structure panel = random_panel(3, 3, random);
+  const HardScene scene{panel, drive_of(panel), {}};
   const model::Mobility m = mobility(scene.structure, exact_motion(scene.structure));
   HardAnswer a = follow_strained(scene, 1e-2);
   a.exact = to_string(m.verdict);
@@ -86,10 +88,14 @@ HardCases mobility_cases() {
            "two degrees of freedom; turns of both to 1e-5 rad", drive_one_of_two},
           {"3x3 panel with random hinges (M = 0), hinge to 20 deg", strained,
            [] {
-             return drive_immobile(hinge_drive({{1, 1}, model::Axis::y}, 10 * deg));
+             return drive_immobile([](const model::Structure& panel) {
+               return hinge_drive(panel, model::Wall{{1, 1}, model::Axis::y}, 10 * deg);
+             });
            }},
-          {"3x3 panel with random hinges (M = 0), plates to theta = 10 deg", strained,
-           [] { return drive_immobile(plates_drive(model::Axis::y, 10 * deg)); }}};
+          {"3x3 panel with random hinges (M = 0), plates to theta = 10 deg", strained, [] {
+             return drive_immobile(
+                 [](const model::Structure&) { return plates_drive(model::Axis::y, 10 * deg); });
+           }}};
 }
 
 }  // namespace kinetix::testing

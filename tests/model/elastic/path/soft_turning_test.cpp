@@ -189,7 +189,7 @@ struct Settled {
       : system(s, {.k_turn = k_turn}, drive_on(s, drive), false, false),
         tangent(system.dofs()),
         state(trace_equilibrium(driven(s, drive), {.k_turn = k_turn}, without_contact()).state) {
-    state = at(drive.theta());
+    state = at(drive_on(s, drive).theta());
   }
 
   /// The equilibrium at a theta nearby, rad, whose tangent is then that of the system.
