@@ -19,6 +19,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Edge = model::CreasePattern::Edge;
 
+constexpr std::string_view creases_name = "creases.fold";  // in the folder of results
+
 std::vector<NamedContent> write_design(const Run& run, const Json&) {
   return design_files(written_design(run));
 }
@@ -76,7 +78,7 @@ std::vector<NamedContent> write_creases(const Run& run, const nlohmann::ordered_
   if (!planar || run.plan.exact.name != model::creased_family) return {};
   try {
     const model::CreasePattern pattern = crease_pattern(*planar, redrawing_of(*planar).y, run.theta);
-    return {{"creases.fold", origami_text(pattern, run.theta, run.design.name)}};
+    return {{std::string(creases_name), origami_text(pattern, run.theta, run.design.name)}};
   } catch (const InvalidInput&) {
     return {};  // facets that are no polygons have no place in such a file
   }
@@ -98,7 +100,7 @@ std::vector<NamedContent> write_report(const Run& run, const Json& result) {
 }
 
 // Name, extensions, whether every run writes it, and how.
-const Exporter crease_export = {"creases", {"fold"}, false, write_creases};
+const Exporter crease_export = {"creases", {creases_name.substr(creases_name.rfind('.') + 1)}, false, write_creases};
 const Exporter pictures_export = {"pictures", {"svg", "png"}, false, write_pictures};
 
 std::vector<const Exporter*>& all() {

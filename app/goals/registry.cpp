@@ -2,8 +2,8 @@
 
 namespace kinetix::app {
 
-extern const GoalKind curve_kind, display_kind, fold_kind, helmet_kind, outline_kind, space_block_kind, space_curve_kind,
-    surface_kind;
+extern const GoalKind curve_kind, display_kind, fold_kind, helmet_kind, outline_kind, space_block_kind,
+    space_curve_kind, surface_kind;
 
 namespace {
 

@@ -20,15 +20,16 @@ double share_of(const HingeLimits& limits, const HingeLoads& loads);
 
 /// A range in which limits are kept at one end and not at the other.
 struct LimitRange {
-  double kept = 0, too_much = 1;
+  double kept = 0;      ///< end at which they are kept, ratio or the unit of the value
+  double too_much = 1;  ///< the other end, likewise
 };
 
-/// How a search for the largest load that keeps limits goes on.
+/// How a search for the largest load that keeps limits goes on. Values are in the unit of the range.
 struct Halvings {
   int most = 0;
-  double enough = 0;                 ///< of what is left of the range
-  std::optional<double> first = {};  ///< where it begins, in place of the middle
-  double least = 0;                  ///< values below are not tried
+  double enough = 0;                 ///< width of the range that is left, unit of the range
+  std::optional<double> first = {};  ///< where it begins, unit of the range; nothing: in the middle
+  double least = 0;                  ///< values below are not tried, unit of the range
 };
 
 /// Halves the range until it is narrow enough. @param keeps the limits at a value; nothing: stop. It is given the share that is done

@@ -35,6 +35,7 @@ struct Plan {
 /// Plans a scene. @param model nothing: exact where a family fits, else bullet   @param exact motion of the sheet, where it is known
 Plan make_plan(const model::Sheet& sheet, std::optional<Model> model = {}, model::ExactMotion exact = {});
 /// Plans no more than what computes the state: without mobility, range and sentences.
-Plan make_brief_plan(const model::Sheet& sheet, std::optional<Model> model = {}, model::ExactMotion exact = {});
+Plan make_brief_plan(const model::Sheet& sheet, std::optional<Model> model = {},
+                     model::ExactMotion exact = {});
 
 }  // namespace kinetix::app

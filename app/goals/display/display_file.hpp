@@ -63,7 +63,7 @@ struct DisplayFile : GoalSettings {
   double auc = 0.97;      ///< tolerance.auc: least, (0.5, 1]; rank correlation for grey goals
   double contrast = 3;    ///< tolerance.contrast: least d', dimensionless, of goals with two levels, >= 0
   HingeLimits limits = {};
-  static constexpr double usual_verify = 0.05;  ///< tolerance.verify
+  static constexpr double usual_verify = 0.05;  ///< tolerance.verify, cell edges: panels strain
 };
 
 // Defaults of searches with hinges on their walls, as the paper's displays are: local texture, which is read

@@ -13,7 +13,9 @@ namespace value = targets::value;
 
 constexpr int most_facets = 24;       // a side: a search of as many takes minutes
 constexpr double most_curvature = 1;  // rad over a facet: a facet stands for so much of a turn at most
+// Shares of a whole, ratio.
 const targets::Bounds share = {0, 1, true, true};
+// deg, of creases: near 90 deg walls would lie in the sheet.
 const targets::Bounds tilts = targets::between(0, 85, "degrees");
 // Of theta: planar cells close at 45 deg.
 const targets::Bounds turns = targets::between(0, 45, "degrees");

@@ -32,6 +32,7 @@ struct HingeNumber {
 };
 
 using Hinge = model::HingeParameters;
+// Default and bounds of each number, in the unit of its key.
 const HingeNumber hinge_numbers[] = {
     {"t", Kind::t, &Hinge::t, 1, targets::between(0, 1)},
     {"t_mm", Kind::t_mm, &Hinge::t, 1, targets::between(0, 1)},
