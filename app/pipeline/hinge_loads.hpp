@@ -21,7 +21,7 @@ double share_of(const HingeLimits& limits, const HingeLoads& loads);
 /// A range in which limits are kept at one end and not at the other.
 struct LimitRange {
   double kept = 0;      ///< end at which they are kept, ratio or the unit of the value
-  double too_much = 1;  ///< the other end, likewise
+  double too_much = 1;  ///< end at which they are not, ratio or the unit of the value
 };
 
 /// How a search for the largest load that keeps limits goes on. Values are in the unit of the range.
