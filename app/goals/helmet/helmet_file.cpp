@@ -137,8 +137,8 @@ HelmetFile read_helmet_file(const targets::Node& node) {
   read_structure(root, file);
   read_variables(root, file.spec);
   read_ribs(target, file);
-  read_tolerance(root, file);
   check_solver(root);
+  read_tolerance(root, file);
   read_settings(root, file.spec.size.edge_mm, file);
   read_hinges(root, file.spec.size, file);
   return file;

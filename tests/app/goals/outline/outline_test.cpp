@@ -263,6 +263,7 @@ TEST(Outline, OfASheetWithoutAnExactMotionIsRefused) {
       false);
   std::vector<model::HingeParameters>& hinges = found.design.structure.planar()->hinges;
   hinges[hinges.size() / 2].beta = 0.3;
+  found.plan = {};  // its motion was that of the sheet before
   try {
     planned(found);
     FAIL() << "no error";
