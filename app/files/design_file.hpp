@@ -18,7 +18,7 @@ namespace kinetix::app {
 /// Of one entry of `design.hinges`.
 const targets::KeyTable& hinge_entry_keys();
 
-/// Where imported bodies are pulled to, in place of a hinge that is turned: to poses, or apart.
+/// The pull of imported bodies, in place of a hinge that is turned: to poses, or apart.
 struct PullSection {
   std::optional<model::State> poses = {};  ///< one a body, mm
   std::optional<double> expand = {};       ///< times their distance from the middle, as far as they go, > 0

@@ -22,7 +22,7 @@ std::optional<model::Drive> read_drive_section(const targets::Section& root, con
 /// The section's text; a side of 1 goes without saying.
 std::string drive_text(const model::Sheet& structure, const std::optional<model::Drive>& drive, int side);
 
-/// What moves a structure, in words.
+/// Describes what moves a structure.
 const char* describe(const model::Drive& drive);
 
 /// Which way to leave a bifurcation that the drive leaves open, 1 or -1.

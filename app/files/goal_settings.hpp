@@ -40,14 +40,14 @@ void note_process(const GoalSettings& settings, const model::CellSize& size, std
 /// @param more behind them all
 targets::KeyTable goal_keys(std::vector<targets::Key> own, const std::string& hinge,
                             std::vector<targets::Key> more = {});
-/// What `hinge` means where cells have their size without the search, and where they may not.
+/// Meanings of the key `hinge`: for cells whose size is known before the search, and for cells that may get it by the search.
 inline constexpr const char* any_hinge = "what the hinges are made of";
 inline constexpr const char* sized_hinge = "what the hinges are made of; needs `structure.cell_mm`";
 
 /// The key `tolerance.verify`.
 targets::Key verify_key(double usual = GoalSettings::usual_verify);
 
-/// The keys of the settings that a kind has, but for what read_hinges() reads.
+/// Reads the settings that a kind has keys for, except those of read_hinges().
 /// @param edge_mm cell edge, for ranges of lengths
 void read_settings(const targets::Section& root, double edge_mm, GoalSettings& settings);
 

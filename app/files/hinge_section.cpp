@@ -177,7 +177,7 @@ void check_kind(const targets::Section& section, HingeKind kind) {
     refuse({"diameter_mm", "clearance_mm", "play", "caps"}, "belongs to pins, not to blocks and films");
 }
 
-/// Which lengths the kind must have.
+/// Checks that the lengths are there that the kind needs.
 void check_lengths(const targets::Section& section, HingeKind kind) {
   section.node().required(kind == HingeKind::pin ? "diameter_mm" : "gap_mm", "a length in mm");
   if (kind == HingeKind::film) section.node().required("thickness_mm", "a length in mm");

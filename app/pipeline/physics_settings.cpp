@@ -63,7 +63,7 @@ namespace {
 
 constexpr double most_overlap_mm = 0.1;  // mm: by which convex pieces may stick out of their bodies
 
-/// Each hinge of imported bodies has a stiffness of its own; contact is by the stiffest.
+/// Returns the stiffness of each hinge of imported bodies. The stiffest sets that of contact.
 model::Elasticity elasticity_of_bodies(const model::Assembly& bodies) {
   model::Elasticity whole;
   for (const model::AssemblyHinge& h : bodies.hinges) whole.each.push_back(elasticity_of(h.k, h.reach_mm));

@@ -96,7 +96,7 @@ optim::MultiStartOptions curve_search(const CurveFile& file, const RunOptions& o
   });
 }
 
-/// What a curve search contributes to a result. Met: shape within tolerance, and no walls in the way.
+/// The curve's part of a result. It is met with the shape within tolerance and no walls in the way.
 struct CurveOutcome final : GoalOutcome {
   explicit CurveOutcome(CurveStrip strip) : file(std::move(strip.file)), found(std::move(strip.found)) {}
 
@@ -145,8 +145,8 @@ struct CurveOutcome final : GoalOutcome {
 
 // Measured: s a start of 40 columns; it grows with their number to 1.5.
 constexpr double seconds_a_start = 0.0075;
-// Likewise how many times that where a search is repeated, for tilts that are gentle or walls that stay apart: of curves that
-// turn that far, rad, by all their columns, or by one of them.
+// Curves that turn by more than this, rad, in all or in one column, are searched again for gentle tilts or walls that stay apart.
+// The counts below say how many times as long that was measured to take.
 constexpr double full_turn = 320 * radians_per_degree, steep_turn = 36 * radians_per_degree,
                  sharp_turn = 60 * radians_per_degree;
 constexpr double repeats_of_full = 4, repeats_of_steep = 12, repeats_of_sharp = 40;
@@ -164,14 +164,14 @@ double repeats(const targets::Curve& curve, int columns) {
   return all >= full_turn ? repeats_of_full : 1;
 }
 
-/// What of `variables.beta` ties the tilts of columns to each other, as a file asks for it; empty: nothing.
+/// Names the keys of `variables.beta` that tie the tilts of columns to each other; empty if none does.
 std::string tied_tilts(const CurveFile& file) {
   std::string out = file.per == optim::Per::all ? "`per: all`" : "";
   if (file.symmetry != optim::Symmetry::none) out += out.empty() ? "`symmetry`" : " and `symmetry`";
   return out;
 }
 
-/// Of the ranges that the file gives, and of what walls that meet leave of them.
+/// Lists the ranges of the file, and the walls that meet, which keep the strip from its curve.
 std::vector<std::string> why_too_far(const CurveFile& file, const optim::FreeCurveDesign& found) {
   std::vector<std::string> why = found.design.reach.obstacles;
   const double rms = found.design.error.rms;

@@ -19,9 +19,9 @@
 namespace kinetix::app {
 namespace {
 
-// What is tried of columns, over those of the file: fewer columns have fewer hinges to err, and follow the curve less well.
+// Numbers of columns that are tried, as ratios to that of the file: fewer have fewer hinges to err and follow the curve less well.
 constexpr double column_shares[] = {1, 0.8, 0.65, 0.5};
-// Of each strip's search: the plain one, of more, has found that they come to the same.
+// Starts of each strip's search, a count: the plain search, which has more, has found that they end alike.
 constexpr int starts = 2;
 constexpr int fewest_columns = 4;
 // Of the gaps of blocks and films of the best of them, over that of the file: longer ones turn softer, and are weaker

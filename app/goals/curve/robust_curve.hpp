@@ -30,7 +30,7 @@ struct CurveStrip {
   CurveCandidate candidate = {};
 };
 
-/// What a search for the file's curve may vary.
+/// Returns the variables of a search for the file's curve.
 optim::CurveVariables curve_variables(const CurveFile& file);
 
 /// Strips whose elastic hinges are made up for, which takes about a second each: their closed forms rank the others.

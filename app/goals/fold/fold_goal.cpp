@@ -27,7 +27,7 @@ double mean_tilt(const model::Sheet& net, const std::vector<int>& hinges) {
   return sum / static_cast<double>(hinges.size());
 }
 
-/// Where searches for folds mostly end, rad: what is told of them beforehand.
+/// Returns the theta at which most searches for folds end, rad, for the forecast.
 double usual_theta(const optim::AngleRange& allowed) {
   return std::clamp(26 * radians_per_degree, allowed.lower, allowed.upper);
 }
@@ -134,7 +134,7 @@ Eigen::Vector3d standing_size(const targets::Solid& solid) {
 // Rad, where searches for solids end that the tilts limit: at a smaller theta these would be larger than is allowed.
 constexpr double steep_theta = 22 * radians_per_degree;
 
-/// Of a crease: as few as fold the solid's sharpest edge at that theta, as its search begins with.
+/// Returns the columns of a crease: the fewest that fold the solid's sharpest edge at steep_theta, with which its search begins.
 int columns_of_solid(const targets::Solid& solid, const FoldFile& file) {
   if (file.goal.solid->columns > 0) return file.goal.solid->columns;
   double sharpest = 0;
