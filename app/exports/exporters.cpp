@@ -100,7 +100,8 @@ std::vector<NamedContent> write_report(const Run& run, const Json& result) {
 }
 
 // Name, extensions, whether every run writes it, and how.
-const Exporter crease_export = {"creases", {creases_name.substr(creases_name.rfind('.') + 1)}, false, write_creases};
+const Exporter crease_export = {
+    "creases", {creases_name.substr(creases_name.rfind('.') + 1)}, false, write_creases};
 const Exporter pictures_export = {"pictures", {"svg", "png"}, false, write_pictures};
 
 std::vector<const Exporter*>& all() {
