@@ -4,15 +4,14 @@
 #include <optional>
 #include <string>
 
-#include "app/run/certified.hpp"
 #include "app/run/forecast.hpp"
-#include "app/run/run_options.hpp"
+#include "app/run/run.hpp"
 
 namespace kinetix::app {
 
 /// What is proven of a design without a run: how far its closed form folds without contact.
 struct CheckedContact {
-  Certified certified;
+  ProvenRanges certified;
   double theta = 0;  ///< rad, to which its drive takes it
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "model/base/parallel_runs.hpp"
+#include "model/contact/certified_range.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "model/sheet/turn_laws.hpp"
 
@@ -13,12 +14,12 @@ namespace {
 
 constexpr double deviations = 3;  // of a normal distribution: 997 of 1000 are within
 
-Certified along(const model::Sheet& sheet, const model::ExactMotion& exact, const model::PrintError& sd,
-                int threads, const std::stop_token& stop) {
+ProvenRanges along(const model::Sheet& sheet, const model::ExactMotion& exact, const model::PrintError& sd,
+                   int threads, const std::stop_token& stop) {
   const model::Linkage linkage = sheet;
   const auto laws = exact ? turn_laws(sheet) : std::vector<model::TurnLaw>{};
   const double growth_mm[] = {0, print_growth_mm(linkage, sd)};
-  model::CertifiedRange ranges[2];
+  model::ContactRange ranges[2];
   model::run_in_parallel(2, threads, [&](int k) {
     ranges[k] = certified_range(linkage, exact, laws, {.growth_mm = growth_mm[k], .stop = stop});
   });
@@ -38,12 +39,12 @@ double print_growth_mm(const model::Linkage& sheet, const model::PrintError& sd)
   return deviations * sd.t_mm + std::sin(tilt) * farthest;
 }
 
-Certified certify(const model::Sheet& sheet, const Plan& plan, const model::PrintError& sd, int threads,
-                  const std::stop_token& stop) {
+ProvenRanges certify(const model::Sheet& sheet, const Plan& plan, const model::PrintError& sd, int threads,
+                     const std::stop_token& stop) {
   return along(sheet, plan.exact, sd, threads, stop);
 }
 
-Certified certify(const model::Sheet& sheet, const model::PrintError& sd) {
+ProvenRanges certify(const model::Sheet& sheet, const model::PrintError& sd) {
   return along(sheet, exact_motion(sheet), sd, 0, {});
 }
 

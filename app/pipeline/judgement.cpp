@@ -18,14 +18,14 @@ namespace kinetix::app {
 namespace {
 
 /// Puts right one end of a range whose samples have missed walls that touch before.
-void correct(model::ThetaLimit& sampled, const model::CertifiedLimit& proven, Plan& plan) {
+void correct(model::ContactLimit& sampled, const model::ContactLimit& proven, Plan& plan) {
   if (!proven.contact || std::abs(sampled.theta) <= std::abs(*proven.contact)) return;
   plan.why.push_back(fmt::format("walls touch at theta {:.2f} deg already, and part again between samples",
                                  to_degrees(*proven.contact)));
-  sampled = {proven.theta, true, proven.walls};
+  sampled = proven;
 }
 
-Plan corrected(Plan plan, const Certified& certified) {
+Plan corrected(Plan plan, const ProvenRanges& certified) {
   if (!plan.free_range || !certified.designed) return plan;
   correct(plan.free_range->negative, certified.designed.negative, plan);
   correct(plan.free_range->positive, certified.designed.positive, plan);
@@ -49,7 +49,7 @@ std::optional<std::string> why_walls_meet(const Run& run) {
 std::optional<bool> are_prints_free(const Run& run) {
   const bool has_left = run.equilibrium && run.equilibrium->path.off_closed_form;
   if (!run.printed || !run.certified || has_left || !run.certified->printed) return std::nullopt;
-  const bool is_free = run.certified->covers_printed(run.theta) && !run.printed->touches_too_often();
+  const bool is_free = run.certified->printed.covers(run.theta) && !run.printed->touches_too_often();
   return run.equilibrium && is_free ? std::nullopt : std::optional(is_free);
 }
 

@@ -11,10 +11,10 @@ namespace kinetix::app {
 
 /// What is said of a design beside its physics run.
 struct Judgement {
-  std::optional<PrintedGoal> printed;  ///< of goals that are judged by distances
-  std::string prints_unknown;          ///< why there is none, of such goals; else empty
-  std::optional<Certified> certified;  ///< where the options ask for it
-  std::optional<PrintAnswer> print;    ///< of `export`, where there is a goal and the options ask for it
+  std::optional<PrintedGoal> printed;     ///< of goals that are judged by distances
+  std::string prints_unknown;             ///< why there is none, of such goals; else empty
+  std::optional<ProvenRanges> certified;  ///< where the options ask for it
+  std::optional<PrintAnswer> print;       ///< of `export`, where there is a goal and the options ask for it
   double as_made_s = 0, certify_s = 0;
 };
 

@@ -75,7 +75,7 @@ Json taken_json(const TakenHinges& taken) {
 
 /// Whether the fold lies where walls of prints are proven not to meet; nothing where it does, or nothing is proven.
 std::optional<std::string> contact_words(const Run& run) {
-  if (run.printed->free_of_contact.value_or(true) || run.certified->covers_printed(run.theta))
+  if (run.printed->free_of_contact.value_or(true) || run.certified->printed.covers(run.theta))
     return std::nullopt;
   return fmt::format(
       "walls of prints may meet: theta {:.2f} deg lies beyond what is proven free of contact with each wall "

@@ -4,45 +4,46 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/run/contact_reason.hpp"
 #include "model/elastic/path/closed_form.hpp"
 
 namespace kinetix::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using model::CertifiedLimit;
-using model::CertifiedRange;
+using model::ContactLimit;
+using model::ContactRange;
 
-Json limit_json(const CertifiedLimit& limit, const model::Sheet& sheet) {
+Json limit_json(const ContactLimit& limit, const model::Sheet& sheet) {
   Json out = {{"theta_rad", limit.theta}, {"contact_rad", nullptr}, {"walls", Json::array()}};
   if (limit.contact) out["contact_rad"] = *limit.contact;
-  if (limit.is_limit) out["walls"] = wall_names(limit, sheet);
+  if (limit.touches) out["walls"] = wall_names(limit.walls, sheet);
   return out;
 }
 
-Json range_json(const CertifiedRange& range, const model::Sheet& sheet) {
+Json range_json(const ContactRange& range, const model::Sheet& sheet) {
   return {{"growth_mm", range.growth_mm},
           {"low", limit_json(range.negative, sheet)},
           {"high", limit_json(range.positive, sheet)},
-          {"left_out", range.left_out}};
+          {"left_out", range.touching_at_rest.size()}};
 }
 
 /// "nowhere" where not even the flat state is, but for rounding.
-std::string between(const CertifiedRange& range) {
+std::string between(const ContactRange& range) {
   constexpr double shown = 0.005 * radians_per_degree;  // less is 0.00 deg
   if (-range.negative.theta < shown && range.positive.theta < shown) return "nowhere";
   return fmt::format("{:.2f} to {:.2f} deg", to_degrees(range.negative.theta),
                      to_degrees(range.positive.theta));
 }
 
-std::string end_words(const CertifiedLimit& limit, const model::Sheet& sheet) {
-  if (!limit.is_limit) return "where the search ends";
-  const auto [first, second] = wall_names(limit, sheet);
+std::string end_words(const ContactLimit& limit, const model::Sheet& sheet) {
+  if (!limit.touches) return "where the search ends";
+  const auto [first, second] = wall_names(limit.walls, sheet);
   return fmt::format("limited by walls {} and {}", first, second);
 }
 
 /// Of an equilibrium that has left the closed form: the range is that form's alone.
-std::vector<SummaryLine> left_lines(const Certified& certified, const model::Sheet& sheet, double theta) {
+std::vector<SummaryLine> left_lines(const ProvenRanges& certified, const model::Sheet& sheet, double theta) {
   return {{"NOT PROVEN",
            "free of contact: the equilibrium has left the closed form, and of its states nothing is proven"},
           {"", fmt::format("the closed form, which these states are not, is free of it for theta {}, {}",
@@ -60,18 +61,19 @@ NearExact near_exact(const Run& run) {
   return is_near && !found.path.off_closed_form ? NearExact::near : NearExact::left;
 }
 
-Json certified_json(const Certified& certified, const model::Sheet& sheet, double theta, NearExact states) {
+Json certified_json(const ProvenRanges& certified, const model::Sheet& sheet, double theta,
+                    NearExact states) {
   if (!certified.designed) return {{"why_not", certified.designed.why_not}};
   return {{"design", range_json(certified.designed, sheet)},
           {"printed", range_json(certified.printed, sheet)},
           {"states_are_exact", states == NearExact::same},
           {"states_have_left", states == NearExact::left},
-          {"covers_theta", certified.covers(theta)},
-          {"covers_theta_printed", certified.covers_printed(theta)}};
+          {"covers_theta", certified.designed.covers(theta)},
+          {"covers_theta_printed", certified.printed.covers(theta)}};
 }
 
-std::vector<SummaryLine> certified_lines(const Certified& certified, const model::Sheet& sheet, double theta,
-                                         NearExact states) {
+std::vector<SummaryLine> certified_lines(const ProvenRanges& certified, const model::Sheet& sheet,
+                                         double theta, NearExact states) {
   if (!certified.designed)
     return {{"contact", "no range of theta is proven free of it: " + certified.designed.why_not}};
   if (certified.designed.overlaps_as_built())
@@ -80,7 +82,7 @@ std::vector<SummaryLine> certified_lines(const Certified& certified, const model
   const std::string range = fmt::format("theta {}, {}", between(certified.designed),
                                         end_words(certified.designed.to(theta), sheet));
   std::vector<SummaryLine> lines = {
-      certified.covers(theta)
+      certified.designed.covers(theta)
           ? SummaryLine{"proven", "free of contact for " + range}
           : SummaryLine{"NOT PROVEN", fmt::format("free of contact at theta {:.2f} deg: proven for {}",
                                                   to_degrees(theta), range)}};

@@ -108,8 +108,7 @@ Json structure_json(const Design& design, double reach_mm, const model::Elastici
 Json metrics_json(const Run& run) {
   Json metrics = {{"theta_rad", run.theta}};
   if (run.plan.free_range) {
-    const model::ThetaLimit& limit =
-        run.theta < 0 ? run.plan.free_range->negative : run.plan.free_range->positive;
+    const model::ContactLimit& limit = run.plan.free_range->to(run.theta);
     if (limit.touches) metrics["theta_limit_rad"] = limit.theta;
   }
   if (run.way && run.way->off) {

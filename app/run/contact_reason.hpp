@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,6 +8,12 @@
 #include "app/run/run.hpp"
 
 namespace kinetix::app {
+
+/// Names of walls whose plates are two a hinge.
+std::array<std::string, 2> wall_names(const model::WallPair& walls, const model::Sheet& sheet);
+
+/// "walls A and B overlap as built" and what helps.
+std::string overlap_words(const model::WallPair& walls, const model::Sheet& sheet);
 
 /// Why walls keep an exact motion from coming to the run's theta, one sentence: they overlap as built or on the way, by the
 /// certified range where there is one, else by samples. Nothing where no contact is known.

@@ -16,7 +16,7 @@ namespace {
 /// freedom by their closed form anyhow.
 constexpr std::size_t most_bodies_for_rank = 500;
 
-std::string wall_sentence(const model::ThetaRange& range) {
+std::string wall_sentence(const model::ContactRange& range) {
   const double degrees = range.positive.theta / radians_per_degree;
   if (!range.positive.touches) return fmt::format("no walls touch up to theta {:.1f} deg", degrees);
   return fmt::format("walls touch at theta {:.2f} deg", degrees);

@@ -23,7 +23,7 @@ struct Plan {
   Model model = Model::exact;
   bool planar = false;  ///< all hinges stand upright: an equilibrium stays in the plane z = 0
   std::optional<model::Mobility> mobility;  ///< empty for structures too large to be worth it
-  std::optional<model::ThetaRange>
+  std::optional<model::ContactRange>
       free_range;                ///< theta without walls touching; empty outside the exact families
   std::vector<std::string> why;  ///< one sentence per decision
   std::size_t decided = 0;       ///< of `why`: the first of them are make_plan's, others what a scene adds

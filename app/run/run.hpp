@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "app/run/certified.hpp"
 #include "app/run/closed_way.hpp"
 #include "app/run/found.hpp"
 #include "app/run/run_options.hpp"
+#include "model/contact/wall_contact.hpp"
 #include "model/elastic/equilibrium_comparison.hpp"
 #include "model/elastic/path/stable_states.hpp"
 #include "model/matter/process.hpp"
@@ -102,7 +102,7 @@ struct PrintedGoal {
   std::optional<model::PrintRuns> runs = {};  ///< that confirm it, or do not
   bool can_be_printed = true;                 ///< Run::print, or by the process where that was not asked
   /// Whether no walls meet on the way to the fold where each is as far out of place as the process leaves it, proven
-  /// (Certified::printed), and no more prints touch than most_touching; nothing where nothing is proven of these states, as of
+  /// (ProvenRanges::printed), and no more prints touch than most_touching; nothing where nothing is proven of these states, as of
   /// equilibria of elastic hinges.
   std::optional<bool> free_of_contact = {};
   std::optional<TakenHinges> taken = {};
@@ -152,6 +152,11 @@ struct Timings {
 
 struct BodyPieces;
 
+/// How far a sheet folds before walls meet, proven and not sampled.
+struct ProvenRanges {
+  model::ContactRange designed, printed;  ///< the latter of walls that are larger all round
+};
+
 /// Everything one call of the program knows at its end, what result.json and the report show: what was found, and what each
 /// model says of it.
 struct Run : Found {
@@ -169,8 +174,8 @@ struct Run : Found {
   bool strained = false;                ///< the one violation is of a hinge, by more than its material bears
   std::optional<PrintedGoal> printed;   ///< of goals that are judged by distances
   std::optional<PrintAnswer> print;     ///< of `export` to the design; nothing where it was not asked
-  std::optional<Certified> certified;   ///< theta without contact; nothing where it was not asked for
-  bool stopped = false;                 ///< the best so far, when it was told to stop
+  std::optional<ProvenRanges> certified;  ///< theta without contact; nothing where it was not asked for
+  bool stopped = false;                   ///< the best so far, when it was told to stop
   std::string prints_unknown;  ///< why it is not known what prints of a goal come to; empty where it is
   std::vector<Fidelity> fidelity;
   Timings timings;

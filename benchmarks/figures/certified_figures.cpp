@@ -21,7 +21,7 @@ constexpr double near_enough = 0.01;               // of the true range: what wa
 constexpr double sample = 1 * radians_per_degree;  // between the states that theta_range looks at
 
 struct Proven {
-  model::CertifiedRange range;
+  model::ContactRange range;
   double time = 0;  ///< s
 };
 
@@ -35,12 +35,12 @@ Proven prove(const model::Sheet& sheet) {
 }
 
 /// Between the proven end and an overlap beyond it, over theta; 1 where none was seen.
-double bracket(const model::CertifiedLimit& limit) {
-  if (!limit.is_limit) return 0;
+double bracket(const model::ContactLimit& limit) {
+  if (!limit.touches) return 0;
   return limit.contact ? 1 - limit.theta / *limit.contact : 1;
 }
 
-double bracket(const model::CertifiedRange& range) {
+double bracket(const model::ContactRange& range) {
   return range ? std::max(bracket(range.negative), bracket(range.positive)) : 1;
 }
 

@@ -142,7 +142,7 @@ Figure miura_with_plates() {
   constexpr double sector = 80 * radians_per_degree;  // near to 90 deg facets fold least over each other
   const model::OrigamiSheet sheet = origami_sheet(model::march(model::miura(6, 6, sector, multiplier)).mesh,
                                                   {10, plate_thickness * 10, height * 10});
-  const model::ThetaRange range =
+  const model::ContactRange range =
       theta_range(sheet.structure, [&](double theta, model::State& state) { state = fold(sheet, theta); },
                   {.limit = 0.6, .step = 0.25 * radians_per_degree});
   return {fmt::format(

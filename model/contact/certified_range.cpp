@@ -22,10 +22,10 @@ constexpr double contact_near = 0.01;  // of theta: how far beyond the end an ov
 class CertifiedSide {
  public:
   CertifiedSide(LinkagePlates& plates, const ExactMotion& exact, const CertifiedOptions& options, double sign,
-                CertifiedRange& out)
+                ContactRange& out)
       : plates_(plates), exact_(exact), options_(options), sign_(sign), out_(out) {}
 
-  CertifiedLimit run() {
+  ContactLimit run() {
     double free = 0;
     double width = widest_interval;
     while (free < options_.limit && states_ < options_.most_states) {
@@ -126,7 +126,7 @@ class CertifiedSide {
   }
 
   /// @param suspects what the whole interval leaves unproven
-  std::optional<CertifiedLimit> split(double low, double high, const std::vector<PlatesOfPair>& suspects) {
+  std::optional<ContactLimit> split(double low, double high, const std::vector<PlatesOfPair>& suspects) {
     if (suspects.empty()) return std::nullopt;
     if (high - low <= options_.precision || states_ >= options_.most_states) return end_at(low, suspects);
     const double middle = (low + high) / 2;
@@ -134,7 +134,7 @@ class CertifiedSide {
     return look(middle, high, suspects);
   }
 
-  std::optional<CertifiedLimit> look(double low, double high, const std::vector<PlatesOfPair>& suspects) {
+  std::optional<ContactLimit> look(double low, double high, const std::vector<PlatesOfPair>& suspects) {
     const ThetaInterval interval = at(low, high);
     if (is_stopped()) return end_at(low, suspects);
     std::vector<PlatesOfPair> left;
@@ -146,10 +146,10 @@ class CertifiedSide {
   }
 
   /// Looks for an overlap of these, the nearer the better.
-  CertifiedLimit end_at(double low, const std::vector<PlatesOfPair>& suspects) {
+  ContactLimit end_at(double low, const std::vector<PlatesOfPair>& suspects) {
     std::vector<WallPair> pairs;
     for (const PlatesOfPair& s : suspects) pairs.insert(pairs.end(), s.walls.begin(), s.walls.end());
-    CertifiedLimit end{sign_ * low, true, pairs.front()};
+    ContactLimit end{sign_ * low, true, pairs.front()};
     double free = low, hit = low;
     for (double ahead = options_.precision; free <= low * (1 + contact_near); ahead *= 2) {
       hit = low + ahead;
@@ -183,7 +183,7 @@ class CertifiedSide {
   const ExactMotion& exact_;
   const CertifiedOptions& options_;
   double sign_;
-  CertifiedRange& out_;
+  ContactRange& out_;
   int states_ = 0;
   double gap_ = 0;  ///< cell edges, the largest that a state left open at a hinge
   double off_ = 0;  ///< rad, likewise of axes and turns
@@ -199,17 +199,17 @@ void CertifiedOptions::validate() const {
   if (!(most_states > 0)) throw InvalidInput("the number of states must be above 0");
 }
 
-CertifiedRange certified_range(const Linkage& structure, const ExactMotion& exact,
-                               const std::vector<TurnLaw>& turns, const CertifiedOptions& options) {
+ContactRange certified_range(const Linkage& structure, const ExactMotion& exact,
+                             const std::vector<TurnLaw>& turns, const CertifiedOptions& options) {
   options.validate();
-  CertifiedRange out;
+  ContactRange out;
   out.growth_mm = options.growth_mm;
   if (!exact) {
     out.why_not = exact.why;
     return out;
   }
   LinkagePlates plates(structure, turns, options.growth_mm);
-  out.left_out = static_cast<int>(plates.at_rest.touching_at_rest().size());
+  out.touching_at_rest = plates.at_rest.touching_at_rest();
   if (const int loose = plates.loose_body(); loose >= 0) {
     out.why_not = "no hinges join the body at " + structure.vertex_name(loose) + " to the others";
     return out;

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <optional>
 #include <stop_token>
-#include <string>
 #include <vector>
 
 #include "model/contact/wall_contact.hpp"
@@ -21,30 +19,6 @@ struct CertifiedOptions {
   void validate() const;
 };
 
-/// The end of what is proven free to one side.
-struct CertifiedLimit {
-  double theta = 0;      ///< rad: no plates meet from flat to here
-  bool is_limit = true;  ///< false: the search ends here, at its limit or with the motion
-  WallPair walls;        ///< that are not proven apart beyond
-  /// rad: there they do overlap, so that the true end lies between. None where they come closer than rounding tells, and
-  /// are not seen to overlap within a hundredth of theta.
-  std::optional<double> contact = {};
-};
-
-/// The range of theta in which no walls meet, by proof and not by samples: see certified_range().
-struct CertifiedRange {
-  CertifiedLimit negative, positive;
-  int states = 0;            ///< that were computed
-  int left_out = 0;          ///< pairs of plates that touch as built, overlapping ones among them
-  std::string why_not = {};  ///< in a sentence, where nothing is certified: theta is 0 on both sides
-  double growth_mm = 0;      ///< as asked
-
-  /// Walls that overlap as built, flat: there is no range then, and both limits name them.
-  bool overlaps_as_built() const { return positive.contact == 0.0; }
-  explicit operator bool() const { return why_not.empty(); }
-  const CertifiedLimit& to(double theta) const { return theta < 0 ? negative : positive; }
-};
-
 /// Proves by bounds how far a structure folds to both sides of flat before walls collide: in no state of the range do two
 /// plates touch that WallContact looks at, whatever lies between samples.
 ///
@@ -56,7 +30,7 @@ struct CertifiedRange {
 ///
 /// @param exact the states   @param turns how each hinge turns along them; where a state differs, nothing is certified
 /// @throws InvalidInput for options out of range
-CertifiedRange certified_range(const Linkage& structure, const ExactMotion& exact,
-                               const std::vector<TurnLaw>& turns, const CertifiedOptions& options = {});
+ContactRange certified_range(const Linkage& structure, const ExactMotion& exact,
+                             const std::vector<TurnLaw>& turns, const CertifiedOptions& options = {});
 
 }  // namespace kinetix::model

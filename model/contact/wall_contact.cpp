@@ -16,7 +16,7 @@ class Side {
   Side(WallContact& contact, const FoldFunction& fold, const ThetaRangeOptions& options, double sign)
       : contact_(contact), fold_(fold), options_(options), sign_(sign) {}
 
-  ThetaLimit run() {
+  ContactLimit run() {
     double free = 0;
     while (free < options_.limit) {
       const double next = std::min(free + options_.step, options_.limit);
@@ -35,7 +35,7 @@ class Side {
   }
 
   /// Narrows down the pairs that overlap at `hit`, and starts again with any others that come before.
-  ThetaLimit bisect(double free, double hit, std::vector<WallPair> pairs) {
+  ContactLimit bisect(double free, double hit, std::vector<WallPair> pairs) {
     double low = free;
     while (hit - low > options_.precision) {
       const double middle = (low + hit) / 2;
@@ -45,7 +45,7 @@ class Side {
     }
     const std::vector<WallPair> earlier = contact_.overlapping(at(low));
     if (!earlier.empty() && low > free) return bisect(free, low, earlier);
-    return {sign_ * low, true, pairs.front()};
+    return {sign_ * low, true, pairs.front(), sign_ * hit};
   }
 
   WallContact& contact_;
@@ -112,14 +112,16 @@ void ThetaRangeOptions::validate() const {
 
 double closing_theta(const CellSize& size) { return std::atan(1 - size.thickness_mm / size.edge_mm); }
 
-ThetaRange theta_range(const Linkage& structure, const FoldFunction& fold, const ThetaRangeOptions& options) {
+ContactRange theta_range(const Linkage& structure, const FoldFunction& fold,
+                         const ThetaRangeOptions& options) {
   options.validate();
   WallContact contact(structure);
   return {Side(contact, fold, options, -1).run(), Side(contact, fold, options, 1).run(),
           contact.touching_at_rest()};
 }
 
-ThetaRange theta_range(const Linkage& structure, const ExactMotion& exact, const ThetaRangeOptions& options) {
+ContactRange theta_range(const Linkage& structure, const ExactMotion& exact,
+                         const ThetaRangeOptions& options) {
   if (!exact)
     throw InvalidInput("the range of theta is known only for exactly mobile structures: " + exact.why);
   const FoldFunction along = [&](double theta, State& state) { state = exact.at(theta); };

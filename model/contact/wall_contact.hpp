@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "model/base/angle.hpp"
@@ -67,16 +68,34 @@ struct ThetaRangeOptions {
   void validate() const;
 };
 
-/// The end of the free motion to one side.
-struct ThetaLimit {
-  double theta = 0;      ///< rad; the last value without an overlap, to `precision`
-  bool touches = false;  ///< false: nothing touches up to the limit, or up to where the motion ends in NaN
-  WallPair walls;        ///< the first that do
+/// Where the free motion to one side of flat ends.
+struct ContactLimit {
+  double theta = 0;  ///< rad: no walls meet from flat to here
+  bool touches =
+      false;       ///< beyond, as seen or for all that is proven; false: the search or the motion ends here
+  WallPair walls;  ///< the first that do
+  /// rad: there they do overlap, so that they meet between theta and this. None where they do not touch, and where a proof
+  /// has not seen them overlap within a hundredth of theta.
+  std::optional<double> contact = {};
 };
 
-struct ThetaRange {
-  ThetaLimit negative, positive;
-  std::vector<WallPair> touching_at_rest;
+/// How far a structure folds to both sides of flat before walls collide: by samples of its motion, see theta_range(), or by
+/// proof, see certified_range().
+struct ContactRange {
+  ContactLimit negative, positive;
+  std::vector<WallPair> touching_at_rest;  ///< as built, overlapping ones among them: they are not looked at
+  int states = 0;                          ///< that a proof computed
+  std::string why_not = {};  ///< in a sentence, where nothing is proven: theta is 0 on both sides
+  double growth_mm = 0;      ///< by which every wall was larger on all its sides than designed
+
+  explicit operator bool() const { return why_not.empty(); }
+  /// Walls that overlap as built, flat: there is no range then, and both limits name them.
+  bool overlaps_as_built() const { return positive.contact == 0.0; }
+  const ContactLimit& to(double theta) const { return theta < 0 ? negative : positive; }
+  /// Whether no walls meet on the way to theta, rad.
+  bool covers(double theta) const {
+    return *this && !overlaps_as_built() && negative.theta <= theta && theta <= positive.theta;
+  }
 };
 
 /// How far a structure folds to both sides of flat before walls collide: steps from flat and bisects the step
@@ -84,12 +103,12 @@ struct ThetaRange {
 /// default step the ends of a wall move by at most a hundredth of the edge against their neighbours in it.
 /// In basic planar cells the end is closing_theta().
 /// @throws InvalidInput for options out of range
-ThetaRange theta_range(const Linkage& structure, const FoldFunction& fold,
-                       const ThetaRangeOptions& options = {});
+ContactRange theta_range(const Linkage& structure, const FoldFunction& fold,
+                         const ThetaRangeOptions& options = {});
 
 /// Along a closed form.
 /// @throws InvalidInput where there is none
-ThetaRange theta_range(const Linkage& structure, const ExactMotion& exact,
-                       const ThetaRangeOptions& options = {});
+ContactRange theta_range(const Linkage& structure, const ExactMotion& exact,
+                         const ThetaRangeOptions& options = {});
 
 }  // namespace kinetix::model

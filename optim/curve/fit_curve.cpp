@@ -51,11 +51,9 @@ int gentlest(const CurveFit& fit, const MultiStartResult& search) {
 }
 
 /// Theta at which the walls of the design meet; the design's own theta or more where they do not.
-model::ThetaLimit first_contact(const model::ExactDesign<double>& design, const model::CellSize& size) {
+model::ContactLimit first_contact(const model::ExactDesign<double>& design, const model::CellSize& size) {
   const model::Structure structure = sheet_of(design, size);
-  model::ThetaRangeOptions options;
-  options.limit = design.theta;
-  return theta_range(structure, exact_motion(structure), options).positive;
+  return theta_range(structure, exact_motion(structure), {.limit = design.theta}).positive;
 }
 
 void keep_below_closing(CurveVariables& v, const model::CellSize& size, std::vector<std::string>& notes) {
@@ -133,7 +131,7 @@ bool free_the_walls(const targets::Curve& goal, CurveVariables v, const model::C
 }
 
 /// The next search: below where walls meet, or, out of a design that is not near enough, below its own theta.
-double next_theta(const CurveDesign& design, const model::ThetaLimit& contact) {
+double next_theta(const CurveDesign& design, const model::ContactLimit& contact) {
   return contact.touches ? contact.theta - model::closing_margin : less_theta * design.design.theta;
 }
 
@@ -146,7 +144,7 @@ void try_all_tilts(const targets::Curve& goal, CurveVariables v, const model::Ce
   double below = result.walls_are_free ? rms : std::max(rms, std::min(enough, worst_growth * rms)) + exact;
   std::string narrowed;
   for (int k = 0; k < most_thetas && !options.solver.stop.stop_requested(); ++k) {
-    const model::ThetaLimit contact = first_contact(wide.design, size);
+    const model::ContactLimit contact = first_contact(wide.design, size);
     if (wide.error.rms < below && !contact.touches) {
       below = wide.error.rms;
       result.design = wide;
@@ -202,7 +200,7 @@ FreeCurveDesign fit_free_curve(const targets::Curve& goal, const CurveVariables&
   result.design = fit_curve(goal, v, options);
   const CurveDesign wide = result.design;
   make_gentle(goal, v, options, enough, result.design);
-  const model::ThetaLimit contact = first_contact(result.design.design, size);
+  const model::ContactLimit contact = first_contact(result.design.design, size);
   result.walls_are_free = !contact.touches || free_the_walls(goal, v, size, options, result);
   if (!result.walls_are_free || !(result.design.error.rms <= enough))
     try_all_tilts(goal, v, size, options, enough, wide, result);

@@ -47,12 +47,10 @@ double height_of(const model::PlanarStructure& panel, const model::GrippedRows& 
 }
 
 /// theta at which walls first meet, looked for up to a little more than `theta`, rad.
-model::ThetaLimit clearance(model::PlanarStructure panel, const model::Redrawing& y, double theta) {
+model::ContactLimit clearance(model::PlanarStructure panel, const model::Redrawing& y, double theta) {
   place_hinges(y, panel);
   const auto fold_to = [&](double at, model::State& state) { state = fold(panel, y, at); };
-  model::ThetaRangeOptions options;
-  options.limit = theta + spare;
-  return theta_range(panel, fold_to, options).positive;
+  return theta_range(panel, fold_to, {.limit = theta + spare}).positive;
 }
 
 /// What is wanted of a panel, and its bounds, all rows free.
@@ -78,7 +76,7 @@ double scale_until_apart(const model::PlanarStructure& panel, WallScales scales,
     found.converged = walls.converged;
     found.iterations += walls.iterations;
     theta = goal(found.y);
-    const model::ThetaLimit limit = clearance(panel, found.y, theta);
+    const model::ContactLimit limit = clearance(panel, found.y, theta);
     found.clear = !limit.touches;
     found.clear_to = limit.theta;
     scales.shift *= less_turning;

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "model/base/invalid_input.hpp"
-#include "model/contact/wall_contact.hpp"
 #include "model/lattice/crease_law.hpp"
 #include "model/lattice/square/family/classify.hpp"
 
@@ -172,15 +171,11 @@ class StripSearch {
 
   static void meet(SpaceDesign& out) {
     const model::Structure structure = sheet_of(out.design, out.size);
-    model::ThetaRangeOptions options;
-    options.limit = out.design.theta;
-    const model::ThetaLimit contact = theta_range(structure, exact_motion(structure), options).positive;
-    out.walls_are_free = !contact.touches;
-    out.meet_theta = contact.theta;
+    out.contact = theta_range(structure, exact_motion(structure), {.limit = out.design.theta}).positive;
   }
 
   SpaceDesign best_of(std::vector<SpaceDesign> all, double upper) const {
-    const auto rank = [&](const SpaceDesign& one) { return one.error.rms + (one.walls_are_free ? 0 : 1e3); };
+    const auto rank = [&](const SpaceDesign& one) { return one.error.rms + (one.contact.touches ? 1e3 : 0); };
     double least = std::numeric_limits<double>::infinity();
     for (const SpaceDesign& one : all) least = std::min(least, rank(one));
     std::size_t chosen = all.size();

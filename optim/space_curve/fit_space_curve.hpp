@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "model/contact/wall_contact.hpp"
 #include "model/lattice/square/family/exact_family.hpp"
 #include "optim/solvers/solver.hpp"
 #include "optim/solvers/variables.hpp"
@@ -44,9 +45,8 @@ struct SpaceDesign {
   model::Pose place;  ///< of the goal, in the frame of the states that the design folds to
   targets::SpaceError error;
   SolveResult search;
-  bool walls_are_free = false;
-  double meet_theta = 0;  ///< rad, where walls meet, if they do
-  int tried = 0;          ///< thetas
+  model::ContactLimit contact;  ///< where walls meet on the way to its theta, if they do
+  int tried = 0;                ///< thetas
 };
 
 /// Fits the strip: y along the direction of least slope, turns and climbs by least squares, and, where the edge is free,

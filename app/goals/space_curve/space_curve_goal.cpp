@@ -74,7 +74,7 @@ struct SpaceCurveOutcome final : GoalOutcome {
         {"slope", found.across.slope},
         {"across", {found.across.direction.x(), found.across.direction.y(), found.across.direction.z()}},
         {"columns", columns_json(shape.midline)},
-        {"walls_meet", !found.walls_are_free},
+        {"walls_meet", found.contact.touches},
         {"reasons", run.violations},
         {"reasons_physics", run.physics_violations()}};
     if (const auto* physics = physics_measure_of<SpaceCurveMeasure>(run))
@@ -129,11 +129,11 @@ constexpr double direction_reach = 1e-3;
 
 /// Lists walls that are in the way.
 std::vector<std::string> obstacles(const optim::SpaceDesign& found) {
-  if (found.walls_are_free) return {};
+  if (!found.contact.touches) return {};
   return {
       fmt::format("walls run into each other at theta {:.2f} deg, before the {:.2f} deg of the goal: use "
                   "lower or thinner walls, or another number of columns: where cell_mm is given, fewer",
-                  to_degrees(found.meet_theta), to_degrees(found.design.theta))};
+                  to_degrees(found.contact.theta), to_degrees(found.design.theta))};
 }
 
 class SpaceCurveGoal final : public Goal {

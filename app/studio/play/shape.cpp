@@ -46,7 +46,7 @@ Moving::Moving(const Design& design) : linkage(design.structure), exact(exact_mo
     nearest = nearest_design(design.structure);
     return;
   }
-  const model::ThetaRange range = theta_range(linkage, exact);
+  const model::ContactRange range = theta_range(linkage, exact);
   least_theta = range.negative.touches ? range.negative.theta : -largest_theta;
   most_theta = range.positive.touches ? range.positive.theta : largest_theta;
 }

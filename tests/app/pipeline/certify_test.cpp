@@ -213,8 +213,8 @@ TEST(Certify, CoversShippedTargetsWithinOnePercentOfWallsThatOverlap) {
         run_goal(*app::read_target(std::string(KINETIX_SOURCE) + "/targets/shapes/" + name + ".yaml").goal,
                  {.verify = false});
     ASSERT_TRUE(run.certified && run.certified->designed) << name;
-    EXPECT_TRUE(run.certified->covers(run.theta)) << name;
-    for (const model::CertifiedLimit* end :
+    EXPECT_TRUE(run.certified->designed.covers(run.theta)) << name;
+    for (const model::ContactLimit* end :
          {&run.certified->designed.negative, &run.certified->designed.positive}) {
       ASSERT_TRUE(end->contact) << name;
       EXPECT_GE(std::abs(end->theta), 0.99 * std::abs(*end->contact)) << name;

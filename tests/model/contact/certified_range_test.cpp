@@ -18,7 +18,7 @@ namespace {
 using testing::random_design;
 using testing::structure_of;
 
-CertifiedRange certified(const Sheet& sheet, const CertifiedOptions& options = {}) {
+ContactRange certified(const Sheet& sheet, const CertifiedOptions& options = {}) {
   return certified_range(sheet, exact_motion(sheet), turn_laws(sheet), options);
 }
 
@@ -41,13 +41,13 @@ std::vector<WallPair> overlaps_of(const Sheet& sheet, double theta) {
 
 /// No overlap at many thetas within the range, one at its witness, and both within 1 %.
 void expect_proven(const Sheet& sheet, const std::string& what, int samples = 300) {
-  const CertifiedRange range = certified(sheet);
+  const ContactRange range = certified(sheet);
   ASSERT_TRUE(range) << what << ": " << range.why_not;
-  for (const CertifiedLimit* end : {&range.negative, &range.positive}) {
+  for (const ContactLimit* end : {&range.negative, &range.positive}) {
     for (int k = 0; k <= samples; ++k)
       ASSERT_TRUE(overlaps_of(sheet, end->theta * k / samples).empty())
           << what << " at " << end->theta * k / samples;
-    if (!end->is_limit) continue;
+    if (!end->touches) continue;
     ASSERT_TRUE(end->contact) << what;
     EXPECT_FALSE(overlaps_of(sheet, *end->contact).empty()) << what;
     EXPECT_GE(std::abs(end->theta), 0.99 * std::abs(*end->contact)) << what;
@@ -58,9 +58,9 @@ void expect_proven(const Sheet& sheet, const std::string& what, int samples = 30
 TEST(CertifiedRange, OfBasicCellsEndsAtTheClosedForm) {
   for (const double thickness : {0.1, 0.8, 2.0, 4.0})
     for (const auto& [columns, rows] : {std::pair{1, 1}, {1, 3}, {3, 3}}) {
-      const CertifiedRange range = certified(make_structure(rectangle(columns, rows), {10, thickness, 6}));
+      const ContactRange range = certified(make_structure(rectangle(columns, rows), {10, thickness, 6}));
       const double closed = std::atan(1 - thickness / 10);
-      for (const CertifiedLimit& end : {range.negative, range.positive}) {
+      for (const ContactLimit& end : {range.negative, range.positive}) {
         EXPECT_LE(std::abs(end.theta), closed);
         EXPECT_GE(std::abs(end.theta), closed - 3e-7);
         ASSERT_TRUE(end.contact);
@@ -73,7 +73,7 @@ TEST(CertifiedRange, OfBasicCellsEndsAtTheClosedForm) {
 /// Tips of walls grown by g on all sides meet at tan(theta) = (L - w - 2 g) / (L + 2 g).
 TEST(CertifiedRange, OfGrownWallsEndsAtTheClosedForm) {
   for (const double growth : {0.05, 0.2, 0.6}) {
-    const CertifiedRange range = certified(make_structure({{0, 0}}, {10, 0.8, 6}), {.growth_mm = growth});
+    const ContactRange range = certified(make_structure({{0, 0}}, {10, 0.8, 6}), {.growth_mm = growth});
     const double closed = std::atan((10 - 0.8 - 2 * growth) / (10 + 2 * growth));
     EXPECT_LE(range.positive.theta, closed);
     EXPECT_GE(range.positive.theta, closed - 3e-7);
@@ -107,8 +107,8 @@ Structure helix(int columns, double tilt_deg, double t) {
 TEST(CertifiedRange, SeesTurnsOfAHelixThatBrushPastEachOtherBetweenSamples) {
   for (const auto& [columns, tilt_deg, t] : {std::tuple{24, 35, 0.35}, {24, 45, 0.3}, {14, 40, 0.35}}) {
     const Structure s = helix(columns, tilt_deg, t);
-    const ThetaRange sampled = theta_range(s, exact_motion(s));
-    const CertifiedRange proven = certified(s);
+    const ContactRange sampled = theta_range(s, exact_motion(s));
+    const ContactRange proven = certified(s);
     ASSERT_TRUE(proven.positive.contact);
     EXPECT_GT(sampled.positive.theta, *proven.positive.contact + 1 * radians_per_degree);
     EXPECT_FALSE(overlaps_of(s, *proven.positive.contact).empty());
@@ -120,7 +120,7 @@ TEST(CertifiedRange, SeesTurnsOfAHelixThatBrushPastEachOtherBetweenSamples) {
 
 TEST(CertifiedRange, NamesTheWallTipsThatMeet) {
   const Structure s = make_structure({{0, 0}}, {});
-  const CertifiedRange range = certified(s);
+  const ContactRange range = certified(s);
   const auto axis = [&](int plate) { return s.hinges[half_walls(s)[plate].hinge].wall.axis; };
   EXPECT_EQ(axis(range.positive.walls.first), Axis::x);
   EXPECT_EQ(axis(range.positive.walls.second), Axis::x);
@@ -129,10 +129,10 @@ TEST(CertifiedRange, NamesTheWallTipsThatMeet) {
 }
 
 TEST(CertifiedRange, StopsAtTheLimitOfTheSearch) {
-  const CertifiedRange range = certified(make_structure({{0, 0}}, {}), {.limit = 0.3});
+  const ContactRange range = certified(make_structure({{0, 0}}, {}), {.limit = 0.3});
   EXPECT_EQ(range.positive.theta, 0.3);
   EXPECT_EQ(range.negative.theta, -0.3);
-  EXPECT_FALSE(range.positive.is_limit);
+  EXPECT_FALSE(range.positive.touches);
 }
 
 // Walls whose tips reach just to the walls beside them, or into them.
@@ -142,11 +142,11 @@ TEST(CertifiedRange, LeavesOutPlatesThatTouchWhenBuiltAndIsEmptyWhereTheyOverlap
     for (Hinge& h : s.hinges) h.parameters.t = h.wall.from.is_class_a() ? part : 1 - part;
     return certified(s);
   };
-  const CertifiedRange touching = with_tips(1 - s.size.thickness_mm / s.size.edge_mm / 2);
-  EXPECT_EQ(touching.left_out, static_cast<int>(WallContact(s).touching_at_rest().size()));
-  EXPECT_GT(touching.left_out, 0);
+  const ContactRange touching = with_tips(1 - s.size.thickness_mm / s.size.edge_mm / 2);
+  EXPECT_EQ(touching.touching_at_rest, WallContact(s).touching_at_rest());
+  EXPECT_FALSE(touching.touching_at_rest.empty());
   EXPECT_FALSE(touching.overlaps_as_built());
-  const CertifiedRange overlapping = with_tips(0.97);
+  const ContactRange overlapping = with_tips(0.97);
   EXPECT_TRUE(overlapping);
   EXPECT_TRUE(overlapping.overlaps_as_built());
   EXPECT_EQ(overlapping.negative.theta, 0);
@@ -164,7 +164,7 @@ TEST(CertifiedRange, OfWallsThatGrowIntoEachOtherWhenFlatIsEmpty) {
   Structure s = make_structure(rectangle(2, 1), {});
   for (Hinge& h : s.hinges) h.parameters.t = h.wall.from.is_class_a() ? 0.9 : 0.1;
   EXPECT_GT(certified(s).positive.theta, 0.1);
-  const CertifiedRange grown = certified(s, {.growth_mm = 0.5});
+  const ContactRange grown = certified(s, {.growth_mm = 0.5});
   EXPECT_EQ(grown.positive.theta, 0);
   EXPECT_TRUE(grown.positive.contact);
 }
@@ -172,7 +172,7 @@ TEST(CertifiedRange, OfWallsThatGrowIntoEachOtherWhenFlatIsEmpty) {
 TEST(CertifiedRange, CertifiesNothingWithoutAClosedForm) {
   Structure s = make_structure(rectangle(2, 2), {});
   s.hinges[0].parameters.beta = 0.3;
-  const CertifiedRange range = certified_range(s, exact_motion(s), {});
+  const ContactRange range = certified_range(s, exact_motion(s), {});
   EXPECT_FALSE(range);
   EXPECT_NE(range.why_not.find("no exact family"), std::string::npos) << range.why_not;
   EXPECT_EQ(range.positive.theta, 0);
@@ -182,7 +182,7 @@ TEST(CertifiedRange, CertifiesNothingWhereHingesTurnOtherwise) {
   const Structure s = make_structure(rectangle(2, 2), {});
   std::vector<TurnLaw> laws = turn_laws(s);
   laws[3].p = 0.9;
-  const CertifiedRange range = certified_range(s, exact_motion(s), laws);
+  const ContactRange range = certified_range(s, exact_motion(s), laws);
   EXPECT_FALSE(range);
   EXPECT_EQ(range.why_not,
             "the hinge on wall " + to_string(s.hinges[3].wall) + " does not turn as its family has it");
@@ -219,7 +219,7 @@ TEST(CertifiedRange, CertifiesNothingOfPartsThatNoHingesJoin) {
     }
     return state;
   };
-  const CertifiedRange range = certified_range(two, exact, usual_turn_laws(two));
+  const ContactRange range = certified_range(two, exact, usual_turn_laws(two));
   EXPECT_EQ(range.why_not, "no hinges join the body at 4 to the others");
 }
 
@@ -227,11 +227,11 @@ TEST(CertifiedRange, EndsWithTheMotion) {
   const Structure s = make_structure({{0, 0}}, {});
   ExactMotion broken = exact_motion(s);
   broken.at = [at = broken.at](double theta) { return at(theta > 0.3 ? std::nan("") : theta); };
-  const CertifiedRange range = certified_range(s, broken, turn_laws(s));
+  const ContactRange range = certified_range(s, broken, turn_laws(s));
   EXPECT_LE(range.positive.theta, 0.3);
   EXPECT_GE(range.positive.theta, 0.2);
-  EXPECT_FALSE(range.positive.is_limit);
-  EXPECT_TRUE(range.negative.is_limit);
+  EXPECT_FALSE(range.positive.touches);
+  EXPECT_TRUE(range.negative.touches);
 }
 
 TEST(CertifiedRange, RefusesOptionsOutOfRange) {
@@ -243,8 +243,8 @@ TEST(CertifiedRange, RefusesOptionsOutOfRange) {
 }
 
 TEST(CertifiedRange, EndsWithoutAWitnessWhereItMayLookNoFurther) {
-  const CertifiedRange range = certified(make_structure({{0, 0}}, {}), {.most_states = 10});
-  EXPECT_TRUE(range.positive.is_limit);
+  const ContactRange range = certified(make_structure({{0, 0}}, {}), {.most_states = 10});
+  EXPECT_TRUE(range.positive.touches);
   EXPECT_LE(range.positive.theta, std::atan(0.92));
 }
 

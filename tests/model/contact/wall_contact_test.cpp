@@ -15,7 +15,7 @@ namespace {
 using testing::random_design;
 using testing::structure_of;
 
-ThetaRange range_of(const Structure& s, const ThetaRangeOptions& options = {}) {
+ContactRange range_of(const Structure& s, const ThetaRangeOptions& options = {}) {
   return theta_range(s, exact_motion(s), options);
 }
 
@@ -62,7 +62,7 @@ TEST(ThetaRange, BasicCellsEndWhereOppositeWallTipsMeet) {
   for (const double thickness : {0.1, 0.8, 2.0, 4.0})
     for (const auto& [columns, rows] : {std::pair{1, 1}, {1, 3}, {3, 3}}) {
       const Structure s = make_structure(rectangle(columns, rows), {10, thickness, 6});
-      const ThetaRange range = range_of(s);
+      const ContactRange range = range_of(s);
       const double expected = std::atan(1 - thickness / 10);
       EXPECT_NEAR(range.positive.theta, expected, 1e-7);
       EXPECT_NEAR(range.negative.theta, -expected, 1e-7);
@@ -73,7 +73,7 @@ TEST(ThetaRange, BasicCellsEndWhereOppositeWallTipsMeet) {
 
 TEST(ThetaRange, NamesTheWallTipsThatMeet) {
   const Structure s = make_structure({{0, 0}}, {});
-  const ThetaRange range = range_of(s);
+  const ContactRange range = range_of(s);
   const auto walls = half_walls(s);
   const auto axis = [&](int wall) { return s.hinges[walls[wall].hinge].wall.axis; };
   EXPECT_EQ(axis(range.positive.walls.first), Axis::x);
@@ -98,8 +98,8 @@ TEST(ThetaRange, IsFreeBelowItsEndsAndBlockedBeyondByAllPairs) {
     for (const auto& [columns, rows] : {std::pair{1, 1}, {4, 2}, {12, 1}}) {
       const Structure s = structure_of(random_design(family, columns, rows, random));
       const Classification exact = classify(s);
-      const ThetaRange range = theta_range(s, exact_motion(s, exact));
-      for (const ThetaLimit& end : {range.negative, range.positive}) {
+      const ContactRange range = theta_range(s, exact_motion(s, exact));
+      for (const ContactLimit& end : {range.negative, range.positive}) {
         ASSERT_TRUE(end.touches);
         EXPECT_TRUE(any_overlap(s, fold(exact, s, end.theta * (1 + 1e-6))))
             << to_string(family) << " seed 72";
@@ -115,7 +115,7 @@ TEST(ThetaRange, MirroredTiltsMirrorTheRange) {
   const auto design = random_design(Family::F2, 6, 1, random);
   auto mirrored = design;
   for (double& beta : mirrored.beta) beta = -beta;
-  const ThetaRange a = range_of(structure_of(design)), b = range_of(structure_of(mirrored));
+  const ContactRange a = range_of(structure_of(design)), b = range_of(structure_of(mirrored));
   EXPECT_NEAR(a.positive.theta, b.positive.theta, 1e-7) << "seed 73";
   EXPECT_NEAR(a.negative.theta, b.negative.theta, 1e-7) << "seed 73";
 }
@@ -127,7 +127,7 @@ TEST(ThetaRange, RollingStripEndsJustBeforeItClosesItsRing) {
   for (const int columns : {40, 60}) {
     const double full_turn = std::asin(std::tan(pi / (columns / 2)) / std::tan(beta));
     const Structure s = rolling_strip(columns, beta);
-    const ThetaRange range = range_of(s);
+    const ContactRange range = range_of(s);
     EXPECT_LT(range.positive.theta, full_turn);
     EXPECT_GT(range.positive.theta, 0.97 * full_turn);
     const int first = vertex_of(s, range.positive.walls.first).i,
@@ -138,7 +138,7 @@ TEST(ThetaRange, RollingStripEndsJustBeforeItClosesItsRing) {
 
 TEST(ThetaRange, ShortStripDoesNotMeetItself) {
   const Structure s = rolling_strip(8, 40 * radians_per_degree);
-  const ThetaRange range = range_of(s);
+  const ContactRange range = range_of(s);
   EXPECT_LE(
       std::abs(vertex_of(s, range.positive.walls.first).i - vertex_of(s, range.positive.walls.second).i), 2);
 }
@@ -147,7 +147,7 @@ TEST(ThetaRange, SpiralMeetsAnEarlierTurnOfItself) {
   auto design = ExactDesign<double>::basic(60, 1);
   for (int c = 0; c < 60; c += 2) design.beta[c] = (15 + 0.5 * c) * radians_per_degree;
   const Structure s = structure_of(design);
-  const ThetaRange range = range_of(s);
+  const ContactRange range = range_of(s);
   ASSERT_TRUE(range.positive.touches && range.negative.touches);
   EXPECT_GT(
       std::abs(vertex_of(s, range.negative.walls.first).i - vertex_of(s, range.negative.walls.second).i), 10);
@@ -170,7 +170,7 @@ TEST(WallContact, BasicSheetTouchesNowhereAtRest) {
 }
 
 TEST(ThetaRange, StopsAtTheLimitOfTheSearch) {
-  const ThetaRange range = range_of(make_structure({{0, 0}}, {}), {.limit = 0.3});
+  const ContactRange range = range_of(make_structure({{0, 0}}, {}), {.limit = 0.3});
   EXPECT_EQ(range.positive.theta, 0.3);
   EXPECT_EQ(range.negative.theta, -0.3);
   EXPECT_FALSE(range.positive.touches);
@@ -183,7 +183,7 @@ TEST(ThetaRange, StopsWhereTheMotionIsNotFinite) {
   broken.at = [&](double theta) {
     return fold(exact, s, theta > 0.2 ? std::numeric_limits<double>::quiet_NaN() : theta);
   };
-  const ThetaRange range = theta_range(s, broken);
+  const ContactRange range = theta_range(s, broken);
   EXPECT_FALSE(range.positive.touches);
   EXPECT_LE(range.positive.theta, 0.2);
   EXPECT_TRUE(range.negative.touches);
@@ -192,14 +192,14 @@ TEST(ThetaRange, StopsWhereTheMotionIsNotFinite) {
 TEST(ThetaRange, DoesNotDependOnTheStep) {
   std::mt19937 random(74);
   const Structure s = structure_of(random_design(Family::F2, 8, 2, random));
-  const ThetaRange coarse = range_of(s, {.step = 2 * radians_per_degree}),
-                   fine = range_of(s, {.step = 0.1 * radians_per_degree});
+  const ContactRange coarse = range_of(s, {.step = 2 * radians_per_degree}),
+                     fine = range_of(s, {.step = 0.1 * radians_per_degree});
   EXPECT_NEAR(coarse.positive.theta, fine.positive.theta, 1e-8) << "seed 74";
   EXPECT_NEAR(coarse.negative.theta, fine.negative.theta, 1e-8) << "seed 74";
 }
 
 TEST(ThetaRange, ReachesItsFinestPrecision) {
-  const ThetaRange range = range_of(make_structure({{0, 0}}, {}), {.precision = 1e-14});
+  const ContactRange range = range_of(make_structure({{0, 0}}, {}), {.precision = 1e-14});
   EXPECT_NEAR(range.positive.theta, std::atan(1 - 0.08), 1e-9);
 }
 

@@ -71,7 +71,7 @@ TEST(PaperGrids, At135DegreesTheClosedFormIsAEquilibriumButForTheStiffnessRatio)
 /// Fig. 10.D.
 TEST(PaperGrids, UncrossableGridTouchesWhereTheClosedFormDoesAndLocks) {
   const Structure s = uncrossable_grid();
-  const ThetaRange exact = theta_range(s, exact_motion(s));
+  const ContactRange exact = theta_range(s, exact_motion(s));
   for (const double sign : {1.0, -1.0}) {
     const double limit = std::abs(sign > 0 ? exact.positive.theta : exact.negative.theta);
     EquilibriumPathOptions fine;

@@ -56,7 +56,7 @@ TEST(PolygonLinkage, AHexagonOfHalvedWallsKeepsTheAreaOfItsCorners) {
 TEST(PolygonLinkage, WallsOfARightAngledRhombusMeetWhereThoseOfABasicCellDo) {
   const Polygon square = rhombus(pi / 2);
   const Linkage linkage = linkage_of(square);
-  const ThetaRange range = theta_range(linkage, exact_motion(square, linkage.size.edge_mm));
+  const ContactRange range = theta_range(linkage, exact_motion(square, linkage.size.edge_mm));
   EXPECT_TRUE(range.positive.touches);
   EXPECT_NEAR(range.positive.theta, closing_theta(linkage.size), 1e-8);
 }

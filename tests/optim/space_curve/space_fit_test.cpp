@@ -39,7 +39,7 @@ TEST(SpaceFit, AHelixOfTwoTurnsIsFollowed) {
     const SpaceDesign found = fit_space_curve(helix(2, 40, 40), with_columns(columns), {});
     EXPECT_LE(found.error.rms, 2.4e-3 * 96 / columns);
     EXPECT_TRUE(found.error.settled);
-    EXPECT_TRUE(found.walls_are_free);
+    EXPECT_FALSE(found.contact.touches);
     EXPECT_NEAR(std::abs(found.across.direction.z()), 1, 1e-6);
   }
 }
@@ -48,7 +48,7 @@ TEST(SpaceFit, AHelixThatLiesAnyWayInSpaceIsFollowedAsWell) {
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.1, Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
   const SpaceDesign found = fit_space_curve(helix(2, 40, 40, turn), with_columns(48), {});
   EXPECT_LE(found.error.rms, 2.4e-3 * 96 / 48);
-  EXPECT_TRUE(found.walls_are_free);
+  EXPECT_FALSE(found.contact.touches);
 }
 
 TEST(SpaceFit, WallsThatAreGivenStayWhileCellsAreSought) {

@@ -45,7 +45,7 @@ bool is_near(const model::PathEvent* event, double side, double from, double to)
 /// through another without a word.
 HardAnswer overdrive(const HardScene& scene) {
   const Watched run = watched(scene);
-  const model::ThetaRange range = theta_range(scene.structure, exact_motion(scene.structure));
+  const model::ContactRange range = theta_range(scene.structure, exact_motion(scene.structure));
   const double side = scene.theta() < 0 ? -1 : 1;
   const double limit = side * (side < 0 ? range.negative : range.positive).theta;
   const bool right = is_near(first_event(run.path, Kind::contact), side, limit - 2e-3, limit + 2e-3) &&

@@ -61,7 +61,7 @@ TEST(OrigamiSheet, HasOneDegreeOfFreedom) {
 TEST(OrigamiSheet, OfMiuraIsFreeOfCollisionsOnTheWay) {
   const OrigamiSheet sheet =
       origami_sheet(march(miura(6, 6, 80 * radians_per_degree, 2.4)).mesh, {10, 0.8, 3});
-  const ThetaRange range =
+  const ContactRange range =
       theta_range(sheet.structure, [&](double theta, State& state) { state = fold(sheet, theta); },
                   {.limit = 0.6, .step = 0.5 * radians_per_degree});
   EXPECT_TRUE(range.touching_at_rest.empty());

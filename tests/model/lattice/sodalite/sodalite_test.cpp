@@ -151,7 +151,7 @@ TEST(Sodalite, HasOneFreedomAlongItsMotion) {
 TEST(Sodalite, LowWallsPassEachOtherUntilTheRotorsHaveTurnedByNinetyDegrees) {
   for (const double height : {0.5, 1.0, 1.5}) {
     const SodaliteStructure lattice = make_sodalite({2, 2, 2}, 0.2, {10, 0.4, height});
-    const ThetaRange range = theta_range(lattice, exact_motion(lattice));
+    const ContactRange range = theta_range(lattice, exact_motion(lattice));
     EXPECT_TRUE(range.touching_at_rest.empty());
     EXPECT_GE(range.positive.theta, pi / 4 - 1e-8) << height;
   }
