@@ -15,6 +15,10 @@ std::array<std::string, 2> wall_names(const model::WallPair& walls, const model:
 /// "walls A and B overlap as built" and what helps.
 std::string overlap_words(const model::WallPair& walls, const model::Sheet& sheet);
 
+/// "walls A and B overlap at theta 25.126 deg, on the way to 28.000 deg". @param theta rad, to which the motion goes
+/// @pre limit.contact
+std::string overlap_words(const model::ContactLimit& limit, double theta, const model::Sheet& sheet);
+
 /// Why walls keep an exact motion from coming to the run's theta, one sentence: they overlap as built or on the way, by the
 /// certified range where there is one, else by samples. Nothing where no contact is known.
 std::optional<std::string> contact_reason(const Run& run);

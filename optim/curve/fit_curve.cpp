@@ -141,17 +141,17 @@ void try_all_tilts(const targets::Curve& goal, CurveVariables v, const model::Ce
                    const MultiStartOptions& options, double enough, CurveDesign wide,
                    FreeCurveDesign& result) {
   const double rms = result.design.error.rms;
-  double below = result.walls_are_free ? rms : std::max(rms, std::min(enough, worst_growth * rms)) + exact;
+  double below = result.contact.touches ? std::max(rms, std::min(enough, worst_growth * rms)) + exact : rms;
   std::string narrowed;
   for (int k = 0; k < most_thetas && !options.solver.stop.stop_requested(); ++k) {
     const model::ContactLimit contact = first_contact(wide.design, size);
     if (wide.error.rms < below && !contact.touches) {
       below = wide.error.rms;
       result.design = wide;
-      result.walls_are_free = true;
+      result.contact = contact;
       result.narrowed = narrowed;
       if (below <= enough) return;
-    } else if (wide.error.rms < below && result.walls_are_free && result.narrowed.empty()) {
+    } else if (wide.error.rms < below && !result.contact.touches && result.narrowed.empty()) {
       result.narrowed = kept_within(largest_tilt(result.design.design));
     }
     v.theta.upper = next_theta(wide, contact);
@@ -200,16 +200,12 @@ FreeCurveDesign fit_free_curve(const targets::Curve& goal, const CurveVariables&
   result.design = fit_curve(goal, v, options);
   const CurveDesign wide = result.design;
   make_gentle(goal, v, options, enough, result.design);
-  const model::ContactLimit contact = first_contact(result.design.design, size);
-  result.walls_are_free = !contact.touches || free_the_walls(goal, v, size, options, result);
-  if (!result.walls_are_free || !(result.design.error.rms <= enough))
+  result.contact = first_contact(result.design.design, size);
+  if (result.contact.touches && free_the_walls(goal, v, size, options, result)) result.contact = {};
+  if (result.contact.touches || !(result.design.error.rms <= enough))
     try_all_tilts(goal, v, size, options, enough, wide, result);
   result.design.reach = wide.reach;
   if (!result.narrowed.empty()) result.notes.push_back(result.narrowed);
-  if (!result.walls_are_free)
-    result.notes.push_back(
-        fmt::format("walls run into each other at theta {:.2f} deg, before the {:.2f} deg of the goal",
-                    to_degrees(contact.theta), to_degrees(result.design.design.theta)));
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "model/contact/wall_contact.hpp"
 #include "optim/curve/curve_reach.hpp"
 #include "optim/solvers/multi_start.hpp"
 #include "targets/curve/curve_error.hpp"
@@ -42,10 +43,10 @@ CurveDesign fit_curve(const targets::Curve& goal, const CurveVariables& variable
 /// A design whose walls do not run into each other on the way to its theta, where one was found.
 struct FreeCurveDesign {
   CurveDesign design;
-  bool walls_are_free = false;
+  model::ContactLimit contact;  ///< where walls meet on the way to its theta, if they do
   /// In a sentence: the tilts or theta that walls free of contact leave of their range; empty where they leave all.
   std::string narrowed = {};
-  std::vector<std::string> notes;  ///< one sentence per bound that was narrowed or per wall in the way
+  std::vector<std::string> notes;  ///< one sentence per bound that was narrowed
 };
 
 /// As fit_curve, with tilts kept small where that costs at most a third more error, with theta kept below the

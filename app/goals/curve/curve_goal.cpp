@@ -11,6 +11,7 @@
 #include "app/pipeline/robust_search.hpp"
 #include "app/result/search_json.hpp"
 #include "app/result/state_json.hpp"
+#include "app/run/contact_reason.hpp"
 #include "app/run/found.hpp"
 #include "app/run/goal_kind.hpp"
 #include "app/run/midline.hpp"
@@ -138,8 +139,8 @@ struct CurveOutcome final : GoalOutcome {
  private:
   std::string in_words(const Run& run, bool is_close) const {
     if (run.met() || run.strained || !is_close) return tolerance_words(run, is_close);
-    return found.walls_are_free ? "WITHIN TOLERANCE, BUT DOES NOT HOLD"
-                                : "WITHIN TOLERANCE, BUT WALLS COLLIDE";
+    return found.contact.touches ? "WITHIN TOLERANCE, BUT WALLS COLLIDE"
+                                 : "WITHIN TOLERANCE, BUT DOES NOT HOLD";
   }
 };
 
@@ -191,16 +192,10 @@ std::vector<std::string> why_too_far(const CurveFile& file, const optim::FreeCur
   return why;
 }
 
-/// Returns what walls are in the way and what helps. @pre !found.walls_are_free
-std::string obstacle(const optim::FreeCurveDesign& found) {
-  return found.notes.back() + ": use lower or thinner walls, or larger cells";
-}
-
-std::vector<std::string> violations(const CurveFile& file, const optim::FreeCurveDesign& found) {
-  std::vector<std::string> why;
-  if (!(found.design.error.rms <= file.shape_tolerance)) why = why_too_far(file, found);
-  if (!found.walls_are_free) why.push_back(obstacle(found));
-  return why;
+/// Returns what walls are in the way and what helps. @pre found.contact.touches
+std::string obstacle(const optim::FreeCurveDesign& found, const model::Sheet& sheet) {
+  return overlap_words(found.contact, found.design.design.theta, sheet) +
+         ": use lower or thinner walls, or larger cells";
 }
 
 class CurveGoal final : public Goal {
@@ -243,16 +238,16 @@ class CurveGoal final : public Goal {
     if (of == StateOf::model) {
       out->midline_mm = found.design.midline_mm;
       out->error = found.design.error;
-      out->violations = violations(file_, found);
-      return out;
+      if (!(out->error.rms <= file_.shape_tolerance)) out->violations = why_too_far(file_, found);
+    } else {
+      out->midline_mm = column_midline(run.design.structure, aligned(state, run.own));
+      out->error = curve_error(out->midline_mm, file_.curve);
+      if (!(out->error.rms <= file_.shape_tolerance))
+        out->violations.push_back(
+            fmt::format("equilibrium: rms {:.3g} of the goal's diagonal; at most {:g} is allowed",
+                        out->error.rms, file_.shape_tolerance));
     }
-    out->midline_mm = column_midline(run.design.structure, aligned(state, run.own));
-    out->error = curve_error(out->midline_mm, file_.curve);
-    if (!(out->error.rms <= file_.shape_tolerance))
-      out->violations.push_back(
-          fmt::format("equilibrium: rms {:.3g} of the goal's diagonal; at most {:g} is allowed",
-                      out->error.rms, file_.shape_tolerance));
-    if (!found.walls_are_free) out->violations.push_back(obstacle(found));
+    if (found.contact.touches) out->violations.push_back(obstacle(found, run.design.structure));
     return out;
   }
 
@@ -297,6 +292,8 @@ class CurveGoal final : public Goal {
     out.is_laid_over = true;
     out.bounds = bounds();
     out.notes = strip.found.notes;
+    if (const auto& found = strip.found; found.contact.touches)
+      out.notes.push_back(overlap_words(found.contact, out.theta, out.design.structure));
     auto curve = std::make_unique<CurveOutcome>(std::move(strip));
     curve->robust = std::move(robust);
     out.goal = std::move(curve);

@@ -8,6 +8,7 @@
 #include "app/goals/space_curve/space_curve_file.hpp"
 #include "app/pipeline/robust_search.hpp"
 #include "app/result/search_json.hpp"
+#include "app/run/contact_reason.hpp"
 #include "app/run/goal_kind.hpp"
 #include "app/run/run.hpp"
 #include "app/run/search_words.hpp"
@@ -127,15 +128,6 @@ constexpr double settle_seconds_a_column = 0.06;
 // Part of the goal's length to either side of a point over which its direction there is taken.
 constexpr double direction_reach = 1e-3;
 
-/// Lists walls that are in the way.
-std::vector<std::string> obstacles(const optim::SpaceDesign& found) {
-  if (!found.contact.touches) return {};
-  return {
-      fmt::format("walls run into each other at theta {:.2f} deg, before the {:.2f} deg of the goal: use "
-                  "lower or thinner walls, or another number of columns: where cell_mm is given, fewer",
-                  to_degrees(found.contact.theta), to_degrees(found.design.theta))};
-}
-
 class SpaceCurveGoal final : public Goal {
  public:
   explicit SpaceCurveGoal(SpaceCurveFile file) : Goal(file.name), file_(std::move(file)) {}
@@ -174,8 +166,11 @@ class SpaceCurveGoal final : public Goal {
     out->midline = optim::space_midline(aligned(state, run.own));
     out->error = space_error(out->midline, file_.wanted, outcome.place);
     out->violations = violations(outcome.file, out->error, in_words(of));
-    if (of != StateOf::physics)
-      for (const std::string& why : obstacles(outcome.found)) out->violations.push_back(why);
+    const model::ContactLimit& contact = outcome.found.contact;
+    if (of != StateOf::physics && contact.touches)
+      out->violations.push_back(
+          overlap_words(contact, outcome.found.design.theta, run.design.structure) +
+          ": use lower or thinner walls, or another number of columns: where cell_mm is given, fewer");
     return out;
   }
 

@@ -111,7 +111,7 @@ TEST(FitFreeCurve, KeepsThetaBelowTheAngleAtWhichBasicCellsClose) {
   variables.theta = {0.1, 44.9 * radians_per_degree};
   const FreeCurveDesign found = fit_free_curve(line, variables, {14, 2, 8}, {});
   EXPECT_LT(found.design.design.theta, std::atan(1 - 2.0 / 14));
-  EXPECT_TRUE(found.walls_are_free);
+  EXPECT_FALSE(found.contact.touches);
   ASSERT_FALSE(found.notes.empty());
   EXPECT_NE(found.notes[0].find("theta kept below"), std::string::npos) << found.notes[0];
 }
@@ -126,7 +126,7 @@ TEST(FitFreeCurve, SpeaksOfTheTiltsThatWereAskedForWhateverItNarrows) {
   const FreeCurveDesign gentle = fit_free_curve(corner, variables, usual_walls(variables), {}),
                         near = fit_free_curve(corner, variables, usual_walls(variables), {}, 1e-3);
   for (const FreeCurveDesign* found : {&gentle, &near}) {
-    EXPECT_TRUE(found->walls_are_free);
+    EXPECT_FALSE(found->contact.touches);
     const CurveReach& reach = found->design.reach;
     const double most = model::crease_turn(variables.beta.upper, reach.theta);
     for (const ColumnTurn& turn : reach.turns) EXPECT_NEAR(turn.allowed, most, 1e-12) << turn.column;
@@ -140,7 +140,7 @@ TEST(FitFreeCurve, FindsASmallerThetaWhereWallsWouldMeet) {
   const targets::Curve step({{0, 0}, {30, 0}, {30, 30}, {60, 30}});
   const CurveVariables variables = strip(step, 17);
   const FreeCurveDesign found = fit_free_curve(step, variables, usual_walls(variables), {}, 0.01);
-  EXPECT_TRUE(found.walls_are_free);
+  EXPECT_FALSE(found.contact.touches);
   EXPECT_LE(found.design.error.rms, 0.01);
   EXPECT_NE(found.narrowed.find("theta kept below"), std::string::npos) << found.narrowed;
   ASSERT_FALSE(found.notes.empty());
