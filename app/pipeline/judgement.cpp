@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -43,12 +42,6 @@ std::optional<std::string> why_walls_meet(const Run& run) {
   const model::WallContact contact(linkage);
   const auto& overlap = contact.overlap_at_rest();
   return overlap ? std::optional(overlap_words(*overlap, run.design.structure)) : std::nullopt;
-}
-
-/// Whether a goal has said so already, with what helps.
-bool says(const std::vector<std::string>& violations, const std::string& why) {
-  return std::any_of(violations.begin(), violations.end(),
-                     [&](const std::string& said) { return said.starts_with(why); });
 }
 
 /// What is proven of walls where they are out of place, of the states that prints are judged in. Of equilibria near the closed
@@ -118,8 +111,7 @@ Run with_judgement(Run run, Judgement judgement) {
   }
   run.certified = std::move(judgement.certified);
   if (run.certified) run.plan = corrected(std::move(run.plan), *run.certified);
-  if (const auto why = why_walls_meet(run); why && !says(run.violations, *why))
-    run.violations.push_back(*why);
+  if (const auto why = why_walls_meet(run)) run.violations.push_back(*why);
   if (const auto free = are_prints_free(run)) run.printed->free_of_contact = *free;
   return run;
 }
