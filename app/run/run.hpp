@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "app/run/closed_way.hpp"
 #include "app/run/found.hpp"
 #include "app/run/run_options.hpp"
 #include "model/contact/wall_contact.hpp"
@@ -143,6 +142,16 @@ struct PrintedGoal {
     const double noise = runs->ratio_error * runs->ratio_error / (more * more);
     return noise < 1 ? 1 + more * (1 - noise) : 1;
   }
+};
+
+/// How imported bodies went along their drive with all hinges closed.
+struct ClosedWay {
+  bool reached = false;  ///< its end
+  model::State last;     ///< mm
+  /// Of bodies that are pulled: distance of the last state from where they are pulled to, cell edges.
+  std::optional<model::StateDistance> off = {};
+  std::string words;                     ///< how far it goes, in a sentence
+  std::vector<std::string> missed = {};  ///< why it does not come to what the drive asks for
 };
 
 struct Timings {
