@@ -23,18 +23,6 @@ namespace {
 // Part of the way to the poses: rounding of files lets bodies move by up to 3 % of it, mechanisms by all of it.
 constexpr double least_way = 0.05;
 
-void refuse_equilibrium(const Design& design) {
-  if (design.pull)
-    throw InvalidInput("the model equilibrium turns one hinge: give `drive: {hinge: NAME, angle_deg: ...}`",
-                       {"", 0, 0, "drive"});
-  const auto& hinges = design.structure.assembly()->hinges;
-  const auto ball = std::find_if(hinges.begin(), hinges.end(), [](const auto& h) { return h.ball; });
-  if (ball != hinges.end())
-    throw InvalidInput(
-        "the model equilibrium knows hinges with an axis only, and `" + ball->name + "` is a ball",
-        {"", 0, 0, "structure.hinges"});
-}
-
 /// States of the way, by their theta, with what is said of it.
 struct FollowedWay {
   ClosedWay way;
@@ -146,6 +134,17 @@ Run with_elastic_state(Run run, const model::LinkageDrive& drive, const RunOptio
 
 }  // namespace
 
+void require_one_axis(const model::Assembly& bodies, bool are_pulled) {
+  if (are_pulled)
+    throw InvalidInput("the model equilibrium turns one hinge: give `drive: {hinge: NAME, angle_deg: ...}`",
+                       {"", 0, 0, "drive"});
+  for (const model::AssemblyHinge& hinge : bodies.hinges)
+    if (hinge.ball)
+      throw InvalidInput(
+          "the model equilibrium knows hinges with an axis only, and `" + hinge.name + "` is a ball",
+          {"", 0, 0, "structure.hinges"});
+}
+
 std::optional<model::Pull> pull_of(const Design& design) {
   if (!design.pull) return std::nullopt;
   if (design.pull->poses) return aligned_pull(design.structure, {*design.pull->poses});
@@ -159,7 +158,8 @@ std::optional<model::Pull> pull_of(const Design& design) {
 }
 
 Run with_closed_way(Run run, const RunOptions& options) {
-  if (run.plan.model == Model::equilibrium) refuse_equilibrium(run.design);
+  if (run.plan.model == Model::equilibrium)
+    require_one_axis(*run.design.structure.assembly(), run.design.pull.has_value());
   const model::Linkage linkage = run.design.structure;
   const model::LinkageDrive drive = drive_of(run.design);
   if (!run.design.pull) run.design.drive = model::HingeTurn{drive.hinge, drive.angle};

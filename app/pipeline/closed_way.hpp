@@ -9,6 +9,9 @@ namespace kinetix::app {
 /// The pull of a design of imported bodies, moved to where they are; nothing where a hinge is turned.
 std::optional<model::Pull> pull_of(const Design& design);
 
+/// For equilibria, which turn one hinge and know hinges with an axis only. @throws InvalidInput
+void require_one_axis(const model::Assembly& bodies, bool are_pulled);
+
 /// The run of a design of imported bodies with the states that its drive leads through: closed ones and, where the plan says so,
 /// the equilibrium of its elastic hinges. Its drive names the hinge that is turned from then on.
 /// @throws InvalidInput for a drive that turns a hinge which cannot turn at rest; in equilibrium for bodies that are pulled, and for

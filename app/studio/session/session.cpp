@@ -204,9 +204,11 @@ void Session::set_mode(const Message& message) {
   if (name != "exact" && name != "equilibrium" && name != "bullet")
     throw InvalidInput("mode: must be exact, equilibrium or bullet");
   const Mode mode = name == "exact" ? Mode::exact : name == "bullet" ? Mode::bullet : Mode::equilibrium;
-  if (player_.moving().bodies && mode == Mode::equilibrium) require_one_axis();
+  const Moving& moving = player_.moving();
+  if (moving.bodies && mode == Mode::equilibrium)
+    require_one_axis(*moving.bodies->structure.assembly(), moving.way->pulled);
   awaited_.reset();
-  if (player_.moving().bodies && mode != Mode::exact && !player_.moving().parts) return cut_for(mode);
+  if (moving.bodies && mode != Mode::exact && !moving.parts) return cut_for(mode);
   enter(mode);
 }
 

@@ -74,7 +74,6 @@ class Session : public SessionLoop {
   void turn_by(const Message& message);
   void follow(double theta, const std::optional<model::Pull>& pull);
   void take(std::shared_ptr<const BodiesWay> way, double theta);
-  void require_one_axis() const;
   void cut_for(Mode mode);
 
   void start(Job& job, double id, const std::string& about, const Job::Work& work);

@@ -41,15 +41,6 @@ void Session::take(std::shared_ptr<const BodiesWay> way, double theta) {
   changed_ = true;
 }
 
-/// For equilibria, which turn one hinge and know hinges with an axis only.
-void Session::require_one_axis() const {
-  if (player_.moving().way->pulled)
-    throw InvalidInput("equilibrium: one hinge is turned there, and bodies of this design are pulled");
-  for (const model::AssemblyHinge& hinge : player_.moving().bodies->structure.assembly()->hinges)
-    if (hinge.ball)
-      throw InvalidInput("equilibrium: knows hinges with an axis only, and " + hinge.name + " is a ball");
-}
-
 /// Bodies collide by convex pieces, which are cut once and take a while.
 void Session::cut_for(Mode mode) {
   awaited_ = mode;
