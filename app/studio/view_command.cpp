@@ -41,7 +41,6 @@ Opened opened_file(const std::string& file) {
     return Opened{studio::template_design("panel"), "", absolute(file), 0, 0};
   }
   Design design = read_design(root);
-  if (design.structure.assembly()) return Opened{std::move(design), "", "", 0, 0};
   studio::require_showable(design);
   return Opened{std::move(design), absolute(file), "", 0, 0};
 }
@@ -51,10 +50,10 @@ Opened opened_source(const std::string& source) {
   return opened_file(design_at(source));
 }
 
-/// Null where nothing is edited, or nothing can be kept.
+/// Null where nothing can be kept.
 std::shared_ptr<studio::Autosave> autosave_of(const Opened& opened) {
   const fs::path place = studio::autosave_place();
-  if (opened.design.structure.assembly() || place.empty()) return nullptr;
+  if (place.empty()) return nullptr;
   const std::string& file = opened.target_file.empty() ? opened.save_file : opened.target_file;
   try {
     return std::make_shared<studio::Autosave>(place, file.empty() ? absolute("new") : file);

@@ -54,8 +54,8 @@ test("bodies and soft parts are drawn, and what is of sheets is not there", asyn
     return data.filter((v, k) => k % 4 === 3 && v === 255).length / (data.length / 4);
   });
   assert.ok(share > 0.01, `of the canvas ${share} is drawn on`);
-  for (const id of ["undo", "save", "tab_goal", "tab_make", "sheet", "map", "made", "springs"]) assert.equal(await shown(id), false, id);
-  for (const id of ["hinge_list", "play", "theta"]) assert.equal(await shown(id), true, id);
+  for (const id of ["tab_goal", "sheet", "map", "made", "springs"]) assert.equal(await shown(id), false, id);
+  for (const id of ["hinge_list", "play", "theta", "undo", "save", "tab_make"]) assert.equal(await shown(id), true, id);
   assert.deepEqual(complaints, []);
 });
 
@@ -78,12 +78,26 @@ test("a click reads a body, its hinges lead on, and another hinge is turned", as
   await page.click("#chosen_rows button.link");
   const rows = await text("chosen_rows");
   assert.match(rows, /soft part/);
-  assert.match(rows, /N mm\/rad/);
+  assert.match(await text("stiffness"), /N mm\/rad/);
   const {driven} = await page.evaluate(() => window.kinetix.design.bodies), other = 1 - driven;
   await page.select("#hinge_list", String(other));
   await page.click("#turn_this");
   await page.waitForFunction((hinge) => window.kinetix.design.bodies.driven === hinge && window.kinetix.design.bodies.meets, {}, other);
   assert.match(await text("verdict_text"), /turns from \u22121\d\d\u00b0 to 1\d\d\u00b0 until bodies meet/);
+});
+
+test("a hinge is given another stiffness, and that is undone", async () => {
+  const turn = () => page.evaluate(() => Number(document.getElementById("stiffness").elements.turn.value));
+  await page.waitForFunction(() => document.getElementById("stiffness").offsetParent !== null);
+  const before = await turn();
+  await page.$eval('#stiffness [name="turn"]', (field) => {
+    field.value = 12.5;
+    field.dispatchEvent(new Event("change", {bubbles: true}));
+  });
+  await page.waitForFunction(() => window.kinetix.design.structure.hinges.some(({k}) => k.turn === 12.5) && !document.getElementById("unsaved").hidden);
+  await page.click("#undo");
+  await page.waitForFunction(() => window.kinetix.design.structure.hinges.every(({k}) => k.turn !== 12.5));
+  assert.equal(await turn(), before);
 });
 
 test("its elastic hinges have a force and an energy", async () => {
@@ -95,6 +109,9 @@ test("its elastic hinges have a force and an energy", async () => {
   assert.match(await text("reading_force"), / N$/);
   await page.waitForFunction(() => document.querySelector("#path svg"));
   assert.match(await text("path"), /20\u00b0/);
+  await page.click("#save");
+  await page.waitForFunction(() => document.getElementById("unsaved").hidden);
+  assert.equal(await shown("path"), true, "the chart stays with a design of the same revision");
 });
 
 test("it is dragged in the physics", async () => {

@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 #include <bit>
 
-#include "app/files/bodies_section.hpp"
 #include "app/io/base64.hpp"
 #include "app/result/bodies_json.hpp"
 #include "model/base/angle.hpp"
@@ -110,18 +109,13 @@ Json meshes_message(const model::Assembly& assembly) {
   return {{"type", "meshes"}, {"bodies", bodies}, {"hinges", hinges}};
 }
 
-double asked_turn(const Design& design) {
-  const model::HingeTurn* turn = turn_of(design);
-  return turn ? turn->angle : 0;
-}
-
-Json bodies_message(const Moving& moving) {
-  const model::Assembly& assembly = *moving.bodies->structure.assembly();
+Json bodies_message(const Design& design, const Moving& moving) {
+  const model::Assembly& assembly = *design.structure.assembly();
   const BodiesWay& way = *moving.way;
   return {{"type", "design"},
-          {"name", moving.bodies->name},
+          {"name", design.name},
           {"structure", structure_json(assembly)},
-          {"theta_rad", model::theta_at_turn(way.sense, asked_turn(*moving.bodies))},
+          {"theta_rad", asked_theta(design, moving)},
           {"theta_range_rad", {moving.least_theta, moving.most_theta}},
           {"exact", way.turns.back() - way.turns.front() > rattles},
           {"family", moving.exact.name},

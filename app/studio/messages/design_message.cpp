@@ -33,10 +33,9 @@ Json numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 }  // namespace
 
-Json hello_message(const std::string& name, bool is_made) {
+Json hello_message(const std::string& name) {
   Json out = {{"type", "hello"}, {"version", version}, {"name", name}};
   for (const char* list : {"templates", "processes", "materials", "formats"}) out[list] = Json::array();
-  if (!is_made) return out;
   for (const Template& one : templates())
     out["templates"].push_back({{"name", one.name}, {"about", one.about}});
   for (const model::Process& process : model::processes()) out["processes"].push_back(process.name);
@@ -47,7 +46,7 @@ Json hello_message(const std::string& name, bool is_made) {
 }
 
 Json design_message(const Design& design, const Moving& moving) {
-  if (moving.bodies) return bodies_message(moving);
+  if (moving.bodies) return bodies_message(design, moving);
   return {{"type", "design"},
           {"name", design.name},
           {"structure", sheet_json(design)},

@@ -7,7 +7,7 @@
 namespace kinetix::app::studio {
 
 /// The message `hello` of docs/studio.md. @param is_made of what designs are made and made into; of bodies nothing is
-nlohmann::ordered_json hello_message(const std::string& name, bool is_made);
+nlohmann::ordered_json hello_message(const std::string& name);
 /// `design`, without what the session alone knows: revision, undo, redo, unsaved.
 nlohmann::ordered_json design_message(const Design& design, const Moving& moving);
 /// `state`, without whether a search is going on.

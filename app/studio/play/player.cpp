@@ -21,27 +21,24 @@ Player::Player(const Design& design) : force_N_(nan), energy_Nmm_(nan) {
   fold_to(design.theta);
 }
 
-void Player::turn_by(int hinge) {
-  moving_->take(std::make_shared<BodiesWay>(way_at_rest(moving_->linkage, hinge)));
-  reset();
-}
-
 void Player::load(const Design& design) {
   const double theta = theta_;
-  const bool plays_on = mode_ == Mode::bullet;
   auto moving = std::make_unique<Moving>(design);
+  if (moving_) moving->keep(*moving_);
   Design taken = design;
   live_.reset();
   design_ = std::move(taken);
   moving_ = std::move(moving);
   kept_ = kept_by_springs();
   fixed_.clear();
-  theta_ = theta;
+  theta_ = moving_->within(theta);
+  const bool has_no_equilibrium = design.pull && wanted_ == Mode::equilibrium;
+  if (moving_->bodies && (!moving_->parts || has_no_equilibrium)) wanted_ = Mode::exact;
   mode_ = wanted_ == Mode::exact && !moving_->exact ? Mode::equilibrium : wanted_;
   is_awaited_ = !moving_->exact;
   state_ = moving_->exact ? moving_->exact.at(theta_) : rest_state(moving_->linkage);
   force_N_ = energy_Nmm_ = nan;
-  if (plays_on) enter_engine();
+  if (mode_ == Mode::bullet) enter_engine();
 }
 
 void Player::enter(Mode mode) {
@@ -183,6 +180,7 @@ void Player::set_gravity(bool on) {
 }
 
 void Player::set_springs(bool on) {
+  if (moving_->bodies) throw InvalidInput("springs: hinges of bodies turn freely in the physics");
   springs_ = on;
   if (live_) enter_engine();
 }

@@ -14,11 +14,10 @@ class Player {
   explicit Player(const Design& design);
 
   /// Another design, folded as far as the one before. Where it has no exact motion, the mode is equilibrium until one
-  /// comes that has. Where that fails for want of memory the design before stays, but for a failure of the engine, which is left.
+  /// comes that has; bodies that are not cut yet begin with their exact motion. Where that fails for want of memory the
+  /// design before stays, but for a failure of the engine, which is left.
   void load(const Design& design);
   const Moving& moving() const { return *moving_; }
-  /// Bodies at rest, with another hinge to turn whose way is not known yet.
-  void turn_by(int hinge);
   /// The way of that hinge; it stays as far turned as it was.
   void take(std::shared_ptr<const BodiesWay> way) { moving_->take(std::move(way)); }
   /// What bodies collide with, cut to convex pieces.
@@ -46,6 +45,7 @@ class Player {
   /// Flat, or at rest, nothing fixed.
   void reset();
   void set_gravity(bool on);
+  /// @throws InvalidInput for bodies, whose hinges turn freely in the engine
   void set_springs(bool on);
   void set_paused(bool on) { paused_ = on; }
   void set_speed(double factor) { speed_ = factor; }
@@ -64,7 +64,7 @@ class Player {
   Frame frame() const;
   bool paused() const { return paused_; }
   bool gravity() const { return gravity_; }
-  bool springs() const { return springs_ || !moving_->exact; }
+  bool springs() const { return !moving_->bodies && (springs_ || !moving_->exact); }
   double speed() const { return speed_; }
   bool driven() const { return live_ && live_->is_driven(); }
   const std::set<int>& fixed() const { return fixed_; }

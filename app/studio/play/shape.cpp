@@ -27,6 +27,23 @@ Eigen::Vector3d carried(const Moving& moving, double theta, int body, const Eige
   return state[body].p + state[body].R * (at - moving.linkage.rest_position(body));
 }
 
+/// Whether it is the same body or hinge of two designs, but for its stiffness.
+bool is_same(const model::AssemblyBody& a, const model::AssemblyBody& b) {
+  return a.position == b.position && a.solid.points == b.solid.points &&
+         a.solid.triangles == b.solid.triangles;
+}
+bool is_same(const model::AssemblyHinge& a, const model::AssemblyHinge& b) {
+  return a.lower == b.lower && a.upper == b.upper && a.point == b.point && a.axis == b.axis &&
+         a.ball == b.ball;
+}
+
+Design turned_as_shown(Design design, const Moving& moving, double theta) {
+  if (design.pull)
+    throw InvalidInput("at_fold: bodies of this design are pulled. Save it without, or turn one hinge");
+  design.drive = model::HingeTurn{moving.way->hinge, model::turn_at_theta(moving.way->sense, theta) + 0.0};
+  return design;
+}
+
 /// @pre it has a drive
 void end_drive_at(Design& design, double drive_theta) {
   design.drive = as_far_as(drive_to(design, drive_theta), *design.drive);
@@ -61,6 +78,28 @@ void Moving::take(std::shared_ptr<const BodiesWay> found) {
              return state_at(of, *way, model::turn_at_theta(way->sense, theta));
            },
            "none", ""};
+}
+
+void Moving::keep(const Moving& before) {
+  if (!have_one_shape(bodies.get(), before.bodies.get())) return;
+  parts = before.parts;
+  pressing = before.pressing;
+  if (way->hinge == before.way->hinge && bodies->pull.has_value() == before.bodies->pull.has_value())
+    take(before.way);
+}
+
+bool have_one_shape(const Design* a, const Design* b) {
+  if (a == b || !a || !b) return a && b;
+  const model::Assembly &p = *a->structure.assembly(), &q = *b->structure.assembly();
+  const auto same = [](const auto& x, const auto& y) { return is_same(x, y); };
+  return std::equal(p.bodies.begin(), p.bodies.end(), q.bodies.begin(), q.bodies.end(), same) &&
+         std::equal(p.hinges.begin(), p.hinges.end(), q.hinges.begin(), q.hinges.end(), same);
+}
+
+double asked_theta(const Design& design, const Moving& moving) {
+  if (!moving.bodies) return design.theta;
+  const model::HingeTurn* turn = turn_of(design);
+  return turn ? model::theta_at_turn(moving.way->sense, turn->angle) : 0;
 }
 
 double Moving::within(double theta) const {
@@ -98,6 +137,7 @@ model::LinkageDrive drive_to(const Design& design, double theta) {
 }
 
 Design as_far_as_shown(Design design, const Moving& moving, double sheet_theta, double drive_theta) {
+  if (moving.bodies) return turned_as_shown(std::move(design), moving, sheet_theta);
   if (sheet_theta == 0) return design;
   if (moving.exact)
     design.drive.reset();
@@ -108,6 +148,7 @@ Design as_far_as_shown(Design design, const Moving& moving, double sheet_theta, 
 }
 
 Design saved_as_shown(Design design, const Moving& moving, double sheet_theta, double drive_theta) {
+  if (moving.bodies) return turned_as_shown(std::move(design), moving, sheet_theta);
   if (design.drive && sheet_theta != 0) end_drive_at(design, drive_theta);
   // Without an exact motion it is opened by its drive, whose theta need not be the sheet's.
   design.theta = moving.exact ? sheet_theta : drive_theta;

@@ -21,6 +21,8 @@ struct Moving {
 
   /// What is known of the way of bodies from now on: it is their exact motion.
   void take(std::shared_ptr<const BodiesWay> found);
+  /// What is known of bodies of the same shape: what they collide with, and their way where the same moves them.
+  void keep(const Moving& before);
   /// theta, rad, of bodies as far as their way goes.
   double within(double theta) const;
   /// As far as the shape is folded, rad: the mean of a sheet; of bodies half the turn of the driven hinge.
@@ -39,6 +41,12 @@ struct Moving {
   std::shared_ptr<const model::ConvexBodies> pressing;  ///< the same in equilibrium
 };
 
+/// Whether both are designs of bodies that look and move alike, whatever their stiffness and drive. Null: a sheet.
+bool have_one_shape(const Design* a, const Design* b);
+
+/// Theta that the design asks for, rad: of bodies half the turn of the hinge that its drive turns.
+double asked_theta(const Design& design, const Moving& moving);
+
 /// theta, rad, within the range, at which the point `at` of a body (rest place, mm) comes nearest to `to` (mm) on the
 /// exact way, found from a theta near to it. @pre moving.exact
 double nearest_theta(const Moving& moving, double from, int body, const Eigen::Vector3d& at,
@@ -48,7 +56,8 @@ double nearest_theta(const Moving& moving, double from, int body, const Eigen::V
 model::LinkageDrive drive_to(const Design& design, double theta);
 
 /// The design as far as it is shown, for what is made of it: along its closed form by theta alone, whatever drives it,
-/// else by its own drive. A flat sheet goes as far as the design says. @param moving of the design
+/// else by its own drive. A flat sheet goes as far as the design says. Bodies turn their hinge as it is turned.
+/// @param moving of the design   @throws InvalidInput for bodies that are pulled
 /// @param sheet_theta rad, of the sheet   @param drive_theta rad, of its drive (LinkageDrive::theta)
 Design as_far_as_shown(Design design, const Moving& moving, double sheet_theta, double drive_theta);
 

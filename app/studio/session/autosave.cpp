@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+#include "app/files/bodies_section.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/io/sha256.hpp"
 #include "app/studio/session/earlier_result.hpp"
@@ -19,10 +20,10 @@ using Json = nlohmann::ordered_json;
 constexpr int most_places = 100;  // studios of one source at the same time
 constexpr std::string_view kept_heading = "# Kept by the studio until it is saved: ";
 
-std::string kept_text(const Design& design, const std::string& save_file) {
+std::string kept_text(const std::string& text, const std::string& save_file) {
   const Json about = {{"saves_to", save_file}};
   return fmt::format("{}{}\n{}", kept_heading, about.dump(-1, ' ', true, Json::error_handler_t::replace),
-                     design_text(design));
+                     text);
 }
 
 /// Where `save` would write it.
@@ -83,7 +84,8 @@ void Autosave::keep(const Design& design, const std::string& save_file, const Js
   const std::lock_guard guard(mutex_);
   if (has_ended_) return;
   FileSet files(folder_.string());
-  files.add("design.yaml", kept_text(design, save_file));
+  for (const NamedContent& one : design_files(design))
+    files.add(one.name, one.name == "design.yaml" ? kept_text(one.content, save_file) : one.content);
   if (told.is_object()) files.add("result.json", told["result"].dump(1) + "\n");
   files.commit();
   std::error_code ignored;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/files/structure_section.hpp"
+#include "model/assembly/assembly.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/square/redrawn.hpp"
 #include "model/lattice/square/sheet_symmetry.hpp"
@@ -14,8 +15,9 @@
 namespace kinetix::app::studio {
 namespace {
 
-constexpr double rounded_share = 1e-9;  // of a length: by as much its digits in a file may be off
-constexpr int most_cells_a_side = 200;  // what a page can show at 15 frames a second
+constexpr double rounded_share = 1e-9;      // of a length: by as much its digits in a file may be off
+constexpr double farthest_stiffness = 1e9;  // N/mm and N mm/rad, and its inverse: far from all hinges
+constexpr int most_cells_a_side = 200;      // what a page can show at 15 frames a second
 
 const targets::KeyTable& only_hinge() {
   static const targets::KeyTable keys(
@@ -33,6 +35,23 @@ void change(model::HingeParameters& hinge, const Message& message, double edge_m
   if (message.has("alpha_deg")) hinge.alpha = message.number("alpha_deg", 0, 180) * radians_per_degree;
   if (message.has("beta_deg")) hinge.beta = message.number("beta_deg", -90, 90) * radians_per_degree;
   if (message.has("offset_mm")) hinge.offset = message.number("offset_mm", -edge_mm, edge_mm) / edge_mm;
+}
+
+/// Of bodies: what is not given stays as it was imported.
+void change(model::AssemblyHinge& hinge, const Message& message) {
+  for (const char* key : {"t", "alpha_deg", "beta_deg", "offset_mm"})
+    if (message.has(key))
+      throw InvalidInput(std::string(key) +
+                         ": is of sheets. Of bodies give `turn`, `axial`, `shear`, `along` or `reach_mm`");
+  if (hinge.ball) throw InvalidInput("index: " + hinge.name + " is a ball, which has no stiffness");
+  const auto take = [&](const char* key, auto& value) {
+    if (message.has(key)) value = message.number(key, 1 / farthest_stiffness, farthest_stiffness);
+  };
+  take("axial", hinge.k.axial);
+  take("shear", hinge.k.shear);
+  take("along", hinge.k.along);
+  take("turn", hinge.k.turn);
+  take("reach_mm", hinge.reach_mm);
 }
 
 model::SheetSymmetry symmetry_of(const Message& message, const Design& design) {
@@ -162,6 +181,12 @@ std::string sizes_text(const Message& message, const model::CellSize& size) {
 
 Design with_hinges(Design design, const Message& message) {
   const std::vector<int> hinges = hinges_of(message, design.structure.hinges());
+  if (const model::Assembly* imported = design.structure.assembly()) {
+    model::Assembly bodies = *imported;
+    for (const int h : hinges) change(bodies.hinges[h], message);
+    design.structure = model::Sheet(std::move(bodies));
+    return design;
+  }
   const double edge_mm = design.structure.size().edge_mm;
   if (message.has("alternate") && message.boolean("alternate"))
     alternate(squares_of(design), hinges, message, edge_mm, design.structure);
@@ -211,6 +236,8 @@ Design with_sheet(Design design, const Message& message) {
 }
 
 Design with_made_hinges(Design design, const Message& message) {
+  if (design.structure.assembly())
+    throw InvalidInput("made: is of sheets. Give hinges of bodies their stiffness with `hinge`");
   design.own_hinges.clear();
   if (message.text("kind") == "stiff") {
     design.hinge = {};
@@ -222,6 +249,17 @@ Design with_made_hinges(Design design, const Message& message) {
   const targets::Section document(targets::parse_document(text, "the studio"), only_hinge());
   design.hinge = read_hinge_section(document, design.structure.size());
   return with_offsets_that_fit(std::move(design));
+}
+
+Design with_driven_hinge(Design design, const Message& message) {
+  const model::Assembly* bodies = design.structure.assembly();
+  if (!bodies) throw InvalidInput("driven: is of designs of bodies");
+  const int hinge = message.integer("hinge", 0, static_cast<int>(bodies->hinges.size()) - 1);
+  if (bodies->hinges[hinge].ball)
+    throw InvalidInput("hinge: is a ball, which has no axis to be turned about");
+  design.pull.reset();
+  design.drive = model::HingeTurn{hinge, 0};
+  return design;
 }
 
 }  // namespace kinetix::app::studio

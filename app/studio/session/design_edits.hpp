@@ -5,11 +5,12 @@
 
 namespace kinetix::app::studio {
 
-/// What a command of the page makes of a design (docs/studio.md): `hinge`, `paint`, `sheet`, `made`.
+/// What a command of the page makes of a design (docs/studio.md): `hinge`, `paint`, `sheet`, `made`, `driven`.
 /// @throws InvalidInput for what the design cannot be
 Design with_hinges(Design design, const Message& message);
 Design with_cell(Design design, const Message& message);
 Design with_sheet(Design design, const Message& message);
 Design with_made_hinges(Design design, const Message& message);
+Design with_driven_hinge(Design design, const Message& message);
 
 }  // namespace kinetix::app::studio

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/assembly/assembly.hpp"
+
 namespace kinetix::app::studio {
 namespace {
 
@@ -9,11 +11,21 @@ constexpr std::size_t longest = 100;           // steps back: more than anybody 
 constexpr std::size_t most_bytes = 128 << 20;  // of all designs; then as many steps as that holds
 
 constexpr std::size_t hinge_bytes = 56, body_bytes = 8, cell_bytes = 40;  // bytes, in a sheet of squares
+constexpr std::size_t point_bytes = 24, triangle_bytes = 12;  // bytes, three doubles and three ints of a mesh
+
+std::size_t size_of(const model::Polyhedron& solid) {
+  return solid.points.size() * point_bytes + solid.triangles.size() * triangle_bytes;
+}
 
 /// About as many bytes as the design takes.
 std::size_t size_of(const Design& design) {
   const model::Sheet& sheet = design.structure;
-  return sheet.hinges() * hinge_bytes + sheet.bodies() * body_bytes + sheet.cells() * cell_bytes;
+  std::size_t bytes = sheet.hinges() * hinge_bytes + sheet.bodies() * body_bytes + sheet.cells() * cell_bytes;
+  if (const model::Assembly* bodies = sheet.assembly()) {
+    for (const model::AssemblyBody& body : bodies->bodies) bytes += size_of(body.solid);
+    for (const model::AssemblyHinge& hinge : bodies->hinges) bytes += size_of(hinge.soft);
+  }
+  return bytes;
 }
 
 }  // namespace

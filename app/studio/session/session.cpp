@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 
 #include "app/exports/write_results.hpp"
 #include "app/files/bodies_section.hpp"
 #include "app/io/atomic_file.hpp"
-#include "app/pipeline/closed_way.hpp"
 #include "app/run/run.hpp"
 #include "app/studio/messages/bodies_message.hpp"
 #include "app/studio/messages/design_message.hpp"
@@ -27,9 +25,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr double largest_push_N = 1000;  // more than a person pushes with
 constexpr double same_fold = 1e-6;       // rad of theta: nearer to where a search ended nobody moved it
-// Commands that edit, search or write, or need what bodies have not.
-constexpr std::array of_sheets = {"push", "springs", "snap", "hinge", "nearest", "paint", "sheet", "made",
-                                  "undo", "redo",    "open", "save",  "search",  "part",  "stop",  "export"};
 
 /// Where the equilibrium of a result ended, rad, which need not be where its design was asked to go; nothing of other results, whose
 /// designs stand as they were saved.
@@ -63,9 +58,6 @@ Session::Session(Opened opened, Outlet outlet)
       history_(opened_.design),
       save_files_{opened_.save_file},
       player_(opened_.design) {
-  if (player_.moving().bodies)
-    follow(model::theta_at_turn(player_.moving().way->sense, asked_turn(opened_.design)),
-           pull_of(opened_.design));
   history_.set_finding({.told = opened_.result, .theta = opened_.design.theta});
   std::optional<KeptDesign> kept;
   if (opened_.autosave) kept = opened_.autosave->kept();
@@ -76,6 +68,8 @@ Session::Session(Opened opened, Outlet outlet)
     player_ = Player(kept->design);
     restored_ = revision_;
   }
+  meshes_of_ = player_.moving().bodies;
+  follow();
   const Json& result = history_.finding().told;
   if (const auto theta = theta_of_equilibrium(result); theta && player_.mode() == Mode::exact)
     player_.fold_to(*theta);
@@ -84,10 +78,10 @@ Session::Session(Opened opened, Outlet outlet)
 }
 
 void Session::welcome(int client) {
-  Json hello = hello_message(history_.current().name, !player_.moving().bodies);
+  Json hello = hello_message(history_.current().name);
   if (opened_.autosave) hello["autosave"] = opened_.autosave->folder().string();
   tell(hello, client);
-  if (const auto* bodies = opened_.design.structure.assembly()) tell(meshes_message(*bodies), client);
+  if (meshes_of_) tell(meshes_message(*meshes_of_->structure.assembly()), client);
   if (design_text_.bytes)
     tell_text(design_text_, client);
   else
@@ -100,10 +94,6 @@ void Session::welcome(int client) {
 void Session::obey(const Message& message) {
   const auto command = commands().find(message.type());
   if (command == commands().end()) throw InvalidInput("type: unknown command '" + message.type() + "'");
-  if (player_.moving().bodies &&
-      std::find(of_sheets.begin(), of_sheets.end(), message.type()) != of_sheets.end())
-    throw InvalidInput(message.type() +
-                       ": is of sheets; a design of bodies is turned by a hinge and played with");
   if (!is_told_) tell_design();
   command->second(*this, message);
 }
@@ -189,7 +179,7 @@ const std::map<std::string, Session::Command>& Session::commands() {
       {"search", [](S& s, const M& m) { s.search(m); }},
       {"part", [](S& s, const M& m) { s.take_part(m); }},
       {"stop", [](S& s, const M&) { s.searcher_.ask_to_stop(); }},
-      {"driven", [](S& s, const M& m) { s.turn_by(m); }},
+      {"driven", [](S& s, const M& m) { s.take(with_driven_hinge(s.history_.current(), m)); }},
       {"export", [](S& s, const M& m) { s.export_files(m); }},
   };
   return all;
@@ -276,6 +266,7 @@ void Session::design_changed() {
   tell_design();
   tell_state();
   tell_result();
+  follow();
   if (player_.mode() == Mode::equilibrium) trace(player_.theta());
 }
 
@@ -344,17 +335,30 @@ void Session::save(const Message& message) {
   else if (file.filename() == "design.yaml")
     save_result_beside(file.parent_path().string());
   const bool is_moved = has_results && std::abs(design.theta - finding.theta) > same_fold;
-  if (!has_results || is_moved) write_file(file.string(), design_text(design));
+  if (!has_results || is_moved) {
+    FileSet files(file.parent_path().string());
+    for (const NamedContent& one : design_files(design))
+      files.add(one.name == "design.yaml" ? file.filename().string() : one.name, one.content);
+    files.commit();
+  }
   if (design.theta != history_.current().theta || design.drive != history_.current().drive)
     history_.add(design, history_.thing(), finding);
   history_.mark_saved();
   keep_unsaved();
-  tell({{"type", "saved"}, {"path", file.string()}, {"theta_rad", design.theta}, {"at_fold", at_fold}});
+  tell({{"type", "saved"},
+        {"path", file.string()},
+        {"theta_rad", asked_theta(design, player_.moving())},
+        {"at_fold", at_fold}});
   tell_design();
 }
 
-/// The newest, for everybody from now on.
+/// The newest, for everybody from now on, behind the meshes of bodies that look otherwise than those before.
 void Session::tell_design(int client) {
+  const auto& bodies = player_.moving().bodies;
+  if (bodies && !have_one_shape(bodies.get(), meshes_of_.get())) {
+    meshes_of_ = bodies;
+    tell(meshes_message(*bodies->structure.assembly()));
+  }
   Json out = design_message(history_.current(), player_.moving());
   out["revision"] = revision_;
   out["undo"] = history_.can_undo();

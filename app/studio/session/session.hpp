@@ -17,7 +17,7 @@ namespace kinetix::app::studio {
 
 /// What `view` was asked to open.
 struct Opened {
-  Design design;            ///< of bodies nothing is edited
+  Design design;
   std::string save_file;    ///< that the design was read from, where `save` writes it; empty: none
   std::string target_file;  ///< not empty: searched for at once
   int threads = 0;
@@ -71,8 +71,7 @@ class Session : public SessionLoop {
   void search(const Message& message);
   void export_files(const Message& message);
 
-  void turn_by(const Message& message);
-  void follow(double theta, const std::optional<model::Pull>& pull);
+  void follow();
   void take(std::shared_ptr<const BodiesWay> way, double theta);
   void cut_for(Mode mode);
 
@@ -112,6 +111,8 @@ class Session : public SessionLoop {
   /// Held while the physics engine runs, which has global state: in the hands of a search that checks its result the thing
   /// stands still.
   std::mutex engine_;
+  std::shared_ptr<const Design>
+      meshes_of_;               ///< whose message `meshes` everybody has; null: none was of bodies
   std::map<int, Parts> parts_;  ///< by client: of files that came for its next search
 
   Job tracer_, searcher_, exporter_, follower_, cutter_;  ///< last: they end before what they speak to

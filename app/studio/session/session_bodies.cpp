@@ -1,24 +1,17 @@
 #include "app/pipeline/body_pieces.hpp"
+#include "app/pipeline/closed_way.hpp"
 #include "app/studio/session/session.hpp"
 
 namespace kinetix::app::studio {
 
-void Session::turn_by(const Message& message) {
-  const Moving& moving = player_.moving();
-  if (!moving.bodies) throw InvalidInput("driven: is of designs of bodies");
-  const auto& hinges = moving.linkage.hinges;
-  const int hinge = message.integer("hinge", 0, static_cast<int>(hinges.size()) - 1);
-  if (hinges[hinge].ball) throw InvalidInput("hinge: is a ball, which has no axis to be turned about");
-  player_.turn_by(hinge);
-  design_changed();
-  follow(0, {});
-}
-
-/// Finds the way of the hinge that is turned, and then looks it through for bodies that meet.
-/// @param theta to which it is then turned, rad   @param pull of the bodies, instead of a turned hinge
-void Session::follow(double theta, const std::optional<model::Pull>& pull) {
+/// Finds the way of bodies where it is not known yet, and then looks it through for bodies that meet.
+void Session::follow() {
+  if (!player_.moving().bodies || player_.moving().way->meets) return;
+  const Design& design = history_.current();
+  const double theta = player_.moving().way->followed ? 0 : asked_theta(design, player_.moving());
   start(follower_, 0, type_,
-        [this, revision = revision_, theta, pull, moving = player_.moving()](const std::stop_token& asked) {
+        [this, revision = revision_, theta, pull = pull_of(design),
+         moving = player_.moving()](const std::stop_token& asked) {
           const auto stop = [&] { return asked.stop_requested(); };
           const auto tell_way = [&](const BodiesWay& way, double to) {
             if (stop()) return;
@@ -26,8 +19,8 @@ void Session::follow(double theta, const std::optional<model::Pull>& pull) {
               if (revision == revision_) take(way, to);
             });
           };
-          BodiesWay way = way_of(moving.linkage, moving.way->hinge, pull, stop);
-          tell_way(way, theta);
+          BodiesWay way = *moving.way;
+          if (!way.followed) tell_way(way = way_of(moving.linkage, way.hinge, pull, stop), theta);
           const model::Assembly& assembly = *moving.bodies->structure.assembly();
           way.meets = {first_meeting(assembly, way, -1, stop), first_meeting(assembly, way, 1, stop)};
           tell_way(way, 0);
@@ -53,11 +46,12 @@ void Session::cut_for(Mode mode) {
     const auto pressing =
         std::make_shared<const model::ConvexBodies>(convex_bodies(pieces, assembly, moving.linkage));
     alone.unlock();
-    enqueue([this, client, id, parts, pressing] {
-      player_.take(parts, pressing);
+    enqueue([this, client, id, of = moving.bodies, parts, pressing] {
+      const bool is_shown = have_one_shape(of.get(), player_.moving().bodies.get());
+      if (is_shown) player_.take(parts, pressing);
       note_heard(client, id);
       changed_ = true;
-      if (const auto wanted = std::exchange(awaited_, {})) enter(*wanted);
+      if (const auto wanted = std::exchange(awaited_, {}); wanted && is_shown) enter(*wanted);
     });
   });
 }

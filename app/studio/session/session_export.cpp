@@ -33,7 +33,8 @@ void Session::export_files(const Message& message) {
   const std::string folder = (beside / (design.name + "_print")).string();
   const int client = client_;
   const double id = std::exchange(id_, 0);
-  exporter_.start([this, client, id, design = std::move(design), request, folder, at_fold,
+  exporter_.start([this, client, id, theta = asked_theta(design, player_.moving()),
+                   design = std::move(design), request, folder, at_fold,
                    revision = revision_](const std::stop_token&) {
     const auto progress = [this](const std::string& stage, double done, const std::string& so_far) {
       const Json out = progress_message("export", stage, done, so_far);
@@ -41,7 +42,7 @@ void Session::export_files(const Message& message) {
     };
     try {
       const Exported out = export_design(design, request, folder, progress);
-      enqueue([this, client, id, out, at_fold, revision, theta = design.theta] {
+      enqueue([this, client, id, out, at_fold, revision, theta] {
         exporting_ = false;
         note_heard(client, id);
         changed_ = true;

@@ -87,6 +87,13 @@ json followed(Client& client, std::optional<int> hinge = {}) {
   return design;
 }
 
+/// The first design that is told after a change of another one.
+json changed(Client& client, const json& before) {
+  json design = client.text("design");
+  while (design["revision"] == before["revision"]) design = client.text("design");
+  return design;
+}
+
 class StudioOfBodies : public ::testing::Test {
  protected:
   explicit StudioOfBodies(app::Design opened = pair_of_walls()) : file(std::move(opened)) {}
@@ -183,8 +190,12 @@ TEST_F(StudioOfBodies, FollowsAHandAlongItsOneWay) {
 }
 
 TEST_F(StudioOfBodies, RefusesWhatIsOfSheets) {
-  EXPECT_THAT(refusal({{"type", "search"}, {"target", ""}}), HasSubstr("search: is of sheets"));
-  EXPECT_THAT(refusal({{"type", "hinge"}, {"index", 0}, {"t", 0.4}}), HasSubstr("hinge: is of sheets"));
+  EXPECT_THAT(refusal({{"type", "hinge"}, {"index", 0}, {"t", 0.4}}), HasSubstr("t: is of sheets"));
+  EXPECT_THAT(refusal({{"type", "hinge"}, {"index", 0}, {"turn", -1}}), HasSubstr("turn: must be"));
+  EXPECT_THAT(refusal({{"type", "made"}, {"kind", "pin"}}), HasSubstr("made: is of sheets"));
+  EXPECT_THAT(refusal({{"type", "sheet"}, {"rows", 2}}), HasSubstr("sheet of squares only"));
+  EXPECT_THAT(refusal({{"type", "springs"}, {"on", true}}), HasSubstr("turn freely"));
+  EXPECT_THAT(refusal({{"type", "snap"}}), HasSubstr("mode equilibrium"));
   EXPECT_THAT(refusal({{"type", "dance"}}), HasSubstr("unknown command"));
   EXPECT_THAT(refusal({{"type", "driven"}, {"hinge", 1}}), HasSubstr("hinge: must be"));
   EXPECT_THAT(refusal({{"type", "step"}}), HasSubstr("mode bullet"));
@@ -205,6 +216,74 @@ TEST_F(StudioOfBodies, HasTheElasticStateOfASimulation) {
   EXPECT_NEAR(frame.head(7), last.energy, 1e-6 * last.energy);
   EXPECT_NEAR(frame.head(6), last.load / assembly().edge_mm, 1e-6 * std::abs(last.load));
   for (int b = 0; b < 2; ++b) EXPECT_LT((pose_of(frame, b).translation() - path.state[b].p).norm(), 1e-5);
+}
+
+TEST_F(StudioOfBodies, GivesAHingeAnotherStiffness) {
+  client.ask({{"type", "mode"}, {"mode", "equilibrium"}});
+  const double soft = client.ask({{"type", "theta"}, {"deg", 10}}).head(7);
+  const double turn = assembly().hinges[0].k.turn;
+  client.send(
+      json{{"type", "hinge"}, {"index", 0}, {"turn", 3 * turn}, {"axial", 50}, {"reach_mm", 1.5}}.dump());
+  const json stiffer = changed(client, design), &hinge = stiffer["structure"]["hinges"][0];
+  EXPECT_EQ(hinge["k"]["turn"], 3 * turn);
+  EXPECT_EQ(hinge["k"]["axial"], 50.0);
+  EXPECT_EQ(hinge["k"]["shear"], assembly().hinges[0].k.shear) << "what is not given stays";
+  EXPECT_EQ(hinge["reach_mm"], 1.5);
+  EXPECT_EQ(stiffer["bodies"]["following"], false) << "its way is the same";
+  EXPECT_EQ(stiffer["bodies"]["turn_range_rad"], design["bodies"]["turn_range_rad"]);
+  EXPECT_EQ(stiffer["unsaved"], true);
+  EXPECT_GT(client.ask({{"type", "theta"}, {"deg", 10}}).head(7), 2 * soft);
+  client.send(R"({"type": "undo"})");
+  const json undone = changed(client, stiffer);
+  EXPECT_EQ(undone["structure"], design["structure"]);
+  EXPECT_EQ(undone["unsaved"], false);
+  EXPECT_NEAR(client.ask({{"type", "theta"}, {"deg", 10}}).head(7), soft, 1e-6 * soft);
+  client.send(R"({"type": "redo"})");
+  EXPECT_EQ(changed(client, undone)["structure"], stiffer["structure"]);
+}
+
+TEST_F(StudioOfBodies, SavesItsEditsWithTheMeshesAndOpensThemAgain) {
+  client.ask({{"type", "hinge"}, {"indices", {0}}, {"turn", 7.25}});
+  client.ask({{"type", "theta"}, {"deg", 12}});
+  client.send(R"({"type": "save"})");
+  const std::string path = client.text("saved")["path"];
+  EXPECT_EQ(path, studio.folder.path("design.yaml"));
+  app::Design saved = app::read_design(path);
+  EXPECT_FALSE(saved.drive) << "the slider looks at it";
+  EXPECT_EQ(saved.structure.assembly()->hinges[0].k.turn, 7.25);
+  EXPECT_EQ(saved.structure.assembly()->bodies[1].solid.triangles.size(),
+            assembly().bodies[1].solid.triangles.size());
+  client.send(R"({"type": "save", "at_fold": true})");
+  EXPECT_NEAR(client.text("saved")["theta_rad"].get<double>(), 12 * radians_per_degree, 1e-12);
+  saved = app::read_design(path);
+  const double turn = 12 * radians_per_degree * design["bodies"]["turn_per_theta"].get<double>();
+  ASSERT_NE(app::turn_of(saved), nullptr);
+  EXPECT_NEAR(app::turn_of(saved)->angle, turn, 1e-12);
+  client.ask({{"type", "undo"}});
+  client.send(R"({"type": "save"})");
+  client.text("saved");
+  EXPECT_FALSE(app::read_design(path).drive) << "the fold was a step that can be undone";
+}
+
+TEST_F(StudioOfBodies, IsExportedWhileItIsEdited) {
+  client.send(R"({"type": "export", "formats": ["stl"], "at_fold": true})");
+  const json out = client.text("exported");
+  EXPECT_FALSE(out["files"].empty());
+  EXPECT_EQ(out["at_fold"], true);
+  EXPECT_THAT(refusal({{"type", "export"}, {"formats", {"svg"}}}), HasSubstr("is of sheets"));
+}
+
+TEST_F(StudioOfBodies, OpensASheetAndComesBackToItsBodies) {
+  client.ask({{"type", "mode"}, {"mode", "equilibrium"}});
+  client.send(R"({"type": "open", "template": "strip"})");
+  const json sheet = changed(client, design);
+  EXPECT_FALSE(sheet.contains("bodies"));
+  client.send(R"({"type": "undo"})");
+  const json back = changed(client, sheet);
+  EXPECT_EQ(back["structure"], design["structure"]);
+  followed(client);
+  EXPECT_EQ(client.ask({{"type", "release"}}).head(8), 0) << "its bodies are not cut yet";
+  EXPECT_NEAR(client.ask({{"type", "theta"}, {"deg", 10}}).head(3), 10 * radians_per_degree, 1e-12);
 }
 
 TEST_F(StudioOfBodies, IsPulledAndTurnedInThePhysics) {
@@ -262,8 +341,35 @@ TEST_F(StudioOfALoop, TurnsByAnotherHinge) {
   EXPECT_EQ(changed["bodies"]["driven"], other);
   EXPECT_GT(changed["revision"], design["revision"]);
   EXPECT_EQ(changed["structure"], design["structure"]);
+  EXPECT_EQ(changed["undo"], true);
   const Received frame = client.ask({{"type", "theta"}, {"deg", 20}});
   EXPECT_LT((pose_of(frame, 0).linear() - pose_of(frame, 2).linear()).norm(), 1e-6);
+  client.send(R"({"type": "undo"})");
+  EXPECT_EQ(followed(client, first)["bodies"]["driven"], first);
+}
+
+TEST(StudioOfBodiesOpened, KeepsWhatIsNotSaved) {
+  const TemporaryFolder folder;
+  const auto opened = [&] {
+    app::studio::Opened out{pair_of_walls(), folder.path("design.yaml"), ""};
+    out.autosave = std::make_shared<app::studio::Autosave>(folder.path("state"), folder.path("design.yaml"));
+    return out;
+  };
+  {
+    OpenStudio killed(opened());
+    Client client{killed.port()};
+    ASSERT_TRUE(client.open(killed.token));
+    client.ask({{"type", "hinge"}, {"index", 0}, {"turn", 7.25}});
+  }
+  OpenStudio studio(opened());
+  Client client{studio.port()};
+  ASSERT_TRUE(client.open(studio.token));
+  EXPECT_EQ(client.text("meshes")["bodies"].size(), 2u);
+  const json design = followed(client);
+  EXPECT_EQ(design["structure"]["hinges"][0]["k"]["turn"], 7.25);
+  EXPECT_EQ(design["restored"], true);
+  client.send(R"({"type": "undo"})");
+  EXPECT_EQ(changed(client, design)["unsaved"], false);
 }
 
 TEST(StudioOfBodiesOpened, IsAsFarTurnedAsItsDriveSays) {

@@ -1,5 +1,5 @@
 // A design of bodies: how far it turns, its hinges, and what is known of the body or hinge that is chosen.
-import {$, degrees, element, neat, show} from "./dom.js";
+import {$, degrees, element, neat, show, typed} from "./dom.js";
 import {status} from "./words.js";
 
 const MOST_LINES = 8;  // of the list of hinges: the rest is scrolled to
@@ -11,6 +11,8 @@ export class BodiesPanel {
     Object.assign(this, {state, connection: state.connection});
     $("hinge_list").addEventListener("change", () => this.state.chooseHinge(Number($("hinge_list").value)));
     $("turn_this").addEventListener("click", () => this.drive());
+    $("stiffness").addEventListener("submit", (event) => event.preventDefault());
+    $("stiffness").addEventListener("change", ({target}) => target.checkValidity() ? this.setStiffness(target) : target.reportValidity());
     state.on("design", () => this.showDesign());
     state.on("chosen", () => this.showChosen());
     state.on("body", () => this.showChosen());
@@ -25,6 +27,10 @@ export class BodiesPanel {
     if (hinge === undefined) return status("choose a hinge first");
     const turns = () => this.state.design.bodies?.driven === hinge;
     await this.connection.send("driven", {hinge}).then(() => status(`${this.hinges[hinge].name} is turned`, turns), () => {});
+  }
+
+  setStiffness({name, value}) {
+    this.connection.send("hinge", {indices: this.state.chosen, [name]: Number(value)}).catch(() => this.showChosen());
   }
 
   /** What has no meaning for bodies is hidden by the style sheet. */
@@ -52,6 +58,7 @@ export class BodiesPanel {
     const {driven, pulled} = this.state.design.bodies;
     $("turn_this").disabled = hinge === undefined || (hinge === driven && !pulled) || this.hinges[hinge].kind === "ball";
     show($("chosen_thing"), hinge !== undefined || body !== null);
+    show($("stiffness"), hinge !== undefined && this.hinges[hinge].kind !== "ball");
     if (hinge !== undefined) this.showHinge(this.hinges[hinge]);
     else if (body !== null) this.showBody(body);
   }
@@ -68,12 +75,13 @@ export class BodiesPanel {
       ["joins", bodies.flatMap((body, n) => [n ? " and " : "", this.link(structure.bodies[body].name, () => this.state.chooseBody(body))])],
       ["axis", vector(axis, 4)],
       ["through", `${vector(point_mm, 3)} mm`],
-      ["reach", `${neat(reach_mm, 2)} mm`],
       ...(diameter_mm ? [["rod", `${neat(diameter_mm, 3)} mm, clearance ${neat(clearance_mm, 3)} mm`]] : []),
-      ["turning", `${neat(k.turn, 4)} N mm/rad`],
-      ["pull", `${neat(k.axial, 3)} N/mm, shear ${neat(k.shear, 3)}, along the axis ${neat(k.along, 3)}`],
       ["sure", `${neat(100 * confidence, 0)} % of its axis`],
     ]);
+    for (const [key, value] of Object.entries({...k, reach_mm})) {
+      const field = $("stiffness").elements[key];
+      if (field && document.activeElement !== field) field.value = typed(value, 6);
+    }
   }
 
   showBody(body) {

@@ -91,6 +91,7 @@ connection.on("open", () => $("messages").replaceChildren());
 
 /** How far folded the design is that was saved, and whether that is what is seen. */
 function savedWords({theta_rad, at_fold}) {
+  if (state.design.bodies) return `turned as ${at_fold ? "it is shown" : "the design says"}`;
   if (at_fold) return `folded as it is shown, ${foldWords(theta_rad)}`;
   const shown = state.frame?.theta, is_other = Number.isFinite(shown) && Math.abs(shown - theta_rad) > radians(0.05);
   return `${state.design.has_result ? "folded as it was found" : "folded as the design says"}, ${foldWords(theta_rad)}${is_other ? `, not as the slider has it, ${foldWords(shown)}` : ""}`;

@@ -3,6 +3,7 @@ import {$, element, foldWords, show, summaryRows} from "./dom.js";
 import {status} from "./words.js";
 
 const USUAL = ["stl", "3mf"];  // what most printers take
+const MESHES = ["stl", "3mf", "glb"];  // what bodies are written as
 
 /** {bed_mm: [x, y]}; {} where none is given, null where the text is no bed. */
 export function bedSides(text) {
@@ -24,16 +25,21 @@ export class MakePanel {
 
   showHello() {
     const {formats = [], processes = []} = this.state.hello;
-    $("formats").replaceChildren(...formats.map(({name, about}) => element("label", {},
+    $("formats").replaceChildren(...formats.map(({name, about}) => element("label", {class: MESHES.includes(name) ? null : "of_sheets"},
       element("input", {type: "checkbox", name: "format", value: name, checked: USUAL.includes(name)}), element("span", {}, name.toUpperCase()), element("small", {}, about))));
     $("export").elements.process.replaceChildren(element("option", {value: ""}, "as the design says"), ...processes.map((name) => element("option", {value: name}, name)));
+  }
+
+  /** Of bodies the turn of the hinge. */
+  angle(theta) {
+    return foldWords(theta * (this.state.design.bodies?.turn_per_theta ?? 1));
   }
 
   /** How far folded the thing is written: as its design has it, or as it is shown. */
   showFold() {
     const {design, frame} = this.state, {folded} = $("export").elements;
-    if (!design || design.bodies) return;
-    const [asDesign, asShown] = [foldWords(design.theta_rad), frame ? foldWords(frame.theta) : "\u2013"];
+    if (!design) return;
+    const [asDesign, asShown] = [this.angle(design.theta_rad), frame ? this.angle(frame.theta) : "\u2013"];
     const words = [`${design.has_result ? "as it was found" : "as the design says"} (${asDesign})`, `as the slider has it (${asShown})`];
     words.forEach((text, k) => folded.options[k].textContent !== text && (folded.options[k].textContent = text));
   }
@@ -58,7 +64,7 @@ export class MakePanel {
     const {folder, files, summary, theta_rad, at_fold} = this.state.exported;
     show($("written"), true);
     this.showWhose();
-    $("written_fold").textContent = `Folded ${at_fold ? "as it was shown" : "as its design says"}: ${foldWords(theta_rad)}.`;
+    $("written_fold").textContent = `Folded ${at_fold ? "as it was shown" : "as its design says"}: ${this.angle(theta_rad)}.`;
     $("written_folder").textContent = folder;
     $("written_files").replaceChildren(...files.map((name) => element("li", {}, name)));
     $("written_text").replaceChildren(...summaryRows(summary ?? ""));

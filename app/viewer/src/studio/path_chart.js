@@ -8,7 +8,10 @@ export class PathChart {
     this.state = state;
     state.on("path", () => this.draw());
     state.on("program", () => this.draw());
-    state.on("design", () => ((state.path = null), this.draw()));
+    state.on("design", () => {
+      if (state.path?.revision !== state.design.revision) state.path = null;
+      this.draw();
+    });
     state.on("frame", () => this.mark());
   }
 
