@@ -9,6 +9,7 @@
 #include "app/exports/write_results.hpp"
 #include "app/files/bodies_section.hpp"
 #include "app/io/atomic_file.hpp"
+#include "app/pipeline/closed_way.hpp"
 #include "app/run/run.hpp"
 #include "app/studio/messages/bodies_message.hpp"
 #include "app/studio/messages/design_message.hpp"
