@@ -205,10 +205,9 @@ class PulledCord final : public Actuator {
 std::unique_ptr<Actuator> make_actuator(const model::Linkage& structure, const model::LinkageDrive& drive,
                                         const Bodies& bodies, double error_reduction, ElasticHinges* elastic,
                                         double spring_weight, Cord* cord) {
-  if (drive.kind == model::LinkageDrive::Kind::plates)
-    return std::make_unique<Plates>(structure, drive, bodies, error_reduction);
+  if (drive.has_plates()) return std::make_unique<Plates>(structure, drive, bodies, error_reduction);
   if (cord) return std::make_unique<PulledCord>(structure, drive.rest_mm, bodies, *cord);
-  if (drive.heats_springs())
+  if (!drive.acts_from_outside())
     return std::make_unique<HeatedSprings>(structure, drive, spring_weight, *elastic);
   if (elastic) return std::make_unique<DrivenSpring>(structure, drive.hinge, bodies, *elastic);
   return std::make_unique<DrivenHinge>(structure.hinges[drive.hinge], drive.sense, bodies, error_reduction);

@@ -200,7 +200,7 @@ class Run {
 };
 
 void refuse_unknown(const model::LinkageDrive& drive, const PhysicsOptions& options) {
-  if (drive.heats_springs() && !options.elastic)
+  if (!drive.acts_from_outside() && !options.elastic)
     throw InvalidInput("shape_memory needs elastic hinges in the physics run: give `hinge: {model: elastic}`",
                        {"", 0, 0, "drive.kind"});
 }

@@ -42,18 +42,6 @@ Vector3d in_rest_frame(const model::Linkage& structure, int body, const Vector3d
 
 }  // namespace
 
-double drive_theta(const model::LinkageDrive& drive, const model::Linkage& structure,
-                   const model::State& state) {
-  using Kind = model::LinkageDrive::Kind;
-  if (drive.kind != Kind::hinge && drive.kind != Kind::cord) return mean_theta(structure, state);
-  model::LinkageDrive held = drive;
-  if (drive.kind == Kind::hinge)
-    held.angle = hinge_turn(structure, state, drive.hinge);
-  else
-    held.shorten_mm = std::max(0.0, drive.rest_mm - cord_length(structure, drive.through, state));
-  return held.theta();
-}
-
 LiveSheet::LiveSheet(const model::Linkage& structure, const PhysicsOptions& options, double k_point_N_mm,
                      std::shared_ptr<const ContactParts> parts)
     : structure_(structure),
@@ -115,9 +103,9 @@ bool LiveSheet::is_dragged() const { return !world_->hand().grasps.empty(); }
 
 void LiveSheet::drive_to(const model::LinkageDrive& drive, const model::State& reference) {
   push_.reset();
-  theta_ = drive_theta(drive, structure_, state_);
+  theta_ = theta_in(drive, structure_, state_);
   drive_ = drive;
-  if (drive.kind == model::LinkageDrive::Kind::plates) stand_between_plates(reference);
+  if (!drive.gripped[0].empty()) stand_between_plates(reference);
   rebuild();
 }
 
@@ -140,7 +128,7 @@ void LiveSheet::step() {
   apply_forces();
   leave_flat();
   world_->step();
-  const bool pulled = drive_ && drive_->pulls_cord();
+  const bool pulled = drive_ && drive_->only_pulls();
   world_->parts().damp(std::exp(-(pulled ? pulled_damping : damping) * options_.step_s));
   accept(before);
   seconds_ += options_.step_s;

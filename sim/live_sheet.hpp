@@ -11,11 +11,6 @@ namespace kinetix::sim {
 class World;
 struct ContactParts;
 
-/// The LinkageDrive::theta(), rad, at which a drive would have a state as it is: of a hinge and a cord by their turn and
-/// length, of plates and springs as mean_theta. Of a cord with the sign of the drive's own; 0 where it is slack.
-double drive_theta(const model::LinkageDrive& drive, const model::Linkage& structure,
-                   const model::State& state);
-
 /// A structure in the engine that somebody plays with: dragged, held, pushed, driven, one time step after the other.
 ///
 /// Hinges are those of a compression run, rigid or elastic. Parts have the same mass, so that motions look right and

@@ -43,19 +43,13 @@ class PullRun {
       step();
       settled = result_.steps >= drive_steps_ && is_at_rest();
     }
-    judge(structure_, undriven(), options_, settled, result_);
+    judge(structure_, model::LinkageDrive(), options_, settled, result_);
     result_.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     if (observer_.progress) observer_.progress(1);
     return std::move(result_);
   }
 
  private:
-  static model::LinkageDrive undriven() {
-    model::LinkageDrive drive;
-    drive.kind = model::LinkageDrive::Kind::none;
-    return drive;
-  }
-
   void step() {
     const double tau = std::min(1.0, (result_.steps + 1.0) / drive_steps_);
     grasp(model::pull_at(structure_, pull_, tau * (2 - tau)));

@@ -142,7 +142,7 @@ struct World::Engine {
   }
 
   std::optional<Cord> make_cord() const {
-    if (!drive || !drive->pulls_cord()) return std::nullopt;
+    if (!drive || drive->through.empty()) return std::nullopt;
     return Cord(structure, drive->through);
   }
 

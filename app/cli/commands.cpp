@@ -96,7 +96,7 @@ targets::Node document_of(const CommandOptions& options) {
 
 /// Imported bodies turn the hinge that their file names, or that turns most in the first motion.
 Design turned_to(Design design, const CommandOptions& options) {
-  if (design.pull)
+  if (body_pull_of(design))
     throw InvalidInput("--theta-deg turns a hinge, and here bodies are pulled",
                        {options.file, 0, 0, "drive"});
   design.theta = options.theta_deg * radians_per_degree;

@@ -335,9 +335,10 @@ void read_bodies_drive(const targets::Section& drive, const BodiesReader& reader
       throw turned->error(fmt::format("cannot stand beside `{}`: bodies are pulled, and no hinge is turned",
                                       poses ? "poses" : "expand"));
   if (poses || expand) {
-    design.pull.emplace();
-    if (poses) design.pull->poses = read_poses(*poses, design.structure.assembly()->bodies.size());
-    drive.read("expand", design.pull->expand);
+    model::BodyPull pull;
+    if (poses) pull.poses = read_poses(*poses, design.structure.assembly()->bodies.size());
+    drive.read("expand", pull.expand);
+    design.drive = pull;
     return;
   }
   model::HingeTurn turn{-1, 0};
@@ -382,10 +383,10 @@ Design read_bodies(const targets::Node& node) {
   if (const targets::Section drive = root.section("drive"); drive.given())
     read_bodies_drive(drive, reader, design);
   if (const targets::Section tolerance = root.section("tolerance"); tolerance.given()) {
-    const bool has_poses = design.pull && design.pull->poses;
-    if (const auto pull = tolerance.optional("pull"); pull && !has_poses)
-      throw pull->error("is of bodies that are pulled to `drive.poses`. Give these as well, or take it out");
-    if (has_poses) tolerance.read("pull", design.pull->tolerance, pull_bounds);
+    auto* pull = design.drive ? std::get_if<model::BodyPull>(&*design.drive) : nullptr;
+    if (const auto given = tolerance.optional("pull"); given && !(pull && pull->poses))
+      throw given->error("is of bodies that are pulled to `drive.poses`. Give these as well, or take it out");
+    if (pull && pull->poses) tolerance.read("pull", pull->tolerance, pull_bounds);
   }
   return design;
 }
@@ -399,10 +400,10 @@ std::string bodies_text(const Design& design) {
                        vector_text(b.position));
   out += "  hinges:\n";
   for (const model::AssemblyHinge& h : a.hinges) out += hinge_line(a, h);
-  if (const auto& pull = design.pull) {
+  if (const model::BodyPull* pull = body_pull_of(design)) {
     if (!pull->poses)
       return out + fmt::format("drive: {{expand: {}}}\n", targets::shortest_text(*pull->expand));
-    if (pull->tolerance != PullSection{}.tolerance)
+    if (pull->tolerance != model::BodyPull{}.tolerance)
       out += fmt::format("tolerance: {{pull: {}}}\n", targets::shortest_text(pull->tolerance));
     return out + poses_text(*pull->poses);
   }
@@ -410,10 +411,6 @@ std::string bodies_text(const Design& design) {
   if (!turn) return out;
   const std::string hinge = turn->hinge < 0 ? "" : fmt::format("hinge: {}, ", a.hinges[turn->hinge].name);
   return out + fmt::format("drive: {{{}angle_deg: {}}}\n", hinge, targets::degrees_text(turn->angle));
-}
-
-const model::HingeTurn* turn_of(const Design& design) {
-  return design.drive ? std::get_if<model::HingeTurn>(&*design.drive) : nullptr;
 }
 
 std::vector<NamedContent> design_files(const Design& design) {

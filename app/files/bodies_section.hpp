@@ -18,9 +18,6 @@ bool lists_bodies(const targets::Node& root);
 /// @throws InvalidInput for whatever the keys do not allow, names that are not there or there twice, and meshes that are no solids
 Design read_bodies(const targets::Node& root);
 
-/// Returns the hinge that a design of imported bodies turns, its number -1 for the one that turns most in the first motion. Null where none is.
-const model::HingeTurn* turn_of(const Design& design);
-
 /// Its text. @pre design.structure.assembly()
 std::string bodies_text(const Design& design);
 

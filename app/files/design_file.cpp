@@ -219,6 +219,14 @@ std::optional<std::string> why_offset_does_not_fit(const Design& design, int hin
   return offset_limit_text(*made, size);
 }
 
+const model::HingeTurn* turn_of(const Design& design) {
+  return design.drive ? std::get_if<model::HingeTurn>(&*design.drive) : nullptr;
+}
+
+const model::BodyPull* body_pull_of(const Design& design) {
+  return design.drive ? std::get_if<model::BodyPull>(&*design.drive) : nullptr;
+}
+
 std::string design_at(const std::string& source) {
   namespace fs = std::filesystem;
   std::error_code failure;  // of a name that no file can have: reading it says so

@@ -18,13 +18,6 @@ namespace kinetix::app {
 /// Of one entry of `design.hinges`.
 const targets::KeyTable& hinge_entry_keys();
 
-/// The pull of imported bodies, in place of a hinge that is turned: to poses, or apart.
-struct PullSection {
-  std::optional<model::State> poses = {};  ///< one a body, mm
-  std::optional<double> expand = {};       ///< times their distance from the middle, as far as they go, > 0
-  double tolerance = 0.05;                 ///< rms from `poses` that counts as there, cell edges, > 0
-};
-
 /// The content of a design.yaml. Angles in radians, lengths in mm.
 struct Design {
   std::string name;                                     ///< default: the file's name without its ending
@@ -32,7 +25,6 @@ struct Design {
   model::Process process = model::processes().front();  ///< that prints it
   double theta = 0;                        ///< the state to show, rad, within (-pi/2, pi/2); default flat
   std::optional<model::Drive> drive = {};  ///< nothing: to theta
-  std::optional<PullSection> pull = {};    ///< of imported bodies, instead
   int side = 1;  ///< `side` of the drive: which way to leave a bifurcation that it leaves open, 1 or -1
   HingeSection hinge = {};
   std::map<int, HingeSection> own_hinges =
@@ -46,6 +38,11 @@ std::vector<const HingeSection*> hinge_sections(const Design& design);
 /// Why a hinge's axis cannot sit as far off the middle of its wall as it does; nothing where it can, and of hinges that the
 /// file does not describe.
 std::optional<std::string> why_offset_does_not_fit(const Design& design, int hinge);
+
+/// Returns the hinge that a design of imported bodies turns, its number -1 for the one that turns most in the first motion. Null where none is.
+const model::HingeTurn* turn_of(const Design& design);
+/// Returns by what the imported bodies of a design are pulled; null where they are not.
+const model::BodyPull* body_pull_of(const Design& design);
 
 /// Every key of a design.yaml of a sheet; bodies_keys(): of imported bodies.
 const targets::KeyTable& design_keys();

@@ -209,6 +209,8 @@ struct DriveText {
                        targets::shortest_text(hot.k_turn),
                        hot.springs.empty() ? "" : ", walls: " + walls_text(structure, hot.springs));
   }
+
+  std::string operator()(const model::BodyPull&) const { return ""; }  // bodies_text() writes it
 };
 
 struct DriveWords {
@@ -220,6 +222,7 @@ struct DriveWords {
   }
   const char* operator()(const model::CordPull&) const { return "a cord that is pulled"; }
   const char* operator()(const model::ShapeMemory&) const { return "springs of shape memory"; }
+  const char* operator()(const model::BodyPull&) const { return "bodies that are pulled"; }
 };
 
 }  // namespace

@@ -68,15 +68,16 @@ TileImport made_of(const model::TileSheet& sheet, const ImportRequest& request) 
   out.design.name = import_name(request);
   out.design.structure = model::Sheet(assembly_of_tiles(sheet, out.make));
   const model::Linkage linkage = out.design.structure;
-  out.design.pull.emplace();
+  model::BodyPull pull;
   if (sheet.target.empty()) {
-    out.design.pull->expand = usual_expand;
+    pull.expand = usual_expand;
   } else {
     const model::TileTarget target =
         target_of_tiles(sheet, *out.design.structure.assembly(), out.make.scale_mm);
     out.target_off = target.off_max;
-    out.design.pull->poses = aligned_pull(linkage, {target.poses}).to;
+    pull.poses = aligned_pull(linkage, {target.poses}).to;
   }
+  out.design.drive = pull;
   out.motions = degrees_of_freedom(linkage, rest_state(linkage), linkage.hinges.size(), no_motion);
   return out;
 }

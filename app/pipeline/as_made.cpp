@@ -112,7 +112,7 @@ constexpr int states_on_the_way = 8;  // in which walls of prints are looked at
 std::optional<model::TouchingPrints> count_touching(const Run& run, const PrintedDesign& design,
                                                     const RunOptions& options) {
   const model::Linkage linkage = run.design.structure;
-  const model::LinkageDrive none{.kind = model::LinkageDrive::Kind::none};
+  const model::LinkageDrive none;
   std::vector<const model::State*> frames;
   for (const NamedState& frame : run.states)
     if (frame.name == "frame") frames.push_back(&frame.poses);
@@ -135,7 +135,7 @@ constexpr int most_bodies_to_press = 100;  // a path for each side of each print
 std::optional<model::FlatStarts> press_from_flat(const Run& run, const PrintedDesign& design,
                                                  const model::State& state, const RunOptions& options) {
   const model::LinkageDrive& drive = design.hinges.drive;
-  const bool is_pressed = run.matter && drive.kind == model::LinkageDrive::Kind::plates;
+  const bool is_pressed = run.matter && drive.has_plates();
   if (!is_pressed || !(mean_theta(run.design.structure, state) * drive.theta() > 0)) return std::nullopt;
   if (options.prints == 0 && run.design.structure.bodies() > most_bodies_to_press) return std::nullopt;
   return flat_starts(printed_of(run.design), design.hinges.elasticity, drive, scatter_of(run.design),

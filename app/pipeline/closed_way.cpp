@@ -79,7 +79,7 @@ double moved_by(const std::vector<model::State>& states, double edge_mm) {
 }
 
 /// Reasons why the bodies do not end where they are pulled to.
-std::vector<std::string> pull_reasons(const PullSection& pull, const model::Deployment& d, double moved) {
+std::vector<std::string> pull_reasons(const model::BodyPull& pull, const model::Deployment& d, double moved) {
   const bool stays = moved <= least_way * d.off_rms;
   if (!pull.poses) {
     if (!stays) return {};
@@ -105,8 +105,9 @@ FollowedWay pulled_way(const Design& design, const model::Linkage& linkage, cons
                           .off = model::StateDistance{d.off_rms, d.off_max},
                           .words = pull_words(d, watch.lap())},
                   .gap = d.gap};
-  out.way.missed = d.reached ? pull_reasons(*design.pull, d, moved_by(d.states, linkage.size.edge_mm))
-                             : std::vector<std::string>{out.way.words};
+  out.way.missed = d.reached
+                       ? pull_reasons(*body_pull_of(design), d, moved_by(d.states, linkage.size.edge_mm))
+                       : std::vector<std::string>{out.way.words};
   for (const model::State& state : d.states) out.thetas.push_back(mean_half_turn(linkage, state));
   out.states = std::move(d.states);
   return out;
@@ -146,29 +147,31 @@ void require_one_axis(const model::Assembly& bodies, bool are_pulled) {
 }
 
 std::optional<model::Pull> pull_of(const Design& design) {
-  if (!design.pull) return std::nullopt;
-  if (design.pull->poses) return aligned_pull(design.structure, {*design.pull->poses});
+  const model::BodyPull* pull = body_pull_of(design);
+  if (!pull) return std::nullopt;
+  if (pull->poses) return aligned_pull(design.structure, {*pull->poses});
   const std::vector<model::AssemblyBody>& bodies = design.structure.assembly()->bodies;
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const model::AssemblyBody& b : bodies) middle += b.position / static_cast<double>(bodies.size());
   model::Pull out{{}, false};
   for (const model::AssemblyBody& b : bodies)
-    out.to.push_back({Eigen::Matrix3d::Identity(), middle + *design.pull->expand * (b.position - middle)});
+    out.to.push_back({Eigen::Matrix3d::Identity(), middle + *pull->expand * (b.position - middle)});
   return aligned_pull(design.structure, std::move(out));
 }
 
 Run with_closed_way(Run run, const RunOptions& options) {
   if (run.plan.model == Model::equilibrium)
-    require_one_axis(*run.design.structure.assembly(), run.design.pull.has_value());
+    require_one_axis(*run.design.structure.assembly(), body_pull_of(run.design));
   const model::Linkage linkage = run.design.structure;
   const model::LinkageDrive drive = drive_of(run.design);
-  if (!run.design.pull) run.design.drive = model::HingeTurn{drive.hinge, drive.angle};
+  const model::BodyPull* pull = body_pull_of(run.design);
+  if (!pull) run.design.drive = model::HingeTurn{drive.hinge, drive.angle};
   Stopwatch watch;
-  FollowedWay followed = run.design.pull ? pulled_way(run.design, linkage, options)
-                                         : turned_way(run.design, linkage, drive, options);
+  FollowedWay followed =
+      pull ? pulled_way(run.design, linkage, options) : turned_way(run.design, linkage, drive, options);
   run.fidelity.push_back({to_string(Model::exact), watch.lap(), followed.gap, "its own hinge closure"});
-  run.theta = run.design.pull ? followed.thetas.back() : drive.theta();
-  if (run.design.pull && run.design.pull->poses) run.tolerances = {{"pull", run.design.pull->tolerance}};
+  run.theta = pull ? followed.thetas.back() : drive.theta();
+  if (pull && pull->poses) run.tolerances = {{"pull", pull->tolerance}};
   run.plan.why.push_back(followed.way.words);
   run.way = std::move(followed.way);
   if (run.plan.model == Model::equilibrium) return with_elastic_state(std::move(run), drive, options);

@@ -7,7 +7,6 @@
 namespace kinetix::app {
 
 model::LinkageDrive drive_of(const Design& design) {
-  if (design.pull) return {.kind = model::LinkageDrive::Kind::none};
   if (!design.drive) return drive_to(design.structure, design.theta);
   return drive_on(design.structure, *design.drive, design.theta);
 }
@@ -15,7 +14,7 @@ model::LinkageDrive drive_of(const Design& design) {
 double exact_theta_of(const Design& design, const model::ExactMotion& exact) {
   if (!design.drive) return design.theta;
   const model::LinkageDrive drive = drive_of(design);
-  if (!drive.heats_springs()) return exact.theta_of(drive);
+  if (drive.acts_from_outside()) return exact.theta_of(drive);
   return exact_theta({design.structure, drive, exact}, elasticity_of(design));
 }
 

@@ -40,14 +40,6 @@ double work_along(const model::EquilibriumPath& path, double travel) {
   return sum;
 }
 
-/// What a unit of the drive's coordinate is: mm, or 1 rad.
-double travel_of(const model::Linkage& linkage, const model::LinkageDrive& drive) {
-  if (drive.kind != model::LinkageDrive::Kind::plates) return 1;
-  const int d = drive.axis == model::Axis::x ? 0 : 1;
-  return linkage.rest_position(drive.gripped[1].front())[d] -
-         linkage.rest_position(drive.gripped[0].front())[d];
-}
-
 constexpr double same_theta = 5e-3;  // of theta: work goes with its square, and is known to 1 %
 constexpr int most_rounds =
     8;  // of a drive; each comes nearer by what the sheet lags behind the drive, squared
@@ -73,7 +65,7 @@ void follow(double theta, const model::Linkage& linkage, const model::ExactMotio
   drive_to(theta, linkage, exact, elasticity, path, trial);
   trial.load_peak = largest_load(trial.path);
   trial.force_N = trial.drive.has_force() ? trial.load_peak : trial.load_peak / linkage.size.edge_mm;
-  trial.work_Nmm = work_along(trial.path, travel_of(linkage, trial.drive));
+  trial.work_Nmm = work_along(trial.path, trial.drive.travel(linkage));
   for (const model::PathEvent& event : trial.path.events)
     trial.snaps += event.kind == model::PathEvent::Kind::snap;
 }

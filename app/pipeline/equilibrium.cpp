@@ -74,12 +74,8 @@ std::string stiffness_sentence(const Design& design, const model::Elasticity& e)
 }
 
 /// The drive, as far as the path came.
-model::LinkageDrive reached_drive(model::LinkageDrive drive, const model::EquilibriumPath& path) {
-  double& coordinate = drive.pulls_cord()                                ? drive.shorten_mm
-                       : drive.kind == model::LinkageDrive::Kind::plates ? drive.compression
-                                                                         : drive.angle;
-  coordinate = path.steps.back().drive;
-  return drive;
+model::LinkageDrive reached_drive(const model::LinkageDrive& drive, const model::EquilibriumPath& path) {
+  return drive.as_far_as(path.steps.back().drive);
 }
 
 /// The closed form of the same drive, and how far the equilibrium is from it.
@@ -175,7 +171,7 @@ double reached_theta(const model::Sheet& sheet, const model::ExactMotion& exact,
                      const model::LinkageDrive& drive, const model::EquilibriumPath& path,
                      const model::Elasticity& elasticity) {
   const double turned = model::mean_theta(sheet, path.state);
-  if (!exact || path.off_closed_form || drive.has_own_theta()) return turned;
+  if (!exact || path.off_closed_form || !drive.tells_fold()) return turned;
   try {
     return exact_theta({sheet, reached_drive(drive, path), exact}, elasticity);
   } catch (const InvalidInput&) {

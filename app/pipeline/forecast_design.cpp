@@ -12,13 +12,6 @@ std::optional<Eigen::Vector3d> folded_size(const model::ExactMotion& motion, con
   return size.allFinite() ? std::optional(size) : std::nullopt;
 }
 
-/// Whether nothing else would stand against the drive.
-bool needs_elastic_hinges(const Design& design) {
-  if (!design.drive) return false;
-  const auto* plates = std::get_if<model::Plates>(&*design.drive);
-  return plates ? plates->press : std::holds_alternative<model::ShapeMemory>(*design.drive);
-}
-
 }  // namespace
 
 std::optional<Model> plan_model(const Design& design, Model asked) {
@@ -31,7 +24,8 @@ std::optional<Model> plan_model(const Design& design, Model asked) {
 Forecast forecast_design(const Design& design) {
   Forecast out{design.structure};
   if (const auto motion = exact_motion(design.structure)) out.folded_mm = folded_size(motion, design);
-  if (needs_elastic_hinges(design) && design.hinge.model == HingeSection::Model::rotary)
+  if (design.drive && needs_elastic_hinges(*design.drive) &&
+      design.hinge.model == HingeSection::Model::rotary)
     out.notes.push_back(
         "`verify` needs elastic hinges for this drive: give `hinge: {model: elastic}`; --model equilibrium "
         "takes rotary ones as elastic");

@@ -14,8 +14,8 @@ HingeLoads hinge_loads(const model::EquilibriumPath& path, const model::LinkageD
                        const std::map<int, HingeSection>& own) {
   HingeLoads loads;
   loads.reached = path.stop == model::EquilibriumPath::Stop::reached;
-  loads.by_lever = drive.kind == model::LinkageDrive::Kind::hinge;
-  if (!drive.heats_springs())
+  loads.by_lever = drive.acts_from_outside() && !drive.has_force();
+  if (drive.acts_from_outside())
     loads.force_N = largest_load(path) / (drive.has_force() ? 1 : linkage.size.edge_mm);
   for (int h = 0; h < static_cast<int>(linkage.hinges.size()); ++h) {
     const auto& made = hinge_at(hinge, own, h).made;

@@ -80,7 +80,7 @@ sim::PhysicsOptions physics_of_bodies(const Design& design) {
   options.reach = 1;
   for (const model::AssemblyHinge& h : bodies.hinges)
     options.reach = std::min(options.reach, h.reach_mm / bodies.edge_mm);
-  options.planar = design.pull && all_vertical(model::Linkage(design.structure));
+  options.planar = body_pull_of(design) && all_vertical(model::Linkage(design.structure));
   return options;
 }
 

@@ -6,7 +6,7 @@
 #include "app/pipeline/physics_settings.hpp"
 #include "app/run/design_hinges.hpp"
 #include "model/closure/closure_drive.hpp"
-#include "model/linkage/actuators.hpp"
+#include "model/closure/drive_theta.hpp"
 #include "model/matter/hinge_strain.hpp"
 #include "model/solids/open_hinge.hpp"
 
@@ -39,22 +39,12 @@ double turning_energy(const Found& found, const model::Linkage& linkage, double 
   return sum;
 }
 
-/// How far a drive has come in a state, in what its load does work along: mm by which plates have closed in or a cord has become
-/// shorter, or rad. @pre it drives a hinge, plates or a cord
-double driven_way(const model::LinkageDrive& drive, const model::Linkage& linkage,
-                  const model::State& state) {
-  if (drive.kind == model::LinkageDrive::Kind::hinge) return hinge_turn(linkage, state, drive.hinge);
-  if (drive.pulls_cord()) return -cord_length(linkage, drive.through, state);
-  const int first = drive.gripped[0].front(), last = drive.gripped[1].front(), d = component(drive.axis);
-  return state[first].p[d] - state[last].p[d];
-}
-
 /// What the drive must hold if springs alone stand against it, N or N mm. Plates close in as the sheet does, which need not be
 /// by the cosine of its theta.
 double holding_load(const Found& found, const model::LinkageDrive& drive, const model::Linkage& linkage,
                     const model::Elasticity& elasticity) {
   const auto energy = [&](double at) { return turning_energy(found, linkage, elasticity.k_turn, at); };
-  const auto way = [&](double at) { return driven_way(drive, linkage, found.plan.exact.at(at)); };
+  const auto way = [&](double at) { return way_of(drive, linkage, found.plan.exact.at(at)); };
   const double more = found.theta + part, less = found.theta - part;
   return (energy(more) - energy(less)) / (way(more) - way(less));
 }
@@ -72,7 +62,7 @@ PrintHinges print_hinges(const Found& found, const model::LinkageDrive& drive, c
     return {elasticity_of(found.design), drive, std::nullopt};
   const model::Linkage linkage(found.design.structure);
   const model::MadeHinge block = soft_block(found, linkage, design);
-  PrintHinges out{elasticity_of(block), {.kind = model::LinkageDrive::Kind::none}, std::nullopt};
+  PrintHinges out{elasticity_of(block), {}, std::nullopt};
   const model::Elasticity soft = out.elasticity;
   int open = 0;
   double largest_strain = 0;
@@ -87,8 +77,7 @@ PrintHinges print_hinges(const Found& found, const model::LinkageDrive& drive, c
   }
   if (open == 0) return out;
   out.taken = TakenHinges{.made = block, .strain = largest_strain};
-  const bool has_load = drive.has_force() || drive.kind == model::LinkageDrive::Kind::hinge;
-  if (open == found.design.structure.hinges() && found.plan.exact && has_load)
+  if (open == found.design.structure.hinges() && found.plan.exact && drive.acts_from_outside())
     out.taken->load = holding_load(found, drive, linkage, soft);
   out.taken->is_force = drive.has_force();
   return out;

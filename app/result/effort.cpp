@@ -29,7 +29,7 @@ std::string effort_of_force(double newtons) { return words(forces, newtons); }
 std::string effort_of_moment(double newton_mm) { return words(moments, newton_mm); }
 
 std::string effort_of(const Equilibrium& equilibrium) {
-  if (equilibrium.drive.heats_springs()) return "its own springs";
+  if (!equilibrium.drive.acts_from_outside()) return "its own springs";
   const double load = largest_load(equilibrium.path);
   return equilibrium.drive.has_force() ? effort_of_force(load) : effort_of_moment(load);
 }

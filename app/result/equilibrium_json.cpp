@@ -9,12 +9,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of the drive's coordinate among the metrics.
-const char* coordinate_name(const model::LinkageDrive& drive) {
-  if (drive.pulls_cord()) return "shortened_mm";
-  return drive.kind == model::LinkageDrive::Kind::plates ? "compression" : "drive_rad";
-}
-
 Json step_json(const model::EquilibriumStep& step, const model::LinkageDrive& drive) {
   return {{"theta_rad", step.theta},
           {"drive", step.drive},
@@ -69,7 +63,7 @@ Json equilibrium_json(const Equilibrium& equilibrium) {
                {"path", steps},
                {"events", events},
                {"hinge_energy_Nmm", energies}};
-  if (equilibrium.drive.heats_springs())
+  if (!equilibrium.drive.springs.empty())
     json["shape_memory"] = {{"springs", equilibrium.drive.springs.size()},
                             {"k_turn", equilibrium.drive.k_spring},
                             {"energy_Nmm", path.steps.back().springs},
@@ -80,7 +74,7 @@ Json equilibrium_json(const Equilibrium& equilibrium) {
 void add_equilibrium_metrics(const Equilibrium& equilibrium, Json& metrics) {
   const model::EquilibriumStep& last = equilibrium.path.steps.back();
   metrics["reached"] = equilibrium.reached();
-  metrics[coordinate_name(equilibrium.drive)] = last.drive;
+  metrics[equilibrium.drive.coordinate_name()] = last.drive;
   metrics[equilibrium.drive.has_force() ? "load_N" : "load_Nmm"] = last.load;
   if (equilibrium.drive.has_force()) metrics["force_N"] = largest_load(equilibrium.path);
   metrics["energy_Nmm"] = last.energy;

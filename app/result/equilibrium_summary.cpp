@@ -14,15 +14,13 @@ namespace {
 // Of a summary: what a person reads through in a terminal. result.json has them all.
 constexpr std::size_t most_events = 12, most_states = 6;
 
-using Kind = model::LinkageDrive::Kind;
-
 std::string load_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
   return fmt::format("{:.4g} {}", step.load, equilibrium.drive.load_unit());
 }
 
 std::string theta_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
   return fmt::format("theta {:.2f} deg{}", to_degrees(step.theta),
-                     equilibrium.drive.has_own_theta() ? " of the drive" : "");
+                     equilibrium.drive.tells_fold() ? "" : " of the drive");
 }
 
 std::string effort_text(const Equilibrium& equilibrium) {
@@ -32,26 +30,17 @@ std::string effort_text(const Equilibrium& equilibrium) {
 }
 
 std::string drive_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
-  switch (equilibrium.drive.kind) {
-    case Kind::plates:
-      return fmt::format("compression {:.4g}", step.drive);
-    case Kind::hinge:
-      return fmt::format("hinge angle {:.4g} deg", to_degrees(step.drive));
-    case Kind::cord:
-      return fmt::format("cord shortened by {:.4g} mm", step.drive);
-    case Kind::shape_memory:
-    case Kind::none:
-      break;
-  }
-  return fmt::format("springs' rest angle {:.4g} deg", to_degrees(step.drive));
+  const std::string words = equilibrium.drive.coordinate_words(), unit = equilibrium.drive.coordinate_unit();
+  if (unit == "rad") return fmt::format("{} {:.4g} deg", words, to_degrees(step.drive));
+  return fmt::format("{} {:.4g}{}", words, step.drive, unit == "mm" ? " mm" : "");
 }
 
 /// What the load is, where its unit does not say it.
 std::string load_words(const Equilibrium& equilibrium) {
-  if (equilibrium.drive.pulls_cord())
+  if (equilibrium.drive.only_pulls())
     return equilibrium.path.steps.back().load < 0 ? "the cord is slack, it would have to push: tension "
                                                   : "tension ";
-  if (!equilibrium.drive.heats_springs()) return "";
+  if (equilibrium.drive.springs.empty()) return "";
   return fmt::format("{:.4g} N mm from each of {} springs, together ", mean_moment(equilibrium),
                      equilibrium.drive.springs.size());
 }
@@ -111,7 +100,8 @@ std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
                                (equilibrium.reached() ? ": the drive reached its goal" : "")});
   if (equilibrium.is_on_the_other_side(run.theta))
     lines.push_back({"OTHER SIDE", describe_other_side(equilibrium, run.theta)});
-  if (!equilibrium.drive.heats_springs()) lines.push_back({"effort", "at most " + effort_text(equilibrium)});
+  if (equilibrium.drive.acts_from_outside())
+    lines.push_back({"effort", "at most " + effort_text(equilibrium)});
   if (equilibrium.drive.press && equilibrium.reached()) lines.push_back({"plates", press_text(equilibrium)});
   lines.push_back({"energy", energy_text(path)});
   lines.push_back({"stretch", stretch_text(run)});

@@ -167,7 +167,8 @@ RunVerdict verdict_of(const Run& run) {
   RunVerdict out;
   const std::string hinges = hinges_of_model(run);
   if (run.goal) out.set(&RunVerdict::met, run.violations, hinges);
-  if (run.design.pull && run.design.pull->poses) out.set(&RunVerdict::met, run.way->missed, hinges);
+  if (const model::BodyPull* pull = body_pull_of(run.design); pull && pull->poses)
+    out.set(&RunVerdict::met, run.way->missed, hinges);
   if (run.verification) out.set(&RunVerdict::agrees, agreement_reasons(run), hinges);
   if (run.print) out.set(&RunVerdict::printable, print_reasons(run), run.print->hinges);
   if (const auto why = drive_reasons(run)) out.set(&RunVerdict::reaches, *why, hinges);

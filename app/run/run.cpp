@@ -12,8 +12,7 @@ namespace {
 double asked_theta(const Run& run) {
   if (!run.equilibrium) return run.theta;
   const model::LinkageDrive& drive = run.equilibrium->drive;
-  const bool is_by_cosine =
-      run.design.drive || run.design.structure.squares() || drive.kind != model::LinkageDrive::Kind::plates;
+  const bool is_by_cosine = run.design.drive || run.design.structure.squares() || !drive.has_plates();
   if (is_by_cosine || !run.plan.exact) return drive.theta();
   try {
     return run.plan.exact.theta_of(drive);

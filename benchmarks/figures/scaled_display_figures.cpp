@@ -25,13 +25,11 @@ namespace {
 constexpr int side = 12;      // cells: what a capital needs to keep its serifs
 constexpr unsigned seed = 1;  // any: another gives bits as hard
 
-using DriveKind = model::LinkageDrive::Kind;
-
-app::Run shown_by(DriveKind drive, bool press, targets::DisplayGoal goal) {
+app::Run shown_by(bool by_hinge, bool press, targets::DisplayGoal goal) {
   app::DisplayFile file;
   file.name = "display";
   file.goal = std::move(goal);
-  file.drive_kind = drive;
+  file.by_hinge = by_hinge;
   file.press = press;
   return run_goal(*make_goal(file), {});
 }
@@ -153,8 +151,7 @@ Figure disturbed() {
 Figure free_rows() {
   Letters all;
   double farthest = 0;
-  for (const app::Run& run :
-       letter_runs([](auto goal) { return shown_by(DriveKind::hinge, false, std::move(goal)); })) {
+  for (const app::Run& run : letter_runs([](auto goal) { return shown_by(true, false, std::move(goal)); })) {
     add(run, all);
     farthest = std::max(farthest, run.verification->agrees ? run.verification->distance.max : INFINITY);
   }
@@ -172,8 +169,7 @@ Figure pressed() {
   Letters all;
   int agree = 0, let_go = 0;
   double farthest = 0;
-  for (const app::Run& run :
-       letter_runs([](auto goal) { return shown_by(DriveKind::plates, true, std::move(goal)); })) {
+  for (const app::Run& run : letter_runs([](auto goal) { return shown_by(false, true, std::move(goal)); })) {
     add(run, all);
     agree += run.verification->agrees;
     farthest = std::max(farthest, run.verification->distance.max);

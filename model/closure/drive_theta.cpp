@@ -13,6 +13,8 @@
 namespace kinetix::model {
 namespace {
 
+using Kind = LinkageDrive::Kind;
+
 constexpr int scan_steps = 900;             // of a tenth of a degree, to part close roots
 constexpr double widest = 89.9 * pi / 180;  // rad; at 90 deg every cell is closed
 constexpr int halvings = 80;                // of a step: down to the last bit of any theta
@@ -25,8 +27,7 @@ class DriveMiss {
 
   double operator()(double theta) const {
     const State state = fold_(theta);
-    if (drive_.kind == LinkageDrive::Kind::hinge)
-      return hinge_turn(linkage_, state, drive_.hinge) - drive_.angle;
+    if (drive_.kind == Kind::hinge) return hinge_turn(linkage_, state, drive_.hinge) - drive_.angle;
     const int first = drive_.gripped[0].front(), last = drive_.gripped[1].front();
     const int d = component(drive_.axis);
     const double rest = linkage_.rest_position(last)[d] - linkage_.rest_position(first)[d];
@@ -113,6 +114,16 @@ std::optional<double> cord_root(const CordMiss& miss, double straight) {
   return std::nullopt;
 }
 
+Eigen::Vector3d middle_of(const std::vector<int>& bodies, const State& state) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const int body : bodies) sum += state[body].p;
+  return sum / static_cast<double>(bodies.size());
+}
+
+double apart(const GrippedRows& rows, const State& state) {
+  return (middle_of(rows[1], state) - middle_of(rows[0], state)).norm();
+}
+
 double bisect(const DriveMiss& miss, double a, double b) {
   const bool rising = miss(b) > 0;
   for (int k = 0; k < halvings; ++k) {
@@ -125,13 +136,13 @@ double bisect(const DriveMiss& miss, double a, double b) {
 }  // namespace
 
 double theta_of(const LinkageDrive& drive, const Linkage& linkage, const std::function<State(double)>& fold) {
-  if (drive.heats_springs()) return drive.theta();
-  if (drive.pulls_cord()) {
+  if (drive.kind == Kind::shape_memory) return drive.theta();
+  if (drive.kind == Kind::cord) {
     if (const auto theta = theta_of_cord(drive, linkage, fold)) return *theta;
     throw InvalidInput("drive: no theta up to 89.9 deg makes this structure's cord so short");
   }
   const DriveMiss miss(drive, linkage, fold);
-  const bool backwards = drive.kind == LinkageDrive::Kind::plates ? drive.branch < 0 : drive.theta() < 0;
+  const bool backwards = drive.kind == Kind::plates ? drive.branch < 0 : drive.theta() < 0;
   const double step = (backwards ? -widest : widest) / scan_steps;
   double before = miss(0);
   if (before == 0) return 0;
@@ -152,6 +163,33 @@ std::optional<double> theta_of_cord(const LinkageDrive& drive, const Linkage& li
   const bool takes_other = other && (!own || *other < *own * (1 - beyond));
   if (takes_other) return -drive.branch * *other;
   return own ? std::optional(drive.branch * *own) : std::nullopt;
+}
+
+std::optional<double> folded_theta(const LinkageDrive& drive, double theta, const Linkage& linkage,
+                                   const std::function<State(double)>& fold) {
+  if (drive.kind == Kind::shape_memory) return std::nullopt;
+  return drive.kind == Kind::cord ? theta_of_cord(drive.to(theta), linkage, fold) : theta;
+}
+
+double coordinate_of(const LinkageDrive& drive, const Linkage& linkage, const State& state) {
+  if (drive.kind == Kind::plates)
+    return 1 - apart(drive.gripped, state) / apart(drive.gripped, rest_state(linkage));
+  if (drive.kind == Kind::cord) return drive.rest_mm - cord_length(linkage, drive.through, state);
+  if (drive.kind == Kind::shape_memory) return 2 * mean_theta(linkage, state);
+  return hinge_turn(linkage, state, drive.hinge);
+}
+
+double way_of(const LinkageDrive& drive, const Linkage& linkage, const State& state) {
+  if (drive.kind == Kind::hinge) return hinge_turn(linkage, state, drive.hinge);
+  if (drive.kind == Kind::cord) return -cord_length(linkage, drive.through, state);
+  const int first = drive.gripped[0].front(), last = drive.gripped[1].front(), d = component(drive.axis);
+  return state[first].p[d] - state[last].p[d];
+}
+
+double theta_in(const LinkageDrive& drive, const Linkage& linkage, const State& state) {
+  if (!drive.holds_coordinate()) return mean_theta(linkage, state);
+  const double at = coordinate_of(drive, linkage, state);
+  return drive.as_far_as(drive.only_pulls() ? std::max(0.0, at) : at).theta();
 }
 
 double mean_theta(const Linkage& linkage, const State& state) {

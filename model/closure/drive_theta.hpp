@@ -18,6 +18,20 @@ double theta_of(const LinkageDrive& drive, const Linkage& linkage, const std::fu
 std::optional<double> theta_of_cord(const LinkageDrive& drive, const Linkage& linkage,
                                     const std::function<State(double)>& fold);
 
+/// theta, rad, of a motion where the drive has come to its own `theta`; nothing where it never does, and of springs, whose
+/// hinges say how far they fold a sheet.
+std::optional<double> folded_theta(const LinkageDrive& drive, double theta, const Linkage& linkage,
+                                   const std::function<State(double)>& fold);
+
+/// The drive's coordinate in a state that it need not hold: of plates by the middles of their rows, of springs by mean_theta.
+double coordinate_of(const LinkageDrive& drive, const Linkage& linkage, const State& state);
+/// What the load does work along, in a state, up to a constant: mm by which the first bodies that plates grip have come closer
+/// or a cord has become shorter, else rad. @pre not springs
+double way_of(const LinkageDrive& drive, const Linkage& linkage, const State& state);
+/// The LinkageDrive::theta(), rad, at which a drive would have a state as it is: of a hinge and a cord by their turn and
+/// length, of plates and springs as mean_theta. Of a cord with the sign of the drive's own; 0 where it is slack.
+double theta_in(const LinkageDrive& drive, const Linkage& linkage, const State& state);
+
 /// Mean fold parameter, rad, of the upright hinges of a state (of all where none is upright): half their turns, in the
 /// sense of the checkerboard.
 double mean_theta(const Linkage& linkage, const State& state);

@@ -49,7 +49,7 @@ class Adjoint {
     energy_ = energy;
     if (system_.holds_coordinate())
       solve_driven(by_state, load);
-    else if (system_.drive().heats_springs())
+    else if (!system_.drive().acts_from_outside())
       solve_springs(by_state, load);
     else
       solve_plates(by_state, load);
@@ -122,7 +122,7 @@ class Adjoint {
   }
 
   void add_drive(Eigen::Matrix4Xd& out) const {
-    if (system_.drive().pulls_cord()) return add_cord(out);
+    if (!system_.drive().through.empty()) return add_cord(out);
     const int driven = system_.driven_hinge();
     if (driven < 0) return;
     const TurnGradients derivatives = rates_of_turn(driven);
@@ -259,8 +259,8 @@ class Adjoint {
     lambda_ = dofs.extend(tangent_.solve(dofs.restrict(by_state)));
     load_ = load;
     const double own = load * system_.k_spring() * static_cast<double>(system_.drive().springs.size());
-    by_theta_ =
-        system_.drive_rate(theta_) * (own - lambda_.dot(gradient) + energy_ * system_.load(state_, theta_));
+    by_theta_ = system_.drive().coordinate_rate(theta_) *
+                (own - lambda_.dot(gradient) + energy_ * system_.load(state_, theta_));
   }
 
   /// Unknowns and the drive's force under the constraint that what it holds (a hinge's turn, a cord) is the drive's.

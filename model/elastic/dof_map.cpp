@@ -3,25 +3,7 @@
 namespace kinetix::model {
 namespace {
 
-enum Coordinate { turn_x, turn_y, turn_z, shift_x, shift_y, shift_z };
-
 using Held = std::vector<std::array<bool, 6>>;
-
-void hold_plates(const LinkageDrive& drive, Held& held) {
-  const bool along_y = drive.axis == Axis::y;
-  const GrippedRows& rows = drive.gripped;
-  for (const auto& row : rows) {
-    for (const int body : row) held[body][along_y ? shift_y : shift_x] = true;
-    held[row[row.size() / 2]][shift_z] = true;
-  }
-  const int pin = rows[0][rows[0].size() / 2];
-  held[pin][along_y ? shift_x : shift_y] = true;
-  held[pin][along_y ? turn_y : turn_x] = true;
-}
-
-Held planes(const Linkage& structure, bool planar) {
-  return Held(structure.bodies.size(), {planar, planar, false, false, false, planar});
-}
 
 DofMap numbered(const Held& held) {
   DofMap dofs;
@@ -49,17 +31,9 @@ Eigen::VectorXd DofMap::extend(const Eigen::VectorXd& unknowns) const {
   return out;
 }
 
-int held_body(const Linkage& structure, const LinkageDrive& drive) {
-  if (drive.kind == LinkageDrive::Kind::hinge) return structure.hinges[drive.hinge].lower;
-  return static_cast<int>(structure.bodies.size() / 2);
-}
-
 DofMap make_dof_map(const Linkage& structure, const LinkageDrive& drive, bool planar) {
-  Held held = planes(structure, planar);
-  if (drive.kind == LinkageDrive::Kind::plates)
-    hold_plates(drive, held);
-  else
-    held[held_body(structure, drive)].fill(true);
+  Held held(structure.bodies.size(), {planar, planar, false, false, false, planar});
+  for (const auto& [body, coordinate] : drive.held_coordinates(structure)) held[body][coordinate] = true;
   return numbered(held);
 }
 

@@ -22,10 +22,7 @@ struct DofMap {
 
 /// Planar: one turn and two shifts a body. Plates prescribe one coordinate of the bodies they grip, and the
 /// middle body of each is keyed to z = 0 as in the physics run; what rigid motion is left is held at the
-/// first of these two, where it meets no force. Any other drive, and none: held_body().
+/// first of these two, where it meets no force. Any other drive, and none: LinkageDrive::held_body().
 DofMap make_dof_map(const Linkage& structure, const LinkageDrive& drive, bool planar);
-/// The body at which rigid motion is held: the lower one of a driven hinge; under a cord or springs, which hold on to nothing
-/// outside, and without a drive the one in the middle of the list. @pre not plates
-int held_body(const Linkage& structure, const LinkageDrive& drive);
 
 }  // namespace kinetix::model

@@ -129,7 +129,7 @@ Eigen::VectorXd ElasticSystem::place_rate(double theta) const {
 }
 
 double ElasticSystem::drive_miss(const State& state, double theta) const {
-  if (drive_.pulls_cord())
+  if (is_cord())
     return cord_rest_ * std::cos(theta) -
            cord_length(structure_, drive_.through, state) / structure_.size.edge_mm;
   if (drive_.hinge < 0) return 0;
@@ -172,7 +172,7 @@ Eigen::VectorXd ElasticSystem::spring_gradient(const State& state) const {
 }
 
 Eigen::VectorXd ElasticSystem::driven_gradient(const State& state) const {
-  if (drive_.pulls_cord()) return -cord_gradient(structure_, drive_.through, state);
+  if (is_cord()) return -cord_gradient(structure_, drive_.through, state);
   const RestHinge& hinge = structure_.hinges[drive_.hinge];
   Eigen::VectorXd all = Eigen::VectorXd::Zero(dofs_.coordinates());
   add(all, hinge.lower, hinge.upper, driven_turn(state).gradient);
@@ -244,7 +244,7 @@ Eigen::VectorXd ElasticSystem::elastic_gradient(const State& state) const {
 Eigen::VectorXd ElasticSystem::gradient(const State& state, double theta) const {
   Eigen::VectorXd sum = elastic_gradient(state);
   visit_drive(state, theta, [&](int a, int b, const Element& e) { add(sum, a, b, e.gradient); });
-  if (drive_.pulls_cord())
+  if (is_cord())
     sum -= (multiplier_ + grip * drive_miss(state, theta)) * cord_gradient(structure_, drive_.through, state);
   return sum;
 }
@@ -263,7 +263,7 @@ Eigen::VectorXd ElasticSystem::linearise(const State& state, double theta, Tange
   }
   visit_contacts(state, take);
   visit_drive(state, theta, take);
-  if (!drive_.pulls_cord()) return sum;
+  if (!is_cord()) return sum;
   const CordElement cord = held_cord(state, theta);
   add_to(sum, cord);
   tangent.add(cord.bodies, cord.hessian);
@@ -279,7 +279,7 @@ bool ElasticSystem::update_multiplier(const State& state, double theta, double t
 
 double ElasticSystem::load(const State& state, double theta) const {
   if (holds_coordinate()) return -(multiplier_ + grip * drive_miss(state, theta));
-  if (drive_.heats_springs()) return spring_load(state, theta);
+  if (!drive_.springs.empty()) return spring_load(state, theta);
   const Eigen::VectorXd g = gradient(state, theta);
   const int coordinate = 3 + axis();
   double force = 0;
@@ -294,25 +294,8 @@ double ElasticSystem::spring_load(const State& state, double theta) const {
   return sum;
 }
 
-double ElasticSystem::drive_coordinate(double theta) const {
-  if (drive_.pulls_cord()) return drive_.rest_mm * (1 - std::cos(theta));
-  if (drive_.heats_springs()) return 2 * theta;
-  return drive_.hinge >= 0 ? turn_at(theta) : 1 - std::cos(theta);
-}
-
-double ElasticSystem::travel() const {
-  if (drive_.pulls_cord() || drive_.heats_springs()) return 1;
-  return drive_.hinge >= 0 ? 1 : structure_.size.edge_mm * (row(1) - row(0));
-}
-
-double ElasticSystem::drive_rate(double theta) const {
-  if (drive_.pulls_cord()) return drive_.rest_mm * std::sin(theta);
-  if (drive_.heats_springs()) return 2;
-  return drive_.hinge >= 0 ? turn_at(1) : std::sin(theta);
-}
-
 double ElasticSystem::driven_rate(double theta) const {
-  return drive_.pulls_cord() ? cord_rest_ * std::sin(theta) : turn_at(1);
+  return is_cord() ? cord_rest_ * std::sin(theta) : turn_at(1);
 }
 
 }  // namespace kinetix::model

@@ -29,8 +29,7 @@ class ElasticSystem {
   /// One that nothing drives: theta has no meaning, and rigid motion is held at one body.
   ElasticSystem(Linkage structure, const Elasticity& elasticity, bool planar, bool contact,
                 const std::shared_ptr<const ConvexBodies>& bodies = {})
-      : ElasticSystem(std::move(structure), elasticity, {.kind = LinkageDrive::Kind::none}, planar, contact,
-                      bodies) {}
+      : ElasticSystem(std::move(structure), elasticity, LinkageDrive(), planar, contact, bodies) {}
 
   const Linkage& structure() const { return structure_; }
   const Stiffness& stiffness() const { return stiffness_; }
@@ -82,7 +81,7 @@ class ElasticSystem {
   Eigen::VectorXd linearise(const State& state, double theta, TangentStiffness& tangent) const;
 
   /// Whether the drive holds a coordinate of the state: the turn of a hinge, rad, or the shortening of a cord, cell edges.
-  bool holds_coordinate() const { return drive_.hinge >= 0 || drive_.pulls_cord(); }
+  bool holds_coordinate() const { return drive_.holds_coordinate(); }
   /// That coordinate less the drive's; 0 for drives that hold none.
   double drive_miss(const State& state, double theta) const;
   /// Its gradient by all coordinates of the bodies. @pre holds_coordinate()
@@ -104,13 +103,6 @@ class ElasticSystem {
   /// Stored energy by drive coordinate: compressing force of the plates, or tension of the cord (k_point edge); moment about
   /// the driven hinge, or the sum of the moments by which springs turn their hinges on (k_point edge^2).
   double load(const State& state, double theta) const;
-  /// The drive's own coordinate at theta: compression of the plates; shortening of the cord, mm; the turn of the hinge, or
-  /// that at which springs rest where the lower body is of class B, rad.
-  double drive_coordinate(double theta) const;
-  /// What a unit of that coordinate is: the flat distance of the plates, mm; 1 mm; 1 rad.
-  double travel() const;
-  /// Its derivative by theta.
-  double drive_rate(double theta) const;
   /// Index of the driven hinge; -1 for any other drive.
   int driven_hinge() const { return drive_.hinge; }
 
@@ -124,6 +116,7 @@ class ElasticSystem {
   /// The elements of a driven hinge, which hold it, or of springs.
   template <class Visit>
   void visit_drive(const State& state, double theta, const Visit& visit) const;
+  bool is_cord() const { return drive_.only_pulls(); }
   /// Along the axis: 0 or 1.
   int axis() const { return component(drive_.axis); }
   /// Place along the axis at rest of the bodies that plate 0 or 1 grips, cell edges.

@@ -60,7 +60,7 @@ double minimum_between(const FoldEnergy& energy, double a, double b) {
 }  // namespace
 
 double exact_theta(const DrivenLinkage& driven, const Elasticity& elasticity) {
-  if (!driven.drive.heats_springs()) return driven.exact.theta_of(driven.drive);
+  if (driven.drive.acts_from_outside()) return driven.exact.theta_of(driven.drive);
   const FoldEnergy energy(driven, elasticity);
   const double goal = driven.drive.theta(), step = goal / scan_steps;
   if (goal == 0) return 0;

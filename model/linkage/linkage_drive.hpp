@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "model/linkage/axis.hpp"
 #include "model/linkage/gripped_rows.hpp"
+#include "model/linkage/linkage.hpp"
 
 namespace kinetix::model {
 
@@ -27,9 +29,9 @@ inline double theta_at_turn(int sense, double turn) { return -sense * turn / 2; 
 /// **shape memory**: a spring of its own in each of some hinges, whose rest angle goes from flat to that of a checkerboard.
 /// **none**: nothing moves it, one body is held.
 struct LinkageDrive {
-  enum class Kind { plates, hinge, cord, shape_memory, none };
+  enum class Kind { none, plates, hinge, cord, shape_memory };
 
-  Kind kind = Kind::plates;
+  Kind kind = {};
   Axis axis = Axis::y;     ///< plates: their normal
   double compression = 0;  ///< plates: 1 - final / initial distance, in [0, 1)
   int branch = 1;          ///< plates, cord: +1 or -1, the sign of theta
@@ -54,16 +56,43 @@ struct LinkageDrive {
   double theta() const;
   /// The same drive as far as another theta(), rad, of which plates and a cord take the sign as their branch.
   LinkageDrive to(double theta) const;
-  bool pulls_cord() const { return kind == Kind::cord; }
-  bool heats_springs() const { return kind == Kind::shape_memory; }
-  /// Whether theta() tells of the drive alone, neither how far nor to which side the sheet is folded.
-  bool has_own_theta() const { return pulls_cord() || heats_springs(); }
+  /// The same drive as far as its coordinate has this value.
+  LinkageDrive as_far_as(double coordinate) const;
+  /// Its coordinate at theta: compression of the plates; shortening of the cord, mm; turn of the hinge, or that at which
+  /// springs rest where the lower body is of class B, rad.
+  double coordinate_at(double theta) const;
+  /// Its derivative by theta.
+  double coordinate_rate(double theta) const;
+  /// What a unit of that coordinate is: the flat distance of the plates, mm; 1 mm; 1 rad.
+  double travel(const Linkage& linkage) const;
+  /// "compression", "mm" or "rad".
+  std::string coordinate_unit() const;
+  /// As results name it: "compression", "shortened_mm" or "drive_rad".
+  std::string coordinate_name() const;
+  /// What its value goes behind in a sentence: "cord shortened by".
+  std::string coordinate_words() const;
+
+  /// Whether theta() tells how far the sheet is folded, and to which side; else of the drive alone.
+  bool tells_fold() const;
+  /// Whether it comes closer with the square of theta to either side of flat, to that of its branch if it may.
+  bool has_branch() const;
+  /// Whether plates hold bodies of it.
+  bool has_plates() const;
+  /// Whether it goes slack where it would have to push.
+  bool only_pulls() const;
+  /// Whether its work comes from outside; springs store theirs in the structure.
+  bool acts_from_outside() const;
+  /// Whether it holds one coordinate of the state: the turn of a hinge, or the length of a cord.
+  bool holds_coordinate() const;
   /// Whether its load is a force, N, or a moment, N mm.
-  bool has_force() const { return kind == Kind::plates || kind == Kind::cord; }
+  bool has_force() const;
   /// "N" or "N mm".
   std::string load_unit() const { return has_force() ? "N" : "N mm"; }
-  /// Of its coordinate as EquilibriumStep has it: "compression", "mm" or "rad".
-  std::string coordinate_unit() const;
+  /// The body at which rigid motion is held: the lower one of a driven hinge; under a cord or springs, which hold on to nothing
+  /// outside, and without a drive the one in the middle of the list. @pre not plates
+  int held_body(const Linkage& linkage) const;
+  /// Body and coordinate (three turns, three shifts) of all that it prescribes or that rigid motion is held at.
+  std::vector<std::array<int, 2>> held_coordinates(const Linkage& linkage) const;
 };
 
 }  // namespace kinetix::model

@@ -12,6 +12,8 @@ template <class T>
 struct PoseOf {
   Eigen::Matrix<T, 3, 3> R = Eigen::Matrix<T, 3, 3>::Identity();
   Eigen::Matrix<T, 3, 1> p = Eigen::Matrix<T, 3, 1>::Zero();
+
+  bool operator==(const PoseOf&) const = default;
 };
 using Pose = PoseOf<double>;
 

@@ -68,6 +68,8 @@ struct OnSheet {
     return shape_memory_drive(sheet, hot.springs, hot.k_turn, hot.angle);
   }
 
+  LinkageDrive operator()(const BodyPull&) const { return {}; }
+
  private:
   LinkageDrive plates_on(const Plates& plates, int branch) const {
     if (const Structure* squares = sheet.squares())
@@ -92,6 +94,7 @@ struct EndAt {
     cord.branch = shown.branch;
   }
   void operator()(ShapeMemory& hot) const { hot.angle = shown.angle; }
+  void operator()(BodyPull&) const {}
 };
 
 Sheet between(const Sheet& before, const Sheet& after, double part) {
@@ -139,6 +142,11 @@ Drive as_far_as(const LinkageDrive& shown, Drive drive) {
 Drive scaled(Drive drive, double factor) {
   if (auto* cord = std::get_if<CordPull>(&drive)) cord->shorten_mm *= factor;
   return drive;
+}
+
+bool needs_elastic_hinges(const Drive& drive) {
+  const auto* plates = std::get_if<Plates>(&drive);
+  return plates ? plates->press : std::holds_alternative<ShapeMemory>(drive);
 }
 
 double spring_stiffness(const Drive& drive) {

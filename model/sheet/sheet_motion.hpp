@@ -17,7 +17,7 @@ void place_hinges(const std::vector<Eigen::Vector2d>& y, Sheet& sheet);
 /// The closed form of a sheet, by the rules of its lattice. Imported bodies have none: they follow their drive step by step.
 ExactMotion exact_motion(const Sheet& sheet);
 
-/// The drive by bodies and hinges. A cord that pulls an exactly moving sheet to one side of flat goes there.
+/// The drive by bodies and hinges; none for bodies that are pulled (model/assembly/deployment.hpp). A cord that pulls an exactly moving sheet to one side of flat goes there.
 /// @param theta of the design, whose sign a drive takes that names no branch
 /// @throws InvalidInput for values out of range, plates that find nothing to hold, and a cord that nothing shortens
 LinkageDrive drive_on(const Sheet& sheet, const Drive& drive, double theta = 0);
@@ -26,6 +26,8 @@ LinkageDrive drive_on(const Sheet& sheet, const Drive& drive, double theta = 0);
 Drive as_far_as(const LinkageDrive& shown, Drive drive);
 /// The same drive of a sheet so many times as large.
 Drive scaled(Drive drive, double factor);
+/// Whether nothing but elastic hinges stands against the drive: springs, and plates that press.
+bool needs_elastic_hinges(const Drive& drive);
 /// Stiffness of each spring that the drive brings along, N mm/rad; 0 where it brings none.
 double spring_stiffness(const Drive& drive);
 

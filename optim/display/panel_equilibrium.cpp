@@ -67,7 +67,7 @@ std::optional<PanelEquilibrium::Gradient> PanelEquilibrium::gradient(const Eigen
   gradient.state = by_state;
   const model::Sensitivity by = sensitivity(system, elasticity_, state_, theta, tangent, gradient);
   return Gradient{by.hinges.row(0).transpose(), by.hinges.row(3).transpose(),
-                  by.theta / system.drive_rate(theta)};
+                  by.theta / system.drive().coordinate_rate(theta)};
 }
 
 }  // namespace kinetix::optim

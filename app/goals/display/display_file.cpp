@@ -21,7 +21,6 @@ namespace {
 namespace value = targets::value;
 using model::Axis;
 using optim::Channel;
-using DriveKind = model::LinkageDrive::Kind;
 
 constexpr double display_cell_mm = 10;  // a cell that a hand takes hold of, as in a design
 // Of the plates' first distance, a fraction: a basic sheet has closed at 1 - cos 45 deg = 0.29 already.
@@ -39,7 +38,7 @@ constexpr targets::Word<Channel> channels[] = {{"light", Channel::light},
                                                {"area", Channel::area},
                                                {"rotation", Channel::rotation}};
 constexpr targets::Word<Axis> axes[] = {{"x", Axis::x}, {"y", Axis::y}};
-constexpr targets::Word<DriveKind> drives[] = {{"plates", DriveKind::plates}, {"hinge", DriveKind::hinge}};
+constexpr targets::Word<bool> drives[] = {{"plates", false}, {"hinge", true}};
 
 targets::KeyTable display_structure_keys() {
   std::vector<targets::Key> keys = lattice_choice_keys(true);
@@ -206,14 +205,13 @@ void read_driven_hinge(const targets::Section& root, const targets::Section& dri
 
 void read_drive(const targets::Section& root, DisplayFile& file) {
   const targets::Section section = root.section("drive");
-  section.read("kind", file.drive_kind, drives);
-  const bool by_hinge = file.drive_kind == DriveKind::hinge;
+  section.read("kind", file.by_hinge, drives);
   if (section.given())
-    section.node().reject_unknown_keys(display_drive_keys().only(by_hinge ? "hinge" : "plates").names());
+    section.node().reject_unknown_keys(display_drive_keys().only(file.by_hinge ? "hinge" : "plates").names());
   section.read("axis", file.axes.front(), axes);
   section.read("press", file.press);
   section.read_into(file);
-  if (by_hinge) read_driven_hinge(root, section, file);
+  if (file.by_hinge) read_driven_hinge(root, section, file);
 }
 
 /// A symmetry turns walls end to end, or onto themselves: those have their hinges at 1 - t, or in the middle.
@@ -285,7 +283,7 @@ void read_limits(const targets::Section& section, DisplayFile& file) {
   file.limits = read_hinge_limits(section, file.hinge);
   if (const auto& made = file.hinge.made; made && made->kind != model::HingeKind::pin && !file.limits.strain)
     file.limits.strain = made->material.strain_max;
-  if (const auto force = section.optional("force_N"); force && file.drive_kind == DriveKind::hinge)
+  if (const auto force = section.optional("force_N"); force && file.by_hinge)
     throw force->key_error("is for plates; a driven hinge has a moment");
 }
 

@@ -39,7 +39,7 @@ struct DisplayFile : GoalSettings {
   optim::Channel channel = optim::Channel::light;
   model::CellSize size = {};   ///< structure.cell_mm (default 10), structure.wall_mm
   LatticeChoice lattice = {};  ///< structure.lattice, angle_deg, rim; others than squares with offsets alone
-  model::LinkageDrive::Kind drive_kind = model::LinkageDrive::Kind::plates;  ///< drive.kind
+  bool by_hinge = false;       ///< drive.kind: one hinge is turned, in place of plates that close in
   std::vector<model::Axis> axes = {
       model::Axis::y};  ///< drive.axis or variables.axis: normals of the plates to try
   /// drive.compression: fraction by which the plates come closer, (0, 0.5], within the range if there is one

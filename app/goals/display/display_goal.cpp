@@ -148,8 +148,7 @@ class DisplayGoal final : public Goal {
     out.search_s = out.sheet.cells() * (file_.offset > 0 ? seconds_a_cell : seconds_a_cell_stretched) +
                    path_seconds_of_1024 * std::pow(out.sheet.cells() / 1024.0, path_exponent);
     out.has_physics = out.sheet.bodies() <= most_bodies_of_physics;
-    const bool is_turned = file_.drive_kind == model::LinkageDrive::Kind::hinge;
-    const double turn = is_turned ? file_.angle : turn_of_compression(file_.compression);
+    const double turn = file_.by_hinge ? file_.angle : turn_of_compression(file_.compression);
     if (const auto motion = exact_motion(out.sheet)) out.folded_mm = size_of(out.sheet, motion.at(turn / 2));
     if (!file_.goal.whole) out.notes.push_back(lost_strokes(file_.goal));
     note_process(file_.process, out.sheet.size(), file_.hinge.made, out.notes);

@@ -11,7 +11,7 @@ optim::ScaledDisplayOptions scaled_options(const DisplayFile& file) {
   options.compression = file.compression_range.value_or(std::array{file.compression, file.compression});
   options.offset = file.offset;
   options.t = file.t;
-  if (file.drive_kind == model::LinkageDrive::Kind::plates) return options;
+  if (!file.by_hinge) return options;
   options.free_to = file.angle / 2;
   options.hinge = file.driven_hinge;
   return options;

@@ -50,7 +50,7 @@ model::EquilibriumPathOptions Equilibria::options(const std::stop_token& stop) c
 
 double Equilibria::force_N(double theta, double load) const {
   const model::LinkageDrive drive = this->drive(theta);
-  if (drive.heats_springs()) return 0;
+  if (!drive.acts_from_outside()) return 0;
   return drive.has_force() ? load : load / moving_.linkage.size.edge_mm;
 }
 

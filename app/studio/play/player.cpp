@@ -3,7 +3,10 @@
 #include <algorithm>
 
 #include "app/pipeline/design_drive.hpp"
+#include "app/pipeline/physics_settings.hpp"
 #include "model/base/invalid_input.hpp"
+#include "model/closure/drive_theta.hpp"
+#include "model/elastic/exact_theta.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app::studio {
@@ -32,7 +35,7 @@ void Player::load(const Design& design) {
   kept_ = kept_by_springs();
   fixed_.clear();
   theta_ = moving_->within(theta);
-  const bool has_no_equilibrium = design.pull && wanted_ == Mode::equilibrium;
+  const bool has_no_equilibrium = body_pull_of(design) && wanted_ == Mode::equilibrium;
   if (moving_->bodies && (!moving_->parts || has_no_equilibrium)) wanted_ = Mode::exact;
   mode_ = wanted_ == Mode::exact && !moving_->exact ? Mode::equilibrium : wanted_;
   is_awaited_ = !moving_->exact;
@@ -59,7 +62,7 @@ void Player::enter(Mode mode) {
 
 /// Whether it goes by another theta than the sheet's.
 bool Player::has_drive_of_its_own() const {
-  return design_.drive && !std::holds_alternative<model::Plates>(*design_.drive);
+  return design_.drive && !std::holds_alternative<model::Plates>(*design_.drive) && !body_pull_of(design_);
 }
 
 double Player::sheet_theta() const {
@@ -72,17 +75,18 @@ double Player::sheet_theta() const {
 /// Of the drive that holds a state of a sheet at theta, rad.
 double Player::drive_theta(double theta, const model::State& state) const {
   if (!has_drive_of_its_own()) return theta;
-  return sim::drive_theta(drive_of(design_), moving_->linkage, state) / kept_;
+  return model::theta_in(drive_of(design_), moving_->linkage, state) / kept_;
 }
 
 /// How far springs of shape memory take the sheet, over where they rest: hinges hold them back by about the same part
 /// wherever that is.
 double Player::kept_by_springs() const {
-  const auto* springs = design_.drive ? std::get_if<model::ShapeMemory>(&*design_.drive) : nullptr;
-  if (!springs || !moving_->exact) return 1;
-  Design hot = design_;
-  hot.drive = model::ShapeMemory{2 * usual_rest, springs->k_turn, springs->springs};
-  const double kept = exact_theta_of(hot, moving_->exact) / usual_rest;
+  if (!has_drive_of_its_own() || !moving_->exact) return 1;
+  const model::LinkageDrive drive = drive_of(design_);
+  if (drive.acts_from_outside()) return 1;
+  const model::Elasticity elasticity = elasticity_of(design_);
+  const double kept =
+      exact_theta({moving_->linkage, drive.to(usual_rest), moving_->exact}, elasticity) / usual_rest;
   return kept > 0 ? kept : 1;
 }
 
@@ -106,7 +110,7 @@ void Player::enter_engine(std::optional<double> driven) {
 void Player::drive_engine(double theta) {
   if (moving_->bodies) return live_->drive_to(moving_->turned(theta), state_);
   const model::LinkageDrive drive = drive_to(design_, theta);
-  if (drive.heats_springs() && !springs()) set_springs(true);
+  if (!drive.acts_from_outside() && !springs()) set_springs(true);
   const model::State reference = moving_->exact ? moving_->exact.at(sheet_theta()) : state_;
   live_->drive_to(drive, reference);
 }

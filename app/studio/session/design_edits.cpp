@@ -257,7 +257,6 @@ Design with_driven_hinge(Design design, const Message& message) {
   const int hinge = message.integer("hinge", 0, static_cast<int>(bodies->hinges.size()) - 1);
   if (bodies->hinges[hinge].ball)
     throw InvalidInput("hinge: is a ball, which has no axis to be turned about");
-  design.pull.reset();
   design.drive = model::HingeTurn{hinge, 0};
   return design;
 }

@@ -96,12 +96,9 @@ std::vector<Metric> goal_metrics(const GoalKind& goal) {
 const std::vector<Metric>& equilibrium_metrics() {
   static const std::vector<Metric> metrics = {
       {"reached", [](const O& o) { return o.equilibrium->reached() ? 1.0 : 0.0; }},
-      {"compression",
-       [](const O& o) {
-         return o.equilibrium->drive.kind == model::LinkageDrive::Kind::plates ? last(o).drive : nan;
-       }},
+      {"compression", [](const O& o) { return o.equilibrium->drive.has_plates() ? last(o).drive : nan; }},
       {"drive_rad", [](const O& o) { return o.equilibrium->drive.has_force() ? nan : last(o).drive; }},
-      {"shortened_mm", [](const O& o) { return o.equilibrium->drive.pulls_cord() ? last(o).drive : nan; }},
+      {"shortened_mm", [](const O& o) { return o.equilibrium->drive.only_pulls() ? last(o).drive : nan; }},
       {"load_N", [](const O& o) { return o.equilibrium->drive.has_force() ? last(o).load : nan; }},
       {"load_Nmm", [](const O& o) { return o.equilibrium->drive.has_force() ? nan : last(o).load; }},
       {"energy_Nmm", [](const O& o) { return last(o).energy; }},

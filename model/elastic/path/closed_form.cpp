@@ -37,8 +37,8 @@ Matrix3d upright(const Vector3d& normal, const Vector3d& axis, const Pose& pin) 
 }  // namespace
 
 std::optional<State> ClosedForm::at(double theta) const {
-  if (!exact_ || system_.drive().heats_springs()) return {};
-  const auto folded = system_.drive().pulls_cord() ? cord_theta(theta) : theta;
+  if (!exact_) return {};
+  const auto folded = folded_theta(system_.drive(), theta, system_.structure(), exact_.at);
   if (!folded) return {};
   State state = exact_.at(*folded);
   const State rest = rest_state(system_.structure());
@@ -51,12 +51,8 @@ std::optional<State> ClosedForm::at(double theta) const {
   return state;
 }
 
-std::optional<double> ClosedForm::cord_theta(double theta) const {
-  return theta_of_cord(system_.drive().to(theta), system_.structure(), exact_.at);
-}
-
 void ClosedForm::hold_by_body(State& state, const State& rest) const {
-  const int held = held_body(system_.structure(), system_.drive());
+  const int held = system_.drive().held_body(system_.structure());
   const Matrix3d rotation = rest[held].R * state[held].R.transpose();
   move_all(state, rotation, rest[held].p - rotation * state[held].p);
 }

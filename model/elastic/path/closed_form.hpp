@@ -33,8 +33,6 @@ class ClosedForm {
   static constexpr double far = 0.1;
 
  private:
-  /// Theta, rad, at which the closed form has the cord as long as the drive has it at its own theta.
-  std::optional<double> cord_theta(double theta) const;
   void hold_by_body(State& state, const State& rest) const;
   void hold_by_plates(State& state, const State& rest) const;
 

@@ -15,7 +15,8 @@ constexpr double soft_turning = 5e-7;
 double drive_speed(const ElasticSystem& system, const State& state, double theta,
                    const Eigen::VectorXd& along) {
   if (!system.holds_coordinate())
-    return system.drive_rate(theta) * system.travel() / system.structure().size.edge_mm;
+    return system.drive().coordinate_rate(theta) * system.drive().travel(system.structure()) /
+           system.structure().size.edge_mm;
   return system.driven_gradient(state).dot(along);
 }
 
@@ -45,7 +46,7 @@ double load_along_path(const ElasticSystem& system, const State& state, double t
 
 double load_stiffness(const ElasticSystem& system, const State& state, double theta,
                       const TangentStiffness& tangent) {
-  const double rate = system.drive_rate(theta);
+  const double rate = system.drive().coordinate_rate(theta);
   if (rate == 0 || !(std::abs(system.load(state, theta)) > least_load)) return NAN;
   const Eigen::VectorXd along =
       system.place_rate(theta) + path_direction(system, state, theta, theta, tangent, refinements);
@@ -55,7 +56,7 @@ double load_stiffness(const ElasticSystem& system, const State& state, double th
 
 double drive_load(const ElasticSystem& system, const State& state, double theta,
                   const TangentStiffness& tangent, bool stable) {
-  const bool has_path = stable && theta != 0 && !system.drive().heats_springs();
+  const bool has_path = stable && theta != 0 && system.drive().acts_from_outside();
   return has_path && turns_softly(system) ? load_along_path(system, state, theta, tangent)
                                           : system.load(state, theta);
 }

@@ -15,7 +15,7 @@ EquilibriumStep MeasuredSystem::measured(const State& state, double theta, bool 
   const double load_unit = elastic.drive().has_force() ? unit / elastic.structure().size.edge_mm : unit;
   EquilibriumStep step;
   step.theta = theta;
-  step.drive = elastic.drive_coordinate(theta);
+  step.drive = elastic.drive().coordinate_at(theta);
   step.load = drive_load(elastic, state, theta, tangent, stable) * load_unit;
   if (stable) step.stiffness = load_stiffness(elastic, state, theta, tangent) * load_unit;
   step.energy = elastic.stored_energy(state, theta) * unit;

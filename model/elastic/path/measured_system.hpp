@@ -15,8 +15,7 @@ struct MeasuredSystem {
   MeasuredSystem& operator=(const MeasuredSystem&) = delete;
 
   /// Whether flat is singular under the drive, which comes closer with the square of theta to either side.
-  bool leaves_flat_to_a_side() const { return between_plates() || elastic.drive().pulls_cord(); }
-  bool between_plates() const { return elastic.drive().kind == LinkageDrive::Kind::plates; }
+  bool leaves_flat_to_a_side() const { return elastic.drive().has_branch(); }
   /// A state of equilibrium at theta, rad. @pre if stable, `tangent` is its tangent, factorised
   EquilibriumStep measured(const State& state, double theta, bool stable) const;
   /// N mm, of each hinge.

@@ -7,7 +7,8 @@ Eigen::VectorXd path_direction(const ElasticSystem& system, const State& state, 
   Eigen::VectorXd pull = tangent.multiply_all(system.place_rate(placed_at));
   if (system.holds_coordinate())
     pull += -ElasticSystem::grip * system.driven_rate(placed_at) * system.driven_gradient(state);
-  if (system.drive().heats_springs()) pull += system.drive_rate(theta) * system.spring_gradient(state);
+  if (!system.drive().springs.empty())
+    pull += system.drive().coordinate_rate(theta) * system.spring_gradient(state);
   const Eigen::VectorXd reduced = system.dofs().restrict(pull);
   Eigen::VectorXd along = tangent.solve(reduced);
   for (int k = 0; k < refined; ++k)

@@ -79,7 +79,7 @@ void PathEvents::see(const EquilibriumStep& before, const EquilibriumStep& after
   if (before.contacts == 0 && after.contacts > 0) happened(Kind::contact, system_.touching_words(state));
   if (before.contacts > 0 && after.contacts == 0)
     happened(Kind::release, system_.what_touches() + " no longer touch");
-  if (system_.drive().pulls_cord() && slack_.see(after))
+  if (system_.drive().only_pulls() && slack_.see(after))
     happened(
         Kind::slack,
         "the cord would have to push, which it cannot: it goes slack, and the structure goes on by itself");

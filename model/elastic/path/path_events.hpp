@@ -61,7 +61,7 @@ class PathEvents {
 
   /// Whether a step that is not taken yet would lock the structure, or take a cord slack.
   bool would_happen(const EquilibriumStep& before, const EquilibriumStep& after) const {
-    return lock_.look(before, after) || (system_.drive().pulls_cord() && slack_.look(after));
+    return lock_.look(before, after) || (system_.drive().only_pulls() && slack_.look(after));
   }
 
   const std::vector<PathEvent>& events() const { return events_; }

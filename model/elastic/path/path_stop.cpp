@@ -13,7 +13,7 @@ using Stop = EquilibriumPath::Stop;
 std::string degrees(double theta) { return number_text(to_degrees(theta)) + " deg"; }
 
 std::string place(const EquilibriumStep& last, const LinkageDrive& drive, const OffClosedForm& off) {
-  const std::string at = " at theta " + degrees(last.theta) + (drive.has_own_theta() ? " of the drive" : "") +
+  const std::string at = " at theta " + degrees(last.theta) + (drive.tells_fold() ? "" : " of the drive") +
                          ", load " + number_text(last.load) + " " + drive.load_unit();
   if (!std::isfinite(off.since)) return at;
   return at + "; off the closed form since theta " + degrees(off.since) +

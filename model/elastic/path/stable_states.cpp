@@ -165,7 +165,8 @@ void follow_fall(const DrivenLinkage& driven, const Elasticity& elasticity,
                  const EquilibriumPathOptions& options, EnergyTurns& path) {
   const double goal = driven.drive.theta();
   const bool came_there = path.ends_falling() && path.last().step.theta == goal;
-  if (!came_there || driven.drive.press || driven.drive.heats_springs() || std::abs(goal) >= furthest) return;
+  if (!came_there || driven.drive.press || !driven.drive.acts_from_outside() || std::abs(goal) >= furthest)
+    return;
   const DrivenLinkage further{driven.linkage, driven.drive.to(std::copysign(furthest, goal)), driven.exact};
   EnergyTurns longer(further.drive);
   std::stop_source found;

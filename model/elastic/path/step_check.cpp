@@ -45,7 +45,8 @@ std::optional<PermittedStep> StepCheck::permitted(const NextStep& next, const Eq
 }
 
 bool StepCheck::keeps_energy(const EquilibriumStep& before, const EquilibriumStep& after) const {
-  const double path = (after.drive - before.drive) * system_.elastic.travel();
+  const double path =
+      (after.drive - before.drive) * system_.elastic.drive().travel(system_.elastic.structure());
   const auto [least, most] = std::minmax({before.load * path, after.load * path});
   const double slack = (most - least) / 2 + bent_load * std::max(std::abs(least), std::abs(most)) +
                        difference_noise * (system_.unit + after.energy);
@@ -54,7 +55,8 @@ bool StepCheck::keeps_energy(const EquilibriumStep& before, const EquilibriumSte
 }
 
 bool StepCheck::loses_energy(const EquilibriumStep& before, const EquilibriumStep& after) const {
-  const double way = (after.drive - before.drive) * system_.elastic.travel();
+  const double way =
+      (after.drive - before.drive) * system_.elastic.drive().travel(system_.elastic.structure());
   const double bend = std::isfinite(after.stiffness) ? after.stiffness * (after.drive - before.drive) / 2 : 0;
   // The energy of the other branch where the step began.
   const double energy = after.energy - way * (after.load - bend);

@@ -44,7 +44,7 @@ class Summit {
     Side low{turn.before, turn.before.step.load}, high{turn.after, turn.after.step.load};
     const double scale = std::max(std::abs(low.load), std::abs(high.load));
     EnergyBarrier best = barrier(low.at.step.kept_energy() > high.at.step.kept_energy() ? low.at : high.at);
-    if (system_.elastic.drive().heats_springs() || (low.load > 0) == (high.load > 0)) return best;
+    if (!system_.elastic.drive().acts_from_outside() || (low.load > 0) == (high.load > 0)) return best;
     for (int k = 0; k < most_equilibria; ++k) {
       const double theta = (low.theta() * high.load - high.theta() * low.load) / (high.load - low.load);
       const double from_low = std::abs(theta - low.theta()), from_high = std::abs(theta - high.theta());
@@ -173,7 +173,7 @@ void EnergyTurns::see(const EquilibriumStep& step, const State& state) {
   DrivenState now{step, state};
   if (std::exchange(started_, true)) {
     const double change = step.kept_energy() - last_.step.kept_energy();
-    const double slope = drive_.heats_springs() ? change : step.load * (step.drive - last_.step.drive);
+    const double slope = drive_.acts_from_outside() ? step.load * (step.drive - last_.step.drive) : change;
     const bool fell = change < 0;
     if (slope_ > 0 && (slope < 0 || fell)) turns_.push_back({true, last_, now});
     if (slope > 0 && (slope_ < 0 || (slope_ > 0 && fell))) turns_.push_back({false, last_, now});

@@ -100,7 +100,7 @@ bool keeps_rows_straight(const Redrawing& y, Axis axis, const GrippedRows& rows)
 }
 
 void refuse_rows_that_curve(const LinkageDrive& drive, const Redrawing& y) {
-  if (drive.kind != LinkageDrive::Kind::plates || keeps_rows_straight(y, drive.axis, drive.gripped)) return;
+  if (keeps_rows_straight(y, drive.axis, drive.gripped)) return;
   throw InvalidInput("plates normal to " + std::string(to_string(drive.axis)) +
                          " would hold rows straight that curve in this panel's exact motion; allowed: "
                          "kind: hinge, or --model equilibrium",

@@ -387,8 +387,9 @@ TEST(StudioOfBodiesOpened, IsAsFarTurnedAsItsDriveSays) {
 TEST(StudioOfBodiesOpened, GoesTheWayThatItsBodiesArePulled) {
   app::Design file = parallelogram();
   const model::Linkage linkage = model::Linkage(file.structure);
-  file.pull.emplace().poses =
-      solve_closure(linkage, rest_state(linkage), {model::HingeTurn{0, 30 * radians_per_degree}}).state;
+  file.drive = model::BodyPull{
+      .poses =
+          solve_closure(linkage, rest_state(linkage), {model::HingeTurn{0, 30 * radians_per_degree}}).state};
   OpenStudio studio{file};
   Client client{studio.port()};
   ASSERT_TRUE(client.open(studio.token));

@@ -136,7 +136,7 @@ model::EquilibriumPath followed(const LinkageScene& scene) {
 double work_of(const LinkageScene& scene, const model::EquilibriumPath& path) {
   const model::ElasticSystem system(scene.driven.linkage, scene.elasticity, scene.driven.drive, path.planar,
                                     false);
-  return load_by_drive(path) * system.travel();
+  return load_by_drive(path) * system.drive().travel(system.structure());
 }
 
 double turning_energy(const LinkageScene& scene, const model::State& state) {

@@ -7,6 +7,7 @@
 #include "model/closure/closure_drive.hpp"
 #include "model/lattice/square/grip.hpp"
 #include "model/linkage/linkage_drive.hpp"
+#include "model/linkage/state.hpp"
 
 namespace kinetix::model {
 
@@ -52,6 +53,15 @@ struct ShapeMemory {
   bool operator==(const ShapeMemory&) const = default;
 };
 
+/// Imported bodies that are pulled, to poses or apart, in place of a hinge that is turned.
+struct BodyPull {
+  std::optional<State> poses = {};    ///< one a body, mm
+  std::optional<double> expand = {};  ///< times their distance from the middle, as far as they go, > 0
+  double tolerance = 0.05;            ///< rms from `poses` that counts as there, cell edges, > 0
+
+  bool operator==(const BodyPull&) const = default;
+};
+
 /// What moves a structure, as files say it. A hinge that is turned leaves the structure floating freely.
 ///
 /// Flat is a singular position: the height changes with theta squared and does not tell the two signs of
@@ -59,7 +69,7 @@ struct ShapeMemory {
 /// sim/start_motion.hpp, with the sign of theta, and class A is pushed on about z that way and class B
 /// against it, ever less, until the drive is through. A sheet that must strain needs the push, since it
 /// buckles only after its plates have come some way.
-using Drive = std::variant<Plates, HingeTurn, CordPull, ShapeMemory>;
+using Drive = std::variant<Plates, HingeTurn, CordPull, ShapeMemory, BodyPull>;
 
 /// Plates on squares. @throws InvalidInput, naming the field, for a value outside its range (NaN included), for a part that
 /// they cannot grip, and for hinge parameters out of range

@@ -1,4 +1,5 @@
 #include "model/elastic/contact/piece_contact.hpp"
+#include "model/closure/closure.hpp"
 
 #include <gtest/gtest.h>
 
@@ -93,7 +94,7 @@ TEST(PieceContact, IsThatOfTheWholeSystemsEnergy) {
   const Linkage linkage = linkage_of(two_arms());
   Elasticity elasticity;
   for (const auto& [bodies, state] : pressed_boxes()) {
-    const ElasticSystem system(linkage, elasticity, {.kind = LinkageDrive::Kind::none}, false, true,
+    const ElasticSystem system(linkage, elasticity, LinkageDrive(), false, true,
                                std::make_shared<const ConvexBodies>(bodies));
     if (system.touching(state) == 0) continue;
     const auto energy = [&](const VectorXd& x) {

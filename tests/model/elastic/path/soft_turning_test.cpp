@@ -223,7 +223,8 @@ TEST(PathDirection, IsThatBetweenTwoStatesOfThePath) {
     Settled at(s, plates ? plates_drive(Axis::y, theta) : hinge_drive(s, {{1, 1}, Axis::y}, theta), 20);
     Eigen::VectorXd along =
         path_direction(at.system, at.state, theta, theta, at.tangent) + at.system.place_rate(theta);
-    if (!plates) along *= at.system.drive_rate(theta) / at.system.driven_gradient(at.state).dot(along);
+    if (!plates)
+      along *= at.system.drive().coordinate_rate(theta) / at.system.driven_gradient(at.state).dot(along);
     const State before = at.at(theta - step), after = at.at(theta + step);
     for (std::size_t b = 0; b < at.state.size(); ++b) {
       const Eigen::Vector3d moved = (after[b].p - before[b].p) / (2 * step * s.size.edge_mm);
