@@ -71,7 +71,8 @@ std::string stretch_text(const Run& run) {
   std::string text = fmt::format("largest {:.2e} cell edges ({:.3g} mm)", gaps.max,
                                  gaps.max * run.design.structure.size().edge_mm);
   if (gaps.worst_hinge >= 0 && gaps.max > 0)
-    text += ", on wall " + wall_name(run.design.structure, gaps.worst_hinge);
+    text += (run.design.structure.assembly() ? ", at hinge " : ", on wall ") +
+            wall_name(run.design.structure, gaps.worst_hinge);
   return text;
 }
 

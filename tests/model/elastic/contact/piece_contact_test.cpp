@@ -1,5 +1,4 @@
 #include "model/elastic/contact/piece_contact.hpp"
-#include "model/closure/closure.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +8,7 @@
 
 #include "model/assembly/assembly.hpp"
 #include "model/base/angle.hpp"
+#include "model/closure/closure.hpp"
 #include "model/elastic/contact/piece_surface.hpp"
 #include "model/elastic/elastic_system.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
