@@ -84,7 +84,7 @@ void Moving::keep(const Moving& before) {
   if (!have_one_shape(bodies.get(), before.bodies.get())) return;
   parts = before.parts;
   pressing = before.pressing;
-  if (way->hinge == before.way->hinge && bodies->pull.has_value() == before.bodies->pull.has_value())
+  if (way->hinge == before.way->hinge && !body_pull_of(*bodies) == !body_pull_of(*before.bodies))
     take(before.way);
 }
 
