@@ -1,7 +1,6 @@
 #include "model/hinge/elasticity.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include "model/base/invalid_input.hpp"
 
@@ -12,24 +11,16 @@ namespace {
 constexpr double least = 1e-30, most = 1e30;
 
 void check_positive(const char* field, double value) {
-  if (value >= least && value <= most) return;
-  std::ostringstream message;
-  message << field << " is " << value << ", must be positive, from " << least << " to " << most;
-  throw InvalidInput(message.str());
-}
-
-[[noreturn]] void refuse_play(double play_mm, const std::string& allowed) {
-  std::ostringstream message;
-  message << "play_mm is " << play_mm << ", " << allowed;
-  throw InvalidInput(message.str());
+  require(field, value, value >= least && value <= most, "positive, from 1e-30 to 1e+30");
 }
 
 void check_play(const Elasticity& e) {
-  if (!(e.play_mm >= 0 && e.play_mm <= e.reach_mm))
-    refuse_play(e.play_mm, "must be from 0 to the reach, which is " + std::to_string(e.reach_mm) + " mm");
+  require("play_mm", e.play_mm, e.play_mm >= 0 && e.play_mm <= e.reach_mm,
+          "from 0 to the reach, which is " + std::to_string(e.reach_mm) + " mm");
   if (e.play_mm > 0 && !(e.ratios.axial == e.ratios.shear && e.tilt.are_by_reach()))
-    refuse_play(e.play_mm,
-                "which only a hinge can have that is alike along and across its wall and tilts by its reach");
+    throw InvalidInput(
+        "play_mm is " + number_text(e.play_mm) +
+        ", which only a hinge can have that is alike along and across its wall and tilts by its reach");
 }
 
 }  // namespace
@@ -72,9 +63,8 @@ double energy_unit(const Elasticity& e, double edge_mm) { return e.k_point * edg
 
 void Stiffness::check_count(std::size_t hinges) const {
   if (each.empty() || each.size() == hinges) return;
-  std::ostringstream message;
-  message << "each has " << each.size() << " entries, must be empty or have " << hinges << ", one a hinge";
-  throw InvalidInput(message.str());
+  throw InvalidInput("each has " + std::to_string(each.size()) + " entries, must be empty or have " +
+                     std::to_string(hinges) + ", one a hinge");
 }
 
 namespace {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
@@ -65,48 +64,34 @@ HingeStiffness rod(const MadeHinge& p) {
   return {.axial = across, .shear = across, .along = across, .turn = pin_turn};
 }
 
-[[noreturn]] void refuse(const char* field, double value, const std::string& allowed) {
-  std::ostringstream message;
-  message << field << " is " << value << ", must be " << allowed;
-  throw InvalidInput(message.str());
-}
-
-std::string number_text(double value) {
-  std::ostringstream out;
-  out << value;
-  return out.str();
-}
-
 void check_up_to(const char* field, double value, double most, const char* what) {
-  if (value > 0 && value <= most) return;
-  refuse(field, value, "above 0 and at most " + number_text(most) + ", " + what);
+  require(field, value, value > 0 && value <= most, "above 0 and at most " + number_text(most) + ", " + what);
 }
 
 void check(const Material& m) {
-  if (!(m.E_mpa >= 1e-6 && m.E_mpa <= 1e7)) refuse("E_mpa", m.E_mpa, "from 1e-6 to 1e7, MPa");
-  if (!(m.nu >= 0 && m.nu < 0.5)) refuse("nu", m.nu, "at least 0 and below 0.5");
-  if (!(m.strain_max > 0 && m.strain_max <= 10)) refuse("strain_max", m.strain_max, "above 0 and at most 10");
+  require("E_mpa", m.E_mpa, m.E_mpa >= 1e-6 && m.E_mpa <= 1e7, "from 1e-6 to 1e7, MPa");
+  require("nu", m.nu, m.nu >= 0 && m.nu < 0.5, "at least 0 and below 0.5");
+  require("strain_max", m.strain_max, m.strain_max > 0 && m.strain_max <= 10, "above 0 and at most 10");
 }
 
 void check_beam(const MadeHinge& b, const CellSize& size) {
-  if (!(b.gap_mm > 0 && b.gap_mm < size.edge_mm))
-    refuse("gap_mm", b.gap_mm, "above 0 and below the cell edge, " + number_text(size.edge_mm) + " mm");
+  require("gap_mm", b.gap_mm, b.gap_mm > 0 && b.gap_mm < size.edge_mm,
+          "above 0 and below the cell edge, " + number_text(size.edge_mm) + " mm");
   check_up_to("thickness_mm", b.thickness_mm, size.thickness_mm, "the thickness of the wall");
-  if (!(b.gap_mm >= least_slenderness * b.thickness_mm))
-    refuse(
-        "gap_mm", b.gap_mm,
-        "at least half of the hinge's thickness, " + number_text(least_slenderness * b.thickness_mm) + " mm");
+  const double least = least_slenderness * b.thickness_mm;
+  require("gap_mm", b.gap_mm, b.gap_mm >= least,
+          "at least half of the hinge's thickness, " + number_text(least) + " mm");
 }
 
 /// Diameter at which two of them in the middle of walls at a right angle meet, mm.
 double room_for_knuckles(const CellSize& size) { return size.edge_mm / std::sqrt(2.0); }
 
 void check_pin(const MadeHinge& p, const CellSize& size) {
-  if (!(p.clearance_mm >= 0 && p.clearance_mm < size.edge_mm))
-    refuse("clearance_mm", p.clearance_mm, "at least 0 and below the cell edge");
-  if (p.with_play && !(p.clearance_mm <= p.height_mm / 2))
-    refuse("clearance_mm", p.clearance_mm, "at most half of the height of a pin with play");
-  if (!(p.diameter_mm > 0)) refuse("diameter_mm", p.diameter_mm, "above 0");
+  require("clearance_mm", p.clearance_mm, p.clearance_mm >= 0 && p.clearance_mm < size.edge_mm,
+          "at least 0 and below the cell edge");
+  require("clearance_mm", p.clearance_mm, !p.with_play || p.clearance_mm <= p.height_mm / 2,
+          "at most half of the height of a pin with play");
+  require("diameter_mm", p.diameter_mm, p.diameter_mm > 0, "above 0");
   const double room = room_for_knuckles(size);
   if (knuckle_mm(p) <= room) return;
   const double most = room - (knuckle_mm(p) - p.diameter_mm);
@@ -115,10 +100,10 @@ void check_pin(const MadeHinge& p, const CellSize& size) {
                        number_text(p.clearance_mm) +
                        " mm and walls of 0.8 mm leave no room for a rod where two knuckles of one body stand "
                        "beside each other");
-  refuse("diameter_mm", p.diameter_mm,
-         "at most " + number_text(most) +
-             " mm: with its clearance and walls of 0.8 mm, two knuckles of one body then stand beside each "
-             "other");
+  require("diameter_mm", p.diameter_mm, false,
+          "at most " + number_text(most) +
+              " mm: with its clearance and walls of 0.8 mm, two knuckles of one body then stand beside each "
+              "other");
 }
 
 }  // namespace

@@ -13,10 +13,7 @@ namespace {
 constexpr double plainly_less = 0.99;  // of the least: sizes that are nearer differ only beyond three digits
 
 void check(const char* field, double value, double most) {
-  if (value >= 0 && value <= most) return;
-  std::ostringstream message;
-  message << field << " is " << value << ", must be from 0 to " << most;
-  throw InvalidInput(message.str());
+  require(field, value, value >= 0 && value <= most, "from 0 to " + number_text(most));
 }
 
 class Problems {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 
 #include "model/base/angle.hpp"
+#include "model/base/invalid_input.hpp"
 #include "model/closure/closure_drive.hpp"
 #include "model/closure/drive_theta.hpp"
 #include "model/elastic/lowest_mode.hpp"
@@ -22,9 +22,8 @@ constexpr int most_left = 5;        // in a row after a release: after so many i
 constexpr double off_saddle = 1e-2;
 
 std::string released_at(const EquilibriumStep& step) {
-  std::ostringstream out;
-  out << "released at theta " << std::round(10 * to_degrees(step.theta)) / 10 << " deg of the drive";
-  return out.str();
+  return "released at theta " + number_text(std::round(10 * to_degrees(step.theta)) / 10) +
+         " deg of the drive";
 }
 
 /// A structure that nothing drives.
@@ -46,10 +45,8 @@ class Release {
     for (int k = 0; k < most_left && result.converged && !result.stable && leave(state); ++k)
       result = minimise(system_, 0, newton_, state, tangent_);
     if (!result.converged || !result.stable) {
-      std::ostringstream out;
-      out << released_at(start.step) << ": no stable state after " << result.iterations
-          << " iterations, force " << result.force << " left";
-      why = out.str();
+      why = released_at(start.step) + ": no stable state after " + std::to_string(result.iterations) +
+            " iterations, force " + number_text(result.force) + " left";
       return {};
     }
     if (system_.newly_cross(start.state, state)) {

@@ -14,8 +14,8 @@ namespace {
 void check(const PlanarStructure& s, int hinge, const char* name, double value, double low, double high,
            const char* allowed) {
   if (value > low && value < high) return;
-  throw InvalidInput(std::string(name) + " of the hinge on wall " + to_string(s.graph.edges[hinge]) + " is " +
-                     number_text(value) + ", must be in " + allowed);
+  require(name + (" of the hinge on wall " + to_string(s.graph.edges[hinge])), value, false,
+          std::string("in ") + allowed);
 }
 
 constexpr double middles_in_a_wall = 100;  // steps to which middles are told apart: cells are farther apart

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <sstream>
 #include <string>
 
 #include "model/base/invalid_input.hpp"
@@ -78,10 +77,8 @@ void check_connected(const Structure& s) {
 void check_between(const Hinge& hinge, const char* name, double value, double low, double high,
                    const char* allowed) {
   if (value > low && value < high) return;
-  std::ostringstream message;
-  message << name << " of the hinge on wall " << to_string(hinge.wall) << " is " << value << ", must be in "
-          << allowed;
-  throw InvalidInput(message.str());
+  require(name + (" of the hinge on wall " + to_string(hinge.wall)), value, false,
+          std::string("in ") + allowed);
 }
 
 }  // namespace
