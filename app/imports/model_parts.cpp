@@ -13,6 +13,7 @@
 
 #include "app/imports/model_file.hpp"
 #include "model/assembly/shells.hpp"
+#include "model/base/box_of.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/document/wording.hpp"
 
@@ -179,9 +180,8 @@ bool closes(const std::vector<model::Polyhedron>& shells) {
 std::vector<model::Polyhedron> shells_of(const model::Polyhedron& soup) {
   std::vector<model::Polyhedron> exact = shells(model::welded(soup, 0));
   if (closes(exact)) return exact;
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : soup.points) box.extend(p);
-  std::vector<model::Polyhedron> nearly = shells(model::welded(soup, weld_share * box.sizes().maxCoeff()));
+  const double near = weld_share * model::box_of(soup.points).sizes().maxCoeff();
+  std::vector<model::Polyhedron> nearly = shells(model::welded(soup, near));
   return closes(nearly) ? nearly : exact;
 }
 
@@ -198,9 +198,8 @@ struct PartExtent {
   Eigen::AlignedBox3d box;
   double volume_mm3 = 0;
 
-  explicit PartExtent(const model::ModelPart& of) : part(&of), volume_mm3(model::volume_mm3(of.solid)) {
-    for (const Eigen::Vector3d& p : of.solid.points) box.extend(p);
-  }
+  explicit PartExtent(const model::ModelPart& of)
+      : part(&of), box(model::box_of(of.solid.points)), volume_mm3(model::volume_mm3(of.solid)) {}
 
   bool is_as(const PartExtent& other) const {
     const double near = weld_share * box.diagonal().norm();

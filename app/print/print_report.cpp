@@ -12,6 +12,7 @@
 #include "app/print/hinge_sorts.hpp"
 #include "app/print/overhang.hpp"
 #include "model/base/angle.hpp"
+#include "model/base/box_of.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -24,11 +25,7 @@ constexpr double shown_mm2 = 0.05;  // mm^2: less is told as 0.0
 
 Json vector_json(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
-Eigen::Vector3d bounds(const model::Polyhedron& solid) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : solid.points) box.extend(p);
-  return box.sizes();
-}
+Eigen::Vector3d bounds(const model::Polyhedron& solid) { return model::box_of(solid.points).sizes(); }
 
 int count_bodies(const PrintSheet& sheet) {
   return static_cast<int>(std::count_if(sheet.meshes.begin(), sheet.meshes.end(),

@@ -21,6 +21,7 @@
 #include "app/print/format/units.hpp"
 #include "app/print/format/zip_text.hpp"
 #include "app/print/overhang.hpp"
+#include "model/base/box_of.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -70,13 +71,12 @@ Ended run(std::vector<std::string> words) {
 }
 
 std::string bed_settings(const model::Polyhedron& solid) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : solid.points) box.extend(p);
-  const double x = std::ceil(box.sizes().x() + 2 * margin_mm), y = std::ceil(box.sizes().y() + 2 * margin_mm);
+  const Eigen::Vector3d size = model::box_of(solid.points).sizes();
+  const double x = std::ceil(size.x() + 2 * margin_mm), y = std::ceil(size.y() + 2 * margin_mm);
   return fmt::format(
       "bed_shape = 0x0,{0}x0,{0}x{1},0x{1}\nmax_print_height = {2}\ndisplay_width = {0}\ndisplay_height = "
       "{1}\ndisplay_pixels_x = {0}\ndisplay_pixels_y = {1}\n",
-      x, y, std::ceil(box.sizes().z() + margin_mm));
+      x, y, std::ceil(size.z() + margin_mm));
 }
 
 /// Two extruders, as the 3MF file names them.

@@ -11,6 +11,7 @@
 #include "model/assembly/direction_across.hpp"
 #include "model/assembly/shells.hpp"
 #include "model/assembly/soft_hinge.hpp"
+#include "model/base/box_of.hpp"
 #include "model/base/decompositions.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/base/lower_median.hpp"
@@ -41,12 +42,6 @@ Vector3d tidy(Vector3d v) {
   for (double& x : v)
     if (std::abs(x) < 5e-5) x = 0;
   return v;
-}
-
-Eigen::AlignedBox3d box_of_part(const Polyhedron& solid) {
-  Eigen::AlignedBox3d box;
-  for (const Vector3d& p : solid.points) box.extend(p);
-  return box;
 }
 
 class Builder {
@@ -91,7 +86,7 @@ class Builder {
 
   void add_body(const ModelPart& part) {
     out_.bodies.push_back({part.name, mass_properties(part.solid).center, part.solid});
-    boxes_.push_back(box_of_part(part.solid));
+    boxes_.push_back(box_of(part.solid.points));
   }
 
   void check_crossings() const {
@@ -115,7 +110,7 @@ class Builder {
 
   std::vector<Touch> touches(const ModelPart& part) const {
     const ContactTolerance tolerance;
-    Eigen::AlignedBox3d box = box_of_part(part.solid);
+    Eigen::AlignedBox3d box = box_of(part.solid.points);
     box.min().array() -= tolerance.gap_mm;
     box.max().array() += tolerance.gap_mm;
     std::vector<Touch> out;

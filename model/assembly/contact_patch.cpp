@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "model/base/box_of.hpp"
+
 namespace kinetix::model {
 namespace {
 
@@ -30,12 +32,6 @@ std::vector<Facet> facets_in(const Polyhedron& solid, const Eigen::AlignedBox3d&
   std::sort(out.begin(), out.end(),
             [](const Facet& a, const Facet& b) { return a.box.min().x() < b.box.min().x(); });
   return out;
-}
-
-Eigen::AlignedBox3d box_of(const Polyhedron& solid) {
-  Eigen::AlignedBox3d box;
-  for (const Vector3d& p : solid.points) box.extend(p);
-  return box;
 }
 
 Eigen::AlignedBox3d grown(Eigen::AlignedBox3d box, double by) {
@@ -96,8 +92,8 @@ void add_piece(std::vector<Vector3d> polygon, ContactPatch& patch) {
 
 ContactPatch contact_patch(const Polyhedron& a, const Polyhedron& b, const ContactTolerance& tolerance) {
   ContactPatch patch;
-  const Eigen::AlignedBox3d of_a = grown(box_of(a), tolerance.gap_mm),
-                            of_b = grown(box_of(b), tolerance.gap_mm);
+  const Eigen::AlignedBox3d of_a = grown(box_of(a.points), tolerance.gap_mm),
+                            of_b = grown(box_of(b.points), tolerance.gap_mm);
   if (!of_a.intersects(of_b)) return patch;
   const std::vector<Facet> first = facets_in(a, of_b), second = facets_in(b, of_a);
   for (const Facet& f : first)

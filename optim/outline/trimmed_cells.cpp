@@ -3,6 +3,7 @@
 #include <set>
 #include <utility>
 
+#include "model/base/box_of.hpp"
 #include "model/lattice/planar/lattice_cut.hpp"
 
 namespace kinetix::optim {
@@ -16,18 +17,12 @@ constexpr std::size_t least_cells = 4;  // fewer are no shape
 constexpr double sizes[] = {1, 0.95, 1.05};
 constexpr double shifts[] = {0, 0.5};  // of a column and of a row
 
-Eigen::AlignedBox2d box_of(const targets::Outline& outline) {
-  Eigen::AlignedBox2d box;
-  for (const Vector2d& p : outline.points()) box.extend(p);
-  return box;
-}
-
 }  // namespace
 
 std::vector<std::vector<LatticeCell>> trimmed_cells(const model::PlanarLattice& lattice, double angle,
                                                     int columns, int rows, const targets::Outline& outline) {
   const Eigen::AlignedBox2d rectangle = model::lattice_box(lattice, columns, rows, angle),
-                            drawn = box_of(outline);
+                            drawn = model::box_of(outline.points());
   const double ratio = drawn.sizes().cwiseQuotient(rectangle.sizes()).maxCoeff();
   const model::LatticePitch pitch = model::lattice_pitch(lattice, angle);
   std::vector<std::vector<LatticeCell>> found;

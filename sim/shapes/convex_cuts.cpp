@@ -15,6 +15,7 @@
 #include "model/assembly/crossing.hpp"
 #include "model/assembly/cylinder_faces.hpp"
 #include "model/base/angle.hpp"
+#include "model/base/box_of.hpp"
 #include "model/base/decompositions.hpp"
 #include "model/base/invalid_input.hpp"
 
@@ -56,11 +57,7 @@ struct WatchPoint {
   double depth;  // its distance over that of the nearest ones: what it counts for
 };
 
-double longest_side(const Polyhedron& solid) {
-  Eigen::AlignedBox3d box;
-  for (const Vector3d& p : solid.points) box.extend(p);
-  return box.sizes().maxCoeff();
-}
+double longest_side(const Polyhedron& solid) { return model::box_of(solid.points).sizes().maxCoeff(); }
 
 std::array<Vector3d, 3> corners_of(const Polyhedron& solid, int t) {
   const auto& [a, b, c] = solid.triangles[t];

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/base/box_of.hpp"
 #include "targets/curve/polyline_checks.hpp"
 
 namespace kinetix::targets {
@@ -14,7 +15,7 @@ Curve::Curve(std::vector<Vector2d> points) : points_(std::move(points)) {
   check_points(points_);
   check_open(points_);
   check_crossing(points_);
-  diagonal_ = diagonal_of(points_);
+  diagonal_ = model::box_of(points_).diagonal().norm();
   arc_.push_back(0);
   for (std::size_t k = 1; k < points_.size(); ++k) {
     const Vector2d step = points_[k] - points_[k - 1];

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "model/base/box_of.hpp"
 #include "targets/curve/segment_pairs.hpp"
 
 namespace kinetix::targets {
@@ -54,18 +55,8 @@ template void check_points(const std::vector<Eigen::Vector2d>& points);
 template void check_points(const std::vector<Eigen::Vector3d>& points);
 
 template <class Point>
-double diagonal_of(const std::vector<Point>& points) {
-  Eigen::AlignedBox<double, Point::RowsAtCompileTime> box;
-  for (const Point& point : points) box.extend(point);
-  return box.diagonal().norm();
-}
-
-template double diagonal_of(const std::vector<Eigen::Vector2d>& points);
-template double diagonal_of(const std::vector<Eigen::Vector3d>& points);
-
-template <class Point>
 void check_open(const std::vector<Point>& points) {
-  if ((points.front() - points.back()).norm() <= touching * diagonal_of(points))
+  if ((points.front() - points.back()).norm() <= touching * model::box_of(points).diagonal().norm())
     throw InvalidCurve("the curve is closed (its last point is its first); a strip needs an open curve",
                        static_cast<int>(points.size()) - 1);
 }

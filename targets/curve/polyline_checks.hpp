@@ -11,11 +11,7 @@ namespace kinetix::targets {
 template <class Point>  // Eigen::Vector2d, Eigen::Vector3d
 void check_points(const std::vector<Point>& points);
 
-/// Of the box around points, in their unit.
-template <class Point>
-double diagonal_of(const std::vector<Point>& points);
-
-/// Of that diagonal: parts of a curve that are closer meet, but for rounding.
+/// Of the diagonal of the box round a curve: parts of a curve that are closer meet, but for rounding.
 constexpr double touching = 1e-9;
 
 /// @throws InvalidCurve for a polyline whose ends meet

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/base/box_of.hpp"
 #include "targets/curve/polyline_checks.hpp"
 #include "targets/curve/segment_pairs.hpp"
 
@@ -33,7 +34,7 @@ void check_meeting(const std::vector<Vector3d>& points, double near) {
 std::vector<Vector3d> checked(std::vector<Vector3d> points, double& diagonal) {
   check_points(points);
   check_open(points);
-  diagonal = diagonal_of(points);
+  diagonal = model::box_of(points).diagonal().norm();
   check_turns(points);
   check_meeting(points, touching * diagonal);
   return points;

@@ -18,6 +18,7 @@
 #include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
 #include "app/run/search_words.hpp"
+#include "model/base/box_of.hpp"
 #include "model/sheet/sheet.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "model/tolerance/observed_points.hpp"
@@ -206,9 +207,8 @@ class CurveGoal final : public Goal {
 
   Forecast forecast() const override {
     Forecast out{sheet_of(model::ExactDesign<double>::basic(file_.columns, file_.rows), file_.size)};
-    Eigen::AlignedBox2d box;
-    for (const Eigen::Vector2d& point : file_.curve.points()) box.extend(point);
-    out.folded_mm = {box.sizes().x(), file_.rows * file_.size.edge_mm, box.sizes().y()};
+    const Eigen::Vector2d size = model::box_of(file_.curve.points()).sizes();
+    out.folded_mm = {size.x(), file_.rows * file_.size.edge_mm, size.y()};
     out.search_s = seconds_a_start * file_.solver.starts.value_or(optim::MultiStartOptions{}.starts) *
                    std::pow(file_.columns / 40.0, 1.5) * repeats(file_.curve, file_.columns);
     if (file_.robust) out.search_s *= robust_designs;

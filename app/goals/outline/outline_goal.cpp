@@ -10,6 +10,7 @@
 #include "app/result/state_json.hpp"
 #include "app/run/goal_kind.hpp"
 #include "app/run/run.hpp"
+#include "model/base/box_of.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
@@ -86,11 +87,10 @@ class OutlineGoal final : public Goal {
   explicit OutlineGoal(OutlineFile file) : Goal(file.name), file_(std::move(file)) {}
 
   Forecast forecast() const override {
-    Eigen::AlignedBox2d box;
-    for (const Eigen::Vector2d& point : file_.folded.points()) box.extend(point);
+    const Eigen::Vector2d size = model::box_of(file_.folded.points()).sizes();
     const OutlineStart start = outline_start(file_);
     Forecast out{make_sheet(file_.lattice, start.cells, file_.size(start.edge_mm))};
-    if (!file_.cell_mm) out.folded_mm = {box.sizes().x(), box.sizes().y(), out.sheet.size().height_mm};
+    if (!file_.cell_mm) out.folded_mm = {size.x(), size.y(), out.sheet.size().height_mm};
     out.search_s = out.sheet.hinges() * (file_.flat ? seconds_a_wall_of_both : seconds_a_wall);
     add_settings(file_, out);
     return out;

@@ -12,6 +12,7 @@
 #include "app/run/goal_kind.hpp"
 #include "app/run/run.hpp"
 #include "app/run/search_words.hpp"
+#include "model/base/box_of.hpp"
 #include "model/lattice/square/family/drive.hpp"
 #include "model/sheet/sheet_motion.hpp"
 
@@ -135,9 +136,7 @@ class SpaceCurveGoal final : public Goal {
   Forecast forecast() const override {
     const int columns = file_.variables.columns;
     Forecast out{sheet_of(model::ExactDesign<double>::basic(columns, 1), file_.variables.size)};
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& point : file_.wanted.points()) box.extend(point);
-    out.folded_mm = {box.sizes().x(), box.sizes().y(), box.sizes().z()};
+    out.folded_mm = model::box_of(file_.wanted.points()).sizes();
     out.search_s = seconds_of_96 * std::pow(columns / 96.0, 3);
     add_settings(file_, out);
     if (file_.robust) out.search_s *= designs_of_robust_search(tried_theta(), file_.hinge);
