@@ -62,7 +62,7 @@ void print(const Run& run, const nlohmann::ordered_json& json, const std::string
     std::cout << summary(run)
               << fmt::format(
                      "  {:<10} {}/{}\n", "written", folder,
-                     run.way ? "result.json, design.yaml, parts" : "report.html, result.json, design.yaml");
+                     std::string("report.html, result.json, design.yaml") + (run.way ? ", parts" : ""));
 }
 
 /// @param watch started before the file was read   @param has_parts whether a run that is stopped has something to keep
@@ -162,9 +162,6 @@ int run_design_command(const CommandOptions& options, Model model, const std::st
   Stopwatch watch;
   const targets::Node root = document_of(options);
   const Design design = design_of(options, root);
-  if (options.open && design.structure.assembly())
-    throw InvalidInput("--open shows the report of a sheet, and this is an imported design of bodies",
-                       {options.file});
   // A closed form has no part that could be kept: Ctrl-C ends the program at once. Imported bodies go their way step by step.
   const bool has_parts = model != Model::exact || design.structure.assembly();
   return run_and_write(

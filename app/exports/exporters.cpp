@@ -7,6 +7,7 @@
 #include "app/io/base64.hpp"
 #include "app/report/light_result.hpp"
 #include "app/report/report.hpp"
+#include "app/result/bodies_json.hpp"
 #include "app/viewer/assets.hpp"
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
@@ -19,6 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Edge = model::CreasePattern::Edge;
 
+constexpr std::size_t most_triangles = 200'000;            // of bodies in a report: a page of 5 MB
 constexpr std::string_view creases_name = "creases.fold";  // in the folder of results
 
 std::vector<NamedContent> write_design(const Run& run, const Json&) {
@@ -88,10 +90,21 @@ std::vector<NamedContent> write_pictures(const Run& run, const Json&) {
   return run.goal ? run.goal->pictures(run, false) : std::vector<NamedContent>{};
 }
 
-/// The result with the pictures that belong into the page itself, without the time of writing: it is not known yet.
+std::size_t triangles_of(const model::Assembly& bodies) {
+  std::size_t count = 0;
+  for (const model::AssemblyBody& body : bodies.bodies) count += body.solid.triangles.size();
+  for (const model::AssemblyHinge& hinge : bodies.hinges) count += hinge.soft.triangles.size();
+  return count;
+}
+
+/// The result with the pictures that belong into the page itself, without the time of writing: it is not known yet. Imported bodies come
+/// with their meshes.
 std::vector<NamedContent> write_report(const Run& run, const Json& result) {
-  if (run.way) return {};  // the page draws walls
   Json shown = result;
+  if (const model::Assembly* bodies = run.design.structure.assembly()) {
+    shown["structure"] = shown_bodies_json(*bodies);
+    if (triangles_of(*bodies) <= most_triangles) shown["meshes"] = meshes_json(*bodies);
+  }
   shown["timing_s"].erase("write");
   if (run.goal)
     for (const auto& [name, png] : run.goal->pictures(run, true))

@@ -3,7 +3,8 @@
 const always = () => true;
 const hasStable = ({stable}) => stable.states.length > 1 || stable.unresolved.length > 0;
 const hasEquilibrium = (data) => data.equilibrium !== null;
-const hasLayout = (data) => !data.kind?.hasNoLayout;
+const hasHeat = (data) => hasEquilibrium(data) && !data.structure.isBodies;
+const hasLayout = (data) => !data.kind?.hasNoLayout && !data.structure.isBodies;
 const isTiltedDesign = (data) => !data.kind && largestTilt(data.structure) > 1e-4;
 const hasFidelity = (data) => Boolean(data.raw.target) || data.fidelity.length > 0;
 
@@ -23,7 +24,7 @@ const CLOSING_SECTIONS = [
 /** Folded away: for whoever wants to know how it was found, and how sure it is. */
 const DETAILS = [
   ["words", "The verdict in numbers", wordsSection, always],
-  ["energy", "Where the energy is", energySection, hasEquilibrium],
+  ["energy", "Where the energy is", energySection, hasHeat],
   ["search", "Convergence of the search", searchSection, ({runs}) => runs.length > 0],
   ["fidelity", "Speed against error", fidelitySection, hasFidelity],
   ["plan", "Plan and provenance", planSection, always],

@@ -6,7 +6,7 @@ import {after, before, test} from "node:test";
 import {browser, folder, open, run, serve} from "./studio.mjs";
 
 const WALL = 20, GAP = 1;  // mm: from hinge to hinge, and between two walls
-let chrome, studio, page, complaints;
+let chrome, studio, page, complaints, out;
 
 const text = (id) => page.$eval(`#${id}`, (node) => node.textContent);
 const shown = (id) => page.$eval(`#${id}`, (node) => node.offsetParent !== null);
@@ -28,7 +28,8 @@ function strip() {
 }
 
 before(async () => {
-  const home = folder(), model = path.join(home, "strip.obj"), out = path.join(home, "out");
+  const home = folder(), model = path.join(home, "strip.obj");
+  out = path.join(home, "out");
   writeFileSync(model, strip());
   await run("import", model, "--unit", "mm", "-o", out);
   chrome = await browser();
@@ -123,4 +124,24 @@ test("it is dragged in the physics", async () => {
   await page.waitForFunction((y) => window.kinetix.poses()[2][1] > y + 3, {timeout: 20000}, before[1]);
   await page.evaluate(() => window.kinetix.release());
   assert.deepEqual(complaints, []);
+});
+
+test("the report of a run draws bodies and soft parts, at rest and moved", async () => {
+  const results = path.join(out, "turned"), report = await chrome.newPage(), errors = [];
+  await run("simulate", path.join(out, "design.yaml"), "--model", "equilibrium", "--theta-deg", "10", "-o", results);
+  report.on("pageerror", (error) => errors.push(String(error)));
+  await report.goto(`file://${results}/report.html`);
+  await report.waitForFunction(() => document.documentElement.dataset.ready === "true");
+  const seen = await report.evaluate(() => ({
+    faces: [...document.querySelectorAll(".first-shots .standing")].map((picture) => picture.children.length),
+    facts: Object.fromEntries([...document.querySelectorAll(".first-facts div")].map((row) => [row.children[0].textContent, row.children[1].textContent])),
+    sections: [...document.querySelectorAll("section[id]")].map(({id}) => id), slider: Boolean(document.querySelector("#space .slider input")),
+  }));
+  assert.equal(seen.faces.length, 2);
+  for (const faces of seen.faces) assert.ok(faces >= 5 * 6 && faces <= 5 * 12, `${faces} of 60 triangles are seen`);
+  assert.equal(seen.facts.Bodies, "3, with 2 hinges");
+  assert.match(seen.facts["At rest"], /^59\.?\d* \u00d7 0\.80+ \u00d7 6/);
+  assert.notEqual(seen.facts.Moved, seen.facts["At rest"]);
+  assert.ok(seen.slider && seen.sections.includes("load") && !seen.sections.includes("layout"), seen.sections.join());
+  assert.deepEqual(errors, []);
 });

@@ -21,7 +21,7 @@ function numberRows(value, length) {
 /** A vertex is [i, j] in a lattice of squares and [number] in any other. */
 function readBody(raw) {
   const vertex = list(raw?.vertex), [i = 0, j = 0] = vertex;
-  return {i, j, isSquare: vertex.length === 2, number: i, rest: numberRows([raw?.position_mm], 3)[0] ?? null};
+  return {i, j, isSquare: vertex.length === 2, number: i, name: raw?.name, rest: numberRows([raw?.position_mm], 3)[0] ?? null};
 }
 
 function readHinge(raw, bodies) {
@@ -35,7 +35,9 @@ function readHinge(raw, bodies) {
   return {
     a,
     b,
+    name: raw.name,
     ends: [from.number, to.number],
+    across: numberRows([raw.along], 3)[0] ?? null,
     along,
     t,
     point,
@@ -49,8 +51,8 @@ function readHinge(raw, bodies) {
 }
 
 /** A wall as a reader finds it. */
-function wallWords({along, column, row, ends}) {
-  return along ? `column ${column}, row ${row}, wall along ${along}` :
+function wallWords({name, along, column, row, ends}) {
+  return name ? name : along ? `column ${column}, row ${row}, wall along ${along}` :
                  `wall from vertex ${ends[0]} to ${ends[1]}`;
 }
 
@@ -62,7 +64,13 @@ function span(first, number, indices) {
                           {["first" + first]: 0, [number]: 0};
 }
 
-function readStructure(raw) {
+/** Surfaces of imported bodies and their soft parts; null where the page has none. */
+function readMeshes(raw) {
+  if (!someDictionary(raw) || typeof KinetixScene === "undefined") return null;
+  return {bodies: list(raw.bodies).map(KinetixScene.decoded), hinges: list(raw.hinges).map((mesh) => mesh && KinetixScene.decoded(mesh))};
+}
+
+function readStructure(raw, meshes) {
   const cell = finite(raw.cell_mm) ?? 10;
   const bodies = list(raw.bodies).map(readBody);
   const hinges = list(raw.hinges).map((hinge) => readHinge(hinge, bodies)).filter(Boolean);
@@ -74,6 +82,8 @@ function readStructure(raw) {
     lattice: raw.lattice ?? "square",
     cells: list(raw.cells).length,
     isSquare: bodies.every((body) => body.isSquare),
+    isBodies: bodies.some((body) => body.name),
+    meshes: readMeshes(meshes),
     bodies,
     hinges,
     ...span("Column", "columns", columns),
@@ -169,7 +179,7 @@ function viewFor(kind, raw, equilibrium) {
 }
 
 function readResult(raw) {
-  const structure = readStructure(dictionary(raw.structure));
+  const structure = readStructure(dictionary(raw.structure), raw.meshes);
   const metrics = dictionary(raw.metrics), tolerance = dictionary(raw.tolerance);
   const optimiser = dictionary(raw.optimiser), equilibrium = readEquilibrium(raw.equilibrium);
   const kind = kindOf(raw), states = readStates(raw.states, structure);

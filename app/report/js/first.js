@@ -6,6 +6,7 @@ const SHOT_MARGIN = 10;       // CSS pixels around a picture
 const FOLDED_COLUMN = 1.35;   // width of the column of the folded thing over that of the flat sheet, as in the style sheet
 const NARROW = "(max-width: 700px)";  // where they stand one below the other, as in the style sheet
 const FIRST_SLANT = [-0.55, 0.42], FIRST_TOP = [0, 1.1];  // azimuth and elevation, rad
+const MOST_FACES = 6000;      // of bodies in a picture: more take a browser seconds, and the view in space shows them
 const OWN_SPRINGS = "its own springs";  // as `effort` of results calls a drive that nobody presses
 
 /** Whether no plates hold a panel's sides: its equilibrium then lies in its plane turned by whatever moved it. */
@@ -71,22 +72,30 @@ function fitted(points, width, perMm) {
   return {height, to: ([x, y]) => [left + (x - box.low[0]) * perMm, SHOT_MARGIN + (box.high[1] - y) * perMm]};
 }
 
-/** A picture: what it takes up, mm, and what draws it. */
-function foldedShot(data) {
+/** Whether a face is seen by the eye, from outside. */
+function isFaced([a, b, c], eye) {
+  return dot(cross(subtract(b, a), subtract(c, a)), eye.away) < 0;
+}
+
+/** A picture: what it takes up, mm, and what draws it; null of bodies with too many faces. */
+function foldedShot(data, state = data.states.model, label = "The thing, folded") {
+  const {isBodies} = data.structure;
   if (data.kind?.standing && data.states.flat) return data.kind.standing(data);
   const eye = camera(...(data.view === "top" ? FIRST_TOP : FIRST_SLANT)), project = (p) => [dot(p, eye.right), dot(p, eye.up)];
-  const shapes = standingPlates(data, data.states.model).map((plate) => ({
+  const seen = standingPlates(data, state).filter(({corners}) => !isBodies || isFaced(corners, eye));
+  if (isBodies && !(seen.length > 0 && seen.length <= MOST_FACES)) return null;
+  const shapes = seen.map((plate) => ({
     polygon: outline(plate, project), depth: dot(mean(plate.corners), eye.away), corners: plate.corners
   })).sort((a, b) => b.depth - a.depth);
   const lines = firstGoal(data).map((line) => line.map(project));
   const bare = (data.goal?.bare ?? []).map((line) => line.map(project));
   const fill = (corners) => litColour(corners, eye, colour("model-plate"), colour("model-shade"));
   return {
-    label: "The thing, folded", points: [...shapes.flatMap(({polygon}) => polygon), ...lines.flat()],
+    label, points: [...shapes.flatMap(({polygon}) => polygon), ...lines.flat()],
     marks: (to) => [
       svg("g", {class: seenFromSide(data) ? "standing-goal" : "standing-head"}, lines.map((line) => svg("path", {d: path(line.map(to))}))),
       svg("g", {class: "bare"}, bare.map((line) => svg("path", {d: path(line.map(to))}))),
-      svg("g", {class: "standing"}, shapes.map(({polygon, corners}) => svg("path", {d: path(polygon.map(to), true), style: `fill:${fill(corners)}`})))
+      svg("g", {class: "standing"}, shapes.map(({polygon, corners}) => svg("path", {d: path(polygon.map(to), true), style: isBodies ? `fill:${fill(corners)};stroke:${fill(corners)}` : `fill:${fill(corners)}`})))
     ]
   };
 }
@@ -167,11 +176,12 @@ function printText({print}) {
 }
 
 function firstFacts(data) {
-  const {structure, states} = data, walls = `walls ${millimetres(structure.thickness)} thick, ${millimetres(structure.height)} high`;
+  const {structure, states} = data, {isBodies} = structure, walls = `walls ${millimetres(structure.thickness)} thick, ${millimetres(structure.height)} high`;
+  const isDrawn = plates(structure).length > 0;
   const rows = [
-    ["Flat", states.flat && sizeText(boxOfPlates(standingFlat(data)))],
-    ["Folded", states.model && sizeText(boxOfPlates(standingPlates(data, states.model)))],
-    ["Sheet", `${cellsText(structure)}; ${walls}`],
+    [isBodies ? "At rest" : "Flat", isDrawn && states.flat && sizeText(boxOfPlates(standingFlat(data)))],
+    [isBodies ? "Moved" : "Folded", isDrawn && states.model && sizeText(boxOfPlates(standingPlates(data, states.model)))],
+    isBodies ? ["Bodies", `${structure.bodies.length}, with ${count(structure.hinges.length, "hinge", "hinges")}`] : ["Sheet", `${cellsText(structure)}; ${walls}`],
     ["Force", forceText(data)],
     ["Strain", strainText(data)],
     ["As made", asMadeText(data)],
@@ -189,14 +199,17 @@ function firstShots(data) {
   const {structure, states} = data;
   if (!structure.hinges.length) return missing("This result holds no structure to draw.");
   const rest = extent(structure.bodies.map(({rest: place}) => place)), isLong = rest.size[0] > LONG_SHEET * rest.size[1];
-  const folded = states.model && foldedShot(data), flat = states.flat && flatShot(data);
+  const {isBodies} = structure, folded = states.model && foldedShot(data);
+  const flat = states.flat && (isBodies ? foldedShot(data, states.flat, "The bodies at rest") : flatShot(data));
+  const words = isBodies ? ["Moved", "at the scale of the bodies at rest", "At rest, as they were imported"] : ["Folded", "at the scale of the flat sheet", "Flat, as it is printed"];
+  if (isBodies && !flat) return null;
   const wider = () => (isLong || window.matchMedia(NARROW).matches ? 1 : FOLDED_COLUMN);
   const figure = (draw, words) => html("figure", {}, responsive(draw), html("figcaption", {}, words));
   return html(
       "div", {class: isLong ? "first-shots long" : "first-shots"},
-      folded ? figure((width) => drawShot(folded, flat, width, 1 / wider()), flat ? "Folded, at the scale of the flat sheet" : "Folded") :
+      folded ? figure((width) => drawShot(folded, flat, width, 1 / wider()), flat ? `${words[0]}, ${words[1]}` : words[0]) :
                missing("This result holds no complete folded state to draw."),
-      flat ? figure((width) => drawShot(flat, folded, width, wider()), "Flat, as it is printed") : null);
+      flat ? figure((width) => drawShot(flat, folded, width, wider()), words[2]) : null);
 }
 
 /** Problems, a sentence each: all errors, and warnings that fold away where there are several problems. */

@@ -50,16 +50,28 @@ function halfWalls(structure, hinge) {
   return [plate(hinge.a, from), plate(hinge.b, to)];
 }
 
+/** Faces of imported bodies and of the halves of their soft parts at rest, drawn as plates without thickness. */
+function solidFaces({bodies, hinges, meshes}) {
+  const faces = (mesh, bodyOf) => mesh.triangles.map((triangle) => {
+    const corners = triangle.map((p) => mesh.points[p]);
+    return {corners, bodies: corners.map(bodyOf), side: [0, 0, 0]};
+  });
+  const half = ({a, b, point, across}) => (p) => (across && dot(across, subtract(p, point)) > 0 ? b : a);
+  return [...meshes.bodies.flatMap((mesh, body) => faces(mesh, () => body)),
+    ...meshes.hinges.flatMap((mesh, k) => (mesh ? faces(mesh, half(hinges[k])) : []))];
+}
+
 function plates(structure) {
+  if (structure.isBodies) return (structure.faces ??= structure.meshes ? solidFaces(structure) : []);
   return structure.hinges.flatMap((hinge) => halfWalls(structure, hinge));
 }
 
 function carriedPlate(structure, state, plate) {
-  const pose = state.poses[plate.body], rest = structure.bodies[plate.body].rest;
+  const bodyOf = (k) => plate.bodies?.[k] ?? plate.body;
   return {
     ...plate,
-    corners: plate.corners.map((corner) => carried(pose, rest, corner)),
-    side: turned(pose.q, plate.side),
+    corners: plate.corners.map((corner, k) => carried(state.poses[bodyOf(k)], structure.bodies[bodyOf(k)].rest, corner)),
+    side: turned(state.poses[bodyOf(0)].q, plate.side),
   };
 }
 

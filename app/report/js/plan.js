@@ -74,7 +74,7 @@ function planGroup(data) {
   const why = list(plan.why).filter((line) => typeof line === "string");
   return group(
       "Plan", facts([
-        ["Family", FAMILIES[plan.family] ?? plan.family],
+        ["Family", structure.isBodies ? null : FAMILIES[plan.family] ?? plan.family],
         ["Model", MODELS[plan.model] ?? plan.model],
         ["Bodies", finite(plan.bodies) ?? (structure.bodies.length || null)],
         ["Hinges", finite(plan.hinges) ?? (structure.hinges.length || null)],

@@ -98,8 +98,8 @@ class SceneView {
     if (this.made) return this.made;
     const {data, motion} = this;
     this.made = new KinetixScene.Scene(this.canvas);
-    this.made.setStructure(fullStructure(data), {fit: false});
-    this.made.standBy(motion.poses(motion.to));
+    this.made.setStructure(fullStructure(data), {fit: false, meshes: data.structure.meshes});
+    this.made.standBy(data.structure.isBodies ? null : motion.poses(motion.to));
     this.made.setGoal(goalOf(data, motion));
     this.made.orbit.view(data.view === "top" ? "top" : "slant");
     this.show(this.theta);
@@ -117,15 +117,15 @@ class SceneView {
 
   /** Which body and hinge are under the pointer. */
   name({clientX, clientY}) {
-    const found = this.scene.pick(clientX, clientY);
-    this.scene.setMarked(found ? {chosen: [found.hinge]} : {});
-    this.named.textContent = found ? `body ${found.body}, hinge ${found.hinge}: tilt ${degrees(toDegrees(this.data.structure.hinges[found.hinge]?.beta ?? 0))}` : "";
+    const found = this.scene.pick(clientX, clientY), {bodies, hinges, isBodies} = this.data.structure, isHinge = found?.hinge !== undefined;
+    this.scene.setMarked(!found ? {} : isHinge ? {chosen: [found.hinge]} : {bodies: [found.body]});
+    this.named.textContent = found && isBodies ? (isHinge ? hinges[found.hinge] : bodies[found.body]).name : found ? `body ${found.body}, hinge ${found.hinge}: tilt ${degrees(toDegrees(this.data.structure.hinges[found.hinge]?.beta ?? 0))}` : "";
   }
 
   /** What colours can show of this result, each as shares from 0 to 1 of hinges or bodies. */
   colours() {
     const {structure, raw} = this.data;
-    const out = {tilt: {text: "tilt", show: () => shares(structure.hinges.map(({beta}) => toDegrees(beta)), "hinge"), unit: degrees}};
+    const out = structure.isBodies ? {} : {tilt: {text: "tilt", show: () => shares(structure.hinges.map(({beta}) => toDegrees(beta)), "hinge"), unit: degrees}};
     out.turn = {text: "turn", moves: true, show: () => shares(structure.hinges.map(({a, b}) => toDegrees(KinetixScene.turnBetween(this.scene.poses, a, b))), "hinge"), unit: degrees};
     const off = list(dictionary(raw[this.data.kind?.name]).body_mm).map(finite);
     if (off.length === structure.bodies.length) out.error = {text: "distance from goal", show: () => shares(off, "body"), unit: millimetres};
@@ -200,7 +200,8 @@ class SceneView {
       this.readout = html("output", {}, this.placeWords());
       this.button = html("button", {type: "button", click: () => this.play(!this.playing)}, "Play");
     }
-    const fold = moves ? html("label", {class: "slider"}, "flat", this.slider, "folded ", this.readout) : null;
+    const [start, end] = this.data.structure.isBodies ? ["at rest", "moved "] : ["flat", "folded "];
+    const fold = moves ? html("label", {class: "slider"}, start, this.slider, end, this.readout) : null;
     const physics = this.data.states.physics ? html("fieldset", {}, choice("source", "model", true, () => this.showPhysics(false)),
         choice("source", "physics run", false, () => this.showPhysics(true))) : null;
     this.choices = this.colours();

@@ -66,7 +66,7 @@ function fittingScale(faces, eye, width, height) {
 }
 
 function litColour(face, eye, lit, shade) {
-  const normal = unit(cross(subtract(face[1], face[0]), subtract(face[3], face[0])));
+  const normal = unit(cross(subtract(face[1], face[0]), subtract(face[face.length - 1], face[0])));
   const light = unit(add(add(scale(eye.right, -0.4), scale(eye.up, 0.7)), scale(eye.away, -0.6)));
   return blend(lit, shade, 0.85 * (1 - Math.abs(dot(normal, light))));
 }
@@ -226,9 +226,11 @@ function controls(scene, motion, repaint) {
 }
 
 function spaceSection(data) {
+  const {hinges, isBodies, meshes} = data.structure;
+  if (isBodies && !meshes) return missing("The surfaces of its bodies are not on this page; kinetix-opt view shows them.");
+  if (data.states.model && hinges.length && hasScene()) return sceneSection(data);
   const {motion, physics} = stopsOf(data);
-  if (!motion.length || !data.structure.hinges.length) return missing("This result holds no state to draw.");
-  if (data.states.model && hasScene()) return sceneSection(data);
+  if (!motion.length || !hinges.length) return missing("This result holds no state to draw.");
   const stops = physics ? [...motion, physics] : motion;
   const scene = {stops, stop: motion.length - 1, azimuth: VIEWS.Slant[0], elevation: VIEWS.Slant[1]};
   const canvas = html("canvas", {

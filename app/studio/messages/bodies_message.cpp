@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <bit>
 
-#include "app/io/base64.hpp"
 #include "app/result/bodies_json.hpp"
 #include "model/base/angle.hpp"
 
@@ -15,42 +13,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double rattles = 2 * radians_per_degree;  // rad: what gives way by less does not move
-
-template <class Number>
-void add_bytes(std::string& out, Number value) {
-  static_assert(std::endian::native == std::endian::little, "meshes are little-endian");
-  out.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
-Json mesh_json(const model::Polyhedron& solid) {
-  std::string points, triangles;
-  for (const Eigen::Vector3d& p : solid.points)
-    for (const double v : {p.x(), p.y(), p.z()}) add_bytes(points, static_cast<float>(v));
-  for (const auto& triangle : solid.triangles)
-    for (const int corner : triangle) add_bytes(triangles, static_cast<std::uint32_t>(corner));
-  return {{"points", to_base64(points)}, {"triangles", to_base64(triangles)}};
-}
-
-/// Block, pin or ball; a hinge where there is no rod.
-std::string kind_of(const model::AssemblyHinge& hinge) {
-  if (hinge.ball) return "ball";
-  return hinge.kind == model::HingeKind::pin && hinge.rod_mm == 0 ? "hinge" : to_string(hinge.kind);
-}
-
-/// As in result.json, and what a person wants to know of a hinge.
-Json structure_json(const model::Assembly& assembly) {
-  Json out = bodies_json(assembly);
-  for (std::size_t h = 0; h < assembly.hinges.size(); ++h) {
-    const model::AssemblyHinge& hinge = assembly.hinges[h];
-    Json& one = out["hinges"][h];
-    one["kind"] = kind_of(hinge);
-    one["along"] = {hinge.along.x(), hinge.along.y(), hinge.along.z()};
-    one["confidence"] = hinge.confidence;
-    if (hinge.rod_mm > 0) one["diameter_mm"] = hinge.rod_mm;
-    if (hinge.rod_mm > 0) one["clearance_mm"] = hinge.clearance_mm;
-  }
-  return out;
-}
 
 Json size_json(const model::Assembly& assembly) {
   Eigen::AlignedBox3d box;
@@ -102,11 +64,9 @@ Json opener(int hinge) { return hinge < 0 ? Json(nullptr) : Json(hinge); }
 }  // namespace
 
 Json meshes_message(const model::Assembly& assembly) {
-  Json bodies = Json::array(), hinges = Json::array();
-  for (const model::AssemblyBody& body : assembly.bodies) bodies.push_back(mesh_json(body.solid));
-  for (const model::AssemblyHinge& hinge : assembly.hinges)
-    hinges.push_back(hinge.soft.points.empty() ? Json(nullptr) : mesh_json(hinge.soft));
-  return {{"type", "meshes"}, {"bodies", bodies}, {"hinges", hinges}};
+  Json out = {{"type", "meshes"}};
+  out.update(meshes_json(assembly));
+  return out;
 }
 
 Json bodies_message(const Design& design, const Moving& moving) {
@@ -114,7 +74,7 @@ Json bodies_message(const Design& design, const Moving& moving) {
   const BodiesWay& way = *moving.way;
   return {{"type", "design"},
           {"name", design.name},
-          {"structure", structure_json(assembly)},
+          {"structure", shown_bodies_json(assembly)},
           {"theta_rad", asked_theta(design, moving)},
           {"theta_range_rad", {moving.least_theta, moving.most_theta}},
           {"exact", way.turns.back() - way.turns.front() > rattles},

@@ -5,3 +5,4 @@ export {turnBetween} from "./quaternion.js";
 export {storedMotion} from "./interpolate.js";
 export {canRecord, record, saveAs} from "./recording.js";
 export {Scene} from "./scene.js";
+export {decoded} from "./solids.js";
