@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "app/cad/found_solid.hpp"
 #include "app/cad/product.hpp"
+#include "app/cad/solid_bytes.hpp"
 
 namespace kinetix::app::cad {
 

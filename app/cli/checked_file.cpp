@@ -1,14 +1,17 @@
 #include "app/cli/checked_file.hpp"
 
 #include <fmt/format.h>
-
+#include <sys/resource.h>
+#include <unistd.h>
+#include <algorithm>
+#include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
-#include "app/goals/read_target.hpp"
-#include "app/io/free_memory.hpp"
+#include "app/goals/registry.hpp"
 #include "app/pipeline/certify.hpp"
-#include "app/pipeline/design_drive.hpp"
-#include "app/pipeline/forecast_design.hpp"
+#include "app/pipeline/exact_state.hpp"
+#include "app/pipeline/hinge_loads.hpp"
 #include "app/result/certified_json.hpp"
 #include "app/result/state_json.hpp"
 #include "app/run/design_hinges.hpp"
@@ -17,6 +20,34 @@
 
 namespace kinetix::app {
 namespace {
+
+std::optional<double> available_bytes() {
+  std::ifstream file("/proc/meminfo");
+  std::string key, unit;
+  double kib = 0;
+  while (file >> key >> kib && std::getline(file, unit))
+    if (key == "MemAvailable:") return kib * 1024;
+  return std::nullopt;
+}
+
+/// Bytes that the limit of address space leaves; infinity where there is none.
+double left_of_limit() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+    return std::numeric_limits<double>::infinity();
+  double pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return std::max(static_cast<double>(limit.rlim_cur) - pages * static_cast<double>(sysconf(_SC_PAGESIZE)),
+                  0.0);
+}
+
+/// Memory that this process can still take, bytes: what the system has available, or what a limit of the process (`ulimit -v`)
+/// leaves, if that is less. Nothing where the system does not report it.
+std::optional<double> free_memory() {
+  const std::optional<double> available = available_bytes();
+  if (!available) return std::nullopt;
+  return std::min(*available, left_of_limit());
+}
 
 // Of a fold whose file has no goal; the report of a search turns it as its goal lies.
 constexpr const char* of_motion = " along x, y and z of the design's motion";

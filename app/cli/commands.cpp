@@ -1,36 +1,129 @@
 #include "app/cli/commands.hpp"
 
 #include <fmt/format.h>
-
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <csignal>
+#include <filesystem>
 #include <functional>
 #include <iostream>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <stop_token>
+#include <string>
+#include <system_error>
+#include <thread>
 
 #include "app/cli/checked_file.hpp"
 #include "app/console/console.hpp"
-#include "app/console/open_report.hpp"
-#include "app/console/stopper.hpp"
-#include "app/exports/write_results.hpp"
+#include "app/exports/exporters.hpp"
 #include "app/files/bodies_section.hpp"
-#include "app/goals/read_target.hpp"
+#include "app/goals/registry.hpp"
 #include "app/io/atomic_file.hpp"
-#include "app/io/own_input.hpp"
-#include "app/pipeline/design_drive.hpp"
 #include "app/pipeline/drive_trials.hpp"
+#include "app/pipeline/hinge_loads.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/print/fit.hpp"
-#include "app/result/drive_trials_summary.hpp"
 #include "app/result/result_json.hpp"
+#include "app/result/summary.hpp"
 #include "app/result/verdict.hpp"
-#include "app/run/interrupted.hpp"
-#include "app/run/stopwatch.hpp"
+#include "app/run/run_options.hpp"
 #include "app/sweep/plan/sweep_plan.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/document/document.hpp"
 
 namespace kinetix::app {
 namespace {
+
+/// Asks a run to stop and keep the best so far: at the first Ctrl-C, or when its time is up. A second Ctrl-C ends the
+/// program as it always did.
+class Stopper {
+ public:
+  /// @param time_limit_s from now, s, > 0; nothing: as long as it takes
+  explicit Stopper(std::optional<double> time_limit_s);
+  ~Stopper();
+  Stopper(const Stopper&) = delete;
+  Stopper& operator=(const Stopper&) = delete;
+
+  std::stop_token token() const { return source_.get_token(); }
+
+ private:
+  std::stop_source source_;
+  std::mutex mutex_;
+  std::condition_variable end_;
+  bool ends_ = false;
+  std::thread watch_;
+};
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds between_looks{20};  // nobody sees a shorter wait
+
+std::atomic<bool> interrupted = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may write it");
+struct sigaction before;
+
+extern "C" void note_interrupt(int signal_number) {
+  interrupted = true;
+  sigaction(signal_number, &before, nullptr);
+}
+
+void watch_for_interrupts() {
+  interrupted = false;
+  struct sigaction noting {};
+  noting.sa_handler = note_interrupt;
+  sigaction(SIGINT, nullptr, &before);
+  if (before.sa_handler != SIG_IGN) sigaction(SIGINT, &noting, nullptr);
+}
+
+Stopper::Stopper(std::optional<double> time_limit_s) {
+  watch_for_interrupts();
+  const Clock::time_point begin = Clock::now();
+  watch_ = std::thread([this, begin, time_limit_s] {
+    std::unique_lock lock(mutex_);
+    while (!source_.stop_requested() && !end_.wait_for(lock, between_looks, [this] { return ends_; })) {
+      const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+      const bool late = time_limit_s && seconds >= *time_limit_s;
+      if (interrupted || late) {
+        std::cerr << (late ? "the time is up" : "interrupted")
+                  << ": keeping the best so far (Ctrl-C ends without it)\n";
+        source_.request_stop();
+      }
+    }
+  });
+}
+
+Stopper::~Stopper() {
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
+  }
+  end_.notify_one();
+  watch_.join();
+  if (before.sa_handler != SIG_IGN) sigaction(SIGINT, &before, nullptr);
+}
+
+bool would_replace(const std::string& input, const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::error_code missing;  // of a file that is not there yet, which is not the input
+  return fs::equivalent(input, fs::path(folder) / "design.yaml", missing) ||
+         fs::equivalent(input, fs::path(folder) / "result.json", missing);
+}
+
+/// Where results go, which must not take the place of what they were made from: a file written by hand loses its comments and
+/// patterns, and a result its goal.
+/// @param folder for design.yaml and result.json, which need not exist   @param is_given by the user, who is not overruled
+/// @return the folder, or where that is the input's own, NAME_2 beside it
+/// @throws InvalidInput where it was given and one of these two files in it is the input
+std::string folder_beside_input(const std::string& input, const std::string& folder, bool is_given) {
+  if (!would_replace(input, folder)) return folder;
+  if (is_given)
+    throw InvalidInput("results in " + folder + " would replace this file; give another folder: -o DIR",
+                       {input});
+  return folder + "_2";
+}
 
 RunOptions run_options(const CommandOptions& options, Console& console, const std::stop_token& stop) {
   return {.threads = options.threads,

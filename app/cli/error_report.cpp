@@ -8,8 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "app/console/command_options.hpp"
-#include "app/console/printable_text.hpp"
+#include "app/console/console.hpp"
 #include "app/io/atomic_file.hpp"
 
 namespace kinetix::app {

@@ -1,8 +1,7 @@
 #include "app/console/time_left.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
-
-#include "app/console/duration_text.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -34,6 +33,14 @@ std::string TimeLeft::words(double seconds) {
   if (!is_known() || done_ >= 1) return "";
   const auto left = at(seconds);
   return left ? "about " + duration_text(*left) + " left" : "takes longer than it seemed";
+}
+
+std::string duration_text(double seconds) {
+  const auto whole = static_cast<long>(seconds);
+  if (seconds < 10) return fmt::format("{:.2g} s", seconds);
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
 }
 
 }  // namespace kinetix::app

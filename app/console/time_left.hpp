@@ -26,4 +26,7 @@ class TimeLeft {
   double told_ = std::numeric_limits<double>::infinity();   ///< s left: the least that was said
 };
 
+/// "2.3 s", "41 s", "4 min 10 s", "3 h 20 min"
+std::string duration_text(double seconds);
+
 }  // namespace kinetix::app

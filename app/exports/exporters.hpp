@@ -1,6 +1,8 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -29,5 +31,14 @@ const std::vector<const Exporter*>& exporters();
 /// Adds an exporter, for programs that link this library. Not while others read the list.
 /// @param exporter must outlive all use; no other one writes files of its names
 void add_exporter(const Exporter& exporter);
+
+struct WrittenResults {
+  nlohmann::ordered_json result;  ///< result.json
+  std::string kept_design;  ///< new name of a design.yaml that was changed since a run wrote it; else empty
+};
+
+/// Writes DIR/result.json and the files of all exporters (app/exports/exporters.hpp), or none of them. Removes files that only an
+/// earlier run had. Renames a changed design.yaml. @throws InvalidInput if the folder cannot be written
+WrittenResults write_results(const Run& run, const std::string& folder);
 
 }  // namespace kinetix::app

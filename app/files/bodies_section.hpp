@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/files/design_file.hpp"
-#include "app/io/named_content.hpp"
+#include "app/io/atomic_file.hpp"
 
 namespace kinetix::app {
 

@@ -1,9 +1,9 @@
 #include "app/files/design_file.hpp"
 
 #include <fmt/format.h>
-
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <vector>
 
 #include "app/files/bodies_section.hpp"
 #include "app/files/file_header.hpp"
@@ -27,29 +27,6 @@ const targets::Bounds in_plane = targets::between(0, 180, "degrees");
 const targets::Bounds tilt = targets::between(-90, 90, "degrees");
 // Half a wall to either side: beyond it the hinge would be nearer to another wall.
 const targets::Bounds offset = targets::between(-0.5, 0.5, "mm (within half a cell to either side)");
-
-}  // namespace
-
-const targets::KeyTable& hinge_entry_keys() {
-  using Hinge = model::HingeParameters;
-  static const targets::KeyTable keys({
-      wall_key(),
-      {"t", &Hinge::t, value::number(fraction), "where the hinge sits on the wall, from its lower vertex"},
-      {"alpha_deg", &Hinge::alpha, value::angle(in_plane),
-       "angle of the hinge's axis to the wall's edge, in the plane of the wall"},
-      {"beta_deg", &Hinge::beta, value::angle(tilt),
-       "how far the wall leans from upright, and its hinge with it"},
-      {"offset_mm", value::length(offset), targets::by_default(Hinge{}.offset),
-       "how far the hinge sits off the middle of the wall, to the left as seen from its lower vertex "
-       "(towards "
-       "z x e)"},
-      {"hinge", single_hinge_keys(),
-       "what the hinge of this wall is made of, where it is not what `hinge` says of all"},
-  });
-  return keys;
-}
-
-namespace {
 
 // What the key `shared` may say.
 constexpr targets::Word<SharedWalls> ways_to_share[] = {{"average", SharedWalls::average},
@@ -207,7 +184,67 @@ void check_offsets(const targets::Section& root, const Design& file) {
   }
 }
 
+bool is_basic(const model::HingeParameters& p) {
+  const model::HingeParameters basic;
+  return p.t == basic.t && p.alpha == basic.alpha && p.beta == basic.beta && p.offset == basic.offset;
+}
+
+std::string offset_text(double offset, double edge_mm) {
+  return offset == 0 ? "" : ", offset_mm: " + targets::shortest_text(mm_of(offset, edge_mm));
+}
+
+std::string own_hinge_text(const Design& design, int hinge) {
+  const auto own = design.own_hinges.find(hinge);
+  return own == design.own_hinges.end() ? "" : ", hinge: {" + hinge_text(own->second) + "}";
+}
+
+std::string hinges_text(const Design& design) {
+  const model::Sheet& structure = design.structure;
+  std::string text;
+  for (int h = 0; h < structure.hinges(); ++h)
+    if (const model::HingeParameters& hinge = structure.hinge(h);
+        !is_basic(hinge) || design.own_hinges.contains(h))
+      text += fmt::format("    - {{wall: {}, t: {}, alpha_deg: {}, beta_deg: {}{}{}}}\n",
+                          wall_name(structure, h), targets::shortest_text(hinge.t),
+                          targets::degrees_text(hinge.alpha), targets::degrees_text(hinge.beta),
+                          offset_text(hinge.offset, structure.size().edge_mm), own_hinge_text(design, h));
+  if (text.empty()) return {};
+  return "  hinges:  # walls that are not named have t: 0.5, alpha_deg: 90, beta_deg: 0\n" + text;
+}
+
+std::string hinge_section_text(const HingeSection& hinge) {
+  const std::string contact =
+      hinge.k_contact ? ", k_contact: " + targets::shortest_text(*hinge.k_contact) : "";
+  return fmt::format("hinge: {{model: {}, {}{}}}\n",
+                     hinge.model == HingeSection::Model::rotary ? "rotary" : "elastic", hinge_text(hinge),
+                     contact);
+}
+
+std::string physics_text(const PhysicsSection& physics) {
+  const std::string text = physics_keys().text(physics);
+  return text.empty() ? "" : "physics: {" + text + "}\n";
+}
+
 }  // namespace
+
+const targets::KeyTable& hinge_entry_keys() {
+  using Hinge = model::HingeParameters;
+  static const targets::KeyTable keys({
+      wall_key(),
+      {"t", &Hinge::t, value::number(fraction), "where the hinge sits on the wall, from its lower vertex"},
+      {"alpha_deg", &Hinge::alpha, value::angle(in_plane),
+       "angle of the hinge's axis to the wall's edge, in the plane of the wall"},
+      {"beta_deg", &Hinge::beta, value::angle(tilt),
+       "how far the wall leans from upright, and its hinge with it"},
+      {"offset_mm", value::length(offset), targets::by_default(Hinge{}.offset),
+       "how far the hinge sits off the middle of the wall, to the left as seen from its lower vertex "
+       "(towards "
+       "z x e)"},
+      {"hinge", single_hinge_keys(),
+       "what the hinge of this wall is made of, where it is not what `hinge` says of all"},
+  });
+  return keys;
+}
 
 std::optional<std::string> why_offset_does_not_fit(const Design& design, int hinge) {
   const auto& made = hinge_at(design.hinge, design.own_hinges, hinge).made;
@@ -275,6 +312,16 @@ std::vector<const HingeSection*> hinge_sections(const Design& design) {
   if (static_cast<int>(design.own_hinges.size()) < design.structure.hinges()) all.push_back(&design.hinge);
   for (const auto& [h, own] : design.own_hinges) all.push_back(&own);
   return all;
+}
+
+std::string design_text(const Design& design) {
+  if (design.structure.assembly()) return bodies_text(design);
+  return fmt::format("kinetix: 1\nname: \"{}\"\n", design.name) + structure_text(design.structure) +
+         fmt::format("design:\n  theta_deg: {}\n", targets::degrees_text(design.theta)) +
+         hinges_text(design) + drive_text(design.structure, design.drive, design.side) +
+         hinge_section_text(design.hinge) + physics_text(design.physics) +
+         (design.process == model::processes().front() ? ""
+                                                       : "process: " + process_text(design.process) + "\n");
 }
 
 }  // namespace kinetix::app

@@ -1,19 +1,43 @@
 #include "app/files/goal_settings.hpp"
 
+#include <fmt/format.h>
+#include <algorithm>
+
 #include "app/files/file_header.hpp"
 #include "app/files/process_section.hpp"
+#include "model/contact/wall_contact.hpp"
 #include "targets/document/bound_key.hpp"
 
 namespace kinetix::app {
-
-void note_process(const GoalSettings& settings, const model::CellSize& size,
-                  std::vector<std::string>& notes) {
-  note_process(settings.process, size, settings.hinge.made, notes);
-  for (const HingePart& part : settings.hinge_parts)
-    note_process(settings.process, size, part.hinge.made, notes);
-}
-
 namespace {
+
+namespace value = targets::value;
+using optim::Symmetry;
+
+// What the key `symmetry` may say.
+constexpr targets::Word<Symmetry> symmetries[] = {{"none", Symmetry::none},
+                                                  {"mirror_x", Symmetry::mirror_x},
+                                                  {"mirror_y", Symmetry::mirror_y},
+                                                  {"rotate_2", Symmetry::rotate_2},
+                                                  {"rotate_4", Symmetry::rotate_4}};
+
+constexpr targets::Word<bool> kinds[] = {{"usual", false},
+                                         {"shape_memory", true}};  // whether springs fold it
+
+const targets::KeyTable& keys() {
+  static const targets::KeyTable all(
+      {
+          {"kind", value::choice(kinds), targets::by_default("usual"),
+           "`usual`: two plates, or one hinge that is turned, whichever folds the sheet's family most "
+           "evenly; `shape_memory`: a spring in each hinge whose rest angle goes from flat to that of the "
+           "design, as "
+           "that of a shape-memory material when it is heated"},
+          {"k_turn", value::number(targets::above(0, "N mm/rad")), targets::needed, "of each such spring",
+           "shape_memory"},
+      },
+      {{"usual", "shape_memory"}, "kind"});
+  return all;
+}
 
 bool starts_as_number(const std::string& word) { return word.find_first_of("0123456789.+-") == 0; }
 
@@ -35,7 +59,95 @@ void refuse_idle_drive(const targets::Section& root, const GoalSettings& setting
       "{kind: film, material: pp, gap_mm: 2, thickness_mm: 0.4}`");
 }
 
+// At 0 nothing folds; at 45 deg a cell with hinges in the middle of its walls has closed.
+const targets::Bounds fold = targets::between(0, 45, "degrees");
+
+double read_tilt(const targets::Section& beta, double usual) {
+  std::array<double, 2> range = {-usual, usual};
+  beta.read("range_deg", range);
+  if (!(range[0] < 0 && range[1] > 0))
+    throw beta.optional("range_deg")
+        ->error("leaves one sign out: tilts alternate in sign along a crease; give a range around 0");
+  return std::min(-range[0], range[1]);
+}
+
+/// Where the file says how far theta may go, or would have.
+const targets::Section& place_of_theta(const targets::Section& root, const targets::Section& variables,
+                                       const targets::Section& theta) {
+  return theta.given() ? theta : variables.given() ? variables : root;
+}
+
 }  // namespace
+
+optim::SolverName read_solver_name(const targets::Node& node) {
+  std::vector<std::string> names;
+  for (const optim::SolverName name : optim::all_solvers()) names.push_back(to_string(name));
+  return optim::all_solvers()[node.one_of({names.begin(), names.end()})];
+}
+
+targets::KeyTable solver_keys(const std::vector<optim::SolverName>& names, std::optional<int> starts,
+                              int max_evaluations, const std::string& of_what) {
+  std::vector<std::string> words;
+  std::string meaning;
+  for (const optim::SolverName name : names) {
+    words.push_back(to_string(name));
+    meaning += (meaning.empty() ? "`" : "; `") + words.back() + "`: " + description(name);
+  }
+  std::vector<targets::Key> keys = {
+      {"name", value::choice(words), targets::by_default(words[0].c_str()), meaning}};
+  if (starts)
+    keys.push_back({"starts", &SolverSection::starts, value::integer(1, 10'000), targets::by_default(*starts),
+                    "searches, each from another start"});
+  keys.push_back({"max_evaluations", &SolverSection::max_evaluations, value::integer(1, 10'000'000),
+                  targets::by_default(max_evaluations), "most evaluations " + of_what});
+  return targets::KeyTable(std::move(keys));
+}
+
+SolverSection read_solver(const targets::Section& root) {
+  SolverSection solver;
+  const targets::Section section = root.section("solver");
+  if (const auto node = section.optional("name")) solver.name = read_solver_name(*node);
+  section.read_into(solver);
+  return solver;
+}
+
+targets::Key symmetry_key(const std::string& meaning) {
+  return {"symmetry", value::choice(symmetries), targets::by_default("none"), meaning};
+}
+
+optim::Symmetry read_symmetry(const targets::Section& section, int columns, int rows) {
+  Symmetry symmetry = Symmetry::none;
+  section.read("symmetry", symmetry, symmetries);
+  if (symmetry == Symmetry::rotate_4 && columns != rows)
+    throw section.optional("symmetry")
+        ->error("rotate_4 needs as many columns as rows, and structure.cells is [" + std::to_string(columns) +
+                ", " + std::to_string(rows) + "]; allowed here: none, mirror_x, mirror_y, rotate_2");
+  return symmetry;
+}
+
+targets::Key goal_drive_key() {
+  return {"drive", value::map(keys()), {}, "what moves the sheet where its hinges are elastic (`hinge`)"};
+}
+
+std::optional<model::ShapeMemory> read_goal_drive(const targets::Section& root) {
+  const auto node = root.optional("drive");
+  if (!node) return std::nullopt;
+  const auto kind = node->optional("kind");
+  const bool by_springs = kind && read_word(*kind, kinds);
+  const targets::KeyTable own = keys().only(by_springs ? "shape_memory" : "usual");
+  const targets::Section section(*node, own);
+  if (!by_springs) return std::nullopt;
+  model::ShapeMemory springs;
+  section.read_needed("k_turn", "a stiffness in N mm/rad", springs.k_turn);
+  return springs;
+}
+
+void note_process(const GoalSettings& settings, const model::CellSize& size,
+                  std::vector<std::string>& notes) {
+  note_process(settings.process, size, settings.hinge.made, notes);
+  for (const HingePart& part : settings.hinge_parts)
+    note_process(settings.process, size, part.hinge.made, notes);
+}
 
 targets::Key robust_key(const std::string& over) {
   return {"robust",
@@ -90,6 +202,44 @@ void read_hinges(const targets::Section& root, const std::optional<model::CellSi
   refuse_idle_drive(root, settings);
   settings.process = size ? read_process(root, *size, settings.hinge.made) : read_process(root);
   for (const HingePart& part : settings.hinge_parts) read_process(root, *size, part.hinge.made);
+}
+
+targets::Key tilt_range_key(const optim::AngleRange& usual) {
+  return {"range_deg", value::angle_range(targets::from_to(-89, 89, "degrees")),
+          targets::by_default_deg(usual.lower, usual.upper), "smallest and largest tilt of a hinge"};
+}
+
+targets::Key theta_key(const optim::AngleRange& usual) {
+  return {"theta",
+          targets::KeyTable(
+              {{"range_deg", value::angle_range(fold), targets::by_default_deg(usual.lower, usual.upper),
+                "smallest and largest theta, cut where the walls close the cells"}}),
+          "the fold parameter, one for the whole sheet"};
+}
+
+targets::KeyTable net_variables_keys(double tilt, const optim::AngleRange& theta) {
+  targets::Key range = tilt_range_key({-tilt, tilt});
+  range.meaning += "; holds 0 inside, and the nearer end counts for both signs, since tilts alternate";
+  return targets::KeyTable(
+      {{"beta", targets::KeyTable({range}), "the tilts of the hinges"}, theta_key(theta)});
+}
+
+optim::AngleRange read_theta(const targets::Section& root, const model::CellSize& size,
+                             const optim::AngleRange& usual) {
+  const targets::Section variables = root.section("variables"), theta = variables.section("theta");
+  optim::AngleRange range = usual;
+  theta.read("range_deg", range);
+  const double closing = closing_theta(size);
+  if (range.lower < closing) return range;
+  throw place_of_theta(root, variables, theta)
+      .error(fmt::format("theta starts above {:.2f} deg, where walls of {:.3g} mm close cells of {:.3g} mm",
+                         to_degrees(closing), size.thickness_mm, size.edge_mm));
+}
+
+NetVariables read_net_variables(const targets::Section& root, const model::CellSize& size,
+                                const NetVariables& usual) {
+  const double tilt = read_tilt(root.section("variables").section("beta"), usual.tilt);
+  return {tilt, read_theta(root, size, usual.theta)};
 }
 
 }  // namespace kinetix::app

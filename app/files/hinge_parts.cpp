@@ -1,10 +1,11 @@
 #include "app/files/hinge_parts.hpp"
 
 #include <fmt/format.h>
-
+#include <algorithm>
 #include <cmath>
 
 #include "model/lattice/square/lines.hpp"
+#include "targets/document/bound_key.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -62,6 +63,12 @@ std::vector<int> hinges_of_part(const model::Sheet& sheet, const HingePart& part
   return hinges_on_line(*squares, axis, part.line);
 }
 
+/// Of a block or film, by its material; 0 of all others.
+double bearable_strain(const HingeSection& hinge) {
+  const bool bends = hinge.made && hinge.made->kind != model::HingeKind::pin;
+  return bends ? hinge.made->material.strain_max : 0;
+}
+
 }  // namespace
 
 const HingeSection& hinge_at(const HingeSection& common, const std::map<int, HingeSection>& own, int hinge) {
@@ -102,6 +109,30 @@ void refuse_lines(const targets::Section& root, const std::vector<HingePart>& pa
       throw all[k].optional("at")->error(
           fmt::format("a {} is named in designs, whose columns are known; allowed in targets: creases",
                       line_word(parts[k])));
+}
+
+namespace value = targets::value;
+
+std::vector<targets::Key> hinge_limit_keys(const std::string& instead, const targets::Default& usual_strain) {
+  return {{"force_N", &HingeLimits::force_N, value::number(targets::above(0, "N")),
+           "most that the drive may take on the way; " + instead},
+          {"strain", &HingeLimits::strain, value::number({0, 10, false, true, {}}), usual_strain,
+           "most that a hinge made as a block or film may be strained, likewise"}};
+}
+
+HingeLimits read_hinge_limits(const targets::Section& tolerance, const HingeSection& hinge,
+                              const std::vector<HingePart>& parts) {
+  HingeLimits limits;
+  tolerance.read_into(limits);
+  double most = bearable_strain(hinge);
+  for (const HingePart& part : parts) most = std::max(most, bearable_strain(part.hinge));
+  if (const auto strain = tolerance.optional("strain"); strain && most == 0)
+    throw strain->key_error("applies to hinges made as blocks or films; give hinge.kind as well");
+  if (limits.strain && *limits.strain > most)
+    throw tolerance.optional("strain")->error(
+        fmt::format("{:g} contradicts the material of `hinge`, which bears {:g}; allowed: up to that",
+                    *limits.strain, most));
+  return limits;
 }
 
 }  // namespace kinetix::app

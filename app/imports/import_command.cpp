@@ -1,24 +1,222 @@
 #include "app/imports/import_command.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
 #include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
 
 #include "app/console/console.hpp"
-#include "app/imports/hinge_choices.hpp"
-#include "app/imports/import_tiles.hpp"
-#include "app/imports/mobility_report.hpp"
+#include "app/imports/import_request.hpp"
 #include "app/imports/model_parts.hpp"
 #include "app/imports/tile_files.hpp"
-#include "app/imports/written_import.hpp"
+#include "model/assembly/assembly.hpp"
+#include "model/assembly/assembly_motion.hpp"
+#include "model/assembly/deployment.hpp"
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
+#include "model/closure/gruebler.hpp"
 #include "targets/document/number.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {
 namespace {
+
+/// How an imported assembly moves.
+struct AssemblyMobility {
+  int gruebler = 0;            ///< degrees of freedom by counting bodies and hinges
+  std::optional<int> at_rest;  ///< first-order motions at rest; nothing: too many bodies to count
+  int hinge = -1;              ///< that is turned to see; -1: nothing turns
+  double sense = 1;            ///< sign of its turn, 1 or -1, dimensionless
+  double turn = 0;             ///< up to which all hinges stay closed, rad
+  int broken =
+      -1;  ///< the hinge that breaks it: with which nothing moves any more, or which opens first beyond `turn`
+  std::string why;  ///< in a sentence
+};
+
+constexpr double looked_at = 60 * radians_per_degree;  // rad of a hinge: as far as most sheets fold
+// Of a closure Jacobian's singular value: axes from meshes of floats are off by 1e-6 rad, which leaves a mechanism's zeros at
+// about as much; those of structures that hold are 1e-3 and more.
+constexpr double smallest = 1e-4;
+constexpr double least_turn = 2 * radians_per_degree;  // rad: what gives way by less only rattles
+constexpr double most_strain =
+    1e-3;  // rad and cell edges per rad: a first motion that opens hinges faster is none
+
+/// Turns the hinge that turns most in the first motion by up to 60 degrees, with all others rigid rotary ones.
+AssemblyMobility examine(const model::Assembly& assembly) {
+  const model::Linkage linkage = linkage_of(assembly);
+  AssemblyMobility out;
+  const int hinges = static_cast<int>(linkage.hinges.size());
+  out.gruebler = model::gruebler_spatial(static_cast<int>(linkage.bodies.size()), hinges, hinges);
+  out.at_rest = degrees_of_freedom(linkage, rest_state(linkage), linkage.hinges.size(), smallest);
+  const model::FirstMotion first = first_motion(linkage);
+  if ((out.at_rest && *out.at_rest <= 0) || first.fastest < 0 || first.strain > most_strain) {
+    if (out.at_rest && *out.at_rest <= 0) out.broken = first_rigid_hinge(linkage, smallest);
+    out.why = "rigid: no motion at rest keeps all hinges closed";
+    if (out.broken >= 0)
+      out.why += fmt::format("; in their order `{}` is the first with which nothing moves",
+                             assembly.hinges[out.broken].name);
+    return out;
+  }
+  out.hinge = first.fastest;
+  out.sense = first.rate < 0 ? -1 : 1;
+  const model::AssemblyMotion way = follow_turn(linkage, first, out.hinge, out.sense * looked_at);
+  out.turn = std::abs(way.turns.back());
+  out.broken = way.broken;
+  const std::string count = out.at_rest ? fmt::format("{} first-order motion{} at rest; ", *out.at_rest,
+                                                      *out.at_rest == 1 ? "" : "s")
+                                        : "";
+  const std::string& driven = assembly.hinges[out.hinge].name;
+  if (way.reached)
+    out.why = fmt::format(
+        "{}`{}` turns by {:.0f} degrees and all hinges stay closed, within {:.1e} cell edges and {:.1e} rad",
+        count, driven, to_degrees(out.turn), way.gap, way.axis_gap);
+  else
+    out.why = fmt::format("{}`{}` turns by {:.0f} degrees{}; beyond, `{}` opens first", count, driven,
+                          to_degrees(out.turn), out.turn < least_turn ? ": hardly at all" : "",
+                          assembly.hinges[way.broken].name);
+  return out;
+}
+
+nlohmann::ordered_json mobility_json(const AssemblyMobility& m, const model::Assembly& assembly) {
+  nlohmann::ordered_json out = {{"gruebler", m.gruebler},       {"flat", nullptr},   {"hinge", nullptr},
+                                {"turn_rad", m.sense * m.turn}, {"broken", nullptr}, {"why", m.why}};
+  if (m.at_rest) out["flat"] = *m.at_rest;
+  if (m.hinge >= 0) out["hinge"] = assembly.hinges[m.hinge].name;
+  if (m.broken >= 0) out["broken"] = assembly.hinges[m.broken].name;
+  return out;
+}
+
+constexpr double usual_edge_mm = 20;      // mm: tiles that a hand can hold
+constexpr double thickness_share = 0.05;  // of the median edge: 1 mm of board at the usual one
+constexpr double kerf_share =
+    0.03;  // likewise: more than what counts as touching in the physics run, a wide laser cut
+constexpr double usual_expand = 3;  // times: no tiling opens so far, so that tiles go as far as they can
+constexpr double no_motion =
+    1e-6;  // rad and cell edges: of a singular value of closure, which files leave of zero
+
+void refuse_options_of_models(const ImportRequest& r) {
+  for (const auto& [name, value] :
+       {std::pair("--hard", &r.hard), std::pair("--soft", &r.soft),
+        std::pair("--soft-material", &r.soft_material), std::pair("--unit", &r.unit),
+        std::pair("--material", &r.material), std::pair("--hinges", &r.hinges)})
+    if (!value->empty())
+      throw InvalidInput(
+          fmt::format("{} is of models with hard and soft parts; a folder of tiles has --tile-mm, "
+                      "--thickness-mm and --kerf-mm",
+                      name));
+}
+
+double checked(const std::optional<double>& asked, double usual, double least, const char* option) {
+  const double value = asked.value_or(usual);
+  if (!(value >= least && value <= 1e6))
+    throw InvalidInput(fmt::format("{} is {} mm; it is from {} to 1000000 mm", option, value, least));
+  return value;
+}
+
+model::TileMake make_of(const ImportRequest& request, const model::TileSheet& sheet) {
+  constexpr double least = 1e-3;  // mm: nothing is made finer
+  const double edge = model::median_edge(sheet),
+               mm = checked(request.tile_mm, usual_edge_mm, least, "--tile-mm");
+  if (!(edge > 0)) throw InvalidInput("has tiles without a size");
+  return {.scale_mm = mm / edge,
+          .thickness_mm = checked(request.thickness_mm, thickness_share * mm, least, "--thickness-mm"),
+          .kerf_mm = checked(request.kerf_mm, kerf_share * mm, 0, "--kerf-mm")};
+}
+
+/// A design of tiles, and what there is to say of it.
+struct TileImport {
+  Design design;
+  model::TileMake make;
+  std::optional<double> target_off = {};  ///< by which corners miss their target as rigid tiles, median edges
+  std::optional<int> motions = {};        ///< at rest
+};
+
+TileImport made_of(const model::TileSheet& sheet, const ImportRequest& request) {
+  TileImport out;
+  out.make = make_of(request, sheet);
+  out.design.name = import_name(request);
+  out.design.structure = model::Sheet(assembly_of_tiles(sheet, out.make));
+  const model::Linkage linkage = out.design.structure;
+  model::BodyPull pull;
+  if (sheet.target.empty()) {
+    pull.expand = usual_expand;
+  } else {
+    const model::TileTarget target =
+        target_of_tiles(sheet, *out.design.structure.assembly(), out.make.scale_mm);
+    out.target_off = target.off_max;
+    pull.poses = aligned_pull(linkage, {target.poses}).to;
+  }
+  out.design.drive = pull;
+  out.motions = degrees_of_freedom(linkage, rest_state(linkage), linkage.hinges.size(), no_motion);
+  return out;
+}
+
+TileImport located_import(const ImportRequest& request) {
+  const model::TileSheet sheet = read_tiles(request.model);
+  try {
+    return made_of(sheet, request);
+  } catch (const InvalidInput& e) {
+    if (!e.place().file.empty() || e.reason().starts_with("--")) throw;
+    throw InvalidInput(e.reason(), {request.model});
+  }
+}
+
+std::size_t balls_of(const model::Assembly& assembly) {
+  return static_cast<std::size_t>(
+      std::count_if(assembly.hinges.begin(), assembly.hinges.end(), [](const auto& h) { return h.ball; }));
+}
+
+std::string tiles_text(const TileImport& import) {
+  const model::Assembly& a = *import.design.structure.assembly();
+  std::string out = fmt::format("{}\n", import.design.name);
+  const auto line = [&](const char* label, const std::string& text) {
+    out += fmt::format("  {:<10} {}\n", label, text);
+  };
+  line("tiles", fmt::format("{}, {:.3g} mm thick, cut {:.3g} mm wide", a.bodies.size(),
+                            import.make.thickness_mm, import.make.kerf_mm));
+  line("scale", fmt::format("{:.4g} mm a unit of the file", import.make.scale_mm));
+  line("joints", fmt::format("{}: {} about the tiles' normal, {} balls", a.hinges.size(),
+                             a.hinges.size() - balls_of(a), balls_of(a)));
+  if (import.motions) line("mobility", fmt::format("{} first-order motions at rest", *import.motions));
+  line("pull",
+       import.target_off
+           ? fmt::format("to its target, which rigid tiles miss by {:.1e} of an edge", *import.target_off)
+           : fmt::format("apart, to {:.3g} times the distance from the middle: it has no target",
+                         usual_expand));
+  return out;
+}
+
+nlohmann::ordered_json tiles_json(const TileImport& import) {
+  const model::Assembly& a = *import.design.structure.assembly();
+  nlohmann::ordered_json out = {{"name", import.design.name},
+                                {"bodies", a.bodies.size()},
+                                {"hinges", a.hinges.size()},
+                                {"balls", balls_of(a)},
+                                {"scale_mm", import.make.scale_mm},
+                                {"thickness_mm", import.make.thickness_mm},
+                                {"kerf_mm", import.make.kerf_mm},
+                                {"mobility", {{"flat", nullptr}}},
+                                {"target_off", nullptr}};
+  if (import.motions) out["mobility"]["flat"] = *import.motions;
+  if (import.target_off) out["target_off"] = *import.target_off;
+  return out;
+}
+
+/// `import` of a folder of tiles: a design of prisms and their joints, pulled to its target, or apart where it has none.
+/// @return the exit code   @throws InvalidInput for files, tiles and joints that cannot be, and for options of other models
+int import_tiles(const CommandOptions& options, const ImportRequest& request) {
+  refuse_options_of_models(request);
+  Console console(options.quiet, false);
+  console.stage("reading tiles", -1);
+  const TileImport import = located_import(request);
+  write_import(options, import.design, tiles_json(import), tiles_text(import));
+  return done;
+}
 
 constexpr double first_turn_deg = 30;  // degrees, of the drive that a design starts with: enough to see
 constexpr double written_mm =

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/console/command_options.hpp"
+#include "app/console/console.hpp"
 #include "app/imports/import_request.hpp"
 
 namespace kinetix::app {

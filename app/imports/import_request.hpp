@@ -1,7 +1,11 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+
+#include "app/console/console.hpp"
+#include "app/files/design_file.hpp"
 
 namespace kinetix::app {
 
@@ -18,5 +22,12 @@ struct ImportRequest {
   std::optional<double> kerf_mm =
       {};  ///< of tiles: width of cuts, mm, >= 0; nothing: 0.03 of the median edge
 };
+
+/// Of a design: its file's or folder's name, of letters, digits, `_`, `-` and `.`, at most 100.
+std::string import_name(const ImportRequest& request);
+
+/// design.yaml and its parts, all of them or none, and what was found on stdout: as JSON where that is asked for, else as text.
+void write_import(const CommandOptions& options, const Design& design, const nlohmann::ordered_json& json,
+                  const std::string& text);
 
 }  // namespace kinetix::app

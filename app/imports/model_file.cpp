@@ -1,11 +1,15 @@
 #include "app/imports/model_file.hpp"
 
+#include <charconv>
 #include <filesystem>
+#include <map>
 
+#include "app/cad/step.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/document/text_file.hpp"
 #include "targets/document/wording.hpp"
 #include "targets/mesh/mesh_file.hpp"
+#include "targets/mesh/mesh_words.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -40,6 +44,81 @@ ModelFile read_by_ending(const std::string& file) {
       "has no known model format, judged by its ending; give a 3MF, STEP, GLB, OBJ, PLY or STL file", {file});
 }
 
+/// Vertices and faces of an OBJ file by its objects, groups and materials.
+class ObjGroups {
+ public:
+  ObjGroups(const std::string& bytes, const std::string& file) : words_(bytes, true), out_{file, {}} {}
+
+  ModelFile read() {
+    while (words_.next_line()) {
+      const std::string key(words_.word());
+      if (key == "v") read_vertex();
+      if (key == "o" || key == "g") name_ = rest();
+      if (key == "usemtl") material_ = rest();
+      if (key == "f") read_face();
+    }
+    return std::move(out_);
+  }
+
+ private:
+  std::string rest() {
+    std::string out;
+    for (std::string_view word = words_.word(); !word.empty(); word = words_.word())
+      out += (out.empty() ? "" : " ") + std::string(word);
+    return out;
+  }
+
+  void read_vertex() {
+    Eigen::Vector3d p;
+    for (double& x : p) x = words_.number("a coordinate of a vertex");
+    points_.push_back(p);
+  }
+
+  int index(std::string_view word) const {
+    int k = 0;
+    const std::string_view digits = word.substr(0, word.find('/'));
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), k);
+    const int count = static_cast<int>(points_.size());
+    const int place = k > 0 ? k - 1 : count + k;
+    if (error != std::errc() || end != digits.data() + digits.size() || k == 0 || place < 0 || place >= count)
+      throw words_.error("is not a vertex of the file");
+    return place;
+  }
+
+  void read_face() {
+    std::vector<int> corners;
+    for (std::string_view word = words_.word(); !word.empty(); word = words_.word())
+      corners.push_back(index(word));
+    if (corners.size() < 3) return;
+    if (corners.size() > targets::max_face_corners) throw words_.error("a face of too many corners");
+    Indexed& mesh = mesh_of(name_, material_);
+    for (int& c : corners) {
+      const auto [found, is_new] =
+          mesh.own.try_emplace(c, static_cast<int>(out_.meshes[mesh.at].soup.points.size()));
+      if (is_new) out_.meshes[mesh.at].soup.points.push_back(points_[c]);
+      c = found->second;
+    }
+    out_.meshes[mesh.at].soup.add_face(corners);
+  }
+
+  struct Indexed {
+    std::size_t at;
+    std::map<int, int> own;
+  };
+
+  Indexed& mesh_of(const std::string& name, const std::string& material) {
+    const auto [found, is_new] = meshes_.try_emplace({name, material}, Indexed{out_.meshes.size(), {}});
+    if (is_new) out_.meshes.push_back({name, material, {}});
+    return found->second;
+  }
+
+  targets::MeshWords words_;
+  std::vector<Eigen::Vector3d> points_;
+  std::string name_, material_;
+  std::map<std::pair<std::string, std::string>, Indexed> meshes_;
+  ModelFile out_;
+};
+
 }  // namespace
 
 ModelFile read_model_file(const std::string& file) {
@@ -57,6 +136,31 @@ ModelFile read_model_file(const std::string& file) {
                            std::to_string(max_model_triangles) + " are allowed; thin the model out",
                        {file});
   return model;
+}
+
+ModelFile read_step(const std::string& file) {
+  const std::string start = targets::read_bytes(file, targets::max_mesh_bytes).substr(0, 200);
+  if (start.find("ISO-10303-21") == std::string::npos)
+    throw InvalidInput("is not a STEP file: it does not start with ISO-10303-21", {file});
+  ModelFile out{file, {}, 1};
+  try {
+    for (cad::FoundSolid& solid : cad::solids_of_step(file))
+      out.meshes.push_back({std::move(solid.name),
+                            std::move(solid.colour),
+                            {std::move(solid.points), std::move(solid.triangles)}});
+  } catch (const InvalidInput& e) {
+    throw InvalidInput(e.reason(), {file});
+  }
+  if (out.meshes.empty()) throw InvalidInput("has no solids; give a STEP file of solid bodies", {file});
+  return out;
+}
+
+ModelFile read_groups_of_obj(const std::string& bytes, const std::string& file) {
+  try {
+    return ObjGroups(bytes, file).read();
+  } catch (const InvalidInput& e) {
+    throw InvalidInput(e.reason(), {file, e.place().line, e.place().column, {}});
+  }
 }
 
 }  // namespace kinetix::app

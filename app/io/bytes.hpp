@@ -62,4 +62,12 @@ class ByteReader {
   std::string_view bytes_;
 };
 
+/// @throws InvalidInput for text that is no base64 with its padding
+std::string from_base64(std::string_view text);
+/// With its padding.
+std::string to_base64(std::string_view bytes);
+
+/// SHA-256 (FIPS 180-4) in hexadecimal, as `sha256sum` prints it.
+std::string sha256(std::string_view bytes);
+
 }  // namespace kinetix::app

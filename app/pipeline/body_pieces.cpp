@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/run/stopwatch.hpp"
+#include "app/run/run_options.hpp"
 #include "model/base/parallel_runs.hpp"
 #include "sim/compression_run.hpp"
 

@@ -6,11 +6,11 @@
 #include <mutex>
 
 #include "app/pipeline/body_pieces.hpp"
-#include "app/pipeline/design_drive.hpp"
 #include "app/pipeline/equilibrium.hpp"
 #include "app/pipeline/exact_state.hpp"
+#include "app/pipeline/hinge_loads.hpp"
 #include "app/pipeline/physics_settings.hpp"
-#include "app/run/stopwatch.hpp"
+#include "app/run/run_options.hpp"
 #include "model/assembly/assembly.hpp"
 #include "model/assembly/assembly_motion.hpp"
 #include "model/base/angle.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/pipeline/design_drive.hpp"
+#include "app/pipeline/hinge_loads.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/drive_theta.hpp"

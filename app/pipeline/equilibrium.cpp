@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "app/pipeline/design_drive.hpp"
 #include "app/pipeline/exact_state.hpp"
+#include "app/pipeline/hinge_loads.hpp"
 #include "model/base/append.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/closure_drive.hpp"

@@ -1,11 +1,13 @@
 #include "app/pipeline/hinge_loads.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "app/pipeline/physics_settings.hpp"
+#include "model/elastic/exact_theta.hpp"
 #include "model/matter/hinge_strain.hpp"
+#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
 
@@ -57,6 +59,18 @@ std::vector<std::string> violations(const HingeLimits& limits, const HingeLoads&
                     "longer gap or a thinner hinge strains less",
                     loads.strain, *limits.strain, instead));
   return why;
+}
+
+model::LinkageDrive drive_of(const Design& design) {
+  if (!design.drive) return drive_to(design.structure, design.theta);
+  return drive_on(design.structure, *design.drive, design.theta);
+}
+
+double exact_theta_of(const Design& design, const model::ExactMotion& exact) {
+  if (!design.drive) return design.theta;
+  const model::LinkageDrive drive = drive_of(design);
+  if (drive.acts_from_outside()) return exact.theta_of(drive);
+  return exact_theta({design.structure, drive, exact}, elasticity_of(design));
 }
 
 }  // namespace kinetix::app

@@ -9,13 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/console/console.hpp"
 #include "app/io/atomic_file.hpp"
-#include "app/io/file_record.hpp"
 #include "app/print/fit.hpp"
 #include "app/print/overhang.hpp"
 #include "app/print/print_report.hpp"
-#include "app/print/report_of_print.hpp"
 #include "app/print/sheet/coupon.hpp"
 #include "app/print/sheet/imported_sheet.hpp"
 #include "app/run/design_hinges.hpp"

@@ -1,17 +1,21 @@
 #include "app/print/print_report.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/print/format/gap_settings.hpp"
+#include "app/io/atomic_file.hpp"
 #include "app/print/format/parts.hpp"
-#include "app/print/format/units.hpp"
+#include "app/print/format/print_format.hpp"
 #include "app/print/hinge_sorts.hpp"
 #include "app/print/overhang.hpp"
+#include "app/report/report.hpp"
+#include "app/result/state_json.hpp"
 #include "model/base/angle.hpp"
+#include "targets/document/json_depth.hpp"
+#include "targets/document/text_file.hpp"
 #include "model/base/box_of.hpp"
 
 namespace kinetix::app {
@@ -187,6 +191,11 @@ std::string support_words(const PrintJob& job) {
   return fmt::format("under the {:.1f} mm2 that lean more than {:g} degrees over the bed", hangs, steep_deg);
 }
 
+namespace fs = std::filesystem;
+
+constexpr std::size_t largest_report = 64 << 20;  // bytes: that of 10 000 bodies has 9 MB
+constexpr double digits_of_reports = 1e-5;        // relative, or mm and rad: reports have six digits
+
 }  // namespace
 
 std::vector<std::string> print_warnings(const PrintJob& job) {
@@ -293,6 +302,22 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
                      nearest.mm, to_degrees(sheet.thetas.back()), to_degrees(nearest.theta)));
   for (const std::string& warning : print_warnings(job)) line("note", warning);
   return out;
+}
+
+std::string tell_report(const std::string& design_file, const Design& design, const Json& print) {
+  const fs::path folder = fs::path(design_file).parent_path(), file = folder / "report.html";
+  std::error_code none;
+  if (!fs::exists(file, none)) return {};
+  const std::string page = targets::read_text_file(file.string(), largest_report);
+  const std::string text = data_of_report(page);
+  if (targets::find_too_deep(text)) return {};
+  Json data = Json::parse(text, nullptr, false);
+  if (!is_of_sheet(data, design, digits_of_reports)) return {};
+  data["print"] = print;
+  FileSet files(folder.string());
+  files.add("report.html", report_with(page, data.dump()));
+  files.commit();
+  return file.string();
 }
 
 }  // namespace kinetix::app

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
+#include "app/files/design_file.hpp"
 #include "app/print/format/print_format.hpp"
 #include "app/print/sheet/path_clearance.hpp"
 #include "app/print/slicer.hpp"
@@ -21,5 +23,12 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
 
 /// What one should know before printing: undersized gaps, strains, overhangs.
 std::vector<std::string> print_warnings(const PrintJob& job);
+
+/// Adds what a slicer says of a print to the report that lies beside a design: `print`, for its first screen. A report of
+/// another sheet, of an older program or none is left alone.
+/// @param design_file path of design.yaml   @param print seconds, material_mm3, process, hinges
+/// @return the report's path, or nothing   @throws InvalidInput where it cannot be written
+std::string tell_report(const std::string& design_file, const Design& design,
+                        const nlohmann::ordered_json& print);
 
 }  // namespace kinetix::app

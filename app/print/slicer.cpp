@@ -16,9 +16,8 @@
 
 #include "app/io/atomic_file.hpp"
 #include "app/io/text_pattern.hpp"
-#include "app/print/format/formats.hpp"
 #include "app/print/format/parts.hpp"
-#include "app/print/format/units.hpp"
+#include "app/print/format/print_format.hpp"
 #include "app/print/format/zip_text.hpp"
 #include "app/print/overhang.hpp"
 #include "model/base/box_of.hpp"

@@ -27,5 +27,5 @@ endif()
 
 string(REPLACE "@REPORT_CSS@" "${css}" page "${page}")
 string(REPLACE "@REPORT_JS@" "${js}" page "${page}")
-file(WRITE ${OUTPUT} "#include \"app/report/page.hpp\"\n\nnamespace kinetix::app {\n\n"
+file(WRITE ${OUTPUT} "#include \"app/report/report.hpp\"\n\nnamespace kinetix::app {\n\n"
   "const std::string_view ${NAME} = R\"kinetix(${page})kinetix\";\n\n}  // namespace kinetix::app\n")

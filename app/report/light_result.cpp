@@ -1,9 +1,12 @@
 #include "app/report/light_result.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
-
-#include "app/report/round_numbers.hpp"
+#include <numeric>
+#include <set>
 
 namespace kinetix::app {
 namespace {
@@ -57,6 +60,45 @@ bool is_computed(const Json& result) {
   return result["plan"]["family"] != "none" && !states.empty() && states[0].value("model", "") == "exact";
 }
 
+constexpr double nothing = 1e-15;      // of any unit in a result: the rounding of a number about 1
+constexpr double most_exact = 0x1p53;  // dimensionless: integers below it are doubles too
+
+double with_digits(double x, int digits) {
+  if (std::abs(x) < nothing) return 0;
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, x);
+  return std::strtod(text, nullptr);
+}
+
+constexpr int digits_of_dots = 5;  // significant ones: a dot in a plot is not placed better
+
+double number(const Json& x) { return x.is_number() ? x.get<double>() : -1; }
+
+/// How much a factor does to a response, by the best that its samples say; comparable among its factors only.
+double effect_of(const Json& response, std::size_t factor) {
+  if (response.contains("sobol")) return number(response["sobol"][factor]["total"][0]);
+  if (response.contains("morris")) return number(response["morris"][factor]["mu_star"][0]);
+  const Json& effect = response["main_effects"][factor];
+  if (effect["variance_share"].is_number()) return number(effect["variance_share"]);
+  double least = INFINITY, most = -INFINITY;
+  for (const Json& level : effect["levels"])
+    if (level["mean"].is_number()) {
+      least = std::min(least, level["mean"].get<double>());
+      most = std::max(most, level["mean"].get<double>());
+    }
+  return most - least;
+}
+
+std::vector<std::size_t> plotted(const Json& response) {
+  std::vector<std::size_t> order(response["main_effects"].size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return effect_of(response, a) > effect_of(response, b);
+  });
+  if (order.size() > plotted_factors) order.resize(plotted_factors);
+  return order;
+}
+
 }  // namespace
 
 Json light_result(Json result, bool has_scene) {
@@ -73,6 +115,34 @@ Json light_result(Json result, bool has_scene) {
   round_numbers(result, digits_of_numbers);
   result["states"] = std::move(states);
   return result;
+}
+
+nlohmann::ordered_json short_number(double x) {
+  return std::abs(x) < most_exact && x == std::trunc(x) ? nlohmann::ordered_json(static_cast<long long>(x))
+                                                        : nlohmann::ordered_json(x);
+}
+
+void round_numbers(nlohmann::ordered_json& value, int digits) {
+  if (value.is_number_float())
+    value = short_number(with_digits(value.get<double>(), digits));
+  else if (value.is_structured())
+    for (auto& child : value) round_numbers(child, digits);
+}
+
+Json light_sweep(Json sweep) {
+  std::set<std::size_t> shown;
+  for (Json& response : sweep["responses"]) {
+    response["plotted"] = plotted(response);
+    const std::set<std::size_t> own(response["plotted"].begin(), response["plotted"].end());
+    for (std::size_t f = 0; f < response["main_effects"].size(); ++f)
+      if (!own.contains(f)) response["main_effects"][f].erase("levels");
+    shown.insert(own.begin(), own.end());
+  }
+  for (Json& row : sweep["scatter"])
+    for (std::size_t f = 0; f < sweep["factors"].size(); ++f)
+      if (!shown.contains(f)) row[f] = nullptr;
+  round_numbers(sweep, digits_of_dots);
+  return sweep;
 }
 
 }  // namespace kinetix::app

@@ -1,15 +1,13 @@
 #include "app/report/report.hpp"
 
-#include <string_view>
 #include <utility>
 
-#include "app/report/page.hpp"
 #include "app/viewer/assets.hpp"
 
 namespace kinetix::app {
 namespace {
 
-// Where the page takes the script of the three-dimensional view and the result, in this order (page.hpp).
+// Where the page takes the script of the three-dimensional view and the result, in this order (report.hpp).
 constexpr std::string_view scene_mark = "@SCENE@";
 constexpr std::string_view result_mark = "@RESULT@";
 

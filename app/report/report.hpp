@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace kinetix::app {
 
@@ -16,5 +17,10 @@ std::string report_with(const std::string& page, const std::string& result_json)
 
 /// Likewise of a sweep. @param sweep_json the content of sweep.json (kinetix-sweep/1), UTF-8
 std::string sweep_html(const std::string& sweep_json);
+
+/// The report's page with style and scripts in place, @SCENE@ where the three-dimensional view goes and @RESULT@ where the result goes.
+extern const std::string_view report_page;
+/// That of a sweep, likewise.
+extern const std::string_view sweep_page;
 
 }  // namespace kinetix::app

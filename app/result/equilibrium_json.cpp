@@ -1,5 +1,7 @@
 #include "app/result/equilibrium_json.hpp"
 
+#include <fmt/format.h>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/result/effort.hpp"
@@ -34,6 +36,12 @@ void add_directions(const model::Elasticity& e, Json& stiffness) {
   if (k.rock) stiffness["rock"] = *k.rock;
   if (k.twist) stiffness["twist"] = *k.twist;
   if (e.play_mm > 0) stiffness["play_mm"] = e.play_mm;
+}
+
+std::string change_text(const MatterResult& matter) {
+  return fmt::format("tilts changed by up to {:.2f} deg, theta by {:.2f} deg, in {} steps: {}",
+                     to_degrees(matter.largest_change), to_degrees(matter.theta_change), matter.rounds,
+                     matter.why);
 }
 
 }  // namespace
@@ -83,6 +91,29 @@ void add_equilibrium_metrics(const Equilibrium& equilibrium, Json& metrics) {
   if (!equilibrium.from_exact) return;
   metrics["exact_rms"] = equilibrium.from_exact->rms;
   metrics["exact_max"] = equilibrium.from_exact->max;
+}
+
+Json matter_json(const MatterResult& matter) {
+  return {{"exact_mm", matter.exact_mm},
+          {"before_mm", matter.before_mm},
+          {"after_mm", matter.after_mm},
+          {"tolerance_mm", matter.tolerance_mm},
+          {"largest_change_rad", matter.largest_change},
+          {"theta_change_rad", matter.theta_change},
+          {"rounds", matter.rounds},
+          {"why", matter.why}};
+}
+
+std::vector<SummaryLine> matter_lines(const Run& run) {
+  if (!run.matter) return {};
+  const MatterResult& matter = *run.matter;
+  if (!std::isfinite(matter.after_mm)) return {{"matter", "NO EQUILIBRIUM: " + matter.why}};
+  return {
+      {"matter",
+       fmt::format("with its hinges as made, points of the sheet are {:.3g} mm off {} (rms), where those of "
+                   "the exact design would be {:.3g} mm off; its prints are allowed {:.3g} mm",
+                   matter.after_mm, run.judged_against, matter.before_mm, matter.tolerance_mm)},
+      {"", change_text(matter)}};
 }
 
 }  // namespace kinetix::app

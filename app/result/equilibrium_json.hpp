@@ -2,6 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "app/run/goal_outcome.hpp"
 #include "app/run/run.hpp"
 
 namespace kinetix::app {
@@ -14,5 +15,11 @@ double mean_moment(const Equilibrium& equilibrium);
 
 /// Adds an equilibrium's numbers to `metrics`.
 void add_equilibrium_metrics(const Equilibrium& equilibrium, nlohmann::ordered_json& metrics);
+
+/// The section `matter` of result.json. @pre run.matter
+nlohmann::ordered_json matter_json(const MatterResult& matter);
+
+/// How far elastic hinges are from the goal, before and after the design makes up for them. None without.
+std::vector<SummaryLine> matter_lines(const Run& run);
 
 }  // namespace kinetix::app

@@ -4,24 +4,69 @@
 #include <nlohmann/json.hpp>
 
 #include "app/result/as_made_json.hpp"
-#include "app/result/bodies_json.hpp"
 #include "app/result/certified_json.hpp"
 #include "app/result/equilibrium_json.hpp"
 #include "app/result/made_hinges.hpp"
-#include "app/result/matter_json.hpp"
-#include "app/result/physics_json.hpp"
-#include "app/result/robust_json.hpp"
-#include "app/result/stable_states_json.hpp"
+#include "app/result/search_json.hpp"
 #include "app/result/state_json.hpp"
 #include "app/result/verdict.hpp"
 #include "app/run/design_hinges.hpp"
 #include "app/version.hpp"
+#include "model/closure/drive_theta.hpp"
 #include "model/sheet/sheet_hinge.hpp"
 
 namespace kinetix::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Adds stable_states, energy_barriers and unresolved_releases to the section `equilibrium` of result.json.
+/// @pre run.equilibrium
+void add_stable_states(const Run& run, Json& equilibrium) {
+  const model::StableStates& stable = run.equilibrium->stable;
+  const model::Linkage structure = run.design.structure;
+  Json states = Json::array(), barriers = Json::array();
+  for (const model::StableState& s : stable.states)
+    states.push_back({{"theta_rad", s.theta},
+                      {"drive", coordinate_of(run.equilibrium->drive, structure, s.state)},
+                      {"energy_Nmm", s.energy},
+                      {"hinge_gap_max", s.gaps.max},
+                      {"how", s.how},
+                      {"poses", poses_json(s.state)}});
+  for (const model::EnergyBarrier& b : stable.barriers)
+    barriers.push_back({{"between", {b.from, b.to}},
+                        {"energy_Nmm", b.energy},
+                        {"theta_rad", b.theta},
+                        {"drive", b.drive},
+                        {"balanced", b.load_vanishes}});
+  equilibrium["stable_states"] = states;
+  equilibrium["energy_barriers"] = barriers;
+  equilibrium["unresolved_releases"] = stable.unresolved;
+}
+
+Json comparison_json(const model::EquilibriumComparison& c) {
+  return {{"outcome", to_string(c.outcome)}, {"why", c.why},
+          {"rms", c.distance.rms},           {"rms_from_balance", c.from_equilibrium.rms},
+          {"energy_Nmm", c.energy},          {"model_energy_Nmm", c.reference_energy}};
+}
+
+/// The section `physics` of result.json.
+Json physics_json(const Verification& v) {
+  Json out = {{"status", to_string(v.physics.status)},
+              {"why", v.physics.why},
+              {"steps", v.physics.steps},
+              {"simulated_s", v.physics.simulated_s},
+              {"seconds", v.physics.seconds},
+              {"unrest", v.physics.residual_motion},
+              {"options",
+               {{"step_s", v.options.step_s},
+                {"reach", v.options.reach},
+                {"contact", v.options.contact},
+                {"elastic", v.options.elastic.has_value()},
+                {"planar", v.options.planar}}}};
+  if (v.equilibrium) out["comparison"] = comparison_json(*v.equilibrium);
+  return out;
+}
 
 Json plan_json(const Run& run) {
   const Plan& plan = run.plan;

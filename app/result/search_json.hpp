@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/run/goal_outcome.hpp"
+#include "app/run/run.hpp"
 #include "optim/solvers/multi_start.hpp"
 
 namespace kinetix::app {
@@ -24,5 +25,10 @@ SummaryLine search_line(double seconds, const optim::MultiStartResult& search, i
 /// "failed" with `why_not`.
 void add_end(bool stopped, bool found, const std::string& why, const std::string& why_not,
              nlohmann::ordered_json& optimiser);
+
+/// The section `robust` of formats.md. @pre run.robust
+nlohmann::ordered_json robust_json(const Run& run);
+/// Lines of the summary; none without a robust search.
+std::vector<SummaryLine> robust_lines(const Run& run);
 
 }  // namespace kinetix::app

@@ -1,16 +1,21 @@
-#include <fmt/format.h>
+#include "app/result/summary.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "app/pipeline/body_pieces.hpp"
 #include "app/result/as_made_json.hpp"
 #include "app/result/certified_json.hpp"
-#include "app/result/equilibrium_summary.hpp"
+#include "app/result/effort.hpp"
+#include "app/result/equilibrium_json.hpp"
 #include "app/result/made_hinges.hpp"
-#include "app/result/matter_json.hpp"
 #include "app/result/result_json.hpp"
-#include "app/result/robust_json.hpp"
+#include "app/result/search_json.hpp"
 #include "app/result/verdict.hpp"
+#include "model/base/angle.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -51,6 +56,157 @@ std::string structure_lines(const Run& run) {
                                   to_degrees(largest_tilt(structure))));
 }
 
+// Of a summary: what a person reads through in a terminal. result.json has them all.
+constexpr std::size_t most_events = 12, most_states = 6;
+
+std::string load_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
+  return fmt::format("{:.4g} {}", step.load, equilibrium.drive.load_unit());
+}
+
+std::string theta_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
+  return fmt::format("theta {:.2f} deg{}", to_degrees(step.theta),
+                     equilibrium.drive.tells_fold() ? "" : " of the drive");
+}
+
+std::string effort_text(const Equilibrium& equilibrium) {
+  const char* gripped = equilibrium.path.let_go > 0 ? " (by plates that grip until the end)" : "";
+  return fmt::format("{:.4g} {}{}: a matter for {}", largest_load(equilibrium.path),
+                     equilibrium.drive.load_unit(), gripped, effort_of(equilibrium));
+}
+
+std::string drive_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
+  const std::string words = equilibrium.drive.coordinate_words(), unit = equilibrium.drive.coordinate_unit();
+  if (unit == "rad") return fmt::format("{} {:.4g} deg", words, to_degrees(step.drive));
+  return fmt::format("{} {:.4g}{}", words, step.drive, unit == "mm" ? " mm" : "");
+}
+
+/// What the load is, where its unit does not say it.
+std::string load_words(const Equilibrium& equilibrium) {
+  if (equilibrium.drive.only_pulls())
+    return equilibrium.path.steps.back().load < 0 ? "the cord is slack, it would have to push: tension "
+                                                  : "tension ";
+  if (equilibrium.drive.springs.empty()) return "";
+  return fmt::format("{:.4g} N mm from each of {} springs, together ", mean_moment(equilibrium),
+                     equilibrium.drive.springs.size());
+}
+
+std::string energy_text(const model::EquilibriumPath& path) {
+  model::HingeEnergy sum;
+  for (const model::HingeEnergy& energy : path.hinge_energies) {
+    sum.stretch += energy.stretch;
+    sum.turn += energy.turn;
+  }
+  const double total = path.steps.back().energy;
+  const double contact = std::max(0.0, total - sum.total() - path.steps.back().springs);
+  const std::string springs = path.steps.back().springs > 0
+                                  ? fmt::format(", {:.4g} in the drive's springs", path.steps.back().springs)
+                                  : "";
+  return fmt::format("{:.4g} N mm ({:.4g} in stretch, {:.4g} in rotation, {:.2g} in contact{})", total,
+                     sum.stretch, sum.turn, contact, springs);
+}
+
+std::string press_text(const Equilibrium& equilibrium) {
+  const model::GrippedRows& rows = equilibrium.drive.gripped;
+  return fmt::format("press without gripping: {} of {} bodies of their rows are let go",
+                     equilibrium.path.let_go, rows[0].size() + rows[1].size());
+}
+
+std::string stretch_text(const Run& run) {
+  const model::HingeGaps& gaps = run.equilibrium->path.gaps;
+  std::string text = fmt::format("largest {:.2e} cell edges ({:.3g} mm)", gaps.max,
+                                 gaps.max * run.design.structure.size().edge_mm);
+  if (gaps.worst_hinge >= 0 && gaps.max > 0)
+    text += (run.design.structure.assembly() ? ", at hinge " : ", on wall ") +
+            wall_name(run.design.structure, gaps.worst_hinge);
+  return text;
+}
+
+std::string stable_text(const model::StableStates& stable) {
+  std::string text = fmt::format("{} states: flat", stable.states.size());
+  for (std::size_t k = 1; k < std::min(most_states, stable.states.size()); ++k)
+    text += fmt::format(", theta {:.2f} deg ({:.3g} N mm)", to_degrees(stable.states[k].theta),
+                        stable.states[k].energy);
+  if (stable.states.size() > most_states) text += ", and more in result.json";
+  for (std::size_t k = 0; k < std::min(most_states, stable.barriers.size()); ++k)
+    text += fmt::format("; barrier {:.4g} N mm at theta {:.2f} deg", stable.barriers[k].energy,
+                        to_degrees(stable.barriers[k].theta));
+  return text;
+}
+
+using Json = nlohmann::ordered_json;
+
+// Of a force or work: drives that differ by less end at thetas that differ by as much, or stretch hinges as little.
+constexpr double alike = 0.02;
+
+std::string path_text(const DriveTrial& trial) {
+  const std::string snaps = trial.snaps == 0   ? "no snap"
+                            : trial.snaps == 1 ? "1 snap"
+                                               : fmt::format("{} snaps", trial.snaps);
+  if (!trial.reached()) return app::in_words(trial.path.stop) + ", " + snaps;
+  return snaps + (trial.path.steps.back().stable ? ", stable" : ", UNSTABLE") +
+         (trial.path.off_closed_form ? ", off the closed form" : "") +
+         (trial.at_goal ? "" : ", NOT at that theta");
+}
+
+std::string trial_line(const DriveTrial& trial, std::size_t width) {
+  if (!trial.why_not.empty())
+    return fmt::format("  {:<{}}  not tried: {}\n", trial.name, width, trial.why_not);
+  const model::EquilibriumStep& last = trial.path.steps.back();
+  return fmt::format("  {:<{}}  {:>10} {:<4}  {:>10}  {:>10}  {:>10}  {:>6.1f}  {}\n", trial.name, width,
+                     fmt::format("{:.4g}", trial.load_peak), trial.drive.load_unit(),
+                     fmt::format("{:.4g}", trial.force_N), fmt::format("{:.4g}", trial.work_Nmm),
+                     fmt::format("{:.4g}", last.energy), to_degrees(trial.theta), path_text(trial));
+}
+
+/// The others that hold and need hardly more.
+std::string alike_text(const DriveTrials& all, int best, double DriveTrial::*number) {
+  std::string names;
+  for (int k = 0; k < static_cast<int>(all.trials.size()); ++k)
+    if (k != best && all.trials[k].holds() && all.trials[k].*number <= (1 + alike) * all.trials[best].*number)
+      names += (names.empty() ? "" : ", ") + all.trials[k].name;
+  return names.empty() ? "" : fmt::format("; within {:g} %: {}", 100 * alike, names);
+}
+
+/// The drives that need least; of the others nothing is known where the trials were stopped.
+std::string least_text(const DriveTrials& all) {
+  const char* among = all.stopped ? ", of those tried" : "";
+  const DriveTrial &force = all.trials[all.least_force], &work = all.trials[all.least_work];
+  return fmt::format("  least force{}  {}: {:.4g} N at most{}\n  least work{}   {}: {:.4g} N mm{}\n", among,
+                     force.name, force.force_N, alike_text(all, all.least_force, &DriveTrial::force_N), among,
+                     work.name, work.work_Nmm, alike_text(all, all.least_work, &DriveTrial::work_Nmm));
+}
+
+std::string verdict(const DriveTrials& all) {
+  const std::string stopped =
+      all.stopped ? fmt::format("  stopped; not tried: {}\n", fmt::join(all.not_tried, ", ")) : "";
+  if (all.least_force >= 0) return stopped + least_text(all);
+  return all.stopped ? stopped : "  none of them takes the sheet there\n";
+}
+
+Json trial_json(const DriveTrial& trial) {
+  if (!trial.why_not.empty()) return {{"name", trial.name}, {"why_not", trial.why_not}};
+  const model::EquilibriumStep& last = trial.path.steps.back();
+  return {{"name", trial.name},
+          {"reached", trial.reached()},
+          {"why", trial.path.why},
+          {"drive", last.drive},
+          {"drive_unit", trial.drive.coordinate_unit()},
+          {"load_peak", trial.load_peak},
+          {"load_end", last.load},
+          {"load_unit", trial.drive.load_unit()},
+          {"force_N", trial.force_N},
+          {"work_Nmm", trial.work_Nmm},
+          {"energy_Nmm", last.energy},
+          {"theta_rad", trial.theta},
+          {"at_goal", trial.at_goal},
+          {"snaps", trial.snaps},
+          {"stable", last.stable}};
+}
+
+Json name_of(const DriveTrials& all, int trial) {
+  return trial < 0 ? Json(nullptr) : Json(all.trials[trial].name);
+}
+
 }  // namespace
 
 std::string summary(const Run& run) {
@@ -77,6 +233,68 @@ std::string summary(const Run& run) {
     text += line("contact", fmt::format("{} convex pieces of the bodies, made in {:.2f} s",
                                         run.pieces->count(), run.pieces->seconds));
   return text;
+}
+
+std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
+  const Equilibrium& equilibrium = *run.equilibrium;
+  const model::EquilibriumPath& path = equilibrium.path;
+  const model::EquilibriumStep& last = path.steps.back();
+  std::vector<std::array<std::string, 2>> lines;
+  if (!equilibrium.reached()) lines.push_back({"STOPPED", in_words(path.stop) + ": " + path.why});
+  lines.push_back({"load", load_words(equilibrium) + load_text(equilibrium, last) + " at " +
+                               drive_text(equilibrium, last) +
+                               (equilibrium.reached() ? ": the drive reached its goal" : "")});
+  if (equilibrium.is_on_the_other_side(run.theta))
+    lines.push_back({"OTHER SIDE", describe_other_side(equilibrium, run.theta)});
+  if (equilibrium.drive.acts_from_outside())
+    lines.push_back({"effort", "at most " + effort_text(equilibrium)});
+  if (equilibrium.drive.press && equilibrium.reached()) lines.push_back({"plates", press_text(equilibrium)});
+  lines.push_back({"energy", energy_text(path)});
+  lines.push_back({"stretch", stretch_text(run)});
+  for (std::size_t k = 0; k < std::min(most_events, path.events.size()); ++k) {
+    const model::PathEvent& event = path.events[k];
+    lines.push_back(
+        {"event",
+         fmt::format("{} at {}, {}, load {}: {}", to_string(event.kind), drive_text(equilibrium, event.at),
+                     theta_text(equilibrium, event.at), load_text(equilibrium, event.at), event.what)});
+  }
+  if (path.events.size() > most_events)
+    lines.push_back({"", fmt::format("and {} more events in result.json", path.events.size() - most_events)});
+  if (equilibrium.stable.states.size() > 1) lines.push_back({"stable", stable_text(equilibrium.stable)});
+  for (const std::string& why : equilibrium.stable.unresolved) lines.push_back({"release", why});
+  if (equilibrium.from_exact)
+    lines.push_back({"exact", fmt::format("rms {:.1e} cell edges from the closed form of the same drive",
+                                          equilibrium.from_exact->rms)});
+  return lines;
+}
+
+std::string summary(const DriveTrials& all) {
+  std::size_t width = 5;  // of the heading
+  for (const DriveTrial& trial : all.trials) width = std::max(width, trial.name.size());
+  std::string text = fmt::format(
+      "{}: drives to theta {:.2f} deg, slowly; moments count as forces at a lever of one cell edge, {:g} "
+      "mm\n",
+      all.name, to_degrees(all.theta), all.lever_mm);
+  text += fmt::format("  {:<{}}  {:>15}  {:>10}  {:>10}  {:>10}  {:>6}  {}\n", "drive", width, "largest load",
+                      "as force N", "work N mm", "energy", "theta", "path and end");
+  for (const DriveTrial& trial : all.trials) text += trial_line(trial, width);
+  return text + verdict(all);
+}
+
+Json drive_trials_json(const DriveTrials& all) {
+  Json trials = Json::array();
+  for (const DriveTrial& trial : all.trials) trials.push_back(trial_json(trial));
+  Json out = {{"schema", "kinetix-drives/1"},
+              {"name", all.name},
+              {"theta_rad", all.theta},
+              {"lever_mm", all.lever_mm},
+              {"drives", trials},
+              {"least_force", name_of(all, all.least_force)},
+              {"least_work", name_of(all, all.least_work)}};
+  if (!all.stopped) return out;
+  out["stopped"] = true;
+  out["not_tried"] = all.not_tried;
+  return out;
 }
 
 }  // namespace kinetix::app

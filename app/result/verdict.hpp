@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/console/command_options.hpp"
+#include "app/console/console.hpp"
 #include "app/run/run.hpp"
 
 namespace kinetix::app {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/io/named_content.hpp"
+#include "app/io/atomic_file.hpp"
 
 namespace kinetix::app {
 

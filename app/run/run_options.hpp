@@ -1,14 +1,17 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <stop_token>
 #include <string>
 
 #include "model/base/progress.hpp"
+#include "optim/solvers/multi_start.hpp"
 
 namespace kinetix::app {
 
@@ -41,6 +44,35 @@ struct RunOptions {
   /// Answer of `export` without options to a design (app/print/fit.hpp). Empty: not asked.
   std::function<PrintAnswer(const Design&)> printable = {};
   std::shared_ptr<const BodyPieces> pieces = {};  ///< of a run before, to be used again where they fit
+};
+
+/// A run was told to stop before there was anything to keep. The program says what() and ends with exit code 130.
+class Interrupted : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Stop and progress of one search: at which evaluation it is, and how far off the best is so far.
+/// @param mm of |r| = 1
+void follow(const RunOptions& run, double mm, optim::SolverOptions& search);
+
+/// Returns a search from many starts with the seed and threads of the run, its stop and its progress.
+/// @param in_words of the least |r| so far
+optim::MultiStartOptions followed(optim::MultiStartOptions search, const RunOptions& run,
+                                  std::function<std::string(double least)> in_words);
+
+/// Wall-clock seconds since the last lap.
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    start_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace kinetix::app

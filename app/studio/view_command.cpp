@@ -7,8 +7,8 @@
 #include <iostream>
 #include <random>
 
-#include "app/console/open_report.hpp"
-#include "app/goals/read_target.hpp"
+#include "app/console/console.hpp"
+#include "app/goals/registry.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/studio/messages/templates.hpp"
 #include "app/studio/server.hpp"

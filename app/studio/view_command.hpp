@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/console/command_options.hpp"
+#include "app/console/console.hpp"
 
 namespace kinetix::app {
 

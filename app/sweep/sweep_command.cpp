@@ -1,25 +1,166 @@
 #include "app/sweep/sweep_command.hpp"
 
 #include <fmt/format.h>
-
+#include <omp.h>
+#include <algorithm>
+#include <cstdint>
+#include <exception>
 #include <iostream>
+#include <mutex>
 #include <nlohmann/json.hpp>
+#include <thread>
 
-#include "app/console/duration_text.hpp"
-#include "app/console/open_report.hpp"
+#include "app/console/console.hpp"
+#include "app/console/time_left.hpp"
 #include "app/io/atomic_file.hpp"
-#include "app/report/light_sweep.hpp"
+#include "app/report/light_result.hpp"
 #include "app/report/report.hpp"
-#include "app/sweep/sweep_progress.hpp"
-#include "app/sweep/sweep_run.hpp"
+#include "app/run/run_options.hpp"
 #include "app/sweep/table/shares.hpp"
 #include "app/sweep/table/sweep_csv.hpp"
 #include "app/sweep/table/sweep_json.hpp"
+#include "app/sweep/workers/process_pool.hpp"
 #include "app/sweep/workers/ranks.hpp"
+#include "app/sweep/workers/thread_pool.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {
 namespace {
+
+/// Which samples need not be computed here.
+std::vector<bool> done_or_others(const SweepTable& table, const Share& share) {
+  std::vector<bool> done = table.done();
+  for (std::size_t k = 0; k < done.size(); ++k)
+    if (!share.has(static_cast<std::int64_t>(k))) done[k] = true;
+  return done;
+}
+
+/// The queue and the table as a source for the threads and for the other ranks.
+class Office {
+ public:
+  Office(SweepTable& table, const Share& share, const std::function<void()>& added)
+      : table_(table), queue_(done_or_others(table, share)), added_(added) {}
+
+  WorkSource source() {
+    return {[this](std::size_t count) { return take(count); },
+            [this](const std::vector<SampleRow>& rows) { give(rows); }};
+  }
+
+ private:
+  std::vector<std::int64_t> take(std::size_t count) {
+    const std::lock_guard lock(mutex_);
+    return queue_.take(count);
+  }
+
+  void give(const std::vector<SampleRow>& rows) {
+    const std::lock_guard lock(mutex_);
+    try {
+      table_.add(rows);
+    } catch (...) {
+      queue_.stop();
+      throw;
+    }
+    added_();
+  }
+
+  SweepTable& table_;
+  WorkQueue queue_;
+  const std::function<void()>& added_;
+  std::mutex mutex_;
+};
+
+/// Rank 0 works beside serving the others: MPI stays with main's thread.
+void work_and_serve(const SweepPlan& plan, const Ranks& ranks, int threads, const WorkSource& source,
+                    const std::function<void(const std::string&)>& notice) {
+  std::exception_ptr own, others;
+  std::thread worker([&] {
+    try {
+      run_on_threads(plan, threads, source);
+    } catch (...) {
+      own = std::current_exception();
+    }
+  });
+  try {
+    ranks.serve(source, notice);
+  } catch (...) {
+    others = std::current_exception();
+  }
+  worker.join();
+  if (own) std::rethrow_exception(own);
+  if (others) std::rethrow_exception(others);
+}
+
+/// What ranks that gave up had taken with them.
+void compute_lost(const SweepPlan& plan, SweepTable& table, const Share& share, int threads,
+                  const std::function<void()>& added) {
+  if (table.count() >= share.size(plan.size())) return;
+  Office office(table, share, added);
+  run_on_threads(plan, threads, office.source());
+}
+
+/// How many threads a rank uses.
+int threads_of(const SweepPlan& plan, const Ranks& ranks, int asked) {
+  if (!plan.is_thread_safe() && ranks.size() > 1) return 1;
+  if (asked > 0) return asked;
+  const int cores = static_cast<int>(std::max(std::thread::hardware_concurrency(), 1u));
+  return std::max(1, std::min(omp_get_max_threads(), cores) / ranks.on_this_machine());
+}
+
+/// Computes the samples of a share that the table has not: on threads, in processes of their own where the model keeps
+/// global state, and on the other ranks. The table is the same whatever does the work.
+/// @param threads of this process; 0: the machine's cores, shared among its ranks
+/// @param added hears after each batch that is on the disk
+/// @throws what the table throws; the other ranks have left then
+void run_sweep(const SweepPlan& plan, SweepTable& table, const Share& share, const Ranks& ranks, int threads,
+               const std::function<void()>& added, const std::function<void(const std::string&)>& notice) {
+  Office office(table, share, added);
+  const WorkSource source = office.source();
+  const int used = threads_of(plan, ranks, threads);
+  if (ranks.size() > 1) {
+    work_and_serve(plan, ranks, used, source, notice);
+    return compute_lost(plan, table, share, used, added);
+  }
+  if (plan.is_thread_safe()) return run_on_threads(plan, used, source);
+  run_in_processes(plan, used, source);
+}
+
+/// The bar of a sweep: share done, samples a second, time left.
+class SweepProgress {
+ public:
+  /// @param total samples of the sweep; @param before those that were there already
+  SweepProgress(Console& console, std::int64_t total, std::int64_t before);
+
+  /// @param count samples that are in the table now
+  void show(std::int64_t count);
+
+ private:
+  Console& console_;
+  std::int64_t total_, before_;
+  Stopwatch since_shown_;
+  TimeLeft left_;
+  double seconds_ = 0, next_ = 0;
+};
+
+constexpr double between_shows_s = 0.2;  // s: looks continuous, and drawing costs next to nothing
+
+SweepProgress::SweepProgress(Console& console, std::int64_t total, std::int64_t before)
+    : console_(console), total_(total), before_(before) {
+  console_.stage("sweep", static_cast<double>(before) / static_cast<double>(total));
+  left_.update(0, static_cast<double>(before) / static_cast<double>(total));
+}
+
+void SweepProgress::show(std::int64_t count) {
+  seconds_ += since_shown_.lap();
+  if (seconds_ < next_ || count == before_) return;
+  next_ = seconds_ + between_shows_s;
+  const double rate = static_cast<double>(count - before_) / seconds_;
+  const double done = static_cast<double>(count) / static_cast<double>(total_);
+  left_.update(seconds_, done);
+  const std::string left = left_.words(seconds_);
+  console_.stage(
+      "sweep", done,
+      fmt::format("{} of {}, {:.3g} a second{}{}", count, total_, rate, left.empty() ? "" : ", ", left));
+}
 
 using Json = nlohmann::ordered_json;
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "app/console/command_options.hpp"
+#include "app/console/console.hpp"
 
 namespace kinetix::app {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/files/design_file.hpp"
-#include "app/goals/read_target.hpp"
+#include "app/goals/registry.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "benchmarks/figure.hpp"
 #include "benchmarks/stopwatch.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/goals/display/display_outcome.hpp"
-#include "app/goals/read_target.hpp"
+#include "app/goals/registry.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "benchmarks/figure.hpp"
 #include "targets/document/document.hpp"

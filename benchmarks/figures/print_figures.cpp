@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "app/goals/read_target.hpp"
+#include "app/goals/registry.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/print/fit.hpp"
 #include "benchmarks/figure.hpp"

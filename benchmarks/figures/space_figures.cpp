@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/goals/read_target.hpp"
+#include "app/goals/registry.hpp"
 #include "app/goals/space_curve/space_curve_file.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/result/result_json.hpp"

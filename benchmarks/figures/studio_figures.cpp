@@ -6,7 +6,7 @@
 #include <optional>
 #include <random>
 
-#include "app/goals/read_target.hpp"
+#include "app/goals/registry.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "benchmarks/figure.hpp"
 #include "benchmarks/stopwatch.hpp"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/checked_file.hpp"
-#include "app/console/command_options.hpp"
+#include "app/console/console.hpp"
 #include "benchmarks/alone.hpp"
 #include "benchmarks/figure.hpp"
 #include "benchmarks/stopwatch.hpp"

@@ -1,8 +1,80 @@
 #include "model/contact/swept_pair.hpp"
 
-#include "model/contact/swept_boxes.hpp"
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "model/base/oriented_box.hpp"
+#include "model/contact/swept_motion.hpp"
 
 namespace kinetix::model {
+namespace {
+
+/// A box at rest, and one that moves against it: both where they are in the middle of an interval of theta, in the frame of
+/// the first one's body, mm.
+struct SweptBoxes {
+  const OrientedBox& still;
+  const OrientedBox& moving;
+  const SweptMotion& motion;
+  double half_width;  ///< of the interval, rad
+  double margin;      ///< how far apart they have to stay, mm
+};
+
+using Eigen::Vector3d;
+
+constexpr double no_direction = 1e-6;  // of a cross product of unit vectors: below, it is mostly rounding
+
+class SweptGap {
+ public:
+  explicit SweptGap(const SweptBoxes& boxes)
+      : boxes_(boxes),
+        apart_(boxes.moving.center - boxes.still.center),
+        speed_(boxes.motion.speed(boxes.moving.center)),
+        lost_(boxes.margin + boxes.motion.change(boxes.moving.center, radius(boxes.moving)) *
+                                 boxes.half_width * boxes.half_width / 2) {}
+
+  /// @param direction unit
+  bool along(Vector3d direction) const {
+    if (direction.dot(apart_) < 0) direction = -direction;
+    const double free = direction.dot(apart_) - support(boxes_.still, direction) - lost_;
+    const Vector3d turned = direction.cross(boxes_.motion.omega());
+    const auto gap = [&](double tau) {
+      return free + tau * direction.dot(speed_) - support(boxes_.moving, -direction - tau * turned);
+    };
+    return gap(boxes_.half_width) > 0 && gap(-boxes_.half_width) > 0;
+  }
+
+ private:
+  const SweptBoxes& boxes_;
+  Vector3d apart_, speed_;
+  double lost_;  ///< mm: margin, and what the straight path leaves out
+};
+
+/// Whether the two are proven to stay apart over the whole interval by one direction that separates them, of the faces of
+/// the box at rest. Along a direction n the gap at theta = middle + tau is at least
+///   n . (c + tau c') - s(-(n + tau n x w)) - (that of the box at rest along n) - change half_width^2 / 2
+/// with s how far the moving box reaches from its center along a direction (convex),
+/// where change bounds the second derivative of every corner; concave in tau, so least at an end.
+bool stay_apart_by_faces(const SweptBoxes& boxes) {
+  const SweptGap gap(boxes);
+  for (const Vector3d& normal : face_normals(boxes.still))
+    if (gap.along(normal)) return true;
+  return false;
+}
+
+/// Likewise by the directions across an edge of each.
+bool stay_apart_by_edges(const SweptBoxes& boxes) {
+  const SweptGap gap(boxes);
+  for (const Vector3d& still : edge_directions(boxes.still))
+    for (const Vector3d& moving : edge_directions(boxes.moving)) {
+      const Vector3d across = still.cross(moving);
+      const double length = across.norm();
+      if (length > no_direction && gap.along(across / length)) return true;
+    }
+  return false;
+}
+
+}  // namespace
 
 SweptPair::SweptPair(const LinkagePlates& plates, const ThetaInterval& interval, const PlatesOfPair& pair,
                      double margin_mm)

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "app/pipeline/design_drive.hpp"
+#include "app/pipeline/hinge_loads.hpp"
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/sheet/sheet_motion.hpp"

@@ -6,7 +6,7 @@
 
 #include "app/result/search_json.hpp"
 #include "app/run/contact_reason.hpp"
-#include "app/run/search_words.hpp"
+#include "app/run/run_options.hpp"
 #include "model/base/append.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/contact/wall_contact.hpp"

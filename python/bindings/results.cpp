@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/exports/exporters.hpp"
-#include "app/exports/write_results.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/result/result_json.hpp"
 #include "app/result/verdict.hpp"

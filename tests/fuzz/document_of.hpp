@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/goals/read_target.hpp"
-#include "app/pipeline/forecast_design.hpp"
+#include "app/goals/registry.hpp"
+#include "app/pipeline/exact_state.hpp"
 #include "tests/fuzz/input_folder.hpp"
 
 namespace kinetix::fuzz {

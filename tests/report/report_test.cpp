@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "app/report/round_numbers.hpp"
+#include "app/report/light_result.hpp"
 
 namespace kinetix::app {
 namespace {

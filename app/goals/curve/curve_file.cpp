@@ -7,9 +7,9 @@
 #include <tuple>
 
 #include "app/files/file_header.hpp"
+#include "app/files/goal_settings.hpp"
 #include "app/files/process_section.hpp"
 #include "app/files/structure_section.hpp"
-#include "app/files/variables_section.hpp"
 #include "optim/curve/bend_ties.hpp"
 #include "optim/solvers/multi_start.hpp"
 #include "targets/curve/read_curve.hpp"

@@ -1,23 +1,22 @@
-#include <fmt/format.h>
+#include "app/goals/display/display_goal.hpp"
 
+#include <fmt/format.h>
+#include <unistd.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <thread>
 #include <tuple>
 #include <utility>
 
 #include "app/files/process_section.hpp"
-#include "app/goals/display/display_file.hpp"
 #include "app/goals/display/display_limits.hpp"
 #include "app/goals/display/display_outcome.hpp"
 #include "app/goals/display/display_prints.hpp"
-#include "app/goals/display/display_violations.hpp"
-#include "app/goals/display/panel_memory.hpp"
 #include "app/goals/display/search_panel.hpp"
 #include "app/pipeline/hinge_loads.hpp"
 #include "app/pipeline/physics_settings.hpp"
-#include "app/run/goal_kind.hpp"
+#include "app/run/goal.hpp"
 #include "model/base/angle.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "targets/display/panel_levels.hpp"
@@ -255,6 +254,21 @@ class DisplayGoal final : public Goal {
   DisplayFile file_;
 };
 
+constexpr double bytes_a_cell = 50e3;  // of one search, as measured on panels of 30 x 30 and 60 x 60 cells
+
+constexpr double widest_stroke = 2.7;  // cells: contrast was measured to grow less beyond
+constexpr double largest_factor = 4;   // of the sides
+
+targets::PanelSize scaled_panel(const targets::DisplayGoal& goal, double factor) {
+  const auto side = [factor](int cells) { return static_cast<int>(std::ceil(factor * cells - 1e-9)); };
+  return {side(goal.columns), side(goal.rows)};
+}
+
+bool is_allowed_panel(targets::PanelSize size) {
+  return std::max(size[0], size[1]) <= targets::max_panel_side &&
+         static_cast<long>(size[0]) * size[1] <= targets::max_panel_cells;
+}
+
 }  // namespace
 
 std::unique_ptr<Goal> make_goal(DisplayFile file) { return std::make_unique<DisplayGoal>(std::move(file)); }
@@ -281,5 +295,63 @@ extern const GoalKind display_kind = {
         {"auc_physics", "", "auc in the physics run"},
         {"separation_physics", "", "separation in the physics run"},
         {"rank_physics", "", "rank in the physics run"}}};
+
+std::size_t memory_of_machine() {
+  return static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+void check_memory(targets::PanelSize size, int threads, int runs, std::size_t available) {
+  const int allowed =
+      threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const int at_a_time = std::min(allowed, runs);
+  const double needed = bytes_a_cell * size[0] * size[1] * at_a_time, gib = 1 << 30;
+  if (needed <= static_cast<double>(available)) return;
+  throw InvalidInput(
+      fmt::format("a panel of {} x {} cells takes about {:.1f} GiB of memory to search on {} threads, and "
+                  "this machine has {:.1f} GiB; give fewer cells{}",
+                  size[0], size[1], needed / gib, at_a_time, static_cast<double>(available) / gib,
+                  at_a_time > 1 ? ", or --threads 1" : ""),
+      {"", 0, 0, "structure.cells"});
+}
+
+std::vector<std::string> violations(const DisplayFile& file, const targets::DisplayScore& score, double rank,
+                                    const std::string& who) {
+  std::vector<std::string> why;
+  const bool binary = file.goal.is_binary();
+  const double told = binary ? score.auc : rank;
+  if (!(told >= file.auc))
+    why.push_back(fmt::format("{}: {} {:.3f}; at least {:.3f} is required", who,
+                              binary ? "auc" : "rank correlation", told, file.auc));
+  if (binary && !(score.contrast >= file.contrast))
+    why.push_back(
+        fmt::format("{}: contrast {:.2f}; at least {:.2f} is required", who, score.contrast, file.contrast));
+  return why;
+}
+
+double stroke_width(const targets::DisplayGoal& goal) {
+  int cells = 0, edges = 0;
+  for (int j = 0; j < goal.rows; ++j)
+    for (int i = 0; i < goal.columns; ++i) {
+      cells += goal.is_letter(i, j);
+      edges += i > 0 && goal.is_letter(i, j) != goal.is_letter(i - 1, j);
+      edges += j > 0 && goal.is_letter(i, j) != goal.is_letter(i, j - 1);
+    }
+  return 2.0 * cells / edges;
+}
+
+std::optional<targets::PanelSize> estimate_panel(const targets::DisplayGoal& goal, double contrast,
+                                                 double required, double most_growth) {
+  if (!goal.is_binary() || !goal.redrawn || !(contrast > 0 && contrast < required)) return std::nullopt;
+  const double growth = std::min(most_growth, contrast * contrast / stroke_width(goal)),
+               width = required * required / growth, cell = 1.0 / std::max(goal.columns, goal.rows);
+  if (!(width <= widest_stroke)) return std::nullopt;
+  for (double factor = 1 + cell; factor <= largest_factor + cell / 2; factor += cell) {
+    const targets::PanelSize size = scaled_panel(goal, factor);
+    if (!is_allowed_panel(size)) break;
+    const targets::DisplayGoal larger = goal.redrawn(size);
+    if (larger.whole && stroke_width(larger) >= width) return size;
+  }
+  return std::nullopt;
+}
 
 }  // namespace kinetix::app

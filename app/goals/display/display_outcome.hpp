@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "app/pipeline/hinge_loads.hpp"
 #include "app/run/found.hpp"
-#include "app/run/hinge_loads.hpp"
 #include "optim/display/as_made_display.hpp"
 #include "optim/display/fit_display.hpp"
 #include "targets/display/display_goal.hpp"

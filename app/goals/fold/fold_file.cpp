@@ -1,8 +1,8 @@
 #include "app/goals/fold/fold_file.hpp"
 
 #include "app/files/file_header.hpp"
+#include "app/files/goal_settings.hpp"
 #include "app/files/structure_section.hpp"
-#include "app/files/variables_section.hpp"
 #include "targets/document/bound_key.hpp"
 #include "targets/fold/read_fold.hpp"
 

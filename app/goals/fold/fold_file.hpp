@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/files/goal_settings.hpp"
-#include "app/files/hinge_limits.hpp"
+#include "app/files/hinge_parts.hpp"
 #include "model/lattice/square/structure.hpp"
 #include "optim/fold/fit_box.hpp"
 #include "optim/solvers/variables.hpp"

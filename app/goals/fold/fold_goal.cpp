@@ -10,7 +10,7 @@
 #include "app/goals/fold/fold_limits.hpp"
 #include "app/pipeline/hinge_loads.hpp"
 #include "app/pipeline/robust_search.hpp"
-#include "app/run/goal_kind.hpp"
+#include "app/run/goal.hpp"
 #include "app/run/run.hpp"
 #include "model/base/append.hpp"
 #include "model/sheet/sheet_motion.hpp"

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "app/files/file_header.hpp"
+#include "app/files/goal_settings.hpp"
 #include "app/files/structure_section.hpp"
-#include "app/files/variables_section.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "targets/document/bound_key.hpp"
 #include "targets/helmet/read_head.hpp"

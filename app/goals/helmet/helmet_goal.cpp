@@ -7,7 +7,7 @@
 #include "app/goals/ribs/ribs_goal.hpp"
 #include "app/result/search_json.hpp"
 #include "app/result/state_json.hpp"
-#include "app/run/goal_kind.hpp"
+#include "app/run/goal.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/pictures/panel_picture.hpp"
 #include "app/result/search_json.hpp"
 #include "app/result/state_json.hpp"
-#include "app/run/goal_kind.hpp"
+#include "app/run/goal.hpp"
 #include "app/run/run.hpp"
 #include "model/base/box_of.hpp"
 #include "model/base/invalid_input.hpp"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run/contact_reason.hpp"
-#include "app/run/search_words.hpp"
+#include "app/run/run_options.hpp"
 #include "model/base/append.hpp"
 
 namespace kinetix::app {

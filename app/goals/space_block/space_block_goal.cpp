@@ -6,7 +6,7 @@
 #include "app/goals/space_block/space_block_file.hpp"
 #include "app/run/contact_reason.hpp"
 #include "app/run/found.hpp"
-#include "app/run/goal_kind.hpp"
+#include "app/run/goal.hpp"
 #include "app/run/run.hpp"
 #include "model/base/append.hpp"
 #include "model/sheet/sheet_motion.hpp"

@@ -8,9 +8,9 @@
 
 #include "app/goals/surface/ribs_file.hpp"
 #include "app/result/search_json.hpp"
-#include "app/run/goal_kind.hpp"
-#include "app/run/interrupted.hpp"
+#include "app/run/goal.hpp"
 #include "app/run/run.hpp"
+#include "app/run/run_options.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/base/rigid_fit.hpp"
 #include "model/lattice/origami/fold_mesh.hpp"

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "app/print/format/formats.hpp"
+#include "app/print/format/print_format.hpp"
 #include "app/print/format/sheet_drawing.hpp"
 
 namespace kinetix::app {

@@ -4,9 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "app/print/format/formats.hpp"
-
-#include "app/print/format/units.hpp"
+#include "app/print/format/print_format.hpp"
 
 namespace kinetix::app {
 namespace {

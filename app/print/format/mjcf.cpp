@@ -8,9 +8,8 @@
 #include <queue>
 #include <set>
 
-#include "app/print/format/formats.hpp"
 #include "app/print/format/parts.hpp"
-#include "app/print/format/units.hpp"
+#include "app/print/format/print_format.hpp"
 #include "model/closure/closure_drive.hpp"
 
 namespace kinetix::app {

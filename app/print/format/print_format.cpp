@@ -1,6 +1,5 @@
 #include "app/print/format/print_format.hpp"
 
-#include "app/print/format/formats.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/document/wording.hpp"
 

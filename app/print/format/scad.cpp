@@ -2,8 +2,8 @@
 
 #include <Eigen/Geometry>
 
-#include "app/print/format/formats.hpp"
 #include "app/print/format/parts.hpp"
+#include "app/print/format/print_format.hpp"
 #include "model/base/angle.hpp"
 
 namespace kinetix::app {

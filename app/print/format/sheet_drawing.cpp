@@ -2,8 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <boost/polygon/polygon.hpp>
 #include <cmath>
+#include <limits>
+#include <span>
 
 namespace kinetix::app {
 namespace {
@@ -78,6 +81,159 @@ void find_bounds(SheetDrawing& drawing) {
   drawing.high = box.max();
 }
 
+constexpr double knife_mm = 3;     // mm, between strips: room for a knife
+constexpr double tab_share = 0.5;  // of the way to the nearest hinge, or of the wall's height
+constexpr double chamfer = 0.3;    // of a tab's length: narrower at its end, so that no two meet in a corner
+
+// Of a label: shares of the wall's height and of the room that it has; where there is hardly any, it stays readable.
+constexpr double most_high = 0.3, least_high = 0.1, most_wide = 0.9;
+// Of a wall's height: where the lower and the upper labels stand, and how far up and down they reach.
+constexpr double lower_row = 0.28, upper_row = 0.72, half_row = 0.18;
+
+/// Of one wall, in its own plane: x from the lower vertex along the wall, y up from its foot. mm
+struct Wall {
+  double hinge_x, length, height;
+  Vector2d axis;  ///< of the hinge, in the wall's plane
+};
+
+const model::ArmSolid& arm_at(const PrintSheet& sheet, int body, int hinge) {
+  const auto& arms = sheet.bodies[body].arms;
+  return *std::find_if(arms.begin(), arms.end(), [&](const auto& arm) { return arm.hinge == hinge; });
+}
+
+Wall wall_of(const PrintSheet& sheet, int h) {
+  const model::RestHinge& hinge = sheet.linkage.hinges[h];
+  const model::ArmSolid& arm = arm_at(sheet, hinge.lower, h);
+  const double edge = sheet.linkage.size.edge_mm;
+  const Eigen::Vector3d lower = edge * hinge.lower_arm, upper = edge * hinge.upper_arm;
+  return {lower.dot(arm.edge),
+          (lower - upper).dot(arm.edge),
+          arm.size.height_mm,
+          {hinge.axis.dot(arm.edge), hinge.axis.dot(arm.up)}};
+}
+
+/// The hinge's line as far as the wall reaches.
+std::pair<Vector2d, Vector2d> score(const Wall& wall) {
+  const Vector2d middle(wall.hinge_x, wall.height / 2), most(wall.length, wall.height);
+  double low = -std::numeric_limits<double>::infinity(), high = -low;
+  for (int k = 0; k < 2; ++k) {
+    if (wall.axis[k] == 0) continue;
+    const auto [from, to] = std::minmax({-middle[k] / wall.axis[k], (most[k] - middle[k]) / wall.axis[k]});
+    low = std::max(low, from);
+    high = std::min(high, to);
+  }
+  return {middle + low * wall.axis, middle + high * wall.axis};
+}
+
+/// Of a wall beside its score, below or above its middle: where a label stands clear of lines.
+struct Room {
+  double from, to;  ///< along the wall, mm
+  double row;       ///< of the wall's height
+  bool taken = false;
+  double width() const { return to - from; }
+};
+
+/// On the left below and above, on the right below and above.
+std::array<Room, 4> rooms_of(const Wall& wall, const std::pair<Vector2d, Vector2d>& line) {
+  const auto score_at = [&](double share) {
+    const auto& [low, high] = line;
+    const double along = (share * wall.height - low.y()) / (high.y() - low.y());
+    return low.x() + std::clamp(along, 0.0, 1.0) * (high.x() - low.x());
+  };
+  std::array<Room, 4> rooms;
+  for (int k = 0; k < 2; ++k) {
+    const double row = k == 0 ? lower_row : upper_row;
+    const auto [left, right] = std::minmax({score_at(row - half_row), score_at(row + half_row)});
+    rooms[k] = {0, left, row};
+    rooms[2 + k] = {right, wall.length, row};
+  }
+  return rooms;
+}
+
+Room& widest(std::span<Room> rooms) {
+  return *std::max_element(rooms.begin(), rooms.end(), [](const Room& a, const Room& b) {
+    return std::pair(!a.taken, a.width()) < std::pair(!b.taken, b.width());
+  });
+}
+
+/// @param at of the wall's lower left corner, mm
+Strips::Label label_in(Room& room, const Vector2d& at, double wall_height, const std::string& text) {
+  room.taken = true;
+  const double fitting = most_wide * room.width() / (digit_share * static_cast<double>(text.size()));
+  const double height = std::clamp(fitting, least_high * wall_height, most_high * wall_height);
+  const Vector2d middle((room.from + room.to) / 2, room.row * wall_height);
+  return {at + middle - Vector2d(0, capital_share * height / 2), text, height};
+}
+
+class StripMaker {
+ public:
+  explicit StripMaker(const PrintSheet& sheet) : sheet_(sheet) {
+    for (int h = 0; h < hinges(); ++h) measure(h);
+  }
+
+  Strips made() {
+    const double wide = longest_ + 2 * tab_ + knife_mm, high = highest_ + knife_mm;
+    // As many in a column as make the page about square.
+    const int rows = std::max(1, static_cast<int>(std::ceil(std::sqrt(hinges() * wide / high))));
+    for (int h = 0; h < hinges(); ++h)
+      add(h, {(h / rows) * wide + knife_mm + tab_, (h % rows) * high + knife_mm});
+    out_.size = {std::ceil(static_cast<double>(hinges()) / rows) * wide + knife_mm, rows * high + knife_mm};
+    return std::move(out_);
+  }
+
+ private:
+  int hinges() const { return static_cast<int>(sheet_.hinges.size()); }
+
+  void measure(int h) {
+    const Wall wall = wall_of(sheet_, h);
+    longest_ = std::max(longest_, wall.length);
+    highest_ = std::max(highest_, wall.height);
+    tab_ = std::min(
+        {tab_, tab_share * wall.hinge_x, tab_share * (wall.length - wall.hinge_x), tab_share * wall.height});
+  }
+
+  bool meets_others(int body) const { return sheet_.bodies[body].arms.size() > 1; }
+
+  void add(int h, const Vector2d& at) {
+    const Wall wall = wall_of(sheet_, h);
+    const model::RestHinge& hinge = sheet_.linkage.hinges[h];
+    const bool first = meets_others(hinge.lower), last = meets_others(hinge.upper);
+    std::vector<Vector2d> cut{at};
+    add_end(cut, at + Vector2d(wall.length, 0), wall.height, last ? tab_ : 0);
+    add_end(cut, at + Vector2d(0, wall.height), -wall.height, first ? -tab_ : 0);
+    cut.pop_back();  // where it began
+    out_.cuts.push_back(cut);
+    const std::pair<Vector2d, Vector2d> line = score(wall);
+    out_.folds.emplace_back(at + line.first, at + line.second);
+    add_labels(h, at, wall, rooms_of(wall, line));
+  }
+
+  void add_labels(int h, const Vector2d& at, const Wall& wall, std::array<Room, 4> rooms) {
+    const model::RestHinge& hinge = sheet_.linkage.hinges[h];
+    const std::span<Room> all = rooms;
+    for (const auto& [body, side] : {std::pair{hinge.lower, all.first(2)}, {hinge.upper, all.last(2)}})
+      out_.vertices.push_back(label_in(widest(side), at, wall.height, sheet_.linkage.vertex_name(body)));
+    out_.numbers.push_back(label_in(widest(all), at, wall.height, std::to_string(h + 1)));
+  }
+
+  /// The edge from `from` up by `rise`, with a tab beyond it. @param tab mm, along x; 0: none
+  void add_end(std::vector<Vector2d>& cut, const Vector2d& from, double rise, double tab) {
+    const Vector2d to = from + Vector2d(0, rise);
+    cut.push_back(from);
+    if (tab != 0) {
+      const double narrow = std::copysign(chamfer * std::abs(tab), rise);
+      cut.push_back(from + Vector2d(tab, narrow));
+      cut.push_back(to + Vector2d(tab, -narrow));
+      out_.folds.emplace_back(from, to);
+    }
+    cut.push_back(to);
+  }
+
+  const PrintSheet& sheet_;
+  double longest_ = 0, highest_ = 0, tab_ = std::numeric_limits<double>::infinity();
+  Strips out_;
+};
+
 }  // namespace
 
 double number_height_mm(const PrintSheet& sheet) { return number_share * sheet.linkage.size.edge_mm; }
@@ -104,5 +260,7 @@ SheetDrawing sheet_drawing(const PrintSheet& sheet) {
   find_bounds(drawing);
   return drawing;
 }
+
+Strips strips(const PrintSheet& sheet) { return StripMaker(sheet).made(); }
 
 }  // namespace kinetix::app

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "app/print/format/formats.hpp"
+#include "app/print/format/print_format.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,6 +1,6 @@
 #include "app/cad/stl_text.hpp"
-#include "app/print/format/formats.hpp"
 #include "app/print/format/parts.hpp"
+#include "app/print/format/print_format.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -9,9 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/print/format/formats.hpp"
+#include "app/print/format/print_format.hpp"
 #include "app/print/format/sheet_drawing.hpp"
-#include "app/print/format/strips.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -2,9 +2,8 @@
 
 #include <iterator>
 
-#include "app/print/format/formats.hpp"
-#include "app/print/format/gap_settings.hpp"
 #include "app/print/format/parts.hpp"
+#include "app/print/format/print_format.hpp"
 #include "app/print/format/zip_text.hpp"
 
 namespace kinetix::app {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "app/print/sheet/print_sheet.hpp"
+#include "model/solids/polyhedron.hpp"
 
 namespace kinetix::app {
 
@@ -12,5 +14,22 @@ namespace kinetix::app {
 /// @param bed_mm of the printer: a coupon that it does not hold is cut into tiles between its hinges
 /// @throws BedTooSmall for a bed that does not hold each hinge
 PrintSheet make_coupon(const model::Process& process, const std::optional<Eigen::Vector2d>& bed_mm = {});
+
+/// A flat convex face of a solid, and how text on it stands. mm
+struct TextFace {
+  Eigen::Vector3d middle;     ///< of the text, on the face
+  Eigen::Vector3d right, up;  ///< unit vectors, square to each other, right x up outwards
+  double pixel_mm = 0.8;      ///< edge of a letter's squares, > 0: letters are 3 wide and 5 high
+  double raised_mm = 0.4;     ///< over the face, > 0
+};
+
+/// Raises digits and points from a face: the solid stays one closed surface, whose volume grows by the squares of the
+/// digits' seven strokes, each pixel_mm^2 raised_mm.
+/// @param text of 0 to 9 and '.'; not empty
+/// @throws std::invalid_argument for other text, where no face lies there, and where the face is smaller than the text
+void raise_text(std::string_view text, const TextFace& face, model::Polyhedron& solid);
+
+/// Squares that a text raises.
+int raised_squares(std::string_view text);
 
 }  // namespace kinetix::app

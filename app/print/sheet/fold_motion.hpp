@@ -1,11 +1,15 @@
 #pragma once
 
+class btConvexHullShape;
+
 #include <memory>
 #include <vector>
 
 #include "app/print/sheet/print_sheet.hpp"
 #include "model/contact/hinge_chains.hpp"
 #include "model/contact/swept_motion.hpp"
+#include "model/matter/process.hpp"
+#include "model/solids/hinge_shape.hpp"
 
 namespace kinetix::app {
 
@@ -53,5 +57,57 @@ std::unique_ptr<PrintMotion> fold_motion(const PrintSheet& sheet, const std::vec
 
 /// The largest of these margins of a path's states, of a body as its neighbours see it, mm. @param linkage of the same size
 double sampling_error_mm(const PrintPath& path, const model::Linkage& linkage);
+
+/// Points that go with one body, and a sphere round them, relative to the body's rest position, mm.
+struct PieceEnd {
+  int body = 0;
+  Eigen::Matrix3Xd points;
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  double radius = 0;
+};
+
+/// A convex piece of a part: of a body, or a block or film as the hull of its two ends.
+struct PartPiece {
+  int part = 0;
+  std::vector<PieceEnd> ends;
+  std::shared_ptr<btConvexHullShape> hull = {};  ///< of one end, with its support function
+};
+
+/// The parts of a sheet that may run into each other: its bodies, then blocks and films by hinge. Rods and cones of pins
+/// are within eyes, which count as if they had no bore.
+struct MovingParts {
+  explicit MovingParts(const PrintSheet& sheet);
+
+  int bodies = 0;
+  std::vector<PartPiece> pieces;            ///< part by part
+  std::vector<std::vector<int>> pieces_of;  ///< each part; empty of the soft part of a pin
+  std::vector<PieceEnd> whole;              ///< of each body, all of its points
+};
+
+/// A piece where it is seen: a pose for each of its ends.
+struct PlacedPiece {
+  const PartPiece& piece;
+  std::vector<const model::Pose*> poses;
+
+  Eigen::Vector3d center() const;
+};
+
+/// The nearest points of two pieces; where they are in each other, the deepest.
+struct PieceDistance {
+  double mm = 0;                                    ///< mm, negative: how deep
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< mm, between them
+  Eigen::Vector3d normal =
+      Eigen::Vector3d::Zero();  ///< unit vector from the first to the second; 0: they touch
+};
+PieceDistance piece_distance(const PlacedPiece& a, const PlacedPiece& b);
+
+/// How the knuckles of a pin stand over each other: flat a clearance apart, or where a process lays lines over gaps that
+/// hold none of them, as FDM does, inclined but for a rim as wide as a line. Cones are that far apart that their layers,
+/// which step sideways, keep the pin's clearance.
+/// @param pin with its clearance   @return with axial_clearance_mm and rim_mm
+model::HingePrint with_faces(model::HingePrint pin, const model::Process& process);
+
+/// The least height of a pin whose eye, between two such clearances, is as high as they are. mm
+double least_pin_height_mm(double clearance_mm, const model::Process& process);
 
 }  // namespace kinetix::app

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "app/print/sheet/fold_motion.hpp"
-#include "app/print/sheet/part_pieces.hpp"
 #include "model/base/parallel_runs.hpp"
 #include "model/contact/near_pairs.hpp"
 #include "model/contact/swept_hull.hpp"

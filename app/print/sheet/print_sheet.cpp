@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/files/hinge_parts.hpp"
-#include "app/print/sheet/pin_faces.hpp"
+#include "app/print/sheet/fold_motion.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/matter/hinge_strain.hpp"
 #include "model/solids/open_hinge.hpp"

@@ -7,7 +7,6 @@
 
 #include "app/files/design_file.hpp"
 #include "app/print/sheet/print_path.hpp"
-#include "app/print/sheet/tiles.hpp"
 #include "model/linkage/exact_motion.hpp"
 #include "model/matter/process.hpp"
 #include "model/solids/body_solid.hpp"

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/studio/play/player.hpp"
+#include "app/studio/play/shape.hpp"
 
 namespace kinetix::app::studio {
 
@@ -17,5 +18,10 @@ nlohmann::ordered_json error_message(const std::string& what, double id, const s
 /// `progress`, without the time that is left. @param done 0 to 1; negative: not known
 nlohmann::ordered_json progress_message(const char* job, const std::string& stage, double done,
                                         const std::string& so_far);
+
+/// `meshes`: the surfaces of bodies and soft parts at rest.
+nlohmann::ordered_json meshes_message(const model::Assembly& assembly);
+/// `design` of bodies, likewise without what the session alone knows. @pre moving.bodies
+nlohmann::ordered_json bodies_message(const Design& design, const Moving& moving);
 
 }  // namespace kinetix::app::studio

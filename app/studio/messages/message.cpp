@@ -1,8 +1,11 @@
 #include "app/studio/messages/message.hpp"
 
 #include <fmt/format.h>
-
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <new>
+#include <system_error>
 
 #include "model/base/invalid_input.hpp"
 #include "targets/document/document.hpp"
@@ -112,6 +115,30 @@ std::vector<std::pair<std::string, std::string>> Message::named_texts(const char
   std::vector<std::pair<std::string, std::string>> all;
   for (const auto& [name, entry] : value.items()) all.emplace_back(name, text_of(entry, key));
   return all;
+}
+
+std::string failure_message(const std::exception& error) {
+  if (dynamic_cast<const InvalidInput*>(&error)) return error.what();
+  if (dynamic_cast<const std::bad_alloc*>(&error))
+    return "There is not enough memory for this. Take a smaller sheet, or close other programs.";
+  if (const auto* file = dynamic_cast<const std::filesystem::filesystem_error*>(&error)) {
+    const std::string path =
+        file->path1().empty() ? "the folder that the studio was started in" : file->path1().string();
+    return path + ": " + file->code().message() + ". Check that it is there and can be written.";
+  }
+  const auto* system = dynamic_cast<const std::system_error*>(&error);
+  if (system && system->code() == std::errc::resource_unavailable_try_again)
+    return "No further thread or process can be started. Close other programs.";
+  return std::string("internal error: ") + error.what();
+}
+
+std::string plain_number(double value, int digits) {
+  constexpr double least = 0.01,
+                   most = 99'999.5;  // beyond, an exponent is read sooner than zeros are counted
+  const double size = std::abs(value);
+  if (value != 0 && !(size >= least && size < most)) return fmt::format("{:.{}g}", value, digits);
+  const int before = value == 0 ? digits : static_cast<int>(std::floor(std::log10(size))) + 1;
+  return fmt::format("{:.{}f}", value, std::max(0, digits - before));
 }
 
 }  // namespace kinetix::app::studio

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <exception>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -38,5 +39,11 @@ class Message {
   std::string type_;
   double id_ = 0;
 };
+
+/// Why a command of the page failed, in words for people.
+std::string failure_message(const std::exception& error);
+
+/// A number for people: to so many significant digits, without an exponent from 0.01 to 99 999.
+std::string plain_number(double value, int digits = 3);
 
 }  // namespace kinetix::app::studio

@@ -1,5 +1,7 @@
 #include "app/studio/play/frame.hpp"
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <bit>
 
 namespace kinetix::app::studio {
@@ -25,6 +27,10 @@ void add_pose(Numbers& out, const model::Pose& pose) {
   for (const double v : {pose.p.x(), pose.p.y(), pose.p.z(), q.w(), q.x(), q.y(), q.z()}) out.add(v);
 }
 
+constexpr double most_owed_s = 0.1;  // simulated: a tenth of a second behind is not seen
+// Of computing between two frames: 20 of them a second are shown however slow the engine is.
+constexpr std::chrono::milliseconds busy{30};
+
 }  // namespace
 
 std::string frame_bytes(const Frame& frame, std::int64_t number, int client) {
@@ -42,6 +48,20 @@ std::string frame_bytes(const Frame& frame, std::int64_t number, int client) {
   out.add(static_cast<double>(frame.state.size()));
   for (const model::Pose& pose : frame.state) add_pose(out, pose);
   return out.take();
+}
+
+void PlayTime::restart() {
+  owed_s_ = 0;
+  played_ = Clock::now();
+}
+
+void PlayTime::pass(double speed, const std::function<bool()>& plays, const std::function<void()>& step) {
+  const Clock::time_point now = Clock::now();
+  const double passed = std::chrono::duration<double>(now - played_).count();
+  owed_s_ = std::min(owed_s_ + speed * passed, most_owed_s);
+  played_ = now;
+  if (!plays()) return;
+  for (; owed_s_ >= live_step_s && Clock::now() - now < busy; owed_s_ -= live_step_s) step();
 }
 
 }  // namespace kinetix::app::studio

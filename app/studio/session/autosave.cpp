@@ -6,7 +6,7 @@
 
 #include "app/files/bodies_section.hpp"
 #include "app/io/atomic_file.hpp"
-#include "app/io/sha256.hpp"
+#include "app/io/bytes.hpp"
 #include "app/studio/session/earlier_result.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/document/text_file.hpp"

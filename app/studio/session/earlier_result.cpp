@@ -5,8 +5,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/result/same_sheet.hpp"
-#include "app/studio/messages/plain_number.hpp"
+#include "app/result/state_json.hpp"
+#include "app/studio/messages/message.hpp"
 #include "model/base/angle.hpp"
 #include "targets/document/json_depth.hpp"
 #include "targets/document/text_file.hpp"

@@ -6,14 +6,13 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/exports/write_results.hpp"
+#include "app/exports/exporters.hpp"
 #include "app/files/bodies_section.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/pipeline/closed_way.hpp"
 #include "app/run/run.hpp"
-#include "app/studio/messages/bodies_message.hpp"
 #include "app/studio/messages/design_message.hpp"
-#include "app/studio/messages/failure_message.hpp"
+#include "app/studio/messages/message.hpp"
 #include "app/studio/messages/templates.hpp"
 #include "app/studio/session/design_edits.hpp"
 #include "app/studio/session/earlier_result.hpp"

@@ -4,7 +4,7 @@
 
 #include "app/print/export_command.hpp"
 #include "app/studio/messages/design_message.hpp"
-#include "app/studio/messages/failure_message.hpp"
+#include "app/studio/messages/message.hpp"
 
 namespace kinetix::app::studio {
 namespace {

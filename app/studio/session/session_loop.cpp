@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "app/studio/messages/design_message.hpp"
-#include "app/studio/messages/failure_message.hpp"
+#include "app/studio/messages/message.hpp"
 
 namespace kinetix::app::studio {
 namespace {

@@ -3,15 +3,15 @@
 #include <filesystem>
 
 #include "app/console/time_left.hpp"
-#include "app/goals/read_target.hpp"
+#include "app/goals/registry.hpp"
 #include "app/io/atomic_file.hpp"
-#include "app/io/base64.hpp"
+#include "app/io/bytes.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/print/fit.hpp"
 #include "app/result/result_json.hpp"
 #include "app/result/verdict.hpp"
 #include "app/studio/messages/design_message.hpp"
-#include "app/studio/messages/failure_message.hpp"
+#include "app/studio/messages/message.hpp"
 #include "app/studio/session/temporary_folder.hpp"
 
 namespace kinetix::app::studio {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/run/goal_kind.hpp"
+#include "app/run/goal.hpp"
 
 namespace kinetix::app {
 

@@ -1,6 +1,6 @@
 #include "app/sweep/plan/sweep_base.hpp"
 
-#include "app/goals/read_target.hpp"
+#include "app/goals/registry.hpp"
 
 namespace kinetix::app {
 

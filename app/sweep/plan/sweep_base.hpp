@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/files/design_file.hpp"
-#include "app/run/goal_kind.hpp"
+#include "app/run/goal.hpp"
 
 namespace kinetix::app {
 

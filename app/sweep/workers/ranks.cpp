@@ -17,7 +17,7 @@ namespace kinetix::app {
 namespace {
 
 constexpr int request_tag = 1, answer_tag = 2;  // tags of MPI messages; any two numbers that differ
-// Between two looks for a request: often enough for chunks of a tenth of a second (work_queue.cpp), seldom
+// Between two looks for a request: often enough for chunks of a tenth of a second (thread_pool.cpp), seldom
 // enough to leave the core to the work.
 constexpr std::chrono::microseconds between_looks{200};
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "app/console/printable_text.hpp"
+#include "app/console/console.hpp"
 #include "tests/app/bow.hpp"
 #include "tests/app/program.hpp"
 

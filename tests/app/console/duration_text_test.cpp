@@ -1,4 +1,4 @@
-#include "app/console/duration_text.hpp"
+#include "app/console/time_left.hpp"
 
 #include <gtest/gtest.h>
 

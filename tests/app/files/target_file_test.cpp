@@ -6,7 +6,7 @@
 #include "app/goals/curve/curve_file.hpp"
 #include "app/goals/display/display_file.hpp"
 #include "app/goals/helmet/helmet_file.hpp"
-#include "app/goals/read_target.hpp"
+#include "app/goals/registry.hpp"
 #include "app/goals/space_curve/space_curve_file.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/temporary_folder.hpp"

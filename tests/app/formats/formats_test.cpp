@@ -7,12 +7,10 @@
 
 #include "app/files/bodies_section.hpp"
 #include "app/files/design_file.hpp"
-#include "app/formats/all_keys.hpp"
 #include "app/formats/formats_page.hpp"
 #include "app/formats/key_schema.hpp"
-#include "app/goals/read_target.hpp"
 #include "app/goals/registry.hpp"
-#include "app/imports/hinge_choices.hpp"
+#include "app/imports/model_parts.hpp"
 #include "app/sweep/plan/doe_file.hpp"
 #include "app/sweep/plan/metric.hpp"
 #include "tests/app/formats/node_json.hpp"

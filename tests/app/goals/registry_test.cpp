@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/goals/read_target.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "tests/support/temporary_folder.hpp"
 

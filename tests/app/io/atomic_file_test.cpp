@@ -6,8 +6,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "app/io/file_record.hpp"
-#include "app/io/sha256.hpp"
+#include "app/io/bytes.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/temporary_folder.hpp"
 

@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "app/exports/exporters.hpp"
-#include "app/exports/write_results.hpp"
-#include "app/goals/read_target.hpp"
 #include "app/goals/registry.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/result/result_json.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/goals/read_target.hpp"
+#include "app/goals/registry.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/result/verdict.hpp"
 #include "model/contact/wall_contact.hpp"

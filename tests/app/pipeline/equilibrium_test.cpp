@@ -9,7 +9,7 @@
 
 #include "app/files/design_file.hpp"
 #include "app/pipeline/drive_trials.hpp"
-#include "app/result/drive_trials_summary.hpp"
+#include "app/result/summary.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
 

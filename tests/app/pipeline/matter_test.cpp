@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "app/goals/fold/fold_goal.hpp"
-#include "app/goals/read_target.hpp"
+#include "app/goals/registry.hpp"
 #include "app/pipeline/robust_search.hpp"
 #include "model/base/angle.hpp"
 #include "tests/app/program.hpp"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/goals/read_target.hpp"
+#include "app/goals/registry.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/pipeline/pipeline.hpp"

@@ -9,7 +9,6 @@
 
 #include "app/print/fit.hpp"
 #include "app/print/format/sheet_drawing.hpp"
-#include "app/print/format/strips.hpp"
 #include "app/print/overhang.hpp"
 #include "tests/app/print/mesh_distance.hpp"
 #include "tests/app/program.hpp"

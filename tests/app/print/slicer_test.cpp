@@ -7,7 +7,7 @@
 
 #include "app/print/fit.hpp"
 #include "app/print/overhang.hpp"
-#include "app/print/sheet/raised_text.hpp"
+#include "app/print/sheet/coupon.hpp"
 #include "app/print/slicer.hpp"
 #include "app/report/report.hpp"
 #include "tests/app/print/exports.hpp"

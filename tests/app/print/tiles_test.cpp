@@ -1,4 +1,4 @@
-#include "app/print/sheet/tiles.hpp"
+#include "app/print/sheet/print_path.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 #include "app/studio/messages/message.hpp"
 
-#include "app/io/base64.hpp"
-#include "app/studio/messages/plain_number.hpp"
+#include "app/io/bytes.hpp"
 #include "app/studio/play/frame.hpp"
 #include "model/base/invalid_input.hpp"
 

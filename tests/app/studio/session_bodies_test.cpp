@@ -3,7 +3,7 @@
 
 #include "app/files/bodies_section.hpp"
 #include "app/io/atomic_file.hpp"
-#include "app/io/base64.hpp"
+#include "app/io/bytes.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/studio/view_command.hpp"
 #include "model/base/angle.hpp"

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/pipeline/design_drive.hpp"
+#include "app/pipeline/hinge_loads.hpp"
 #include "tests/app/studio/studio.hpp"
 
 namespace kinetix::testing {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <random>
 
-#include "app/pipeline/design_drive.hpp"
+#include "app/pipeline/hinge_loads.hpp"
 #include "app/studio/messages/templates.hpp"
 #include "app/studio/session/earlier_result.hpp"
 #include "model/sheet/sheet_motion.hpp"

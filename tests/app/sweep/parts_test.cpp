@@ -4,12 +4,12 @@
 #include <csignal>
 #include <utility>
 
-#include "app/io/sha256.hpp"
+#include "app/io/bytes.hpp"
 #include "app/studio/messages/templates.hpp"
 #include "app/sweep/plan/edit.hpp"
 #include "app/sweep/workers/process_pool.hpp"
+#include "app/sweep/workers/thread_pool.hpp"
 #include "app/sweep/workers/work_message.hpp"
-#include "app/sweep/workers/work_queue.hpp"
 #include "model/base/angle.hpp"
 #include "model/solids/open_hinge.hpp"
 #include "targets/document/edit_document.hpp"

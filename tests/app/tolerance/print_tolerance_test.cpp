@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "app/goals/read_target.hpp"
+#include "app/goals/registry.hpp"
+#include "app/pipeline/as_made.hpp"
 #include "app/pipeline/pipeline.hpp"
-#include "app/pipeline/print_hinges.hpp"
 #include "model/sheet/sheet_motion.hpp"
 #include "tests/app/tolerance/free_prints.hpp"
 #include "tests/app/tolerance/wall_solids.hpp"

@@ -10,9 +10,8 @@
 #include <stop_token>
 
 #include "app/goals/display/display_file.hpp"
+#include "app/goals/display/display_goal.hpp"
 #include "app/goals/display/display_limits.hpp"
-#include "app/goals/display/display_violations.hpp"
-#include "app/goals/display/panel_memory.hpp"
 #include "app/goals/display/search_panel.hpp"
 #include "app/pictures/far_view.hpp"
 #include "app/pictures/panel_picture.hpp"

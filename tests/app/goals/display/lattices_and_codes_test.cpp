@@ -2,11 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/exports/write_results.hpp"
+#include "app/exports/exporters.hpp"
 #include "app/goals/display/display_outcome.hpp"
 #include "app/goals/display/display_pictures.hpp"
 #include "app/goals/display/search_panel.hpp"
-#include "app/goals/read_target.hpp"
+#include "app/goals/registry.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "tests/support/qr_reader.hpp"
 

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <stop_token>
 
-#include "app/exports/write_results.hpp"
+#include "app/exports/exporters.hpp"
 #include "app/goals/outline/outline_goal.hpp"
-#include "app/goals/read_target.hpp"
+#include "app/goals/registry.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/contact/wall_contact.hpp"

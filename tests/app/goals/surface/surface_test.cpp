@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/goals/read_target.hpp"
+#include "app/goals/registry.hpp"
 #include "app/goals/ribs/ribs_goal.hpp"
 #include "app/goals/surface/surface_goal.hpp"
 #include "app/pipeline/pipeline.hpp"

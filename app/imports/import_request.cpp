@@ -1,7 +1,6 @@
-#include "app/imports/written_import.hpp"
+#include "app/imports/import_request.hpp"
 
 #include <fmt/format.h>
-
 #include <cctype>
 #include <filesystem>
 #include <iostream>

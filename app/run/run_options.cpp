@@ -1,7 +1,6 @@
-#include "app/run/search_words.hpp"
+#include "app/run/run_options.hpp"
 
 #include <fmt/format.h>
-
 #include <cmath>
 
 namespace kinetix::app {

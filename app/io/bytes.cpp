@@ -1,8 +1,13 @@
-#include "app/io/base64.hpp"
+#include "app/io/bytes.hpp"
 
+#include <array>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/binary_from_base64.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <new>
+#include <openssl/sha.h>
 
 #include "model/base/invalid_input.hpp"
 
@@ -31,6 +36,13 @@ std::string to_base64(std::string_view bytes) {
   std::string out(Digits(bytes.data()), Digits(bytes.data() + bytes.size()));
   out.append((3 - bytes.size() % 3) % 3, '=');
   return out;
+}
+
+std::string sha256(std::string_view bytes) {
+  std::array<unsigned char, SHA256_DIGEST_LENGTH> digest;
+  if (SHA256(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), digest.data()) == nullptr)
+    throw std::bad_alloc();  // the only failure of a hash that the library has
+  return fmt::format("{:02x}", fmt::join(digest, ""));
 }
 
 }  // namespace kinetix::app
