@@ -1,13 +1,13 @@
 #include "app/io/bytes.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <openssl/sha.h>
 #include <array>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/binary_from_base64.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <new>
-#include <openssl/sha.h>
 
 #include "model/base/invalid_input.hpp"
 

@@ -14,9 +14,9 @@
 #include "app/report/report.hpp"
 #include "app/result/state_json.hpp"
 #include "model/base/angle.hpp"
+#include "model/base/box_of.hpp"
 #include "targets/document/json_depth.hpp"
 #include "targets/document/text_file.hpp"
-#include "model/base/box_of.hpp"
 
 namespace kinetix::app {
 namespace {
