@@ -16,7 +16,7 @@
 #include "app/result/state_json.hpp"
 #include "app/run/design_hinges.hpp"
 #include "app/sweep/plan/sweep_plan.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -112,7 +112,7 @@ std::optional<CheckedContact> contact_of(const Design& design) {
 }
 
 /// Says how long the check of a large sheet takes. @throws InvalidInput where it takes more memory than is free
-void announce_check(const std::string& file, const model::Sheet& sheet, const Progress& progress) {
+void announce_check(const std::string& file, const model::Lattice& sheet, const Progress& progress) {
   const double seconds = check_seconds_per_body * sheet.bodies(),
                bytes = check_bytes_per_body * sheet.bodies();
   if (const auto free = free_memory(); free && !(bytes <= *free))

@@ -379,7 +379,7 @@ Design read_bodies(const targets::Node& node) {
   Design design{.name = read_name(root), .structure = {}};
   const targets::Section structure = root.section("structure");
   BodiesReader reader(structure);
-  design.structure = model::Sheet(reader.read());
+  design.structure = model::Lattice(reader.read());
   if (const targets::Section drive = root.section("drive"); drive.given())
     read_bodies_drive(drive, reader, design);
   if (const targets::Section tolerance = root.section("tolerance"); tolerance.given()) {

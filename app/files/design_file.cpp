@@ -75,7 +75,7 @@ void check_kind_of_file(const targets::Node& root) {
     throw root.error("this is a target, not a design; search it first with `kinetix-opt TARGET.yaml`");
 }
 
-model::Sheet read_structure(const targets::Section& root) {
+model::Lattice read_structure(const targets::Section& root) {
   return read_sheet(root.required("structure", "e.g. `structure: {cells: [6, 1], cell_mm: 10}`"));
 }
 
@@ -97,7 +97,7 @@ model::CellTuple read_tuple(const targets::Section& section) {
   return tuple;
 }
 
-void read_pattern(const targets::Section& design, model::Sheet& sheet) {
+void read_pattern(const targets::Section& design, model::Lattice& sheet) {
   const targets::Section pattern = design.section("pattern");
   if (!pattern.given()) return;
   model::Structure* squares = sheet.squares();
@@ -120,7 +120,7 @@ model::HingeParameters read_parameters(const targets::Section& hinge, double edg
 }
 
 void read_hinges(const targets::Section& design, Design& file) {
-  model::Sheet& structure = file.structure;
+  model::Lattice& structure = file.structure;
   const auto list = design.optional("hinges");
   if (!list) return;
   const WallReader walls(structure);
@@ -199,7 +199,7 @@ std::string own_hinge_text(const Design& design, int hinge) {
 }
 
 std::string hinges_text(const Design& design) {
-  const model::Sheet& structure = design.structure;
+  const model::Lattice& structure = design.structure;
   std::string text;
   for (int h = 0; h < structure.hinges(); ++h)
     if (const model::HingeParameters& hinge = structure.hinge(h);

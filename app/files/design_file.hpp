@@ -8,9 +8,9 @@
 #include "app/files/drive_section.hpp"
 #include "app/files/hinge_section.hpp"
 #include "app/files/physics_section.hpp"
+#include "model/lattice/lattice.hpp"
 #include "model/linkage/state.hpp"
 #include "model/matter/process.hpp"
-#include "model/sheet/sheet.hpp"
 #include "targets/document/section.hpp"
 
 namespace kinetix::app {
@@ -21,7 +21,7 @@ const targets::KeyTable& hinge_entry_keys();
 /// The content of a design.yaml. Angles in radians, lengths in mm.
 struct Design {
   std::string name;                                     ///< default: the file's name without its ending
-  model::Sheet structure;                               ///< with the parameters of every hinge
+  model::Lattice structure;                             ///< with the parameters of every hinge
   model::Process process = model::processes().front();  ///< that prints it
   double theta = 0;                        ///< the state to show, rad, within (-pi/2, pi/2); default flat
   std::optional<model::Drive> drive = {};  ///< nothing: to theta

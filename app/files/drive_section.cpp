@@ -44,7 +44,7 @@ model::Grip read_corners(const targets::Node& node) {
   return {read_vertex(corners[0]), read_vertex(corners[1])};
 }
 
-model::Grip read_grip(const targets::Node& node, model::Axis axis, const model::Sheet& structure) {
+model::Grip read_grip(const targets::Node& node, model::Axis axis, const model::Lattice& structure) {
   const model::Structure* squares = structure.squares();
   if (!squares)
     throw node.key_error("a part to grip is a rectangle of squares: not with lattice: " +
@@ -109,7 +109,7 @@ bool is_side_alone(const targets::Node& drive) {
   return true;
 }
 
-model::Drive read_plates(const targets::Node& node, const model::Sheet& structure) {
+model::Drive read_plates(const targets::Node& node, const model::Lattice& structure) {
   const targets::KeyTable keys = drive_keys().only("plates");
   const targets::Section section(node, keys);
   model::Plates drive;
@@ -121,7 +121,7 @@ model::Drive read_plates(const targets::Node& node, const model::Sheet& structur
   return drive;
 }
 
-model::Drive read_hinge(const targets::Node& node, const model::Sheet& structure) {
+model::Drive read_hinge(const targets::Node& node, const model::Lattice& structure) {
   const targets::KeyTable keys = drive_keys().only("hinge");
   const targets::Section section(node, keys);
   model::HingeTurn drive;
@@ -130,7 +130,7 @@ model::Drive read_hinge(const targets::Node& node, const model::Sheet& structure
   return drive;
 }
 
-std::vector<int> read_walls(const targets::Node& node, const model::Sheet& structure) {
+std::vector<int> read_walls(const targets::Node& node, const model::Lattice& structure) {
   const WallReader walls(structure);
   std::vector<int> hinges;
   for (const targets::Node& wall : node.list("a list of walls")) hinges.push_back(walls.hinge_of(wall));
@@ -138,7 +138,7 @@ std::vector<int> read_walls(const targets::Node& node, const model::Sheet& struc
   return hinges;
 }
 
-model::Drive read_cord(const targets::Node& node, const model::Sheet& structure) {
+model::Drive read_cord(const targets::Node& node, const model::Lattice& structure) {
   const targets::KeyTable keys = drive_keys().only("cord");
   const targets::Section section(node, keys);
   model::CordPull drive;
@@ -154,7 +154,7 @@ model::Drive read_cord(const targets::Node& node, const model::Sheet& structure)
   return drive;
 }
 
-model::Drive read_shape_memory(const targets::Node& node, const model::Sheet& structure) {
+model::Drive read_shape_memory(const targets::Node& node, const model::Lattice& structure) {
   const targets::KeyTable keys = drive_keys().only("shape_memory");
   const targets::Section section(node, keys);
   model::ShapeMemory drive;
@@ -169,11 +169,11 @@ model::Drive read_shape_memory(const targets::Node& node, const model::Sheet& st
   return drive;
 }
 
-using DriveReader = model::Drive (*)(const targets::Node& node, const model::Sheet& structure);
+using DriveReader = model::Drive (*)(const targets::Node& node, const model::Lattice& structure);
 constexpr targets::Word<DriveReader> readers[] = {
     {"plates", read_plates}, {"hinge", read_hinge}, {"cord", read_cord}, {"shape_memory", read_shape_memory}};
 
-std::string walls_text(const model::Sheet& structure, const std::vector<int>& hinges) {
+std::string walls_text(const model::Lattice& structure, const std::vector<int>& hinges) {
   std::string text;
   for (const int h : hinges) text += (text.empty() ? "" : ", ") + wall_name(structure, h);
   return "[" + text + "]";
@@ -185,7 +185,7 @@ std::string branch_text(const std::optional<int>& branch) {
 
 /// The keys of a drive, its kind first.
 struct DriveText {
-  const model::Sheet& structure;
+  const model::Lattice& structure;
 
   std::string operator()(const model::Plates& plates) const {
     return fmt::format("kind: plates, axis: {}, compression: {}{}{}{}", to_string(plates.axis),
@@ -240,7 +240,8 @@ targets::Key drive_key() {
           targets::otherwise("to `design.theta_deg`"), "how the structure is moved; `side` may stand alone"};
 }
 
-std::optional<model::Drive> read_drive_section(const targets::Section& root, const model::Sheet& structure) {
+std::optional<model::Drive> read_drive_section(const targets::Section& root,
+                                               const model::Lattice& structure) {
   const auto node = root.optional("drive");
   if (!node) return std::nullopt;
   if (is_side_alone(*node)) {
@@ -250,7 +251,7 @@ std::optional<model::Drive> read_drive_section(const targets::Section& root, con
   return read_word(node->required("kind", "plates, hinge, cord or shape_memory"), readers)(*node, structure);
 }
 
-std::string drive_text(const model::Sheet& structure, const std::optional<model::Drive>& drive, int side) {
+std::string drive_text(const model::Lattice& structure, const std::optional<model::Drive>& drive, int side) {
   std::string keys = drive ? std::visit(DriveText{structure}, *drive) : "";
   if (side != 1) keys += fmt::format("{}side: {}", keys.empty() ? "" : ", ", side);
   return keys.empty() ? "" : "drive: {" + keys + "}\n";

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "targets/document/section.hpp"
 
 namespace kinetix::app {
@@ -17,10 +17,10 @@ targets::Key drive_key();
 /// @param structure with all its hinges
 /// @throws InvalidInput for whatever formats.md does not allow: among others a part to grip that is not
 /// there or, in an exactly mobile structure, whose rows leave the planes of their plates; a cord that nothing shortens
-std::optional<model::Drive> read_drive_section(const targets::Section& root, const model::Sheet& structure);
+std::optional<model::Drive> read_drive_section(const targets::Section& root, const model::Lattice& structure);
 
 /// The section's text; a side of 1 goes without saying.
-std::string drive_text(const model::Sheet& structure, const std::optional<model::Drive>& drive, int side);
+std::string drive_text(const model::Lattice& structure, const std::optional<model::Drive>& drive, int side);
 
 /// Describes what moves a structure.
 const char* describe(const model::Drive& drive);

@@ -7,9 +7,9 @@
 
 #include "app/files/hinge_parts.hpp"
 #include "app/files/physics_section.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/square/structure.hpp"
 #include "model/matter/process.hpp"
-#include "model/sheet/sheet_motion.hpp"
 #include "optim/solvers/solver.hpp"
 #include "optim/solvers/variables.hpp"
 #include "targets/document/section.hpp"

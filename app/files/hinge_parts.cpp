@@ -44,14 +44,14 @@ HingePart read_part(const targets::Node& node, const model::CellSize& size) {
   return part;
 }
 
-std::vector<int> leaning_hinges(const model::Sheet& sheet) {
+std::vector<int> leaning_hinges(const model::Lattice& sheet) {
   std::vector<int> out;
   for (int h = 0; h < sheet.hinges(); ++h)
     if (std::abs(sheet.hinge(h).beta) > least_lean) out.push_back(h);
   return out;
 }
 
-std::vector<int> hinges_of_part(const model::Sheet& sheet, const HingePart& part) {
+std::vector<int> hinges_of_part(const model::Lattice& sheet, const HingePart& part) {
   if (part.place == PartPlace::creases) return leaning_hinges(sheet);
   const model::Structure* squares = sheet.squares();
   if (!squares) throw InvalidInput("only a sheet of squares has columns and rows; name single walls");
@@ -82,14 +82,14 @@ std::vector<HingePart> read_hinge_parts(const targets::Section& root, const mode
   return parts;
 }
 
-std::map<int, HingeSection> own_hinges_of(const model::Sheet& sheet, const std::vector<HingePart>& parts) {
+std::map<int, HingeSection> own_hinges_of(const model::Lattice& sheet, const std::vector<HingePart>& parts) {
   std::map<int, HingeSection> own;
   for (const HingePart& part : parts)
     for (const int h : hinges_of_part(sheet, part)) own[h] = part.hinge;
   return own;
 }
 
-std::map<int, HingeSection> read_own_hinges(const targets::Section& root, const model::Sheet& sheet) {
+std::map<int, HingeSection> read_own_hinges(const targets::Section& root, const model::Lattice& sheet) {
   std::map<int, HingeSection> own;
   for (const targets::Node& entry : entries(root)) {
     const HingePart part = read_part(entry, sheet.size());

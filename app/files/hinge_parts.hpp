@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/files/hinge_section.hpp"
-#include "model/sheet/sheet.hpp"
+#include "model/lattice/lattice.hpp"
 
 namespace kinetix::app {
 
@@ -31,10 +31,10 @@ std::vector<HingePart> read_hinge_parts(const targets::Section& root, const mode
 
 /// The hinges of a sheet that are not as the rest; of two parts that hold one hinge the later counts. Creases may
 /// be none. @throws InvalidInput for a column or row that the sheet does not have
-std::map<int, HingeSection> own_hinges_of(const model::Sheet& sheet, const std::vector<HingePart>& parts);
+std::map<int, HingeSection> own_hinges_of(const model::Lattice& sheet, const std::vector<HingePart>& parts);
 
 /// The same of a design's file, with the place of the part in the message, also for a part that no hinge is of.
-std::map<int, HingeSection> read_own_hinges(const targets::Section& root, const model::Sheet& sheet);
+std::map<int, HingeSection> read_own_hinges(const targets::Section& root, const model::Lattice& sheet);
 
 /// @throws InvalidInput for parts of a target that only a design can name: a search finds its own columns
 void refuse_lines(const targets::Section& root, const std::vector<HingePart>& parts);

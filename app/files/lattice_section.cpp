@@ -76,13 +76,13 @@ bool read_rim(const targets::Section& structure, bool closed) {
   return !node ? closed : node->one_of({std::begin(rims), std::end(rims)}) == 1;
 }
 
-model::Sheet read_squares(const targets::Section& structure) {
+model::Lattice read_squares(const targets::Section& structure) {
   const targets::Node cells = cells_of(structure);
   const model::CellSize size = read_size(structure, default_cell_mm);
   return cells.located([&] { return make_structure(read_cells(cells), size); });
 }
 
-model::Sheet read_regular(const targets::Section& structure) {
+model::Lattice read_regular(const targets::Section& structure) {
   const LatticeChoice choice = read_lattice_choice(structure, false);
   const targets::Node cells = cells_of(structure);
   std::vector<model::LatticeCell> drawn;
@@ -117,7 +117,7 @@ double mean_length(const model::PlanarGraph& graph) {
   return sum / static_cast<double>(std::max<std::size_t>(1, graph.edges.size()));
 }
 
-model::Sheet read_graph(const targets::Section& structure) {
+model::Lattice read_graph(const targets::Section& structure) {
   const auto drawing = structure.knows("drawing")
                            ? std::optional(structure.required("drawing", "path of a DXF or SVG file"))
                            : std::nullopt;
@@ -146,7 +146,7 @@ double edge_of_pattern(const model::QuadMesh& mesh, double unit_mm) {
 }
 
 /// A FOLD file as a sheet whose creases are tilted.
-model::Sheet read_origami(const targets::Section& structure) {
+model::Lattice read_origami(const targets::Section& structure) {
   const targets::Node path = structure.required("origami", "path of a FOLD file");
   const std::filesystem::path file = std::filesystem::path(path.folder()) / path.text("path of a FOLD file");
   double tilt = default_tilt;
@@ -161,7 +161,7 @@ model::Sheet read_origami(const targets::Section& structure) {
   return path.located([&] { return origami_sheet(mesh, size).structure; });
 }
 
-model::Sheet read_block(const targets::Section& structure) {
+model::Lattice read_block(const targets::Section& structure) {
   const targets::Node cells = structure.required("cells", "[n, n, n], cubic cells along x, y and z");
   std::array<int, 3> counts{};
   const auto nodes = cells.list_of(3, "[n, n, n], cubic cells along x, y and z");
@@ -217,7 +217,7 @@ std::string graph_text(const model::PlanarStructure& planar) {
   return text + "]\n";
 }
 
-std::string cells_or_walls(const model::Sheet& sheet) {
+std::string cells_or_walls(const model::Lattice& sheet) {
   if (const model::SodaliteStructure* s = sheet.sodalite())
     return fmt::format("  lattice: {}\n  cells: [{}, {}, {}]\n  gusset: {}\n", in_space, s->cells[0],
                        s->cells[1], s->cells[2], targets::shortest_text(s->gusset));
@@ -358,8 +358,8 @@ LatticeChoice read_lattice_choice(const targets::Section& structure, bool closed
   return choice;
 }
 
-model::Sheet make_sheet(const LatticeChoice& choice, const std::vector<model::LatticeCell>& cells,
-                        const model::CellSize& size) {
+model::Lattice make_sheet(const LatticeChoice& choice, const std::vector<model::LatticeCell>& cells,
+                          const model::CellSize& size) {
   if (choice.lattice)
     return make_planar_structure({choice.lattice, cells, choice.angle, choice.closed_rim}, size);
   std::vector<model::Cell> squares_of;
@@ -377,7 +377,7 @@ targets::Key lattice_structure_key() {
           "space"};
 }
 
-model::Sheet read_sheet(const targets::Node& structure) {
+model::Lattice read_sheet(const targets::Node& structure) {
   const auto lattice = structure.optional("lattice");
   const std::vector<std::string> names = lattice_names();
   const std::size_t choice = lattice ? lattice->one_of({names.begin(), names.end()}) : 0;
@@ -389,7 +389,7 @@ model::Sheet read_sheet(const targets::Node& structure) {
   return read_graph(targets::Section(structure, is_drawn ? drawing_keys() : graph_keys()));
 }
 
-std::string structure_text(const model::Sheet& sheet) {
+std::string structure_text(const model::Lattice& sheet) {
   const model::CellSize& size = sheet.size();
   return "structure:\n" + cells_or_walls(sheet) +
          fmt::format("  cell_mm: {}\n  wall_mm: {{thickness: {}, height: {}}}\n",

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/files/structure_section.hpp"
-#include "model/sheet/sheet.hpp"
+#include "model/lattice/lattice.hpp"
 
 namespace kinetix::app {
 
@@ -13,10 +13,10 @@ targets::Key lattice_structure_key();
 /// The flat sheet, all hinges basic.
 /// @throws InvalidInput for whatever formats.md does not allow: among others cells that do not hang together, a
 /// graph with crossing walls or a loop of an odd number of them, and a key that the lattice does not take
-model::Sheet read_sheet(const targets::Node& structure);
+model::Lattice read_sheet(const targets::Node& structure);
 
 /// The section's text, from which read_sheet draws the same sheet.
-std::string structure_text(const model::Sheet& sheet);
+std::string structure_text(const model::Lattice& sheet);
 
 /// A lattice as a goal asks for it, without its cells.
 struct LatticeChoice {
@@ -35,7 +35,7 @@ std::vector<targets::Key> lattice_choice_keys(bool closed);
 LatticeChoice read_lattice_choice(const targets::Section& structure, bool closed);
 
 /// The flat sheet of some cells of it, all hinges basic. @throws InvalidInput as read_sheet
-model::Sheet make_sheet(const LatticeChoice& choice, const std::vector<model::LatticeCell>& cells,
-                        const model::CellSize& size);
+model::Lattice make_sheet(const LatticeChoice& choice, const std::vector<model::LatticeCell>& cells,
+                          const model::CellSize& size);
 
 }  // namespace kinetix::app

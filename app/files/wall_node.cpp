@@ -28,7 +28,7 @@ int square_hinge(const targets::Node& node, const model::Structure& structure) {
                    "; a wall is a side of one of structure.cells");
 }
 
-int numbered_hinge(const targets::Node& node, const model::Sheet& sheet,
+int numbered_hinge(const targets::Node& node, const model::Lattice& sheet,
                    const std::map<std::pair<int, int>, int>& hinge_between) {
   const auto ends = node.list_of(2, "the numbers of two vertices, e.g. [0, 1]");
   const int last = sheet.bodies() - 1, from = ends[0].integer(0, last), to = ends[1].integer(0, last);
@@ -62,7 +62,7 @@ model::Vertex read_vertex(const targets::Node& node) {
   return {ij[0].integer(0, highest_index), ij[1].integer(0, highest_index)};
 }
 
-WallReader::WallReader(const model::Sheet& sheet) : sheet_(sheet) {
+WallReader::WallReader(const model::Lattice& sheet) : sheet_(sheet) {
   if (sheet.squares()) return;
   for (int h = 0; h < sheet.hinges(); ++h) {
     const model::HingedWall wall = sheet.wall(h);

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "model/sheet/sheet.hpp"
+#include "model/lattice/lattice.hpp"
 #include "targets/document/section.hpp"
 
 namespace kinetix::app {
@@ -19,7 +19,7 @@ model::Vertex read_vertex(const targets::Node& node);
 class WallReader {
  public:
   /// @param sheet must outlive it
-  explicit WallReader(const model::Sheet& sheet);
+  explicit WallReader(const model::Lattice& sheet);
 
   /// Index of the hinge on the wall that `wall` names by its two vertices.
   /// @throws InvalidInput for a wall that the structure does not have, or that does not run from its lower to
@@ -29,7 +29,7 @@ class WallReader {
   int hinge_of(const targets::Section& owner) const;
 
  private:
-  const model::Sheet& sheet_;
+  const model::Lattice& sheet_;
   std::map<std::pair<int, int>, int> hinge_between_;  ///< of lattices whose vertices are numbers
 };
 

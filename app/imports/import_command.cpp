@@ -140,7 +140,7 @@ TileImport made_of(const model::TileSheet& sheet, const ImportRequest& request) 
   TileImport out;
   out.make = make_of(request, sheet);
   out.design.name = import_name(request);
-  out.design.structure = model::Sheet(assembly_of_tiles(sheet, out.make));
+  out.design.structure = model::Lattice(assembly_of_tiles(sheet, out.make));
   const model::Linkage linkage = out.design.structure;
   model::BodyPull pull;
   if (sheet.target.empty()) {
@@ -344,7 +344,7 @@ int import_command(const CommandOptions& options, const ImportRequest& request) 
   tidy_up(bodies);
   console.stage("how it moves", -1);
   const AssemblyMobility mobility = examine(bodies);
-  Design design{.name = import_name(request), .structure = model::Sheet(std::move(bodies))};
+  Design design{.name = import_name(request), .structure = model::Lattice(std::move(bodies))};
   if (mobility.hinge >= 0) {
     const double turn = std::min(targets::radians_of(first_turn_deg), mobility.turn);
     design.drive = model::HingeTurn{mobility.hinge, std::copysign(turn, mobility.sense)};

@@ -34,7 +34,7 @@ model::HingeScatter hinge_scatter(const Design& design, const model::PlayScatter
   return scatter;
 }
 
-std::vector<double> wall_lengths_mm(const model::Sheet& sheet) {
+std::vector<double> wall_lengths_mm(const model::Lattice& sheet) {
   std::vector<double> out;
   for (int h = 0; h < sheet.hinges(); ++h) {
     const model::HingedWall wall = sheet.wall(h);
@@ -208,7 +208,7 @@ model::AsMadeOptions print_options(const RunOptions& options, bool planar) {
 
 model::HingeScatter scatter_of(const Design& design) { return scatter_with(design, true); }
 
-model::Sheet printed_sheet(model::Sheet sheet, const Eigen::Matrix4Xd& errors) {
+model::Lattice printed_sheet(model::Lattice sheet, const Eigen::Matrix4Xd& errors) {
   for (int h = 0; h < static_cast<int>(errors.cols()); ++h) {
     model::HingeParameters& hinge = sheet.hinge(h);
     hinge.t += errors(0, h);

@@ -16,7 +16,7 @@ model::AsMadeOptions print_options(const RunOptions& options, bool planar);
 /// What the run's process, and the play of its pins (model::play_scatter), do to each hinge.
 model::HingeScatter scatter_of(const Design& design);
 /// A sheet whose hinges are off by so much (model::PrintedLinkage).
-model::Sheet printed_sheet(model::Sheet sheet, const Eigen::Matrix4Xd& errors);
+model::Lattice printed_sheet(model::Lattice sheet, const Eigen::Matrix4Xd& errors);
 
 /// What prints are expected to come to, to first order: as as_made(), without a print.
 std::optional<PrintedGoal> expected_of_prints(const Found& found, const model::LinkageDrive& drive,

@@ -6,15 +6,15 @@
 
 #include "model/base/parallel_runs.hpp"
 #include "model/contact/certified_range.hpp"
-#include "model/sheet/sheet_motion.hpp"
-#include "model/sheet/turn_laws.hpp"
+#include "model/lattice/lattice_motion.hpp"
+#include "model/lattice/turn_laws.hpp"
 
 namespace kinetix::app {
 namespace {
 
 constexpr double deviations = 3;  // of a normal distribution: 997 of 1000 are within
 
-ProvenRanges along(const model::Sheet& sheet, const model::ExactMotion& exact, const model::PrintError& sd,
+ProvenRanges along(const model::Lattice& sheet, const model::ExactMotion& exact, const model::PrintError& sd,
                    int threads, const std::stop_token& stop) {
   const model::Linkage linkage = sheet;
   const auto laws = exact ? turn_laws(sheet) : std::vector<model::TurnLaw>{};
@@ -39,12 +39,12 @@ double print_growth_mm(const model::Linkage& sheet, const model::PrintError& sd)
   return deviations * sd.t_mm + std::sin(tilt) * farthest;
 }
 
-ProvenRanges certify(const model::Sheet& sheet, const Plan& plan, const model::PrintError& sd, int threads,
+ProvenRanges certify(const model::Lattice& sheet, const Plan& plan, const model::PrintError& sd, int threads,
                      const std::stop_token& stop) {
   return along(sheet, plan.exact, sd, threads, stop);
 }
 
-ProvenRanges certify(const model::Sheet& sheet, const model::PrintError& sd) {
+ProvenRanges certify(const model::Lattice& sheet, const model::PrintError& sd) {
   return along(sheet, exact_motion(sheet), sd, 0, {});
 }
 

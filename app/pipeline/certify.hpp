@@ -3,8 +3,8 @@
 #include <stop_token>
 
 #include "app/run/run.hpp"
+#include "model/lattice/lattice.hpp"
 #include "model/matter/process.hpp"
-#include "model/sheet/sheet.hpp"
 
 namespace kinetix::app {
 
@@ -15,9 +15,9 @@ double print_growth_mm(const model::Linkage& sheet, const model::PrintError& sd)
 /// Along the plan's closed form; where there is none, why nothing is certified. Equilibria of elastic hinges come near the
 /// closed form and are not on it: what is proven of it is not proven of them. @param threads 0 = all cores
 /// @param stop when requested, nothing is certified
-ProvenRanges certify(const model::Sheet& sheet, const Plan& plan, const model::PrintError& sd, int threads,
+ProvenRanges certify(const model::Lattice& sheet, const Plan& plan, const model::PrintError& sd, int threads,
                      const std::stop_token& stop);
 /// Of a sheet alone, as files are checked: of its closed form, on all cores.
-ProvenRanges certify(const model::Sheet& sheet, const model::PrintError& sd);
+ProvenRanges certify(const model::Lattice& sheet, const model::PrintError& sd);
 
 }  // namespace kinetix::app

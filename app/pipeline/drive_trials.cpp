@@ -7,8 +7,8 @@
 #include "app/pipeline/physics_settings.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/drive_theta.hpp"
-#include "model/sheet/sheet_motion.hpp"
-#include "model/sheet/trial_drives.hpp"
+#include "model/lattice/lattice_motion.hpp"
+#include "model/lattice/trial_drives.hpp"
 
 namespace kinetix::app {
 namespace {

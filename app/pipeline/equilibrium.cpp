@@ -81,7 +81,7 @@ model::LinkageDrive reached_drive(const model::LinkageDrive& drive, const model:
 /// The closed form of the same drive, and how far the equilibrium is from it.
 void add_exact(const Found& found, ElasticState& out) {
   Equilibrium& equilibrium = out.equilibrium;
-  const model::Sheet& sheet = found.design.structure;
+  const model::Lattice& sheet = found.design.structure;
   try {
     const double theta =
         exact_theta({sheet, reached_drive(equilibrium.drive, equilibrium.path), found.plan.exact},
@@ -122,7 +122,7 @@ ElasticState follow_drive(const Found& found, const model::LinkageDrive& drive,
                "contact: each half wall is a plate cut along its hinge axis; pins, knuckles and blocks of "
                "hinges are "
                "left out, and edges that meet head on may be in each other by up to half the thickness"};
-  const model::Sheet& sheet = found.design.structure;
+  const model::Lattice& sheet = found.design.structure;
   const double goal = drive.theta();
   model::EquilibriumPathOptions path_options = path_of_run(found.plan.planar);
   path_options.side = found.design.side;
@@ -167,7 +167,7 @@ Run with_states(Run run, ElasticState state) {
   return run;
 }
 
-double reached_theta(const model::Sheet& sheet, const model::ExactMotion& exact,
+double reached_theta(const model::Lattice& sheet, const model::ExactMotion& exact,
                      const model::LinkageDrive& drive, const model::EquilibriumPath& path,
                      const model::Elasticity& elasticity) {
   const double turned = model::mean_theta(sheet, path.state);

@@ -33,7 +33,7 @@ Run with_states(Run run, ElasticState state);
 /// Theta of the sheet where a path came to, rad: that of the closed form under the same drive where it is near, else half the turns
 /// of its hinges. That of plates, by their distance alone, is another where rows lean; a cord and springs only pull that way.
 /// @param exact motion of the sheet, where it has one
-double reached_theta(const model::Sheet& sheet, const model::ExactMotion& exact,
+double reached_theta(const model::Lattice& sheet, const model::ExactMotion& exact,
                      const model::LinkageDrive& drive, const model::EquilibriumPath& path,
                      const model::Elasticity& elasticity);
 

@@ -4,7 +4,7 @@
 
 #include "app/pipeline/hinge_loads.hpp"
 #include "app/run/run_options.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "app/pipeline/physics_settings.hpp"
 #include "model/elastic/exact_theta.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/matter/hinge_strain.hpp"
-#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
 

@@ -9,7 +9,7 @@
 #include "app/pipeline/equilibrium.hpp"
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "optim/matter/compensate.hpp"
 
 namespace kinetix::app {
@@ -45,11 +45,11 @@ double rms_mm(const Goal::Observed& observed) {
 
 optim::MatterGoal goal_of(const Found& found, const Goal& goal) {
   optim::MatterGoal out;
-  out.observe = [&found, &goal](const model::Sheet& sheet, const model::State& state) {
+  out.observe = [&found, &goal](const model::Lattice& sheet, const model::State& state) {
     const auto observed = goal.observe(found, sheet, state);
     return observed ? observed->points : std::vector<model::ObservedPoint>{};
   };
-  out.drive = [&found](const model::Sheet& sheet, double theta) { return goal_drive(found, sheet, theta); };
+  out.drive = [&found](const model::Lattice& sheet, double theta) { return goal_drive(found, sheet, theta); };
   return out;
 }
 
@@ -64,7 +64,7 @@ optim::CompensationOptions bounded(const TurnBounds& bounds, bool by_springs) {
   return options;
 }
 
-model::EquilibriumPath path_to(const Found& found, const model::Sheet& sheet, double theta,
+model::EquilibriumPath path_to(const Found& found, const model::Lattice& sheet, double theta,
                                const model::Elasticity& elasticity, const std::stop_token& stop) {
   model::EquilibriumPathOptions options;
   options.planar = found.plan.planar;
@@ -165,7 +165,7 @@ Run elsewhere(Run run, const Goal& goal, double away) {
 
 }  // namespace
 
-model::LinkageDrive goal_drive(const Found& found, const model::Sheet& sheet, double theta) {
+model::LinkageDrive goal_drive(const Found& found, const model::Lattice& sheet, double theta) {
   const auto springs = springs_to(found, theta);
   return springs ? drive_on(sheet, *springs) : drive_to(sheet, theta);
 }

@@ -8,11 +8,11 @@ namespace kinetix::app {
 bool is_of_matter(const Found& found);
 
 /// The drive of a goal that takes a sheet to theta, rad.
-model::LinkageDrive goal_drive(const Found& found, const model::Sheet& sheet, double theta);
+model::LinkageDrive goal_drive(const Found& found, const model::Lattice& sheet, double theta);
 
 /// A design that makes up for its elastic hinges, and its path from flat.
 struct MatterPath {
-  model::Sheet sheet;
+  model::Lattice sheet;
   double theta = 0;  ///< rad, of its drive
   model::LinkageDrive drive;
   model::EquilibriumPath path;

@@ -29,7 +29,7 @@
 #include "model/base/parallel_runs.hpp"
 #include "model/closure/drive_theta.hpp"
 #include "model/contact/wall_contact.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::app {
 namespace {

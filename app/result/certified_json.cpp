@@ -14,14 +14,14 @@ using Json = nlohmann::ordered_json;
 using model::ContactLimit;
 using model::ContactRange;
 
-Json limit_json(const ContactLimit& limit, const model::Sheet& sheet) {
+Json limit_json(const ContactLimit& limit, const model::Lattice& sheet) {
   Json out = {{"theta_rad", limit.theta}, {"contact_rad", nullptr}, {"walls", Json::array()}};
   if (limit.contact) out["contact_rad"] = *limit.contact;
   if (limit.touches) out["walls"] = wall_names(limit.walls, sheet);
   return out;
 }
 
-Json range_json(const ContactRange& range, const model::Sheet& sheet) {
+Json range_json(const ContactRange& range, const model::Lattice& sheet) {
   return {{"growth_mm", range.growth_mm},
           {"low", limit_json(range.negative, sheet)},
           {"high", limit_json(range.positive, sheet)},
@@ -36,14 +36,15 @@ std::string between(const ContactRange& range) {
                      to_degrees(range.positive.theta));
 }
 
-std::string end_words(const ContactLimit& limit, const model::Sheet& sheet) {
+std::string end_words(const ContactLimit& limit, const model::Lattice& sheet) {
   if (!limit.touches) return "where the search ends";
   const auto [first, second] = wall_names(limit.walls, sheet);
   return fmt::format("limited by walls {} and {}", first, second);
 }
 
 /// Of an equilibrium that has left the closed form: the range is that form's alone.
-std::vector<SummaryLine> left_lines(const ProvenRanges& certified, const model::Sheet& sheet, double theta) {
+std::vector<SummaryLine> left_lines(const ProvenRanges& certified, const model::Lattice& sheet,
+                                    double theta) {
   return {{"NOT PROVEN",
            "free of contact: the equilibrium has left the closed form, and of its states nothing is proven"},
           {"", fmt::format("the closed form, which these states are not, is free of it for theta {}, {}",
@@ -61,7 +62,7 @@ NearExact near_exact(const Run& run) {
   return is_near && !found.path.off_closed_form ? NearExact::near : NearExact::left;
 }
 
-Json certified_json(const ProvenRanges& certified, const model::Sheet& sheet, double theta,
+Json certified_json(const ProvenRanges& certified, const model::Lattice& sheet, double theta,
                     NearExact states) {
   if (!certified.designed) return {{"why_not", certified.designed.why_not}};
   return {{"design", range_json(certified.designed, sheet)},
@@ -72,7 +73,7 @@ Json certified_json(const ProvenRanges& certified, const model::Sheet& sheet, do
           {"covers_theta_printed", certified.printed.covers(theta)}};
 }
 
-std::vector<SummaryLine> certified_lines(const ProvenRanges& certified, const model::Sheet& sheet,
+std::vector<SummaryLine> certified_lines(const ProvenRanges& certified, const model::Lattice& sheet,
                                          double theta, NearExact states) {
   if (!certified.designed)
     return {{"contact", "no range of theta is proven free of it: " + certified.designed.why_not}};

@@ -15,11 +15,11 @@ NearExact near_exact(const Run& run);
 
 /// The section `certified` of result.json.
 /// @param theta of the state shown, rad
-nlohmann::ordered_json certified_json(const ProvenRanges& certified, const model::Sheet& sheet, double theta,
-                                      NearExact states);
+nlohmann::ordered_json certified_json(const ProvenRanges& certified, const model::Lattice& sheet,
+                                      double theta, NearExact states);
 
 /// Lines of the summary, and of `check`. Parameters as above.
-std::vector<SummaryLine> certified_lines(const ProvenRanges& certified, const model::Sheet& sheet,
+std::vector<SummaryLine> certified_lines(const ProvenRanges& certified, const model::Lattice& sheet,
                                          double theta, NearExact states);
 
 }  // namespace kinetix::app

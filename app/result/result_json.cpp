@@ -13,7 +13,7 @@
 #include "app/run/design_hinges.hpp"
 #include "app/version.hpp"
 #include "model/closure/drive_theta.hpp"
-#include "model/sheet/sheet_hinge.hpp"
+#include "model/lattice/lattice_hinge.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -90,7 +90,7 @@ double reach_of(const Design& design, int index, double usual_mm, const model::E
 }
 
 Json hinge_json(const Design& design, int index, double usual_reach_mm, const model::Elasticity* elasticity) {
-  const model::Sheet& s = design.structure;
+  const model::Lattice& s = design.structure;
   const model::HingedWall wall = s.wall(index);
   const model::RestHinge hinge = rest_hinge(s, index);
   const double edge_mm = s.size().edge_mm;
@@ -134,7 +134,7 @@ Json fidelity_json(const std::vector<Fidelity>& rows) {
 }  // namespace
 
 Json structure_json(const Design& design, double reach_mm, const model::Elasticity* elasticity) {
-  const model::Sheet& s = design.structure;
+  const model::Lattice& s = design.structure;
   if (const model::Assembly* imported = s.assembly()) return bodies_json(*imported);
   Json bodies = Json::array(), hinges = Json::array(), cells = Json::array();
   for (int b = 0; b < s.bodies(); ++b)

@@ -24,7 +24,7 @@ std::string line(const std::string& label, const std::string& text) {
   return fmt::format("  {:<10} {}\n", label, text);
 }
 
-double largest_tilt(const model::Sheet& structure) {
+double largest_tilt(const model::Lattice& structure) {
   double largest = 0;
   for (int h = 0; h < structure.hinges(); ++h) largest = std::max(largest, std::abs(structure.hinge(h).beta));
   return largest;
@@ -46,7 +46,7 @@ std::string physics_lines(const Run& run) {
 }
 
 std::string structure_lines(const Run& run) {
-  const model::Sheet& structure = run.design.structure;
+  const model::Lattice& structure = run.design.structure;
   if (run.way)
     return line("bodies", fmt::format("{}, {} hinges", structure.bodies(), structure.hinges())) +
            line(run.way->off ? "pull" : "closure", run.way->words);

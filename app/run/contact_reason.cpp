@@ -5,11 +5,11 @@
 #include <cmath>
 
 namespace kinetix::app {
-std::array<std::string, 2> wall_names(const model::WallPair& walls, const model::Sheet& sheet) {
+std::array<std::string, 2> wall_names(const model::WallPair& walls, const model::Lattice& sheet) {
   return {wall_name(sheet, walls.first / 2), wall_name(sheet, walls.second / 2)};
 }
 
-std::string overlap_words(const model::WallPair& walls, const model::Sheet& sheet) {
+std::string overlap_words(const model::WallPair& walls, const model::Lattice& sheet) {
   const auto [first, second] = wall_names(walls, sheet);
   return fmt::format(
       "walls {} and {} overlap as built, before anything turns, so that no sheet of rigid walls can be made "
@@ -17,7 +17,7 @@ std::string overlap_words(const model::WallPair& walls, const model::Sheet& shee
       first, second);
 }
 
-std::string overlap_words(const model::ContactLimit& limit, double theta, const model::Sheet& sheet) {
+std::string overlap_words(const model::ContactLimit& limit, double theta, const model::Lattice& sheet) {
   const auto [first, second] = wall_names(limit.walls, sheet);
   return fmt::format("walls {} and {} overlap at theta {:.3f} deg, on the way to {:.3f} deg", first, second,
                      to_degrees(*limit.contact), to_degrees(theta));

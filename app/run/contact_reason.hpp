@@ -10,14 +10,14 @@
 namespace kinetix::app {
 
 /// Names of walls whose plates are two a hinge.
-std::array<std::string, 2> wall_names(const model::WallPair& walls, const model::Sheet& sheet);
+std::array<std::string, 2> wall_names(const model::WallPair& walls, const model::Lattice& sheet);
 
 /// "walls A and B overlap as built" and what helps.
-std::string overlap_words(const model::WallPair& walls, const model::Sheet& sheet);
+std::string overlap_words(const model::WallPair& walls, const model::Lattice& sheet);
 
 /// "walls A and B overlap at theta 25.126 deg, on the way to 28.000 deg". @param theta rad, to which the motion goes
 /// @pre limit.contact
-std::string overlap_words(const model::ContactLimit& limit, double theta, const model::Sheet& sheet);
+std::string overlap_words(const model::ContactLimit& limit, double theta, const model::Lattice& sheet);
 
 /// Why walls keep an exact motion from coming to the run's theta, one sentence: they overlap as built or on the way, by the
 /// certified range where there is one, else by samples. Nothing where no contact is known.

@@ -26,7 +26,7 @@ double one_digit(double x) {
 
 }  // namespace
 
-double matter_seconds(const GoalSettings& settings, const model::Sheet& sheet) {
+double matter_seconds(const GoalSettings& settings, const model::Lattice& sheet) {
   return settings.hinge.model == HingeSection::Model::elastic
              ? elastic_seconds_of_175 * std::pow(sheet.bodies() / 175.0, 1.25)
              : 0;
@@ -57,13 +57,13 @@ Eigen::Vector3d size_of(const model::Linkage& linkage, const model::State& state
   return all.sizes();
 }
 
-double physics_seconds(const model::Sheet& sheet) {
+double physics_seconds(const model::Lattice& sheet) {
   if (sheet.sodalite()) return seconds_of_block * std::pow(sheet.bodies() / 1000.0, 1.45);
   const double loops = sheet.hinges() - sheet.bodies() + 1.0;
   return seconds_a_loop * std::max(loops, 1.0);
 }
 
-double contact_seconds(const model::Sheet& sheet) {
+double contact_seconds(const model::Lattice& sheet) {
   return contact_seconds_of_10000 * std::pow(sheet.bodies() / 1e4, 1.33);
 }
 

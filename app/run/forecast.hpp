@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "app/files/goal_settings.hpp"
+#include "model/lattice/lattice.hpp"
 #include "model/linkage/state.hpp"
-#include "model/sheet/sheet.hpp"
 
 namespace kinetix::app {
 
 /// What is known of a run beforehand.
 struct Forecast {
-  model::Sheet sheet;  ///< as it will be, or nearly: hinges are still to be found
+  model::Lattice sheet;  ///< as it will be, or nearly: hinges are still to be found
   std::optional<Eigen::Vector3d> folded_mm =
       {};               ///< edges of the box around the folded thing, where they are known
   double search_s = 0;  ///< about; within a factor of three on one core of 2020
@@ -22,7 +22,7 @@ struct Forecast {
 };
 
 /// About how long what makes up for elastic hinges takes, s, measured on folds of 30 to 170 bodies; 0 of other hinges.
-double matter_seconds(const GoalSettings& settings, const model::Sheet& sheet);
+double matter_seconds(const GoalSettings& settings, const model::Lattice& sheet);
 
 /// Adds what the settings that every goal has take and risk: matter_seconds(), and what the process cannot make.
 void add_settings(const GoalSettings& settings, Forecast& forecast);
@@ -35,10 +35,10 @@ Eigen::Vector3d size_of(const model::Linkage& linkage, const model::State& state
 
 /// About how long a physics run takes, s, on one core of 2020; measured on sheets of 80 to 900 bodies, where a loop of hinges is
 /// what costs, one a cell, and on blocks of 384 to 5000 bodies, whose factors fill: within a factor of two.
-double physics_seconds(const model::Sheet& sheet);
+double physics_seconds(const model::Lattice& sheet);
 
 /// Estimates the time that the collision-free range takes, s, on one core of 2020; measured on sheets of 4000 to 63 000 bodies.
-double contact_seconds(const model::Sheet& sheet);
+double contact_seconds(const model::Lattice& sheet);
 
 /// About how much memory a run takes, bytes, measured likewise.
 double memory_needed(const model::Linkage& linkage);

@@ -22,7 +22,7 @@ struct TurnBounds {
   double tilt = 75 * radians_per_degree;  ///< of either sign, rad, (0, pi/2)
   optim::AngleRange theta{2 * radians_per_degree, 44 * radians_per_degree};  ///< rad, (0, pi/2)
   /// Of a sheet that its search has found: which tilts it keeps alike, and within what.
-  std::function<std::vector<optim::TiltTie>(const model::Sheet&)> ties = optim::tilt_ties;
+  std::function<std::vector<optim::TiltTie>(const model::Lattice&)> ties = optim::tilt_ties;
 };
 
 /// What a goal asks of its physics run.

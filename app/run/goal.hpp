@@ -39,7 +39,7 @@ class Goal {
   /// How far points of a state are from the goal. Nothing of goals that are not judged by distances.
   /// @param found planned   @param sheet that the state is of: the design's, or one with other hinges
   /// @param state anywhere in space; points are in its own frame
-  virtual std::optional<Observed> observe(const Found& /*found*/, const model::Sheet& /*sheet*/,
+  virtual std::optional<Observed> observe(const Found& /*found*/, const model::Lattice& /*sheet*/,
                                           const model::State& /*state*/) const {
     return std::nullopt;
   }
@@ -56,7 +56,7 @@ struct GoalMetric {
 /// has one.
 struct GoalMeasure {
   std::string_view name;
-  double (*of)(const Goal& goal, const model::Sheet& structure, const model::State& state);
+  double (*of)(const Goal& goal, const model::Lattice& structure, const model::State& state);
 };
 
 /// A kind of goal: how targets of it are read, and what else the program has to know of all of them.

@@ -4,7 +4,7 @@ namespace kinetix::app {
 
 using Eigen::Vector2d;
 
-std::vector<Vector2d> column_midline(const model::Sheet& structure, const model::State& state) {
+std::vector<Vector2d> column_midline(const model::Lattice& structure, const model::State& state) {
   std::vector<Vector2d> points;
   for (const std::vector<int>& column : body_columns(structure)) {
     Vector2d sum = Vector2d::Zero();

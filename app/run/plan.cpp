@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/planar/exact_designs.hpp"
-#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -71,7 +71,7 @@ std::string to_string(Model model) {
   return "bullet";
 }
 
-Plan make_brief_plan(const model::Sheet& sheet, std::optional<Model> model, model::ExactMotion exact) {
+Plan make_brief_plan(const model::Lattice& sheet, std::optional<Model> model, model::ExactMotion exact) {
   Plan plan;
   plan.exact = exact ? std::move(exact) : exact_motion(sheet);
   plan.model = model.value_or(plan.exact ? Model::exact : Model::bullet);
@@ -79,7 +79,7 @@ Plan make_brief_plan(const model::Sheet& sheet, std::optional<Model> model, mode
   return plan;
 }
 
-Plan make_plan(const model::Sheet& sheet, std::optional<Model> model, model::ExactMotion exact) {
+Plan make_plan(const model::Lattice& sheet, std::optional<Model> model, model::ExactMotion exact) {
   Plan plan = make_brief_plan(sheet, model, std::move(exact));
   const model::Linkage structure = sheet;
   if (sheet.assembly()) return plan;

@@ -7,8 +7,8 @@
 
 #include "model/closure/mobility.hpp"
 #include "model/contact/wall_contact.hpp"
+#include "model/lattice/lattice.hpp"
 #include "model/linkage/exact_motion.hpp"
-#include "model/sheet/sheet.hpp"
 
 namespace kinetix::app {
 
@@ -33,9 +33,9 @@ struct Plan {
 };
 
 /// Plans a scene. @param model nothing: exact where a family fits, else bullet   @param exact motion of the sheet, where it is known
-Plan make_plan(const model::Sheet& sheet, std::optional<Model> model = {}, model::ExactMotion exact = {});
+Plan make_plan(const model::Lattice& sheet, std::optional<Model> model = {}, model::ExactMotion exact = {});
 /// Plans no more than what computes the state: without mobility, range and sentences.
-Plan make_brief_plan(const model::Sheet& sheet, std::optional<Model> model = {},
+Plan make_brief_plan(const model::Lattice& sheet, std::optional<Model> model = {},
                      model::ExactMotion exact = {});
 
 }  // namespace kinetix::app

@@ -9,8 +9,8 @@
 #include "benchmarks/figure.hpp"
 #include "benchmarks/stopwatch.hpp"
 #include "model/contact/certified_range.hpp"
-#include "model/sheet/sheet_motion.hpp"
-#include "model/sheet/turn_laws.hpp"
+#include "model/lattice/lattice_motion.hpp"
+#include "model/lattice/turn_laws.hpp"
 #include "tests/support/random_designs.hpp"
 
 namespace kinetix::bench {
@@ -25,7 +25,7 @@ struct Proven {
   double time = 0;  ///< s
 };
 
-Proven prove(const model::Sheet& sheet) {
+Proven prove(const model::Lattice& sheet) {
   const model::Linkage linkage = sheet;
   const model::ExactMotion exact = exact_motion(sheet);
   const std::vector<model::TurnLaw> laws = turn_laws(sheet);
@@ -56,13 +56,13 @@ Figure basic_cells() {
 }
 
 /// Of a file that ships: what the search for a target finds, or the design.
-model::Sheet shipped_sheet(const std::string& file, bool is_design) {
+model::Lattice shipped_sheet(const std::string& file, bool is_design) {
   if (is_design) return app::read_design(file).structure;
   return run_goal(*app::read_target(file).goal, {.verify = false, .certify = false}).design.structure;
 }
 
 Figure shipped(const std::string& name, bool is_design = false) {
-  const model::Sheet sheet = shipped_sheet(std::string(shapes) + "/" + name + ".yaml", is_design);
+  const model::Lattice sheet = shipped_sheet(std::string(shapes) + "/" + name + ".yaml", is_design);
   const std::string what = fmt::format("range free of contact, proven: {}, {} bodies", name, sheet.bodies());
   const model::ExactMotion exact = exact_motion(sheet);
   if (!exact) return {what, "said that there is no closed form", exact.why, !exact.why.empty()};

@@ -8,9 +8,9 @@
 #include "benchmarks/scenes.hpp"
 #include "benchmarks/stopwatch.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/planar/exact_designs.hpp"
 #include "model/lattice/planar/lattices/honeycomb.hpp"
-#include "model/sheet/sheet_motion.hpp"
 #include "sim/compression_run.hpp"
 
 namespace kinetix::bench {

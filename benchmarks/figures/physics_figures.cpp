@@ -2,7 +2,7 @@
 
 #include "benchmarks/figure.hpp"
 #include "benchmarks/scenes.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "sim/compression_run.hpp"
 
 namespace kinetix::bench {

@@ -6,9 +6,9 @@
 
 #include "benchmarks/figure.hpp"
 #include "model/elastic/path/stable_states.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/square/cell_tuple.hpp"
 #include "model/lattice/square/unit_laws.hpp"
-#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::bench {
 namespace {

@@ -12,9 +12,9 @@
 #include "benchmarks/stopwatch.hpp"
 #include "model/base/parallel_runs.hpp"
 #include "model/closure/drive_theta.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/square/family/exact_family.hpp"
 #include "model/linkage/state.hpp"
-#include "model/sheet/sheet_motion.hpp"
 #include "sim/live_sheet.hpp"
 #include "tests/app/studio/client.hpp"
 #include "tests/app/studio/studio.hpp"
@@ -110,7 +110,7 @@ void add_drags(std::vector<Figure>& figures, Page& page) {
 }
 
 /// A column gets a tilt.
-void add_edits(std::vector<Figure>& figures, Page& page, const model::Sheet& sheet) {
+void add_edits(std::vector<Figure>& figures, Page& page, const model::Lattice& sheet) {
   const model::Structure& structure = *sheet.squares();
   const model::Wall front{{9, 0}, model::Axis::x}, back{{9, 1}, model::Axis::x};
   std::vector<double> waits;

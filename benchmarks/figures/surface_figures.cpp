@@ -7,10 +7,10 @@
 #include "model/base/angle.hpp"
 #include "model/closure/mobility.hpp"
 #include "model/contact/wall_contact.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/origami/fold_mesh.hpp"
 #include "model/lattice/origami/march.hpp"
 #include "model/lattice/origami/origami_sheet.hpp"
-#include "model/sheet/sheet_motion.hpp"
 #include "optim/ribs/fit_ribs.hpp"
 #include "optim/surface/fit_surface.hpp"
 #include "optim/surface/free_height.hpp"
@@ -123,7 +123,7 @@ Figure random_meshes() {
       try {
         const model::OrigamiSheet sheet = origami_sheet(model::march(data).mesh, {});
         ++meshes;
-        if (mobility(sheet.structure, exact_motion(model::Sheet(sheet.structure))).dofs_along == 1) ++free;
+        if (mobility(sheet.structure, exact_motion(model::Lattice(sheet.structure))).dofs_along == 1) ++free;
         for (const double theta : {0.02, 0.5, 0.98}) {
           gap = std::max(gap, fold_gap(sheet.mesh, theta));
           hinges = std::max(hinges, hinge_gaps(sheet.structure, fold(sheet, theta)).max);

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "model/lattice/lattice_motion.hpp"
 #include "model/linkage/state.hpp"
-#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::bench {
 

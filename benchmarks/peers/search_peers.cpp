@@ -5,7 +5,7 @@
 #include "benchmarks/peers/simulated_fit.hpp"
 #include "benchmarks/scenes.hpp"
 #include "benchmarks/stopwatch.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "optim/curve/curve_starts.hpp"
 #include "sim/compression_run.hpp"
 

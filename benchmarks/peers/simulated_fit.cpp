@@ -1,6 +1,6 @@
 #include "benchmarks/peers/simulated_fit.hpp"
 
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "sim/compression_run.hpp"
 #include "targets/curve/curve_error.hpp"
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "model/elastic/path/equilibrium_path.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/square/family/classify.hpp"
-#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::bench {
 

@@ -30,7 +30,7 @@ model::Plates along(model::Plates plates, model::Axis axis) {
   return plates;
 }
 
-HingeTies ties_of(const model::Sheet& panel, const DisplayOptions& options) {
+HingeTies ties_of(const model::Lattice& panel, const DisplayOptions& options) {
   return options.offset > 0 ? untied(panel.hinges()) : hinge_ties(*panel.squares(), options.symmetry);
 }
 
@@ -80,7 +80,7 @@ int best_view(const std::vector<DisplayView>& views, const std::vector<double>& 
   return best;
 }
 
-DisplaySearch::DisplaySearch(const model::Sheet& panel, const std::vector<double>& levels,
+DisplaySearch::DisplaySearch(const model::Lattice& panel, const std::vector<double>& levels,
                              const DisplayOptions& options, model::Axis axis)
     : levels_(levels),
       options_(options),

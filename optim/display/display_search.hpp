@@ -64,7 +64,7 @@ int best_view(const std::vector<DisplayView>& views, const std::vector<double>& 
 class DisplaySearch {
  public:
   /// The references are kept.
-  DisplaySearch(const model::Sheet& panel, const std::vector<double>& levels, const DisplayOptions& options,
+  DisplaySearch(const model::Lattice& panel, const std::vector<double>& levels, const DisplayOptions& options,
                 model::Axis axis);
 
   /// Where a panel that was found otherwise begins: its hinges, within bounds.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/base/progress.hpp"
-#include "model/sheet/sheet.hpp"
+#include "model/lattice/lattice.hpp"
 #include "optim/display/display_search.hpp"
 #include "optim/display/scaled_display.hpp"
 
@@ -35,7 +35,7 @@ struct DisplayDesign {
 /// exact one: no hinge stretches.
 /// @param axes normals of the plates, at least one; that of the options has no effect. One where a hinge is driven
 /// @param panel, levels as for fit_display   @throws InvalidInput for options out of range
-DisplayDesign fit_scaled_display(const model::Sheet& panel, const std::vector<double>& levels,
+DisplayDesign fit_scaled_display(const model::Lattice& panel, const std::vector<double>& levels,
                                  Channel channel, const std::vector<model::Axis>& axes,
                                  const ScaledDisplayOptions& options);
 
@@ -44,7 +44,7 @@ DisplayDesign fit_scaled_display(const model::Sheet& panel, const std::vector<do
 /// options.stretch. What comes out takes the view's place where it is clearer than the equilibrium of the design as it
 /// was.
 /// @param options its offset is the largest of a hinge, above 0; start, axes and symmetry have no effect
-void refine_display(const model::Sheet& panel, const std::vector<double>& levels,
+void refine_display(const model::Lattice& panel, const std::vector<double>& levels,
                     const DisplayOptions& options, DisplayDesign& design);
 
 /// The panel as it is: taken to its equilibrium from flat, and read.

@@ -2,7 +2,7 @@
 #include <string>
 #include <utility>
 
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "optim/display/driven_hinge.hpp"
 #include "optim/display/fit_display.hpp"
 
@@ -13,9 +13,9 @@ namespace {
 // panels with soft ways to move find no equilibrium much further off.
 constexpr double reaches[] = {0.04, 0.01};
 
-DisplayView view_of(const model::Sheet& basic, const std::vector<double>& levels, Channel channel,
+DisplayView view_of(const model::Lattice& basic, const std::vector<double>& levels, Channel channel,
                     const ScaledDisplayOptions& options, const ScaledDisplay& scaled) {
-  model::Sheet panel = basic;
+  model::Lattice panel = basic;
   place_hinges(scaled.y, panel);
   DisplayView view;
   view.t.resize(panel.hinges());
@@ -51,7 +51,7 @@ std::string words(const ScaledDisplay& s) {
 
 }  // namespace
 
-DisplayDesign fit_scaled_display(const model::Sheet& panel, const std::vector<double>& levels,
+DisplayDesign fit_scaled_display(const model::Lattice& panel, const std::vector<double>& levels,
                                  Channel channel, const std::vector<model::Axis>& axes,
                                  const ScaledDisplayOptions& options) {
   const PictureCost picture(levels);
@@ -74,7 +74,7 @@ DisplayDesign fit_scaled_display(const model::Sheet& panel, const std::vector<do
   return best;
 }
 
-void refine_display(const model::Sheet& panel, const std::vector<double>& levels,
+void refine_display(const model::Lattice& panel, const std::vector<double>& levels,
                     const DisplayOptions& options, DisplayDesign& design) {
   DisplayOptions along = options;
   along.plates = design.view.plates;

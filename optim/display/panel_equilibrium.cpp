@@ -3,7 +3,7 @@
 #include "model/closure/closure_drive.hpp"
 #include "model/elastic/adjoint.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::optim {
 namespace {
@@ -15,7 +15,7 @@ constexpr int most_iterations = 40;  // of Newton's method: after more, the path
 
 }  // namespace
 
-PanelEquilibrium::PanelEquilibrium(model::Sheet panel, const model::Elasticity& elasticity,
+PanelEquilibrium::PanelEquilibrium(model::Lattice panel, const model::Elasticity& elasticity,
                                    const model::Plates& plates)
     : panel_(std::move(panel)), elasticity_(elasticity), drive_(plates) {
   const model::ElasticSystem refuses_overlap(panel_, elasticity_, plates_on_panel(), true, true);

@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "model/elastic/elastic_system.hpp"
+#include "model/lattice/lattice.hpp"
 #include "model/lattice/square/family/drive.hpp"
-#include "model/sheet/sheet.hpp"
 
 namespace kinetix::optim {
 
@@ -15,7 +15,7 @@ class PanelEquilibrium {
  public:
   /// @pre all hinges stand upright; elasticity and plates are valid
   /// @throws InvalidInput for walls that overlap in the flat state
-  PanelEquilibrium(model::Sheet panel, const model::Elasticity& elasticity, const model::Plates& plates);
+  PanelEquilibrium(model::Lattice panel, const model::Elasticity& elasticity, const model::Plates& plates);
 
   /// @param t of every hinge, in (0, 1)   @param offset of every hinge, cell edges; empty: they stay   @return whether a stable equilibrium at the drive's goal was found;
   /// the state stays as it was where not
@@ -28,7 +28,7 @@ class PanelEquilibrium {
   /// The next settle() starts from flat.
   void forget() { kept_.clear(); }
 
-  const model::Sheet& panel() const { return panel_; }
+  const model::Lattice& panel() const { return panel_; }
   const model::Plates& plates() const { return drive_; }
   /// @pre settle() returned true
   const model::State& state() const { return state_; }  ///< mm
@@ -50,7 +50,7 @@ class PanelEquilibrium {
   bool settle_from_flat();
   model::LinkageDrive plates_on_panel() const;
 
-  model::Sheet panel_;
+  model::Lattice panel_;
   model::Elasticity elasticity_;
   model::Plates drive_;
   model::State state_, kept_;

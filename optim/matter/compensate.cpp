@@ -5,7 +5,7 @@
 
 #include "model/base/decompositions.hpp"
 #include "model/elastic/path/near_equilibrium.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::optim {
 namespace {
@@ -23,7 +23,7 @@ constexpr double least_gain = 0.02;      // part of the rms: a step that gains l
 /// Tilts of all ties, then theta. rad
 class Variables {
  public:
-  Variables(const model::Sheet& sheet, const CompensationOptions& options)
+  Variables(const model::Lattice& sheet, const CompensationOptions& options)
       : sheet_(sheet), ties_(options.ties(sheet)), options_(options) {}
 
   const std::vector<TiltTie>& ties() const { return ties_; }
@@ -34,7 +34,7 @@ class Variables {
     x[size() - 1] = theta;
     return x;
   }
-  model::Sheet sheet(const VectorXd& x) const {
+  model::Lattice sheet(const VectorXd& x) const {
     return with_tilts(sheet_, ties_, std::vector<double>(x.data(), x.data() + ties_.size()));
   }
   double theta(const VectorXd& x) const { return x[size() - 1]; }
@@ -52,7 +52,7 @@ class Variables {
   }
 
  private:
-  const model::Sheet sheet_;
+  const model::Lattice sheet_;
   const std::vector<TiltTie> ties_;
   const CompensationOptions options_;
 };
@@ -136,7 +136,7 @@ class MatterSearch {
   std::optional<InMatter> follow(const InMatter& at, const VectorXd& from, const VectorXd& to) const {
     const auto changed = [&](double part) {
       const VectorXd x = from + part * (to - from);
-      const model::Sheet sheet = variables_.sheet(x);
+      const model::Lattice sheet = variables_.sheet(x);
       return model::DrivenLinkage{sheet, goal_.drive(sheet, variables_.theta(x)), {}};
     };
     const model::EquilibriumPath path = follow_change(at.state, changed, elasticity_, path_);

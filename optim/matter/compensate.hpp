@@ -6,8 +6,8 @@
 #include <string>
 
 #include "model/elastic/path/equilibrium_path.hpp"
+#include "model/lattice/lattice.hpp"
 #include "model/linkage/linkage_drive.hpp"
-#include "model/sheet/sheet.hpp"
 #include "model/tolerance/observed_points.hpp"
 #include "optim/matter/tilt_ties.hpp"
 
@@ -16,14 +16,14 @@ namespace kinetix::optim {
 /// A goal that equilibria are brought to.
 struct MatterGoal {
   /// How far the points of a state are from it, in the state's own frame. None: it cannot be said.
-  std::function<std::vector<model::ObservedPoint>(const model::Sheet&, const model::State&)> observe;
+  std::function<std::vector<model::ObservedPoint>(const model::Lattice&, const model::State&)> observe;
   /// The drive that takes a sheet to theta, rad.
-  std::function<model::LinkageDrive(const model::Sheet&, double theta)> drive;
+  std::function<model::LinkageDrive(const model::Lattice&, double theta)> drive;
 };
 
 struct CompensationOptions {
   /// Of the sheet that is started from: which tilts change together, and how far.
-  std::function<std::vector<TiltTie>(const model::Sheet&)> ties = tilt_ties;
+  std::function<std::vector<TiltTie>(const model::Lattice&)> ties = tilt_ties;
   double enough_mm = 0;                         ///< an rms at which the search ends, >= 0
   double tilt = 75 * radians_per_degree;        ///< of any hinge at most, rad, in (0, pi/2)
   double least_theta = 2 * radians_per_degree;  ///< rad
@@ -35,7 +35,7 @@ struct CompensationOptions {
 
 /// A sheet in equilibrium with its drive.
 struct InMatter {
-  model::Sheet sheet;
+  model::Lattice sheet;
   double theta = 0;  ///< rad, of the drive
   model::State state;
   double rms_mm = 0;  ///< from the goal

@@ -15,7 +15,7 @@ using Place = std::tuple<long, long, long, long>;
 
 long rounded(double value) { return std::lround(value / same); }
 
-Place place_of(const model::Sheet& sheet, int hinge) {
+Place place_of(const model::Lattice& sheet, int hinge) {
   const model::HingedWall wall = sheet.wall(hinge);
   const double edge = sheet.size().edge_mm;
   const Eigen::Vector3d from = sheet.rest_position(wall.lower) / edge,
@@ -28,7 +28,7 @@ Place place_of(const model::Sheet& sheet, int hinge) {
 
 }  // namespace
 
-std::vector<TiltTie> tilt_ties(const model::Sheet& sheet) {
+std::vector<TiltTie> tilt_ties(const model::Lattice& sheet) {
   std::vector<TiltTie> ties;
   std::map<Place, std::size_t> tie_at;
   for (int h = 0; h < sheet.hinges(); ++h) {
@@ -42,8 +42,8 @@ std::vector<TiltTie> tilt_ties(const model::Sheet& sheet) {
   return ties;
 }
 
-model::Sheet with_tilts(model::Sheet sheet, const std::vector<TiltTie>& ties,
-                        const std::vector<double>& tilts) {
+model::Lattice with_tilts(model::Lattice sheet, const std::vector<TiltTie>& ties,
+                          const std::vector<double>& tilts) {
   for (std::size_t k = 0; k < ties.size(); ++k)
     for (std::size_t h = 0; h < ties[k].hinges.size(); ++h)
       sheet.hinge(ties[k].hinges[h]).beta = ties[k].signs[h] * tilts[k];

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "model/base/angle.hpp"
-#include "model/sheet/sheet.hpp"
+#include "model/lattice/lattice.hpp"
 #include "optim/solvers/variables.hpp"
 
 namespace kinetix::optim {
@@ -20,10 +20,10 @@ struct TiltTie {
 
 /// Walls of one direction, with tilts of one size, whose middles lie on one line across them. Hinges that stand
 /// upright belong to none.
-std::vector<TiltTie> tilt_ties(const model::Sheet& sheet);
+std::vector<TiltTie> tilt_ties(const model::Lattice& sheet);
 
 /// The sheet with other tilts, rad, one of each tie.
-model::Sheet with_tilts(model::Sheet sheet, const std::vector<TiltTie>& ties,
-                        const std::vector<double>& tilts);
+model::Lattice with_tilts(model::Lattice sheet, const std::vector<TiltTie>& ties,
+                          const std::vector<double>& tilts);
 
 }  // namespace kinetix::optim

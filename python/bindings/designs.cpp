@@ -8,7 +8,7 @@
 #include "app/pipeline/hinge_loads.hpp"
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/documents.hpp"
@@ -36,7 +36,7 @@ py::array hinge_numbers(const PythonDesign& design, HingeField field, double sca
   return read_only(std::move(out), {design.sheet().hinges()});
 }
 
-void set_hinges(model::Sheet& sheet, HingeField field, const std::string& name,
+void set_hinges(model::Lattice& sheet, HingeField field, const std::string& name,
                 const std::optional<Numbers>& numbers, double scale = 1) {
   if (!numbers) return;
   if (numbers->ndim() != 1 || numbers->shape(0) != sheet.hinges())

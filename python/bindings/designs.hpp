@@ -13,7 +13,7 @@ class PythonDesign {
   explicit PythonDesign(app::Design file);
 
   const app::Design& file() const { return file_; }
-  const model::Sheet& sheet() const { return file_.structure; }
+  const model::Lattice& sheet() const { return file_.structure; }
   const model::Linkage& linkage() const { return linkage_; }
   const model::ExactMotion& exact() const { return exact_; }
   /// @throws InvalidInput where the sheet has no closed form

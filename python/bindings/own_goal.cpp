@@ -10,7 +10,7 @@
 #include "model/base/append.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/contact/wall_contact.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::python {
 namespace {

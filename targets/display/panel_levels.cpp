@@ -2,7 +2,7 @@
 
 namespace kinetix::targets {
 
-std::vector<double> levels_of(const DisplayGoal& goal, const model::Sheet& panel) {
+std::vector<double> levels_of(const DisplayGoal& goal, const model::Lattice& panel) {
   std::vector<double> levels;
   for (int c = 0; c < panel.cells(); ++c)
     if (const std::vector<int> at = cell_label(panel, c); at.size() == 2)
@@ -10,7 +10,7 @@ std::vector<double> levels_of(const DisplayGoal& goal, const model::Sheet& panel
   return levels;
 }
 
-std::vector<double> in_order_of_goal(const DisplayGoal& goal, const model::Sheet& panel,
+std::vector<double> in_order_of_goal(const DisplayGoal& goal, const model::Lattice& panel,
                                      const std::vector<double>& values) {
   std::vector<double> out(goal.levels.size());
   std::size_t next = 0;

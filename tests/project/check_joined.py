@@ -91,12 +91,12 @@ def complaints_about(build, source):
 
 def sees_what_may_be_confused():
     """Proof that functions are found, and told apart by what is no number."""
-    text = ("void outer(int a) {}\nnamespace {\n\nconst std::vector<int>& first(double x, const model::Sheet& s = {}) {\n"
+    text = ("void outer(int a) {}\nnamespace {\n\nconst std::vector<int>& first(double x, const model::Lattice& s = {}) {\n"
             "  second(x);\n}\nconstexpr double third = 3;\n}  // namespace\nint fifth() {}\n")
-    return (list(own_functions(text)) == [("first", ("double", "Sheet"), 1)]
-            and may_be_confused((("double", "Sheet"), 0), (("int", "Sheet"), 0))
-            and may_be_confused((("double",), 0), (("string", "Sheet"), 1))
-            and not may_be_confused((("double", "Sheet"), 0), (("int", "Net"), 0)))
+    return (list(own_functions(text)) == [("first", ("double", "Lattice"), 1)]
+            and may_be_confused((("double", "Lattice"), 0), (("int", "Lattice"), 0))
+            and may_be_confused((("double",), 0), (("string", "Lattice"), 1))
+            and not may_be_confused((("double", "Lattice"), 0), (("int", "Net"), 0)))
 
 
 def main():

@@ -5,7 +5,7 @@
 #include "model/closure/closure.hpp"
 #include "model/closure/closure_drive.hpp"
 #include "model/hinge/elasticity.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::testing {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "sim/compression_run.hpp"
 #include "tests/support/random_designs.hpp"
 

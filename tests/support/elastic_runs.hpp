@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "model/elastic/path/equilibrium_path.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/square/family/classify.hpp"
 #include "model/lattice/square/unit_laws.hpp"
-#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::model {
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "model/elastic/path/stable_states.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/square/cell_tuple.hpp"
 #include "model/matter/made_hinge.hpp"
-#include "model/sheet/sheet_motion.hpp"
 #include "tests/support/needed_play.hpp"
 
 /// The paper's twist unit as it was printed (section 5.1): a cell of 30 mm, walls 2 mm thick, with play in its pins.

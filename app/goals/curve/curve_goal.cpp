@@ -18,8 +18,8 @@
 #include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
 #include "model/base/box_of.hpp"
-#include "model/sheet/sheet.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/tolerance/observed_points.hpp"
 #include "optim/curve/fit_curve.hpp"
 #include "targets/curve/curve.hpp"
@@ -193,7 +193,7 @@ std::vector<std::string> why_too_far(const CurveFile& file, const optim::FreeCur
 }
 
 /// Returns what walls are in the way and what helps. @pre found.contact.touches
-std::string obstacle(const optim::FreeCurveDesign& found, const model::Sheet& sheet) {
+std::string obstacle(const optim::FreeCurveDesign& found, const model::Lattice& sheet) {
   return overlap_words(found.contact, found.design.design.theta, sheet) +
          ": use lower or thinner walls, or larger cells";
 }
@@ -251,7 +251,7 @@ class CurveGoal final : public Goal {
   }
 
   /// Each column's place against the goal as it is laid over the midline.
-  std::optional<Observed> observe(const Found& found, const model::Sheet& sheet,
+  std::optional<Observed> observe(const Found& found, const model::Lattice& sheet,
                                   const model::State& state) const override {
     const model::Pose motion = motion_onto(state, found.own);
     const Eigen::Matrix3d back = motion.R.transpose();
@@ -274,7 +274,7 @@ class CurveGoal final : public Goal {
     const double tilt = std::max(std::abs(file_.beta.lower), std::abs(file_.beta.upper));
     return {tilt, file_.theta,
             [rows = file_.rows, per = file_.per, symmetry = file_.symmetry,
-             beta = file_.beta](const model::Sheet& sheet) {
+             beta = file_.beta](const model::Lattice& sheet) {
               const model::Structure& strip = *sheet.squares();
               const int columns = static_cast<int>(strip.cells.size()) / rows;
               return tied_tilts(strip, make_bend_ties(columns, per, symmetry, beta));
@@ -303,7 +303,7 @@ class CurveGoal final : public Goal {
 };
 
 template <double targets::CurveError::*part>
-double measured(const Goal& goal, const model::Sheet& structure, const model::State& state) {
+double measured(const Goal& goal, const model::Lattice& structure, const model::State& state) {
   return curve_error(column_midline(structure, state), dynamic_cast<const CurveGoal&>(goal).curve()).*part;
 }
 

@@ -14,7 +14,7 @@
 #include "app/run/design_hinges.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/contact/wall_contact.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -51,7 +51,7 @@ CurveStrip judged(const Goal& goal, CurveStrip strip, const FoundFor& found_for,
                      strip.file.columns, design.error.rms};
   out.designed_mm = design.error.rms * design.error.scale_mm;
   const Found found = planned(found_for(strip));
-  const model::Sheet& sheet = found.design.structure;
+  const model::Lattice& sheet = found.design.structure;
   const auto printed = expected_of_prints(found, goal_drive(found, sheet, out.theta), found.own,
                                           goal.observe(found, sheet, found.own)->points);
   if (printed)

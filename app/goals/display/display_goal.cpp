@@ -18,7 +18,7 @@
 #include "app/pipeline/physics_settings.hpp"
 #include "app/run/goal.hpp"
 #include "model/base/angle.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "targets/display/panel_levels.hpp"
 
 namespace kinetix::app {
@@ -160,7 +160,7 @@ class DisplayGoal final : public Goal {
     if (!(file_.offset > 0))
       check_memory({file_.goal.columns, file_.goal.rows}, options.threads,
                    display->options.starts * static_cast<int>(file_.axes.size()), memory_of_machine());
-    model::Sheet panel = make_panel(file_, {file_.goal.columns, file_.goal.rows});
+    model::Lattice panel = make_panel(file_, {file_.goal.columns, file_.goal.rows});
     display->goal = file_.goal;
     display->channel = file_.channel;
     const auto search = [&](const DisplayFile& file) {
@@ -189,7 +189,7 @@ class DisplayGoal final : public Goal {
   std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State& state,
                                          const RunOptions& options) const override {
     const auto& display = outcome_of<DisplayOutcome>(run);
-    const model::Sheet& panel = run.design.structure;
+    const model::Lattice& panel = run.design.structure;
     auto out = std::make_shared<DisplayMeasure>();
     out->reading = read_shown_panel(file_, panel, state);
     if (of == StateOf::physics) {
@@ -220,7 +220,7 @@ class DisplayGoal final : public Goal {
   }
 
   /// Strains a panel on purpose as far as it keeps its limits: where it would not, it stays as it was.
-  void strain(const model::Sheet& panel, const RunOptions& options, DisplayOutcome& display) const {
+  void strain(const model::Lattice& panel, const RunOptions& options, DisplayOutcome& display) const {
     const DisplayFile pressed = pressed_by(file_, display.pressed);
     optim::DisplayDesign strained = display.design;
     refine_panel(pressed, display.goal, panel, search_options(pressed, elasticity(), options), strained,

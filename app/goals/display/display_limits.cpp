@@ -7,7 +7,7 @@
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/hinge_loads.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -30,10 +30,10 @@ DisplayFile pressed_by(DisplayFile file, double share) {
   return file;
 }
 
-PanelLoads panel_loads(const DisplayFile& file, const model::Sheet& basic, optim::DisplayView view,
+PanelLoads panel_loads(const DisplayFile& file, const model::Lattice& basic, optim::DisplayView view,
                        const model::Elasticity& elasticity) {
   view.plates.press = file.press;
-  model::Sheet panel = basic;
+  model::Lattice panel = basic;
   place_hinges(view, panel);
   const model::LinkageDrive drive = drive_on(panel, drive_of(view));
   const model::EquilibriumPath path =
@@ -52,7 +52,7 @@ PanelLoads panel_loads(const DisplayFile& file, const model::Sheet& basic, optim
 }
 
 void keep_limits(const DisplayFile& file, const model::Elasticity& elasticity, DisplayOutcome& display,
-                 model::Sheet& panel, const std::function<optim::DisplayDesign(const DisplayFile&)>& search,
+                 model::Lattice& panel, const std::function<optim::DisplayDesign(const DisplayFile&)>& search,
                  const std::stop_token& stop) {
   if (!file.limits.any()) return;
   display.loads = panel_loads(file, panel, display.design.view, elasticity);

@@ -12,7 +12,7 @@ namespace kinetix::app {
 DisplayFile pressed_by(DisplayFile file, double share);
 
 /// What a panel asks of who presses it and of its hinges.
-PanelLoads panel_loads(const DisplayFile& file, const model::Sheet& panel, optim::DisplayView view,
+PanelLoads panel_loads(const DisplayFile& file, const model::Lattice& panel, optim::DisplayView view,
                        const model::Elasticity& elasticity);
 
 /// Presses the panel less, until it keeps the limits of the file, and keeps what it showed without them. Down to a
@@ -20,7 +20,7 @@ PanelLoads panel_loads(const DisplayFile& file, const model::Sheet& panel, optim
 /// as it was and least_pressed says so.
 /// @param search finds the design for a compression   @param stop what a search finds after it is not taken
 void keep_limits(const DisplayFile& file, const model::Elasticity& elasticity, DisplayOutcome& display,
-                 model::Sheet& panel, const std::function<optim::DisplayDesign(const DisplayFile&)>& search,
+                 model::Lattice& panel, const std::function<optim::DisplayDesign(const DisplayFile&)>& search,
                  const std::stop_token& stop = {});
 
 }  // namespace kinetix::app

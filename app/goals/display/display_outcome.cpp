@@ -122,7 +122,7 @@ void add_levels(const std::vector<double>& levels, Json& cells) {
 }
 
 Json display_json(const DisplayOutcome& display, const Run& run) {
-  const model::Sheet& panel = run.design.structure;
+  const model::Lattice& panel = run.design.structure;
   const auto& shown = measure_of<DisplayMeasure>(run);
   Json out = {{"channel", to_string(display.channel)}};
   add_drive(display.design.view, out);

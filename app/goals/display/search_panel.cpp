@@ -1,6 +1,6 @@
 #include "app/goals/display/search_panel.hpp"
 
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "targets/display/panel_levels.hpp"
 
 namespace kinetix::app {
@@ -43,7 +43,7 @@ optim::DisplayOptions search_options(const DisplayFile& file, const model::Elast
   return options;
 }
 
-optim::DisplayDesign search_panel(const DisplayFile& file, const model::Sheet& panel,
+optim::DisplayDesign search_panel(const DisplayFile& file, const model::Lattice& panel,
                                   const optim::DisplayOptions& options, const Progress& progress) {
   const std::vector<double> levels = levels_of(file.goal, panel);
   if (file.offset > 0)
@@ -51,7 +51,7 @@ optim::DisplayDesign search_panel(const DisplayFile& file, const model::Sheet& p
   return fit_display(*panel.squares(), levels, options, progress);
 }
 
-void refine_panel(const DisplayFile& file, const targets::DisplayGoal& goal, const model::Sheet& panel,
+void refine_panel(const DisplayFile& file, const targets::DisplayGoal& goal, const model::Lattice& panel,
                   optim::DisplayOptions options, optim::DisplayDesign& design, const Progress& progress) {
   progress("strain on purpose", 0);
   options.offset = file.offset;
@@ -61,7 +61,7 @@ void refine_panel(const DisplayFile& file, const targets::DisplayGoal& goal, con
 }
 
 // Offsets as they come back from a file, where they are in mm.
-void place_hinges(const optim::DisplayView& view, model::Sheet& panel) {
+void place_hinges(const optim::DisplayView& view, model::Lattice& panel) {
   const double mm = panel.size().edge_mm;
   for (int h = 0; h < panel.hinges(); ++h) {
     model::HingeParameters& p = panel.hinge(h);
@@ -70,7 +70,7 @@ void place_hinges(const optim::DisplayView& view, model::Sheet& panel) {
   }
 }
 
-DisplayReading read_panel(const DisplayFile& file, const model::Sheet& panel, const model::State& state) {
+DisplayReading read_panel(const DisplayFile& file, const model::Lattice& panel, const model::State& state) {
   const std::vector<double> levels = levels_of(file.goal, panel);
   DisplayReading out;
   out.channel = channel_values(file.channel, panel, state);
@@ -80,7 +80,7 @@ DisplayReading read_panel(const DisplayFile& file, const model::Sheet& panel, co
   return out;
 }
 
-DisplayReading read_shown_panel(const DisplayFile& file, const model::Sheet& panel,
+DisplayReading read_shown_panel(const DisplayFile& file, const model::Lattice& panel,
                                 const model::State& state) {
   DisplayReading out = read_panel(file, panel, state);
   if (file.goal.is_binary() && file.channel != optim::Channel::light) {
@@ -98,7 +98,7 @@ model::Drive drive_of(const optim::DisplayView& view) {
   return view.plates;
 }
 
-model::Sheet make_panel(const DisplayFile& file, targets::PanelSize size) {
+model::Lattice make_panel(const DisplayFile& file, targets::PanelSize size) {
   return make_sheet(file.lattice, model::lattice_cells(size[0], size[1]), file.size);
 }
 

@@ -19,25 +19,25 @@ optim::DisplayOptions search_options(const DisplayFile& file, const model::Elast
 
 /// The search that a file asks for: by the scales of walls where hinges may have offsets, else by stretching.
 /// @param panel of the goal's cells   @param progress words and the share done
-optim::DisplayDesign search_panel(const DisplayFile& file, const model::Sheet& panel,
+optim::DisplayDesign search_panel(const DisplayFile& file, const model::Lattice& panel,
                                   const optim::DisplayOptions& options, const Progress& progress);
 
 /// Strains a panel that was found by the scales of walls as far as the file allows (optim::refine_display).
-void refine_panel(const DisplayFile& file, const targets::DisplayGoal& goal, const model::Sheet& panel,
+void refine_panel(const DisplayFile& file, const targets::DisplayGoal& goal, const model::Lattice& panel,
                   optim::DisplayOptions options, optim::DisplayDesign& design, const Progress& progress);
 
 /// Puts the hinges of a panel where a search left them.
-void place_hinges(const optim::DisplayView& view, model::Sheet& panel);
+void place_hinges(const optim::DisplayView& view, model::Lattice& panel);
 
 /// Reads a state of the file's panel by its channel.
-DisplayReading read_panel(const DisplayFile& file, const model::Sheet& panel, const model::State& state);
+DisplayReading read_panel(const DisplayFile& file, const model::Lattice& panel, const model::State& state);
 /// Reads a state that is reported: also its light, and which parts of letters can be told apart.
-DisplayReading read_shown_panel(const DisplayFile& file, const model::Sheet& panel,
+DisplayReading read_shown_panel(const DisplayFile& file, const model::Lattice& panel,
                                 const model::State& state);
 /// What moves a panel that was found, by its bodies and hinges.
 model::Drive drive_of(const optim::DisplayView& view);
 
 /// The flat panel of a file with this many cells, all hinges basic.
-model::Sheet make_panel(const DisplayFile& file, targets::PanelSize size);
+model::Lattice make_panel(const DisplayFile& file, targets::PanelSize size);
 
 }  // namespace kinetix::app

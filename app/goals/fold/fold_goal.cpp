@@ -13,7 +13,7 @@
 #include "app/run/goal.hpp"
 #include "app/run/run.hpp"
 #include "model/base/append.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "optim/fold/fit_box.hpp"
 #include "targets/document/number.hpp"
 
@@ -21,7 +21,7 @@ namespace kinetix::app {
 namespace {
 
 /// Size of the tilts of a crease, rad: those that make up for elastic hinges differ a little.
-double mean_tilt(const model::Sheet& net, const std::vector<int>& hinges) {
+double mean_tilt(const model::Lattice& net, const std::vector<int>& hinges) {
   double sum = 0;
   for (const int h : hinges) sum += std::abs(net.hinge(h).beta);
   return sum / static_cast<double>(hinges.size());
@@ -211,7 +211,7 @@ class FoldGoal final : public Goal {
   }
 
   /// Each vertex of a face, in all directions, from the solid of the size that the search chose.
-  std::optional<Observed> observe(const Found& found, const model::Sheet& sheet,
+  std::optional<Observed> observe(const Found& found, const model::Lattice& sheet,
                                   const model::State& state) const override {
     const FoldShape& shape = outcome_of<FoldOutcome>(found).shape;
     if (!shape.folds || !is_finite(state)) return std::nullopt;

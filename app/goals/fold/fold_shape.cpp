@@ -207,7 +207,7 @@ FoldShape shape_of(const targets::FoldGoal& goal, const optim::FoldDesign& desig
   out.error_of = [net](const model::State& state) {
     return fold_error(net.net, net.layout, net.structure, state, net.theta);
   };
-  out.ideal = [net](const model::Sheet& sheet, const model::State& state) {
+  out.ideal = [net](const model::Lattice& sheet, const model::State& state) {
     return ideal_vertices(net.net, net.layout, *sheet.squares(), state, net.theta);
   };
   return out;
@@ -234,7 +234,7 @@ FoldShape shape_of(const targets::SolidGoal& goal, const optim::SolidDesign& des
   out.error_of = [net, theta = design.theta](const model::State& state) {
     return solid_error(net, state, theta);
   };
-  out.ideal = [net, theta = design.theta](const model::Sheet&, const model::State& state) {
+  out.ideal = [net, theta = design.theta](const model::Lattice&, const model::State& state) {
     return ideal_places(net, state, theta);
   };
   return out;

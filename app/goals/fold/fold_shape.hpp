@@ -17,7 +17,7 @@ struct FoldShape {
     nlohmann::ordered_json section;  ///< its place in the flat net
   };
 
-  model::Sheet sheet;
+  model::Lattice sheet;
   double theta = 0;  ///< rad
   nlohmann::ordered_json target = {};
   std::vector<nlohmann::ordered_json> faces = {};  ///< as Crease::section
@@ -40,7 +40,8 @@ struct FoldShape {
 
   std::function<targets::FoldError(const model::State&)> error_of = {};
   /// Places of vertices on the ideal solid, laid over a state. @pre the state is finite
-  std::function<std::vector<targets::IdealPoint>(const model::Sheet& sheet, const model::State&)> ideal = {};
+  std::function<std::vector<targets::IdealPoint>(const model::Lattice& sheet, const model::State&)> ideal =
+      {};
 
   /// What a state lacks of what the file asks, a line each. @param who shows the state: "model"
   std::vector<std::string> violations(const FoldFile& file, const targets::FoldError& of,

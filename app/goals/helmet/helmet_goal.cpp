@@ -98,7 +98,7 @@ class HelmetOutcome final : public RibsOutcome {
   HelmetOutcome(const RibsTask& task, HelmetFile file, optim::RibsDesign found)
       : RibsOutcome(task, std::move(found)), file_(std::move(file)) {}
 
-  void judge(const model::Sheet& sheet, StateOf of, const model::State& state,
+  void judge(const model::Lattice& sheet, StateOf of, const model::State& state,
              RibsMeasure& measure) const override {
     const std::string who = app::in_words(of);
     const optim::RibsError& error = measure.error;

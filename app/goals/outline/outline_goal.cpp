@@ -12,7 +12,7 @@
 #include "app/run/run.hpp"
 #include "model/base/box_of.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -135,7 +135,7 @@ class OutlineGoal final : public Goal {
   }
 
   /// Each vertex of the rim.
-  std::optional<Observed> observe(const Found& found, const model::Sheet&,
+  std::optional<Observed> observe(const Found& found, const model::Lattice&,
                                   const model::State& state) const override {
     const auto& outline = outcome_of<OutlineOutcome>(found);
     const targets::Outline goal(outline.placed(found.design.structure.size().edge_mm));

@@ -10,8 +10,8 @@
 #include "model/base/invalid_input.hpp"
 #include "model/base/parallel_runs.hpp"
 #include "model/base/polygon.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/planar/lattices/rhombus.hpp"
-#include "model/sheet/sheet_motion.hpp"
 #include "optim/outline/trimmed_cells.hpp"
 #include "targets/outline/orientation.hpp"
 

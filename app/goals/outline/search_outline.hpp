@@ -8,7 +8,7 @@ namespace kinetix::app {
 
 /// The panel that a search came to.
 struct FoundOutline {
-  model::Sheet sheet;  ///< with its hinges, and its size in mm
+  model::Lattice sheet;  ///< with its hinges, and its size in mm
   optim::OutlineDesign design;
   int cuts = 0;     ///< of the lattice that were tried; 0: the panel is a whole rectangle
   double turn = 0;  ///< of the outline as it lies on the panel from where it was drawn, rad

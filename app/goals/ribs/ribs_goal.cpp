@@ -71,7 +71,7 @@ class RibsGoal final : public Goal {
   }
 
   /// Every body, from the surface plus the clearance.
-  std::optional<Observed> observe(const Found& found, const model::Sheet&,
+  std::optional<Observed> observe(const Found& found, const model::Lattice&,
                                   const model::State& state) const override {
     const model::Pose motion = motion_onto(state, found.own);
     const model::State placed = moved(state, motion);

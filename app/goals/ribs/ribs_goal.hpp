@@ -48,7 +48,7 @@ class RibsOutcome : public GoalOutcome {
   optim::RibsCover cover;  ///< the surface against them
 
   /// Adds what the kind measures of a state and its violations. @param state on the surface
-  virtual void judge(const model::Sheet& sheet, StateOf of, const model::State& state,
+  virtual void judge(const model::Lattice& sheet, StateOf of, const model::State& state,
                      RibsMeasure& measure) const = 0;
   /// Describes a surface that is covered too little; empty where it is covered.
   virtual std::vector<std::string> bare() const = 0;

@@ -9,7 +9,7 @@
 #include "app/run/goal.hpp"
 #include "app/run/run.hpp"
 #include "model/base/append.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -145,7 +145,7 @@ class SpaceBlockGoal final : public Goal {
   }
 
   /// Outermost rotors against the sides of the exact state.
-  std::optional<Observed> observe(const Found& found, const model::Sheet&,
+  std::optional<Observed> observe(const Found& found, const model::Lattice&,
                                   const model::State& state) const override {
     const model::Pose motion = motion_onto(state, found.own);
     const model::State placed = moved(state, motion);
@@ -162,7 +162,7 @@ class SpaceBlockGoal final : public Goal {
   }
 
  private:
-  model::Sheet block() const { return block_of(file_.found, file_.size()); }
+  model::Lattice block() const { return block_of(file_.found, file_.size()); }
 
   /// @param state with its sides along the axes
   targets::SpaceBlockError error_of(const Run& run, const model::State& state) const {

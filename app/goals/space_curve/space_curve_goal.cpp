@@ -13,8 +13,8 @@
 #include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
 #include "model/base/box_of.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/square/family/drive.hpp"
-#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -174,7 +174,7 @@ class SpaceCurveGoal final : public Goal {
   }
 
   /// Each column's place against the goal, where that is nearest.
-  std::optional<Observed> observe(const Found& found, const model::Sheet& sheet,
+  std::optional<Observed> observe(const Found& found, const model::Lattice& sheet,
                                   const model::State& state) const override {
     const auto& outcome = outcome_of<SpaceCurveOutcome>(found);
     const model::Pose motion = motion_onto(state, found.own);

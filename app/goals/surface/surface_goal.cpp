@@ -13,8 +13,8 @@
 #include "app/run/run_options.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/base/rigid_fit.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/origami/fold_mesh.hpp"
-#include "model/sheet/sheet_motion.hpp"
 #include "optim/surface/developable.hpp"
 #include "optim/surface/free_height.hpp"
 #include "optim/surface/surface_starts.hpp"
@@ -223,7 +223,7 @@ class SurfaceGoal final : public Goal {
   }
 
   /// By the vertices of its mesh, as the search has it: each moves as the bodies next to it do.
-  std::optional<Observed> observe(const Found& found, const model::Sheet&,
+  std::optional<Observed> observe(const Found& found, const model::Lattice&,
                                   const model::State& state) const override {
     const auto& surface = outcome_of<SurfaceOutcome>(found);
     const model::QuadMesh& mesh = surface.design.mesh;

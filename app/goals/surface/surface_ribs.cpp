@@ -43,7 +43,7 @@ class SurfaceRibs final : public RibsOutcome {
   SurfaceRibs(const RibsTask& task, RibsFile file, optim::RibsDesign found)
       : RibsOutcome(task, std::move(found)), file_(std::move(file)) {}
 
-  void judge(const model::Sheet&, StateOf of, const model::State&, RibsMeasure& measure) const override {
+  void judge(const model::Lattice&, StateOf of, const model::State&, RibsMeasure& measure) const override {
     SurfaceWay way = fishbone_way(design, file_.surface);
     way.rms = measure.error.rms / file_.surface.diagonal;
     way.max = measure.error.max / file_.surface.diagonal;

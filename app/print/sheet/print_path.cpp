@@ -10,8 +10,8 @@
 #include "app/pipeline/physics_settings.hpp"
 #include "app/print/sheet/fold_motion.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
-#include "model/sheet/sheet_motion.hpp"
-#include "model/sheet/turn_laws.hpp"
+#include "model/lattice/lattice_motion.hpp"
+#include "model/lattice/turn_laws.hpp"
 
 namespace kinetix::app {
 namespace {

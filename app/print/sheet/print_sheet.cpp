@@ -18,7 +18,7 @@ using model::HingeKind;
 
 constexpr double widest_turn = 2.8;  // rad: at half a turn corners meet however long the gap
 
-model::Sheet resized(model::Sheet sheet, const PrintChoice& choice, const model::Process& process) {
+model::Lattice resized(model::Lattice sheet, const PrintChoice& choice, const model::Process& process) {
   if (auto* squares = sheet.squares()) squares->size = resized(squares->size, choice, process);
   if (auto* block = sheet.sodalite()) block->size = resized(block->size, choice, process);
   if (auto* planar = sheet.planar()) planar->size = resized(planar->size, choice, process);
@@ -174,7 +174,7 @@ class SheetMaker {
 
   const Design& design_;
   const PrintChoice choice_;
-  const model::Sheet structure_;
+  const model::Lattice structure_;
   PrintSheet sheet_;
   std::vector<double> turns_;  // of each hinge, the largest on the way, rad
 };

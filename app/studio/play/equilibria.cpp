@@ -11,7 +11,7 @@
 #include "model/closure/drive_theta.hpp"
 #include "model/elastic/elastic_system.hpp"
 #include "model/elastic/path/near_equilibrium.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::app::studio {
 namespace {

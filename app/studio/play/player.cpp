@@ -7,7 +7,7 @@
 #include "model/base/invalid_input.hpp"
 #include "model/closure/drive_theta.hpp"
 #include "model/elastic/exact_theta.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::app::studio {
 namespace {

@@ -17,8 +17,8 @@
 #include "model/closure/closure_solver.hpp"
 #include "model/closure/drive_theta.hpp"
 #include "model/contact/wall_contact.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/linkage/make_drive.hpp"
-#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::app::studio {
 namespace {

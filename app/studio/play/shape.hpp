@@ -11,8 +11,8 @@
 #include "model/assembly/assembly.hpp"
 #include "model/assembly/deployment.hpp"
 #include "model/contact/convex_bodies.hpp"
+#include "model/lattice/nearest_design.hpp"
 #include "model/linkage/exact_motion.hpp"
-#include "model/sheet/nearest_design.hpp"
 #include "sim/contact_parts.hpp"
 #include "sim/live_sheet.hpp"
 

@@ -75,7 +75,7 @@ void take_what_was_asked(const Message& message, const model::HingeParameters& f
 
 /// What was changed of hinges, on the other side too; of two that are each other's image the first one counts.
 void change_images(const std::vector<int>& hinges, const model::SheetSymmetry& symmetry,
-                   const Message& message, model::Sheet& sheet) {
+                   const Message& message, model::Lattice& sheet) {
   const model::Structure before = *sheet.squares();
   std::set<int> told;
   for (const int h : hinges) {
@@ -120,7 +120,7 @@ Design with_cells(Design design, std::vector<model::Cell> cells, const model::Ce
 /// Gives what the message says to the first hinge, and to those on walls along the same axis as exact sheets have it:
 /// tilts of the other sign and the other half of the wall on every second one. Others get the same.
 void alternate(const model::Structure& squares, const std::vector<int>& hinges, const Message& message,
-               double edge_mm, model::Sheet& sheet) {
+               double edge_mm, model::Lattice& sheet) {
   if (hinges.empty()) return;
   model::Hinge first = squares.hinges[hinges.front()];
   change(first.parameters, message, edge_mm);
@@ -184,7 +184,7 @@ Design with_hinges(Design design, const Message& message) {
   if (const model::Assembly* imported = design.structure.assembly()) {
     model::Assembly bodies = *imported;
     for (const int h : hinges) change(bodies.hinges[h], message);
-    design.structure = model::Sheet(std::move(bodies));
+    design.structure = model::Lattice(std::move(bodies));
     return design;
   }
   const double edge_mm = design.structure.size().edge_mm;

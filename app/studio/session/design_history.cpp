@@ -19,7 +19,7 @@ std::size_t size_of(const model::Polyhedron& solid) {
 
 /// About as many bytes as the design takes.
 std::size_t size_of(const Design& design) {
-  const model::Sheet& sheet = design.structure;
+  const model::Lattice& sheet = design.structure;
   std::size_t bytes = sheet.hinges() * hinge_bytes + sheet.bodies() * body_bytes + sheet.cells() * cell_bytes;
   if (const model::Assembly* bodies = sheet.assembly()) {
     for (const model::AssemblyBody& body : bodies->bodies) bytes += size_of(body.solid);

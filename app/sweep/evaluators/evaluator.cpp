@@ -13,8 +13,8 @@
 #include "app/result/result_json.hpp"
 #include "app/run/run.hpp"
 #include "model/elastic/path/near_equilibrium.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/square/family/sheet_reader.hpp"
-#include "model/sheet/sheet_motion.hpp"
 #include "optim/doe/nan.hpp"
 
 namespace kinetix::app {

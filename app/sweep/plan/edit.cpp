@@ -65,7 +65,7 @@ std::string entry(const targets::DocumentPath& path, int position) {
   return fmt::format("design.{}[{}].{}", path[1].key, position, path[3].key);
 }
 
-std::vector<Match> walls(const model::Sheet& structure, const targets::DocumentPath& path) {
+std::vector<Match> walls(const model::Lattice& structure, const targets::DocumentPath& path) {
   std::vector<Match> matches;
   for (int k = 0; k < structure.hinges(); ++k)
     if (selects(path[2], k)) matches.push_back({entry(path, k), {{*hinge_key(path[3].key), k}}});
@@ -109,7 +109,7 @@ std::vector<Match> named_hinges(const SweepBase& base, const targets::DocumentPa
 
 std::vector<Match> structural(const SweepBase& base, const targets::DocumentPath& path) {
   if (!base.design || base.has_bodies()) return {};
-  const model::Sheet& structure = base.design->structure;
+  const model::Lattice& structure = base.design->structure;
   if (path == targets::parse_path("design.theta_deg")) return {{"design.theta_deg", {{Kind::theta_deg}}}};
   if (is_hinge_path(path, "walls")) return walls(structure, path);
   const model::Structure* squares = structure.squares();

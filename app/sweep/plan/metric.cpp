@@ -16,9 +16,9 @@
 #include "model/assembly/assembly.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/base/larger.hpp"
+#include "model/lattice/lattice.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/linkage/state.hpp"
-#include "model/sheet/sheet.hpp"
-#include "model/sheet/sheet_motion.hpp"
 #include "optim/doe/nan.hpp"
 #include "targets/document/document_path.hpp"
 #include "targets/document/wording.hpp"
@@ -39,7 +39,7 @@ Vector3d area_vector(std::span<const int> bodies, const model::State& state) {
 }
 
 /// Area of all cells; in mm2.
-double area(const model::Sheet& structure, const model::State& state) {
+double area(const model::Lattice& structure, const model::State& state) {
   double sum = 0;
   for (int c = 0; c < structure.cells(); ++c) sum += area_vector(structure.cell_bodies(c), state).norm();
   return sum;
@@ -58,13 +58,13 @@ Vector3d extent_of(const model::Assembly& assembly, const model::State& state) {
 
 /// What a state looks like, in numbers. Lengths in mm, angles in rad; NaN in the state gives NaN, and so do cells where there are none.
 /// From the first body (lowest column, then row) to the last.
-Vector3d end_point(const model::Sheet&, const model::State& state) {
+Vector3d end_point(const model::Lattice&, const model::State& state) {
   return state.back().p - state.front().p;
 }
 
 /// Turn of the midline (mean of the bodies of each column, seen along y) from its first segment to its last,
 /// added up from column to column: more than a full turn counts as such.
-double total_turn(const model::Sheet& structure, const model::State& state) {
+double total_turn(const model::Lattice& structure, const model::State& state) {
   const auto points = column_midline(structure, state);
   double turn = 0;
   for (std::size_t k = 2; k < points.size(); ++k) {
@@ -75,28 +75,28 @@ double total_turn(const model::Sheet& structure, const model::State& state) {
 }
 
 /// Area between the four bodies of each cell, over that at rest.
-double area_ratio(const model::Sheet& structure, const model::State& state) {
+double area_ratio(const model::Lattice& structure, const model::State& state) {
   if (!structure.squares()) return area(structure, state) / area(structure, rest_state(structure));
   const double edge = structure.size().edge_mm;
   return area(structure, state) / (static_cast<double>(structure.cells()) * edge * edge);
 }
 
 /// Angle between the planes of the first and the last cell, [0, pi].
-double fold_angle(const model::Sheet& structure, const model::State& state) {
+double fold_angle(const model::Lattice& structure, const model::State& state) {
   if (structure.cells() == 0) return std::nan("");
   return angle_between(area_vector(structure.cell_bodies(0), state),
                        area_vector(structure.cell_bodies(structure.cells() - 1), state));
 }
 
 /// Angle at the first vertex of the first cell between its bottom and left sides, [0, pi].
-double cell_angle(const model::Sheet& structure, const model::State& state) {
+double cell_angle(const model::Lattice& structure, const model::State& state) {
   if (structure.cells() == 0) return std::nan("");
   const std::span<const int> b = structure.cell_bodies(0);
   return angle_between(state[b[1]].p - state[b[0]].p, state[b.back()].p - state[b[0]].p);
 }
 
 /// Largest angle between the z directions of two bodies that share a hinge: the twist or fold across a wall.
-double largest_lean(const model::Sheet& structure, const model::State& state) {
+double largest_lean(const model::Lattice& structure, const model::State& state) {
   double largest = 0;
   for (int h = 0; h < structure.hinges(); ++h) {
     const model::HingedWall wall = structure.wall(h);
@@ -106,7 +106,7 @@ double largest_lean(const model::Sheet& structure, const model::State& state) {
 }
 
 /// Edges of the bounding box of the bodies' positions, along the structure's axes; of the surfaces of imported bodies.
-Vector3d extent(const model::Sheet& structure, const model::State& state) {
+Vector3d extent(const model::Lattice& structure, const model::State& state) {
   if (const model::Assembly* bodies = structure.assembly()) return extent_of(*bodies, state);
   Vector3d low = state[0].p, high = low;
   for (const model::Pose& pose : state) {

@@ -12,7 +12,7 @@ namespace kinetix::app {
 
 /// What a response is computed from: the state of one sample, and whatever its model knows of it.
 struct Observation {
-  const model::Sheet* structure = nullptr;
+  const model::Lattice* structure = nullptr;
   const model::State* state = nullptr;
   bool is_closed_form = false;                  ///< the state; others may lie another way
   double theta = 0;                             ///< rad

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "app/goals/registry.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "targets/document/hidden_quotes.hpp"
 #include "targets/document/wording.hpp"
 

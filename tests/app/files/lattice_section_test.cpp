@@ -48,7 +48,7 @@ Design read(const std::string& text) {
 }
 
 void expect_same(const Design& a, const Design& b) {
-  const model::Sheet &s = a.structure, &r = b.structure;
+  const model::Lattice &s = a.structure, &r = b.structure;
   EXPECT_EQ(lattice_name(s), lattice_name(r));
   EXPECT_EQ(s.size().edge_mm, r.size().edge_mm);
   EXPECT_EQ(s.size().thickness_mm, r.size().thickness_mm);
@@ -149,7 +149,7 @@ TEST(LatticeSection, KeepsTheSizeOfAPatternThatSaysItsUnit) {
   };
   EXPECT_EQ(sheet_of("unit", "").size().edge_mm, 10);
   EXPECT_EQ(sheet_of("cm", ", cell_mm: 4").size().edge_mm, 4);
-  const model::Sheet sheet = sheet_of("cm", "");
+  const model::Lattice sheet = sheet_of("cm", "");
   EXPECT_NEAR(sheet.size().edge_mm, 10 * sheet_of("mm", "").size().edge_mm, 1e-9);
   double left = sheet.rest_position(0).x(), right = left;
   for (int v = 0; v < sheet.bodies(); ++v) {

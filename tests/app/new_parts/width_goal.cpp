@@ -5,7 +5,7 @@
 #include "app/files/physics_section.hpp"
 #include "app/goals/registry.hpp"
 #include "app/run/midline.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 
 /// A kind of goal in one file: a strip of one row of upright cells that folds to a width.
 ///
@@ -50,7 +50,7 @@ struct WidthOutcome final : GoalOutcome {
   }
 };
 
-double width(const model::Sheet& structure, const model::State& state) {
+double width(const model::Lattice& structure, const model::State& state) {
   const auto line = column_midline(structure, state);
   return (line.back() - line.front()).norm();
 }
@@ -63,7 +63,7 @@ struct WidthGoal final : Goal {
     target.read_needed("cell_mm", "a cell's edge in mm", cell_mm_);
   }
 
-  model::Sheet sheet() const {
+  model::Lattice sheet() const {
     return model::make_sheet(cells_, 1, {cell_mm_, 0.08 * cell_mm_, 0.6 * cell_mm_});
   }
 

@@ -8,7 +8,7 @@
 #include "app/pipeline/exact_state.hpp"
 #include "app/pipeline/physics_settings.hpp"
 #include "app/pipeline/pipeline.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/paper_scenes.hpp"
 

@@ -32,9 +32,9 @@ model::ModelPart part(const std::string& name, bool soft, double length, double 
 /// Two walls in a line along x, and the block between them, whose axis is that of z.
 app::Design pair_of_walls() {
   return {.name = "pair",
-          .structure = model::Sheet(model::make_assembly({part("left", false, wall - gap, -wall / 2, 0, 0),
-                                                          part("right", false, wall - gap, wall / 2, 0, 0),
-                                                          part("joint", true, gap, 0, 0, 0)}))};
+          .structure = model::Lattice(model::make_assembly({part("left", false, wall - gap, -wall / 2, 0, 0),
+                                                            part("right", false, wall - gap, wall / 2, 0, 0),
+                                                            part("joint", true, gap, 0, 0, 0)}))};
 }
 
 /// Four crosses at the corners of a square, with walls between them: a parallelogram. Its blocks are in the walls' middles.
@@ -63,7 +63,7 @@ app::Design parallelogram() {
     parts.push_back(part("joint_" + std::to_string(k), true, gap, (a[0] + b[0]) / 2, (a[1] + b[1]) / 2,
                          k % 2 == 0 ? 0 : 90));
   }
-  return {.name = "parallelogram", .structure = model::Sheet(model::make_assembly(parts))};
+  return {.name = "parallelogram", .structure = model::Lattice(model::make_assembly(parts))};
 }
 
 Eigen::Isometry3d pose_of(const Received& frame, int body) {
@@ -423,7 +423,7 @@ TEST(StudioOfBodiesOpened, StopsWhereAHingeOpens) {
   model::Assembly bodies = *file.structure.assembly();
   model::AssemblyHinge& tilted = bodies.hinges[0];
   tilted.axis = Eigen::AngleAxisd(1 * radians_per_degree, tilted.along) * tilted.axis;
-  file.structure = model::Sheet(bodies);
+  file.structure = model::Lattice(bodies);
   file.drive = model::HingeTurn{1, 0};
   OpenStudio studio{file};
   Client client{studio.port()};

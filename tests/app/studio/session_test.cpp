@@ -11,7 +11,7 @@
 #include "app/pipeline/hinge_loads.hpp"
 #include "app/studio/messages/templates.hpp"
 #include "app/studio/session/earlier_result.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "tests/app/studio/client.hpp"
 #include "tests/app/studio/studio.hpp"
 

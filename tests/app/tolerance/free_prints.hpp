@@ -7,9 +7,9 @@
 #include <random>
 #include <vector>
 
+#include "model/lattice/lattice.hpp"
 #include "model/linkage/state.hpp"
 #include "model/matter/made_hinge.hpp"
-#include "model/sheet/sheet.hpp"
 
 /// Prints with errors by another way than model/tolerance and model/elastic: their own random numbers, the energy of
 /// docs/hinges.md section 1 written as a sum of squares in mm and rad, and Gauss and Newton's method with differences.
@@ -21,7 +21,7 @@ struct FreeErrors {
 };
 
 /// A sheet whose hinges sit and lean otherwise.
-inline model::Sheet with_errors(model::Sheet sheet, const FreeErrors& sd, std::mt19937_64& random) {
+inline model::Lattice with_errors(model::Lattice sheet, const FreeErrors& sd, std::mt19937_64& random) {
   std::normal_distribution<double> normal(0, 1);
   for (int h = 0; h < sheet.hinges(); ++h) {
     const model::HingedWall wall = sheet.wall(h);

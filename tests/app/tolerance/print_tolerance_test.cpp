@@ -7,7 +7,7 @@
 #include "app/goals/registry.hpp"
 #include "app/pipeline/as_made.hpp"
 #include "app/pipeline/pipeline.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "tests/app/tolerance/free_prints.hpp"
 #include "tests/app/tolerance/wall_solids.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -50,7 +50,7 @@ model::State design_state(const Tried& one) {
 }
 
 /// Distances of a state from its goal, each point in its directions, as the goal finds its nearest places anew.
-VectorXd distances(const Tried& one, const model::Sheet& sheet, const model::State& state) {
+VectorXd distances(const Tried& one, const model::Lattice& sheet, const model::State& state) {
   const auto judged = one.target.goal->observe(one.run, sheet, state);
   VectorXd out(judged->points.size());
   for (Eigen::Index k = 0; k < out.size(); ++k) out[k] = judged->points[k].miss_mm;
@@ -114,7 +114,7 @@ FreeHinge hinge_of(const Run& run) {
   return {stiffness_of(e), e.reach_mm};
 }
 
-FreeSheet free_sheet(const Run& run, const model::Sheet& sheet, const model::State& design, bool is_fold) {
+FreeSheet free_sheet(const Run& run, const model::Lattice& sheet, const model::State& design, bool is_fold) {
   const FreeHinge hinge = hinge_of(run);
   const std::vector<double> none(static_cast<std::size_t>(run.design.structure.hinges()), 0.0);
   FreeSheet own(model::Linkage(run.design.structure), hinge.k, hinge.reach_mm, none);
@@ -148,7 +148,7 @@ Sampled sample(const Tried& one, bool planar, unsigned seed) {
   Sampled out;
   std::vector<double> all;
   for (int k = 0; k < count_prints(); ++k) {
-    const model::Sheet print = with_errors(run.design.structure, sd, random);
+    const model::Lattice print = with_errors(run.design.structure, sd, random);
     model::State state = design;
     if (!free_sheet(run, print, design, true).settle(state, planar)) {
       ++out.failed;

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "model/base/invalid_input.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/square/cell_tuple.hpp"
-#include "model/sheet/sheet_motion.hpp"
 #include "tests/support/random_designs.hpp"
 
 namespace kinetix::model {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "model/base/invalid_input.hpp"
-#include "model/sheet/sheet_motion.hpp"
-#include "model/sheet/turn_laws.hpp"
+#include "model/lattice/lattice_motion.hpp"
+#include "model/lattice/turn_laws.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/creased.hpp"
 #include "tests/support/random_designs.hpp"
@@ -18,12 +18,12 @@ namespace {
 using testing::random_design;
 using testing::structure_of;
 
-ContactRange certified(const Sheet& sheet, const CertifiedOptions& options = {}) {
+ContactRange certified(const Lattice& sheet, const CertifiedOptions& options = {}) {
   return certified_range(sheet, exact_motion(sheet), turn_laws(sheet), options);
 }
 
 /// Every pair of plates of different bodies and walls but those that touch when flat, without a broad phase.
-std::vector<WallPair> overlaps_of(const Sheet& sheet, double theta) {
+std::vector<WallPair> overlaps_of(const Lattice& sheet, double theta) {
   const Linkage linkage = sheet;
   const State state = exact_motion(sheet).at(theta);
   const std::vector<HalfWall> walls = half_walls(linkage);
@@ -40,7 +40,7 @@ std::vector<WallPair> overlaps_of(const Sheet& sheet, double theta) {
 }
 
 /// No overlap at many thetas within the range, one at its witness, and both within 1 %.
-void expect_proven(const Sheet& sheet, const std::string& what, int samples = 300) {
+void expect_proven(const Lattice& sheet, const std::string& what, int samples = 300) {
   const ContactRange range = certified(sheet);
   ASSERT_TRUE(range) << what << ": " << range.why_not;
   for (const ContactLimit* end : {&range.negative, &range.positive}) {

@@ -4,8 +4,8 @@
 
 #include <Eigen/Geometry>
 
-#include "model/sheet/sheet_motion.hpp"
-#include "model/sheet/turn_laws.hpp"
+#include "model/lattice/lattice_motion.hpp"
+#include "model/lattice/turn_laws.hpp"
 #include "tests/support/random_designs.hpp"
 #include "tests/support/random_nets.hpp"
 
@@ -19,7 +19,7 @@ Vector3d seen(const State& state, int from, int body, const Vector3d& r) {
   return state[from].R.transpose() * (state[body].p + state[body].R * r - state[from].p);
 }
 
-SweptMotion motion_along(const Sheet& sheet, const HingeChain& chain, int from, double theta, double h) {
+SweptMotion motion_along(const Lattice& sheet, const HingeChain& chain, int from, double theta, double h) {
   const Linkage linkage = sheet;
   const State state = exact_motion(sheet).at(theta);
   const std::vector<TurnLaw> laws = turn_laws(sheet);
@@ -36,7 +36,7 @@ SweptMotion motion_along(const Sheet& sheet, const HingeChain& chain, int from, 
 }
 
 /// Between random bodies of a sheet: twist and bounds against the closed form's own states.
-void expect_bounds(const Sheet& sheet, std::mt19937& random) {
+void expect_bounds(const Lattice& sheet, std::mt19937& random) {
   const Linkage linkage = sheet;
   const ExactMotion exact = exact_motion(sheet);
   HingeChains chains(linkage);

@@ -8,7 +8,7 @@
 
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/hinge/hinge_energy.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "tests/support/derivatives.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/random_elastic.hpp"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "model/sheet/sheet_motion.hpp"
-#include "model/sheet/turn_laws.hpp"
+#include "model/lattice/lattice_motion.hpp"
+#include "model/lattice/turn_laws.hpp"
 #include "tests/support/creased.hpp"
 #include "tests/support/miura.hpp"
 #include "tests/support/random_designs.hpp"
@@ -63,7 +63,7 @@ TEST(TurnLaw, BoundsHoldOverTheirIntervalAndAreReached) {
 }
 
 /// How far the states of a sheet turn their hinges otherwise than the laws say, rad.
-double off_the_laws(const Sheet& sheet) {
+double off_the_laws(const Lattice& sheet) {
   const Linkage linkage = sheet;
   const ExactMotion exact = exact_motion(sheet);
   const std::vector<TurnLaw> laws = turn_laws(sheet);

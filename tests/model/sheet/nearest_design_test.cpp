@@ -1,15 +1,15 @@
-#include "model/sheet/nearest_design.hpp"
+#include "model/lattice/nearest_design.hpp"
 
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/square/family/exact_family.hpp"
-#include "model/sheet/sheet_motion.hpp"
 #include "tests/support/random_designs.hpp"
 
 namespace kinetix::testing {
 namespace {
 
-using model::Sheet;
+using model::Lattice;
 
-Sheet strip_of(const std::vector<double>& tilts, int rows) {
+Lattice strip_of(const std::vector<double>& tilts, int rows) {
   auto design = model::ExactDesign<double>::basic(static_cast<int>(tilts.size()), rows);
   design.beta = tilts;
   return sheet_of(design, {10, 0.8, 6});
@@ -22,10 +22,10 @@ TEST(NearestDesign, IsTheSheetItselfWhereItMoves) {
 }
 
 TEST(NearestDesign, TakesBackTheOneTiltThatBreaksTheRule) {
-  const Sheet sheet = strip_of({0.3, -0.3, 0.2}, 2);
+  const Lattice sheet = strip_of({0.3, -0.3, 0.2}, 2);
   for (int h = 0; h < sheet.hinges(); ++h) {
     SCOPED_TRACE(h);
-    Sheet broken = sheet;
+    Lattice broken = sheet;
     broken.hinge(h).beta += 0.1;
     ASSERT_FALSE(exact_motion(broken));
     const auto nearest = nearest_design(broken);
@@ -39,13 +39,13 @@ TEST(NearestDesign, TakesBackTheOneFractionThatBreaksTheRuleOfAnUprightCrease) {
   auto design = model::ExactDesign<double>::basic(3, 3);
   design.beta = {0.3, 0, 0.2};
   design.t[1] = 0.4;
-  const Sheet sheet = sheet_of(design, {10, 0.8, 6});
+  const Lattice sheet = sheet_of(design, {10, 0.8, 6});
   ASSERT_TRUE(exact_motion(sheet));
   for (int h = 0; h < sheet.hinges(); ++h) {
     const model::Wall& wall = sheet.squares()->hinges[h].wall;
     if (wall.axis != model::Axis::x || wall.from.i != 1) continue;
     SCOPED_TRACE(h);
-    Sheet broken = sheet;
+    Lattice broken = sheet;
     broken.hinge(h).t += 0.05;
     ASSERT_FALSE(exact_motion(broken));
     const auto nearest = nearest_design(broken);
@@ -56,7 +56,7 @@ TEST(NearestDesign, TakesBackTheOneFractionThatBreaksTheRuleOfAnUprightCrease) {
 }
 
 TEST(NearestDesign, MovesUprightHingesAsLittleAsTheCellsAsk) {
-  Sheet broken = strip_of({0, 0, 0}, 3);
+  Lattice broken = strip_of({0, 0, 0}, 3);
   broken.hinge(0).t = 0.6;
   const auto nearest = nearest_design(broken);
   ASSERT_TRUE(nearest);
@@ -69,7 +69,7 @@ TEST(NearestDesign, MovesUprightHingesAsLittleAsTheCellsAsk) {
 }
 
 TEST(NearestDesign, LeavesCreasesAlongOneDirectionWhereTheyCross) {
-  Sheet crossed = strip_of({0.3, -0.3, 0.3}, 3);
+  Lattice crossed = strip_of({0.3, -0.3, 0.3}, 3);
   for (int h = 0; h < crossed.hinges(); ++h)
     if (crossed.squares()->hinges[h].wall.axis == model::Axis::y) crossed.hinge(h).beta = 0.05;
   ASSERT_FALSE(exact_motion(crossed));

@@ -1,10 +1,10 @@
-#include "model/sheet/sheet.hpp"
+#include "model/lattice/lattice.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "model/assembly/assembly.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/planar_graphs.hpp"
 #include "tests/support/random_designs.hpp"
@@ -46,9 +46,9 @@ void expect_same(const Linkage& a, const Linkage& b) {
   }
 }
 
-TEST(Sheet, OfSquaresIsTheirStructure) {
+TEST(Lattice, OfSquaresIsTheirStructure) {
   const Structure s = squares();
-  const Sheet sheet = s;
+  const Lattice sheet = s;
   expect_same(sheet, s);
   EXPECT_EQ(lattice_name(sheet), "square");
   EXPECT_EQ(sheet.bodies(), 20);
@@ -64,8 +64,8 @@ TEST(Sheet, OfSquaresIsTheirStructure) {
   EXPECT_EQ(body_columns(sheet), body_columns(s));
 }
 
-TEST(Sheet, OfAHoneycombHasItsCellsInTheOrderGiven) {
-  const Sheet sheet = hexagons();
+TEST(Lattice, OfAHoneycombHasItsCellsInTheOrderGiven) {
+  const Lattice sheet = hexagons();
   EXPECT_EQ(lattice_name(sheet), "honeycomb");
   EXPECT_EQ(sheet.cells(), 4);
   EXPECT_THAT(cell_label(sheet, 0), ElementsAre(1, 1));
@@ -80,8 +80,8 @@ TEST(Sheet, OfAHoneycombHasItsCellsInTheOrderGiven) {
   }
 }
 
-TEST(Sheet, OfAHoneycombCountsVerticesAndNamesWallsByThem) {
-  const Sheet sheet = hexagons();
+TEST(Lattice, OfAHoneycombCountsVerticesAndNamesWallsByThem) {
+  const Lattice sheet = hexagons();
   EXPECT_THAT(body_label(sheet, 5), ElementsAre(5));
   EXPECT_EQ(wall_name(sheet, 0), "[0, 2]");
   for (int h = 0; h < sheet.hinges(); ++h) {
@@ -92,15 +92,15 @@ TEST(Sheet, OfAHoneycombCountsVerticesAndNamesWallsByThem) {
   }
 }
 
-TEST(Sheet, LabelsCellsOfAClosedRimByTheirNumber) {
-  const Sheet sheet = hexagons(true);
+TEST(Lattice, LabelsCellsOfAClosedRimByTheirNumber) {
+  const Lattice sheet = hexagons(true);
   ASSERT_GT(sheet.cells(), 4);
   EXPECT_THAT(cell_label(sheet, 0), ElementsAre(1, 1));
   EXPECT_THAT(cell_label(sheet, 4), ElementsAre(4));
 }
 
 // At these angles the middle of a cell is half a hundredth, where rounding decides which way it goes.
-TEST(Sheet, OfRhombiFindsItsCellsAtAnyAngle) {
+TEST(Lattice, OfRhombiFindsItsCellsAtAnyAngle) {
   for (const double cosine : {0.25, 0.125, -0.25, 0.71, 0.0625, 0.33, 0.01, 0.03})
     for (const int n : {3, 7}) {
       const auto cells = lattice_cells(n, n);
@@ -115,14 +115,15 @@ TEST(Sheet, OfRhombiFindsItsCellsAtAnyAngle) {
     }
 }
 
-TEST(Sheet, OfADrawingIsAGraphWhoseCellsAreNumbered) {
-  const Sheet sheet = make_planar_structure(testing::random_quads(2, 1), {});
+TEST(Lattice, OfADrawingIsAGraphWhoseCellsAreNumbered) {
+  const Lattice sheet = make_planar_structure(testing::random_quads(2, 1), {});
   EXPECT_EQ(lattice_name(sheet), "graph");
   EXPECT_THAT(cell_label(sheet, 3), ElementsAre(3));
 }
 
-TEST(Sheet, CountsWhatItsLinkageHas) {
-  for (const Sheet& sheet : {Sheet(squares()), Sheet(hexagons()), Sheet(make_sodalite({1, 1, 1}, 0.2, {}))}) {
+TEST(Lattice, CountsWhatItsLinkageHas) {
+  for (const Lattice& sheet :
+       {Lattice(squares()), Lattice(hexagons()), Lattice(make_sodalite({1, 1, 1}, 0.2, {}))}) {
     const Linkage linkage = sheet;
     EXPECT_EQ(sheet.bodies(), static_cast<int>(linkage.bodies.size()));
     EXPECT_EQ(sheet.hinges(), static_cast<int>(linkage.hinges.size()));
@@ -130,8 +131,8 @@ TEST(Sheet, CountsWhatItsLinkageHas) {
   }
 }
 
-TEST(Sheet, LetsItsHingesBeChanged) {
-  for (Sheet sheet : {Sheet(squares()), Sheet(hexagons())}) {
+TEST(Lattice, LetsItsHingesBeChanged) {
+  for (Lattice sheet : {Lattice(squares()), Lattice(hexagons())}) {
     sheet.hinge(3) = {.t = 0.25, .alpha = 1.5, .beta = 0.25, .offset = 0.125};
     const HingedWall wall = sheet.wall(3);
     EXPECT_EQ(wall.hinge.t, 0.25);
@@ -144,10 +145,11 @@ TEST(Sheet, LetsItsHingesBeChanged) {
   }
 }
 
-TEST(Sheet, ColumnsGoFromTheLeftAndEachFromBelow) {
-  for (const Sheet& sheet : {Sheet(squares()), Sheet(hexagons()),
-                             Sheet(make_planar_structure({&octagon_lattice, lattice_cells(9, 9)}, {})),
-                             Sheet(make_planar_structure({&honeycomb_lattice, lattice_cells(20, 20)}, {}))}) {
+TEST(Lattice, ColumnsGoFromTheLeftAndEachFromBelow) {
+  for (const Lattice& sheet :
+       {Lattice(squares()), Lattice(hexagons()),
+        Lattice(make_planar_structure({&octagon_lattice, lattice_cells(9, 9)}, {})),
+        Lattice(make_planar_structure({&honeycomb_lattice, lattice_cells(20, 20)}, {}))}) {
     const auto columns = body_columns(sheet);
     int bodies = 0;
     double left = -INFINITY;
@@ -169,9 +171,9 @@ TEST(Sheet, ColumnsGoFromTheLeftAndEachFromBelow) {
 
 TEST(SheetMotion, DrivesEveryLatticeByItsOwnRules) {
   const Structure s = squares();
-  EXPECT_EQ(drive_to(Sheet(s), 0.3).compression, drive_on(s, drive_to(s, 0.3)).compression);
-  EXPECT_EQ(exact_motion(Sheet(s)).name, "F2");
-  const Sheet sheet = hexagons();
+  EXPECT_EQ(drive_to(Lattice(s), 0.3).compression, drive_on(s, drive_to(s, 0.3)).compression);
+  EXPECT_EQ(exact_motion(Lattice(s)).name, "F2");
+  const Lattice sheet = hexagons();
   EXPECT_EQ(exact_motion(sheet).name, "planar");
   for (const double theta : {-0.4, 0.4})
     EXPECT_NEAR(exact_motion(sheet).theta_of(drive_to(sheet, theta)), theta, 1e-9);
@@ -181,7 +183,7 @@ TEST(SheetMotion, DrivesEveryLatticeByItsOwnRules) {
 }
 
 TEST(SheetMotion, ChangesHingesFromTheFirstSheetToTheSecond) {
-  Sheet before = hexagons(), after = hexagons();
+  Lattice before = hexagons(), after = hexagons();
   after.hinge(2).t = 0.75;
   const auto at = changing(before, after, drive_to(before, 0.2));
   const auto arm = [](const Linkage& linkage) { return linkage.hinges[2].lower_arm; };
@@ -192,10 +194,10 @@ TEST(SheetMotion, ChangesHingesFromTheFirstSheetToTheSecond) {
   EXPECT_FALSE(at(1).exact) << "one hinge off the middle keeps its cell from closing";
 }
 
-TEST(Sheet, HoldsImportedBodiesThatTurnAHingeOfTheirs) {
-  const Sheet sheet(make_assembly({{"left", false, testing::box_solid(-9, -0.5, 0.8, 6)},
-                                   {"right", false, testing::box_solid(0.5, 9, 0.8, 6)},
-                                   {"joint", true, testing::box_solid(-0.5, 0.5, 0.8, 6)}}));
+TEST(Lattice, HoldsImportedBodiesThatTurnAHingeOfTheirs) {
+  const Lattice sheet(make_assembly({{"left", false, testing::box_solid(-9, -0.5, 0.8, 6)},
+                                     {"right", false, testing::box_solid(0.5, 9, 0.8, 6)},
+                                     {"joint", true, testing::box_solid(-0.5, 0.5, 0.8, 6)}}));
   EXPECT_EQ(sheet.bodies(), 2);
   EXPECT_EQ(sheet.hinges(), 1);
   EXPECT_EQ(sheet.cells(), 0);

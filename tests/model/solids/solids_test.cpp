@@ -5,9 +5,9 @@
 #include <random>
 
 #include "model/base/invalid_input.hpp"
+#include "model/lattice/lattice.hpp"
 #include "model/lattice/square/structure.hpp"
 #include "model/linkage/wall.hpp"
-#include "model/sheet/sheet.hpp"
 #include "model/solids/body_solid.hpp"
 #include "model/solids/open_hinge.hpp"
 
@@ -42,7 +42,7 @@ std::vector<BodySolid> solids(const Linkage& linkage, const HingePrint& print) {
 Linkage random_sheet(int seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> t(0.4, 0.6), alpha(1.3, 1.8), beta(-0.5, 0.5), offset(-0.05, 0.05);
-  Sheet sheet = make_sheet(3, 2, {15, 0.8, 6});
+  Lattice sheet = make_sheet(3, 2, {15, 0.8, 6});
   for (int h = 0; h < sheet.hinges(); ++h)
     sheet.hinge(h) = {t(random), alpha(random), beta(random), offset(random)};
   return sheet;
@@ -82,7 +82,7 @@ TEST(MassProperties, AreThoseOfTheBoxInClosedForm) {
 }
 
 TEST(BodySolid, OfAnUprightCrossHasTheVolumeOfItsPlates) {
-  const Linkage sheet = Sheet(make_sheet(2, 2, size));
+  const Linkage sheet = Lattice(make_sheet(2, 2, size));
   const auto bodies = solids(sheet, block());
   const double arm = 10 / 2. - 0.8 / 2 - 1 / 2.;  // from the post to the gap
   EXPECT_NEAR(volume_mm3(body_mesh(bodies[4])), 6 * (0.8 * 0.8 + 4 * arm * 0.8), 1e-10)
@@ -93,7 +93,7 @@ TEST(BodySolid, OfAnUprightCrossHasTheVolumeOfItsPlates) {
 TEST(BodySolid, AtAPinHasTheVolumeOfPlatesKnucklesAndRods) {
   HingePrint fine = pin();
   fine.tolerance_mm = 1e-6;
-  const Linkage sheet = Sheet(make_sheet(2, 2, size));
+  const Linkage sheet = Lattice(make_sheet(2, 2, size));
   const double R = 0.5 + 0.1 + 0.8, g = R + 0.1, half = 0.4;
   // Before the circle: two triangles from the wall's corners to where tangents touch, the wedge between and the circle's rest.
   const double d = std::hypot(g, half), touch = std::acos(R / d), corner = std::atan2(half, g);
@@ -142,7 +142,7 @@ TEST(BodySolid, OfRandomLeaningHingesIsClosedAndAsLargeAsItsPieces) {
 TEST(BodySolid, OfHingesFarBesideTheirWallsIsClosed) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> offset(-0.25, 0.25);
-  Sheet sheet = make_sheet(4, 4, {30, 0.8, 6});
+  Lattice sheet = make_sheet(4, 4, {30, 0.8, 6});
   for (int h = 0; h < sheet.hinges(); ++h) sheet.hinge(h).offset = offset(random);
   for (const HingePrint& print : {pin(), block()})
     for (const BodySolid& body : solids(sheet, print)) EXPECT_TRUE(is_closed(body_mesh(body)));
@@ -237,7 +237,7 @@ TEST(PinEnd, OfCapsLooksAlikeWhereverTheAxisIs) {
 TEST(BodySolid, OfCapsIsClosed) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> offset(-0.03, 0.03);
-  Sheet sheet = make_sheet(4, 4, {30, 0.8, 6});
+  Lattice sheet = make_sheet(4, 4, {30, 0.8, 6});
   for (int h = 0; h < sheet.hinges(); ++h) sheet.hinge(h).offset = offset(random);
   HingePrint caps = pin();
   caps.cap_across_mm = 0.9;
@@ -252,7 +252,7 @@ TEST(BodySolid, AtInclinedFacesHasTheVolumeOfTheirCones) {
   flat.tolerance_mm = 1e-6;
   HingePrint inclined = flat;
   inclined.rim_mm = 0.4;
-  const Linkage sheet = Sheet(make_sheet(2, 2, size));
+  const Linkage sheet = Lattice(make_sheet(2, 2, size));
   const double rod = 0.5, bore = 0.6, rim = bore + 0.8 - 0.4, up = 1.1 * (rim - rod), in = 1.1 * (rim - bore);
   for (const int body : {4, 1}) {
     const BodySolid solid = solids(sheet, inclined)[body];
@@ -277,7 +277,7 @@ double least_edge_mm(double alpha) {
   double refused = 4, taken = 40;  // mm
   while (taken - refused > 1e-3) {
     const double edge = (refused + taken) / 2;
-    Sheet sheet = make_sheet(2, 2, {edge, 0.8, 6});
+    Lattice sheet = make_sheet(2, 2, {edge, 0.8, 6});
     for (int h = 0; h < sheet.hinges(); ++h) sheet.hinge(h).alpha = alpha;
     try {
       solids(sheet, pin());
@@ -306,7 +306,7 @@ int turned_over(const Polyhedron& mesh, const ArmSolid& arm) {
 
 TEST(BodySolid, OfTheShortestPlatesBesideTurnedHingesHasNoFaceTurnedOver) {
   for (const double alpha : {1.2, 1.4, M_PI / 2, 1.9}) {
-    Sheet sheet = make_sheet(2, 2, {least_edge_mm(alpha), 0.8, 6});
+    Lattice sheet = make_sheet(2, 2, {least_edge_mm(alpha), 0.8, 6});
     for (int h = 0; h < sheet.hinges(); ++h) sheet.hinge(h).alpha = alpha;
     for (const BodySolid& body : solids(sheet, pin())) {
       const Polyhedron mesh = body_mesh(body);
@@ -316,7 +316,7 @@ TEST(BodySolid, OfTheShortestPlatesBesideTurnedHingesHasNoFaceTurnedOver) {
 }
 
 TEST(BodySolid, RefusesAHingeThatOverlapsItsJunction) {
-  Sheet sheet = make_sheet(2, 2, size);
+  Lattice sheet = make_sheet(2, 2, size);
   sheet.hinge(0).t = 0.15;
   EXPECT_THROW(solids(sheet, pin()), InvalidInput);
   sheet.hinge(0).t = 0.5;

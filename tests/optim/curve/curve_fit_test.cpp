@@ -192,7 +192,7 @@ TEST(BendTies, TieTheTiltsOfTheirStrip) {
       most.push_back(tie.range.upper);
     }
     for (const std::vector<double>& sizes : {least, most}) {
-      const model::Sheet changed = with_tilts(strip, ties, sizes);
+      const model::Lattice changed = with_tilts(strip, ties, sizes);
       for (const model::Hinge& hinge : changed.squares()->hinges) {
         if (hinge.wall.axis != model::Axis::x || hinge.wall.from.j != 0) continue;
         EXPECT_GE(hinge.parameters.beta, -0.4 - 1e-12);

@@ -179,7 +179,7 @@ TEST(DisplayProblem, DerivativesMatchCentralDifferencesWithWallsInContact) {
 
 TEST(DisplayProblem, DerivativesByOffsetsMatchCentralDifferences) {
   for (const bool honeycomb : {false, true}) {
-    model::Sheet panel = model::make_sheet(4, 4, {});
+    model::Lattice panel = model::make_sheet(4, 4, {});
     if (honeycomb) {
       model::LatticeSheet sheet{&model::honeycomb_lattice, model::lattice_cells(3, 3)};
       sheet.closed_rim = true;
@@ -215,7 +215,7 @@ TEST(DisplayProblem, DerivativesByOffsetsMatchCentralDifferences) {
 }
 
 TEST(RefineDisplay, BuysContrastByALittleStrain) {
-  const model::Sheet panel = model::make_sheet(8, 8, {10, 0.8, 6});
+  const model::Lattice panel = model::make_sheet(8, 8, {10, 0.8, 6});
   const std::vector<double> levels = letter_t(*panel.squares(), 8);
   DisplayOptions options;
   options.channel = Channel::light;

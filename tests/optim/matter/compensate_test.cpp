@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "model/elastic/path/near_equilibrium.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/square/lines.hpp"
-#include "model/sheet/sheet_motion.hpp"
 #include "tests/support/derivatives.hpp"
 
 namespace kinetix::optim {
@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 constexpr double held_theta = 0.5;  // rad: so far that what springs hold back is easily seen
 
 /// A strip of one row whose columns bend alike, by the tilts of their walls along x.
-model::Sheet bent_strip(int columns, double tilt) {
+model::Lattice bent_strip(int columns, double tilt) {
   model::Structure s = make_structure(model::rectangle(columns, 1), {10, 0.8, 6});
   for (model::Hinge& hinge : s.hinges)
     if (hinge.wall.axis == model::Axis::x)
@@ -28,7 +28,7 @@ model::Sheet bent_strip(int columns, double tilt) {
 /// Blocks of rubber, and springs that fold them.
 model::Elasticity rubber() { return model::elasticity_of(model::HingeStiffness{6, 1.5, 1.5, 0.3}, 1.7); }
 
-model::LinkageDrive springs(const model::Sheet& sheet, double to) {
+model::LinkageDrive springs(const model::Lattice& sheet, double to) {
   return drive_on(sheet, model::ShapeMemory{.angle = 2 * to, .k_turn = 3});
 }
 
@@ -36,7 +36,7 @@ model::LinkageDrive springs(const model::Sheet& sheet, double to) {
 MatterGoal goal_of(const model::State& exact) {
   MatterGoal goal;
   goal.drive = springs;
-  goal.observe = [exact](const model::Sheet&, const model::State& state) {
+  goal.observe = [exact](const model::Lattice&, const model::State& state) {
     const model::State placed = aligned(exact, state);
     std::vector<model::ObservedPoint> points;
     for (int b = 0; b < static_cast<int>(state.size()); ++b)
@@ -47,7 +47,7 @@ MatterGoal goal_of(const model::State& exact) {
   return goal;
 }
 
-InMatter settled(const model::Sheet& sheet) {
+InMatter settled(const model::Lattice& sheet) {
   const model::ExactMotion exact = exact_motion(sheet);
   const model::EquilibriumPath path = trace_equilibrium({sheet, springs(sheet, held_theta), exact}, rubber());
   EXPECT_EQ(path.stop, model::EquilibriumPath::Stop::reached) << path.why;
@@ -55,7 +55,7 @@ InMatter settled(const model::Sheet& sheet) {
 }
 
 TEST(Compensate, BringsSoftHingesBackToTheExactState) {
-  const model::Sheet sheet = bent_strip(8, 0.3);
+  const model::Lattice sheet = bent_strip(8, 0.3);
   const MatterGoal goal = goal_of(exact_motion(sheet).at(held_theta));
   const Compensation found = compensate(settled(sheet), rubber(), goal);
   EXPECT_GT(found.before.rms_mm, 1) << "the springs hold the fold back";
@@ -70,7 +70,7 @@ TEST(Compensate, BringsSoftHingesBackToTheExactState) {
 }
 
 TEST(Compensate, EndsAtOnceWhereTheGoalIsMet) {
-  const model::Sheet sheet = bent_strip(4, 0.3);
+  const model::Lattice sheet = bent_strip(4, 0.3);
   const InMatter start = settled(sheet);
   const Compensation found = compensate(start, rubber(), goal_of(start.state), {.enough_mm = 1e-6});
   EXPECT_EQ(found.rounds, 0);
@@ -80,7 +80,7 @@ TEST(Compensate, EndsAtOnceWhereTheGoalIsMet) {
 
 // Each variable by itself: the equilibrium followed to both sides.
 TEST(Compensate, KnowsHowDeviationsChange) {
-  const model::Sheet sheet = bent_strip(4, 0.3);
+  const model::Lattice sheet = bent_strip(4, 0.3);
   const InMatter at = settled(sheet);
   const MatterGoal goal = goal_of(exact_motion(sheet).at(held_theta));
   const std::vector<TiltTie> ties = tilt_ties(sheet);
@@ -90,7 +90,7 @@ TEST(Compensate, KnowsHowDeviationsChange) {
 
   const auto deviations_at = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
     const std::vector<double> tilts(x.data(), x.data() + ties.size());
-    const model::Sheet changed = with_tilts(sheet, ties, tilts);
+    const model::Lattice changed = with_tilts(sheet, ties, tilts);
     const model::EquilibriumPath path = follow_change(
         at.state,
         [&](double) {

@@ -26,14 +26,14 @@ TEST(TiltTies, AreTheColumnsOfAStrip) {
 }
 
 TEST(TiltTies, KeepWhatTheyAreGiven) {
-  const model::Sheet sheet = strip();
+  const model::Lattice sheet = strip();
   const std::vector<TiltTie> ties = tilt_ties(sheet);
   std::vector<double> tilts;
   for (const TiltTie& tie : ties) tilts.push_back(tie.tilt);
-  const model::Sheet same = with_tilts(sheet, ties, tilts);
+  const model::Lattice same = with_tilts(sheet, ties, tilts);
   for (int h = 0; h < sheet.hinges(); ++h) EXPECT_EQ(same.hinge(h).beta, sheet.hinge(h).beta);
   tilts[1] = 0.7;
-  const model::Sheet other = with_tilts(sheet, ties, tilts);
+  const model::Lattice other = with_tilts(sheet, ties, tilts);
   for (std::size_t k = 0; k < ties[1].hinges.size(); ++k)
     EXPECT_EQ(other.hinge(ties[1].hinges[k]).beta, 0.7 * ties[1].signs[k]);
 }

@@ -4,7 +4,7 @@
 
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "tests/targets/meshes.hpp"
 
 namespace kinetix::optim {

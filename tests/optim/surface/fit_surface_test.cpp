@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 
 #include "model/base/invalid_input.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/origami/origami_sheet.hpp"
-#include "model/sheet/sheet_motion.hpp"
 #include "optim/surface/surface_starts.hpp"
 #include "tests/support/derivatives.hpp"
 
@@ -52,7 +52,7 @@ TEST(FitSurface, GivesACapWhoseSheetMovesExactly) {
   EXPECT_TRUE(design.within);
   EXPECT_LE(design.error.rms, 0.012);
   const model::OrigamiSheet sheet = model::origami_sheet(design.mesh, {});
-  const model::ExactMotion exact = exact_motion(model::Sheet(sheet.structure));
+  const model::ExactMotion exact = exact_motion(model::Lattice(sheet.structure));
   ASSERT_TRUE(exact) << exact.why;
   for (const double theta : {0.1, 0.3, 0.5}) {
     const model::State state = fold(sheet, theta);

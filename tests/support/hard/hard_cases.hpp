@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "model/hinge/elasticity.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/linkage/state.hpp"
-#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::testing {
 

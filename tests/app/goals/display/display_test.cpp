@@ -336,7 +336,7 @@ target: {kind: display, rows: ["000000", "011000", "011000", "011110", "011110",
 tolerance: {force_N: 0.01}
 )",
                                                                                "l.yaml"));
-  model::Sheet panel = app::make_panel(file, {6, 6});
+  model::Lattice panel = app::make_panel(file, {6, 6});
   int searches = 0;
   const auto search = [&](const app::DisplayFile& asked) {
     ++searches;

@@ -28,7 +28,7 @@ DisplayFile shipped(const std::string& name) {
 /// The equilibrium is read by the benchmark, which has the time.
 TEST(QrCode, IsReadFromTheExactStateOfAPlainGridAndNotBefore) {
   const DisplayFile file = shipped("qr_code.yaml");
-  const model::Sheet panel = make_panel(file, {file.goal.columns, file.goal.rows});
+  const model::Lattice panel = make_panel(file, {file.goal.columns, file.goal.rows});
   const optim::DisplayDesign found = search_panel(file, panel, {}, {});
   ASSERT_TRUE(found.scaled && found.scaled->clear);
   EXPECT_LE(found.scaled->offset, 0.06 + 1e-12);

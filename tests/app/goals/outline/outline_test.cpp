@@ -12,7 +12,7 @@
 #include "app/pipeline/pipeline.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/contact/wall_contact.hpp"
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "targets/outline/outline.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/square/family/classify.hpp"
-#include "model/sheet/sheet_motion.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/random_designs.hpp"
 

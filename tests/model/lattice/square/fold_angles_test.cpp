@@ -9,9 +9,9 @@
 
 #include "model/closure/closure_solver.hpp"
 #include "model/closure/mobility.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/square/family/classify.hpp"
 #include "model/lattice/square/family/net_rules.hpp"
-#include "model/sheet/sheet_motion.hpp"
 #include "tests/support/derivatives.hpp"
 #include "tests/support/random_designs.hpp"
 #include "tests/support/random_nets.hpp"

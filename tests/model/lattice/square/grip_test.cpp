@@ -7,9 +7,9 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/closure/closure_drive.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/square/family/classify.hpp"
 #include "model/lattice/square/family/net_grip.hpp"
-#include "model/sheet/sheet_motion.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/random_designs.hpp"
 #include "tests/support/random_nets.hpp"

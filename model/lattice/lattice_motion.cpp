@@ -1,4 +1,4 @@
-#include "model/sheet/sheet_motion.hpp"
+#include "model/lattice/lattice_motion.hpp"
 
 #include <cmath>
 
@@ -29,7 +29,7 @@ constexpr double as_short = 1e-9;  // of the cord: both sides are alike, but for
 
 /// The side of flat to which a cord pulls from the first where the sheet moves exactly; else, and where both are alike, the
 /// drive's own.
-int side_of(const Sheet& sheet, const LinkageDrive& cord) {
+int side_of(const Lattice& sheet, const LinkageDrive& cord) {
   const ExactMotion exact = exact_motion(sheet);
   if (!exact) return cord.branch;
   const double forth = cord_length(sheet, cord.through, exact.at(probe)),
@@ -40,7 +40,7 @@ int side_of(const Sheet& sheet, const LinkageDrive& cord) {
 
 /// Makes the drive by bodies and hinges of what a file says.
 struct OnSheet {
-  const Sheet& sheet;
+  const Lattice& sheet;
   int side;  ///< of flat, where the drive names none
 
   LinkageDrive operator()(const Plates& plates) const {
@@ -97,9 +97,9 @@ struct EndAt {
   void operator()(BodyPull&) const {}
 };
 
-Sheet between(const Sheet& before, const Sheet& after, double part) {
+Lattice between(const Lattice& before, const Lattice& after, double part) {
   if (part >= 1) return after;
-  Sheet out = after;
+  Lattice out = after;
   const auto mix = [part](double a, double b) { return a + part * (b - a); };
   for (int k = 0; k < out.hinges(); ++k) {
     const HingeParameters& a = before.hinge(k);
@@ -111,26 +111,26 @@ Sheet between(const Sheet& before, const Sheet& after, double part) {
 
 }  // namespace
 
-PlanarStructure planar_structure(const Sheet& sheet) {
+PlanarStructure planar_structure(const Lattice& sheet) {
   if (const Structure* squares = sheet.squares()) return planar_structure(*squares);
   if (sheet.sodalite()) throw InvalidInput("a sodalite lattice is not a planar sheet");
   if (sheet.assembly()) throw InvalidInput("imported bodies are no planar sheet");
   return *sheet.planar();
 }
 
-void place_hinges(const Redrawing& y, Sheet& sheet) {
+void place_hinges(const Redrawing& y, Lattice& sheet) {
   if (Structure* squares = sheet.squares()) return place_hinges(y, *squares);
   place_hinges(y, *sheet.planar());
 }
 
-ExactMotion exact_motion(const Sheet& sheet) {
+ExactMotion exact_motion(const Lattice& sheet) {
   if (const Structure* squares = sheet.squares()) return exact_motion(*squares);
   if (const SodaliteStructure* block = sheet.sodalite()) return exact_motion(*block);
   if (sheet.assembly()) return {{}, "none", "imported bodies have no closed form"};
   return exact_motion(*sheet.planar());
 }
 
-LinkageDrive drive_on(const Sheet& sheet, const Drive& drive, double theta) {
+LinkageDrive drive_on(const Lattice& sheet, const Drive& drive, double theta) {
   return std::visit(OnSheet{sheet, theta < 0 ? -1 : 1}, drive);
 }
 
@@ -154,27 +154,27 @@ double spring_stiffness(const Drive& drive) {
   return hot ? hot->k_turn : 0;
 }
 
-DrivenLinkage driven(const Sheet& sheet, const Drive& drive) {
+DrivenLinkage driven(const Lattice& sheet, const Drive& drive) {
   return {sheet, drive_on(sheet, drive), exact_motion(sheet)};
 }
 
-std::vector<DrivenLinkage> driven(const Sheet& sheet, const std::vector<Drive>& drives) {
+std::vector<DrivenLinkage> driven(const Lattice& sheet, const std::vector<Drive>& drives) {
   std::vector<DrivenLinkage> all;
   for (const Drive& drive : drives) all.push_back(driven(sheet, drive));
   return all;
 }
 
-LinkageDrive drive_to(const Sheet& sheet, double theta) {
+LinkageDrive drive_to(const Lattice& sheet, double theta) {
   if (const Structure* squares = sheet.squares()) return drive_on(sheet, drive_to(*squares, theta));
   if (const SodaliteStructure* block = sheet.sodalite()) return drive_to(*block, theta);
   if (sheet.assembly()) return turned(sheet, -1, 0).to(theta);
   return drive_to(*sheet.planar(), theta);
 }
 
-std::function<DrivenLinkage(double)> changing(const Sheet& before, const Sheet& after,
+std::function<DrivenLinkage(double)> changing(const Lattice& before, const Lattice& after,
                                               const LinkageDrive& drive) {
   return [=](double part) {
-    const Sheet sheet = between(before, after, part);
+    const Lattice sheet = between(before, after, part);
     return DrivenLinkage{sheet, drive, exact_motion(sheet)};
   };
 }

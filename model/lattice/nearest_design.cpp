@@ -1,11 +1,11 @@
-#include "model/sheet/nearest_design.hpp"
+#include "model/lattice/nearest_design.hpp"
 
 #include <algorithm>
 
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/planar/exact_designs.hpp"
 #include "model/lattice/square/crease.hpp"
 #include "model/lattice/square/redrawn.hpp"
-#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -23,14 +23,14 @@ double change(const HingeParameters& a, const HingeParameters& b) {
   return d.squaredNorm();
 }
 
-NearestDesign compared(Sheet sheet, const Sheet& with) {
+NearestDesign compared(Lattice sheet, const Lattice& with) {
   NearestDesign out{std::move(sheet), {}};
   for (int h = 0; h < with.hinges(); ++h)
     if (change(out.sheet.hinge(h), with.hinge(h)) > same * same) out.changed.push_back(h);
   return out;
 }
 
-double distance(const Sheet& a, const Sheet& b) {
+double distance(const Lattice& a, const Lattice& b) {
   double sum = 0;
   for (int h = 0; h < a.hinges(); ++h) sum += change(a.hinge(h), b.hinge(h));
   return sum;
@@ -66,7 +66,7 @@ Structure aligned(Structure structure, Tilted which, bool centred) {
   return structure;
 }
 
-Sheet upright(Sheet sheet) {
+Lattice upright(Lattice sheet) {
   for (int h = 0; h < sheet.hinges(); ++h) {
     sheet.hinge(h).alpha = pi / 2;
     sheet.hinge(h).beta = 0;
@@ -76,8 +76,8 @@ Sheet upright(Sheet sheet) {
   return sheet;
 }
 
-std::vector<Sheet> candidates(const Sheet& sheet) {
-  std::vector<Sheet> all;
+std::vector<Lattice> candidates(const Lattice& sheet) {
+  std::vector<Lattice> all;
   if (const Structure* squares = sheet.squares())
     for (const Tilted which : {Tilted::both, Tilted::along_x, Tilted::along_y})
       for (const bool centred : {false, true}) all.push_back(aligned(*squares, which, centred));
@@ -89,12 +89,14 @@ std::vector<Sheet> candidates(const Sheet& sheet) {
 
 }  // namespace
 
-std::optional<NearestDesign> nearest_design(const Sheet& sheet) {
+std::optional<NearestDesign> nearest_design(const Lattice& sheet) {
   if (exact_motion(sheet)) return NearestDesign{sheet, {}};
-  std::vector<Sheet> all = candidates(sheet);
-  const auto nearer = [&](const Sheet& a, const Sheet& b) { return distance(a, sheet) < distance(b, sheet); };
+  std::vector<Lattice> all = candidates(sheet);
+  const auto nearer = [&](const Lattice& a, const Lattice& b) {
+    return distance(a, sheet) < distance(b, sheet);
+  };
   std::stable_sort(all.begin(), all.end(), nearer);
-  for (Sheet& one : all)
+  for (Lattice& one : all)
     if (exact_motion(one)) return compared(std::move(one), sheet);
   return std::nullopt;
 }

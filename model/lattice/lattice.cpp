@@ -1,4 +1,4 @@
-#include "model/sheet/sheet.hpp"
+#include "model/lattice/lattice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,7 @@ HingedWall wall_between(const Assembly& assembly, int hinge) {
 
 }  // namespace
 
-Sheet::Sheet(Assembly bodies) {
+Lattice::Lattice(Assembly bodies) {
   ImportedBodies own;
   own.hinges.resize(bodies.hinges.size());
   own.linkage = std::make_shared<const Linkage>(linkage_of(bodies));
@@ -54,16 +54,16 @@ Sheet::Sheet(Assembly bodies) {
   of_ = std::move(own);
 }
 
-const Assembly* Sheet::assembly() const {
+const Assembly* Lattice::assembly() const {
   const auto* bodies = std::get_if<ImportedBodies>(&of_);
   return bodies ? bodies->assembly.get() : nullptr;
 }
 
-const CellSize& Sheet::size() const {
+const CellSize& Lattice::size() const {
   return std::visit([](const auto& s) -> const CellSize& { return s.size; }, of_);
 }
 
-int Sheet::bodies() const {
+int Lattice::bodies() const {
   return std::visit(
       Each{[](const Structure& s) { return static_cast<int>(s.bodies.size()); },
            [](const PlanarStructure& s) { return static_cast<int>(s.graph.vertices.size()); },
@@ -72,11 +72,11 @@ int Sheet::bodies() const {
       of_);
 }
 
-int Sheet::hinges() const {
+int Lattice::hinges() const {
   return std::visit([](const auto& s) { return static_cast<int>(s.hinges.size()); }, of_);
 }
 
-int Sheet::cells() const {
+int Lattice::cells() const {
   return std::visit(Each{[](const Structure& s) { return static_cast<int>(s.cells.size()); },
                          [](const PlanarStructure& s) { return static_cast<int>(s.faces.size()); },
                          [](const SodaliteStructure& s) { return static_cast<int>(s.rings.size()); },
@@ -84,40 +84,40 @@ int Sheet::cells() const {
                     of_);
 }
 
-const HingeParameters& Sheet::hinge(int index) const {
+const HingeParameters& Lattice::hinge(int index) const {
   if (const Structure* s = squares()) return s->hinges[index].parameters;
   if (const SodaliteStructure* s = sodalite()) return s->hinges[index];
   if (const auto* s = std::get_if<ImportedBodies>(&of_)) return s->hinges[index];
   return planar()->hinges[index];
 }
 
-HingeParameters& Sheet::hinge(int index) {
+HingeParameters& Lattice::hinge(int index) {
   if (Structure* s = squares()) return s->hinges[index].parameters;
   if (SodaliteStructure* s = sodalite()) return s->hinges[index];
   if (auto* s = std::get_if<ImportedBodies>(&of_)) return s->hinges[index];
   return planar()->hinges[index];
 }
 
-HingedWall Sheet::wall(int hinge) const {
+HingedWall Lattice::wall(int hinge) const {
   return std::visit(Each{[hinge](const Structure& s) { return hinged_wall(s.hinges[hinge]); },
                          [hinge](const ImportedBodies& s) { return wall_between(*s.assembly, hinge); },
                          [hinge](const auto& s) { return hinged_wall(s, hinge); }},
                     of_);
 }
 
-std::span<const int> Sheet::cell_bodies(int cell) const {
+std::span<const int> Lattice::cell_bodies(int cell) const {
   if (const Structure* s = squares()) return s->cell_members[cell].bodies;
   if (const SodaliteStructure* s = sodalite()) return s->ring_bodies[cell];
   return planar()->faces[cell].vertices;
 }
 
-std::span<const int> Sheet::cell_hinges(int cell) const {
+std::span<const int> Lattice::cell_hinges(int cell) const {
   if (const Structure* s = squares()) return s->cell_members[cell].hinges;
   if (const SodaliteStructure* s = sodalite()) return s->ring_hinges[cell];
   return planar()->faces[cell].edges;
 }
 
-Eigen::Vector3d Sheet::rest_position(int body) const {
+Eigen::Vector3d Lattice::rest_position(int body) const {
   if (const Structure* s = squares()) return s->rest_position(body);
   if (const SodaliteStructure* s = sodalite()) return size().edge_mm * sodalite_place(*s, body);
   if (const Assembly* a = assembly()) return a->bodies[body].position;
@@ -125,11 +125,11 @@ Eigen::Vector3d Sheet::rest_position(int body) const {
   return {at.x(), at.y(), 0};
 }
 
-Sheet::operator Linkage() const {
+Lattice::operator Linkage() const {
   return std::visit([](const auto& s) -> Linkage { return s; }, of_);
 }
 
-std::string lattice_name(const Sheet& sheet) {
+std::string lattice_name(const Lattice& sheet) {
   if (sheet.squares()) return "square";
   if (sheet.sodalite()) return "sodalite";
   if (sheet.assembly()) return "bodies";
@@ -137,7 +137,7 @@ std::string lattice_name(const Sheet& sheet) {
   return lattice ? std::string(lattice->name) : "graph";
 }
 
-std::vector<int> body_label(const Sheet& sheet, int body) {
+std::vector<int> body_label(const Lattice& sheet, int body) {
   if (const Structure* s = sheet.squares()) return body_label(*s, body);
   if (const SodaliteStructure* s = sheet.sodalite()) {
     const std::array<int, 3> place = body_label(*s, body);
@@ -146,7 +146,7 @@ std::vector<int> body_label(const Sheet& sheet, int body) {
   return {body};
 }
 
-std::vector<int> cell_label(const Sheet& sheet, int cell) {
+std::vector<int> cell_label(const Lattice& sheet, int cell) {
   if (const Structure* s = sheet.squares()) return cell_label(*s, cell);
   if (sheet.sodalite()) return {cell};
   const auto& drawn = sheet.planar()->drawn.cells;
@@ -154,7 +154,7 @@ std::vector<int> cell_label(const Sheet& sheet, int cell) {
   return {drawn[cell][0], drawn[cell][1]};
 }
 
-std::string wall_name(const Sheet& sheet, int hinge) {
+std::string wall_name(const Lattice& sheet, int hinge) {
   if (const Structure* s = sheet.squares()) return to_string(s->hinges[hinge].wall);
   if (const Assembly* a = sheet.assembly()) return "`" + a->hinges[hinge].name + "`";
   if (sheet.sodalite()) {
@@ -164,7 +164,7 @@ std::string wall_name(const Sheet& sheet, int hinge) {
   return to_string(sheet.planar()->graph.edges[hinge]);
 }
 
-std::vector<std::vector<int>> body_columns(const Sheet& sheet) {
+std::vector<std::vector<int>> body_columns(const Lattice& sheet) {
   if (const Structure* s = sheet.squares()) return body_columns(*s);
   if (const PlanarStructure* s = sheet.planar()) return columns_of(s->graph.vertices);
   std::vector<Eigen::Vector2d> places;
@@ -173,7 +173,7 @@ std::vector<std::vector<int>> body_columns(const Sheet& sheet) {
   return columns_of(places);
 }
 
-void validate_hinges(const Sheet& sheet) {
+void validate_hinges(const Lattice& sheet) {
   if (const Structure* s = sheet.squares()) return validate_hinges(*s);
   if (const SodaliteStructure* s = sheet.sodalite()) return validate_hinges(*s);
   if (sheet.assembly()) return;

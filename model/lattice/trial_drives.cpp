@@ -1,4 +1,4 @@
-#include "model/sheet/trial_drives.hpp"
+#include "model/lattice/trial_drives.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,16 +7,16 @@
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/closure_drive.hpp"
+#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/square/lines.hpp"
 #include "model/linkage/actuators.hpp"
-#include "model/sheet/sheet_motion.hpp"
 
 namespace kinetix::model {
 namespace {
 
 class Trials {
  public:
-  Trials(const Sheet& sheet, const ExactMotion& exact, double theta)
+  Trials(const Lattice& sheet, const ExactMotion& exact, double theta)
       : sheet_(sheet),
         linkage_(sheet),
         exact_(exact),
@@ -104,7 +104,7 @@ class Trials {
     return cord_drive(linkage_, through, rest - now, theta_ < 0 ? -1 : 1);
   }
 
-  const Sheet& sheet_;
+  const Lattice& sheet_;
   const Linkage linkage_;
   const ExactMotion& exact_;
   const double theta_;
@@ -114,7 +114,7 @@ class Trials {
 
 }  // namespace
 
-std::vector<TrialDrive> trial_drives(const Sheet& sheet, const ExactMotion& exact, double theta) {
+std::vector<TrialDrive> trial_drives(const Lattice& sheet, const ExactMotion& exact, double theta) {
   require("theta", theta, theta != 0 && std::abs(theta) < pi / 2, "in (-pi/2, pi/2) rad, not 0");
   return Trials(sheet, exact, theta).all();
 }

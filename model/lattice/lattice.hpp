@@ -25,13 +25,13 @@ struct ImportedBodies {
 
 /// A flat sheet of any lattice, a block of one in space, with the parameters of its hinges, or imported bodies: what files, results and
 /// sweeps handle. Bodies, hinges and cells are counted from 0, in the order of the linkage that it makes.
-class Sheet {
+class Lattice {
  public:
-  Sheet() = default;
-  Sheet(Structure squares) : of_(std::move(squares)) {}
-  Sheet(PlanarStructure planar) : of_(std::move(planar)) {}
-  Sheet(SodaliteStructure block) : of_(std::move(block)) {}
-  explicit Sheet(Assembly bodies);
+  Lattice() = default;
+  Lattice(Structure squares) : of_(std::move(squares)) {}
+  Lattice(PlanarStructure planar) : of_(std::move(planar)) {}
+  Lattice(SodaliteStructure block) : of_(std::move(block)) {}
+  explicit Lattice(Assembly bodies);
 
   const CellSize& size() const;
   int bodies() const;
@@ -62,18 +62,18 @@ class Sheet {
 };
 
 /// "square", the name of the lattice that it is drawn by, "graph" or "bodies".
-std::string lattice_name(const Sheet& sheet);
+std::string lattice_name(const Lattice& sheet);
 
 /// What results call a body and a cell: as many integers as the lattice needs.
-std::vector<int> body_label(const Sheet& sheet, int body);
-std::vector<int> cell_label(const Sheet& sheet, int cell);
+std::vector<int> body_label(const Lattice& sheet, int body);
+std::vector<int> cell_label(const Lattice& sheet, int cell);
 /// A wall by its two vertices, as files have it; of imported bodies the hinge by its name.
-std::string wall_name(const Sheet& sheet, int hinge);
+std::string wall_name(const Lattice& sheet, int hinge);
 
 /// Bodies that lie on one line along y at rest, from the left; in a line from below.
-std::vector<std::vector<int>> body_columns(const Sheet& sheet);
+std::vector<std::vector<int>> body_columns(const Lattice& sheet);
 
 /// @throws InvalidInput, naming wall and value, for hinge parameters outside their ranges (NaN included)
-void validate_hinges(const Sheet& sheet);
+void validate_hinges(const Lattice& sheet);
 
 }  // namespace kinetix::model

@@ -1,4 +1,4 @@
-#include "model/sheet/turn_laws.hpp"
+#include "model/lattice/turn_laws.hpp"
 
 #include "model/lattice/square/family/classify.hpp"
 
@@ -23,7 +23,7 @@ void add_shifts(const Structure& squares, std::vector<TurnLaw>& laws) {
 
 }  // namespace
 
-std::vector<TurnLaw> turn_laws(const Sheet& sheet) {
+std::vector<TurnLaw> turn_laws(const Lattice& sheet) {
   std::vector<TurnLaw> laws = usual_turn_laws(sheet);
   if (sheet.squares() && !all_vertical(*sheet.squares())) add_shifts(*sheet.squares(), laws);
   return laws;

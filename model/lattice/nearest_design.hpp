@@ -3,13 +3,13 @@
 #include <optional>
 #include <vector>
 
-#include "model/sheet/sheet.hpp"
+#include "model/lattice/lattice.hpp"
 
 namespace kinetix::model {
 
 /// A design of the same cells that moves exactly, and what it changes.
 struct NearestDesign {
-  Sheet sheet;
+  Lattice sheet;
   std::vector<int> changed;  ///< hinges, ascending: they break the rule
 };
 
@@ -18,6 +18,6 @@ struct NearestDesign {
 /// along y alone; on upright hinges the places that close every cell; on other lattices than squares those that close every
 /// cell and keep every crease straight. The sheet itself where it moves exactly.
 /// @return nothing where none of these does
-std::optional<NearestDesign> nearest_design(const Sheet& sheet);
+std::optional<NearestDesign> nearest_design(const Lattice& sheet);
 
 }  // namespace kinetix::model

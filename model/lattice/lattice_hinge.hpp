@@ -1,10 +1,10 @@
 #pragma once
 
-#include "model/sheet/sheet.hpp"
+#include "model/lattice/lattice.hpp"
 
 namespace kinetix::model {
 
 /// A hinge of a sheet at rest, as its linkage has it.
-RestHinge rest_hinge(const Sheet& sheet, int hinge);
+RestHinge rest_hinge(const Lattice& sheet, int hinge);
 
 }  // namespace kinetix::model

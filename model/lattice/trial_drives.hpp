@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "model/lattice/lattice.hpp"
 #include "model/linkage/exact_motion.hpp"
-#include "model/sheet/sheet.hpp"
 
 namespace kinetix::model {
 
@@ -21,6 +21,6 @@ struct TrialDrive {
 /// one side from the first. Where the sheet moves exactly, each drive asks for what the closed
 /// form has at theta, and plates must keep its rows straight; else for what one checkerboard of squares has.
 /// @param theta rad, in (-pi/2, pi/2), not 0
-std::vector<TrialDrive> trial_drives(const Sheet& sheet, const ExactMotion& exact, double theta);
+std::vector<TrialDrive> trial_drives(const Lattice& sheet, const ExactMotion& exact, double theta);
 
 }  // namespace kinetix::model
