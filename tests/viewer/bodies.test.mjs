@@ -139,7 +139,7 @@ test("the report of a run draws bodies and soft parts, at rest and moved", async
   }));
   assert.equal(seen.faces.length, 2);
   for (const faces of seen.faces) assert.ok(faces >= 5 * 6 && faces <= 5 * 12, `${faces} of 60 triangles are seen`);
-  assert.equal(seen.facts.Bodies, "3, with 2 hinges");
+  assert.match(seen.facts.Bodies, /^3, with 2\shinges$/);
   assert.match(seen.facts["At rest"], /^59\.?\d* \u00d7 0\.80+ \u00d7 6/);
   assert.notEqual(seen.facts.Moved, seen.facts["At rest"]);
   assert.ok(seen.slider && seen.sections.includes("load") && !seen.sections.includes("layout"), seen.sections.join());

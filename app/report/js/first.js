@@ -85,8 +85,11 @@ function foldedShot(data, state = data.states.model, label = "The thing, folded"
   const seen = standingPlates(data, state).filter(({corners}) => !isBodies || isFaced(corners, eye));
   if (isBodies && !(seen.length > 0 && seen.length <= MOST_FACES)) return null;
   const shapes = seen.map((plate) => ({
-    polygon: outline(plate, project), depth: dot(mean(plate.corners), eye.away), corners: plate.corners
-  })).sort((a, b) => b.depth - a.depth);
+    polygon: outline(plate, project), depth: dot(mean(plate.corners), eye.away), corners: plate.corners, mesh: plate.mesh
+  }));
+  const depths = new Map();  // of bodies and soft parts, which hide each other as a whole
+  for (const {mesh, depth} of shapes) depths.set(mesh, Math.max(depths.get(mesh) ?? -Infinity, mesh ? depth : 0));
+  shapes.sort((a, b) => depths.get(b.mesh) - depths.get(a.mesh) || b.depth - a.depth);
   const lines = firstGoal(data).map((line) => line.map(project));
   const bare = (data.goal?.bare ?? []).map((line) => line.map(project));
   const fill = (corners) => litColour(corners, eye, colour("model-plate"), colour("model-shade"));

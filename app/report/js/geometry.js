@@ -54,7 +54,7 @@ function halfWalls(structure, hinge) {
 function solidFaces({bodies, hinges, meshes}) {
   const faces = (mesh, bodyOf) => mesh.triangles.map((triangle) => {
     const corners = triangle.map((p) => mesh.points[p]);
-    return {corners, bodies: corners.map(bodyOf), side: [0, 0, 0]};
+    return {mesh, corners, bodies: corners.map(bodyOf), side: [0, 0, 0]};
   });
   const half = ({a, b, point, across}) => (p) => (across && dot(across, subtract(p, point)) > 0 ? b : a);
   return [...meshes.bodies.flatMap((mesh, body) => faces(mesh, () => body)),
