@@ -15,7 +15,7 @@
 #include "app/viewer/assets.hpp"
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/crease_law.hpp"
+#include "model/hinge/crease_law.hpp"
 #include "model/lattice/planar/crease_pattern.hpp"
 
 namespace kinetix::app {

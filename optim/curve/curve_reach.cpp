@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/lattice/crease_law.hpp"
+#include "model/hinge/crease_law.hpp"
 
 namespace kinetix::optim {
 namespace {

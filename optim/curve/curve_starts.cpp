@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "model/lattice/crease_law.hpp"
+#include "model/hinge/crease_law.hpp"
 #include "model/lattice/square/numbering.hpp"
 
 namespace kinetix::optim {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/lattice/crease_law.hpp"
+#include "model/hinge/crease_law.hpp"
 #include "model/linkage/half_wall.hpp"
 
 namespace kinetix::optim {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/crease_law.hpp"
+#include "model/hinge/crease_law.hpp"
 #include "optim/fold/face_crossing.hpp"
 #include "optim/fold/looks_on_the_way.hpp"
 

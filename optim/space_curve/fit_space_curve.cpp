@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/crease_law.hpp"
+#include "model/hinge/crease_law.hpp"
 #include "model/lattice/square/family/classify.hpp"
 
 namespace kinetix::optim {

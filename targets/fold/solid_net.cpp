@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/crease_law.hpp"
+#include "model/hinge/crease_law.hpp"
 #include "model/lattice/planar/planar_crease.hpp"
 #include "targets/fold/fold_error.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/closure/drive_theta.hpp"
-#include "model/lattice/crease_law.hpp"
+#include "model/hinge/crease_law.hpp"
 #include "model/lattice/planar/exact_designs.hpp"
 #include "model/lattice/planar/planar_drive.hpp"
 #include "model/linkage/probe_thetas.hpp"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "model/lattice/crease_law.hpp"
+#include "model/hinge/crease_law.hpp"
 #include "model/lattice/square/structure.hpp"
 
 namespace kinetix::model {
@@ -38,7 +38,7 @@ void set_tilt(Structure& structure, const Crease& crease, double tilt);
 
 /// +1 where a positive tilt of the wall's crease lowers its far side (towards +x or +y) as theta grows from
 /// 0, -1 where it raises it. The same for all walls of a crease. Times crease_turn
-/// (model/lattice/crease_law.hpp) it is how far the far side turns below the plane of the near one.
+/// (model/hinge/crease_law.hpp) it is how far the far side turns below the plane of the near one.
 int turn_sense(const Wall& wall);
 
 }  // namespace kinetix::model

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/crease_law.hpp"
+#include "model/hinge/crease_law.hpp"
 
 namespace kinetix::model {
 namespace {

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/crease_law.hpp"
+#include "model/hinge/crease_law.hpp"
 #include "tests/support/curves.hpp"
 
 namespace kinetix::optim {

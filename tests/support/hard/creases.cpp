@@ -6,7 +6,7 @@
 #include "model/closure/closure.hpp"
 #include "model/closure/mobility.hpp"
 #include "model/closure/null_space.hpp"
-#include "model/lattice/crease_law.hpp"
+#include "model/hinge/crease_law.hpp"
 #include "model/lattice/origami/origami_sheet.hpp"
 #include "model/lattice/planar/planar_drive.hpp"
 #include "tests/support/creased.hpp"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "model/base/angle.hpp"
-#include "model/lattice/crease_law.hpp"
+#include "model/hinge/crease_law.hpp"
 #include "model/lattice/square/cell_rectangle.hpp"
 
 namespace kinetix::model {
