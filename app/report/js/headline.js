@@ -17,9 +17,12 @@ function failing(data) {
 
 /** Of a design, which had no target to meet. */
 function designVerdict(data) {
-  const {verified} = data.verdict;
+  const {met, verified} = data.verdict;
   if (verified === false)
     return {mark: "!", tone: "bad", title: "The physics run " + failing(data), text: physicsWords(data)};
+  const physics = verified ? ", and the physics run agrees" : "", text = verified ? physicsWords(data) : "";
+  if (met) return {mark: "\u2713", tone: "good", title: "The bodies end where they are pulled to" + physics, text};
+  if (met === false) return {mark: "\u2715", tone: "bad", title: "The bodies do not end where they are pulled to", text};
   return {
     mark: "i",
     tone: "unsure",

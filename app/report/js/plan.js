@@ -90,7 +90,7 @@ function stiffnessGroup({equilibrium}) {
   return group("Hinges and walls", facts([
                  ["Stretch of a point", finite(point) === null ? null : `${neat(point)} N/mm`],
                  ["Rotation", finite(turn) === null ? null : `${neat(turn)} N mm/rad`],
-                 ["Points at \u00b1", millimetres(reach)],
+                 ["Points at \u00b1", finite(reach) === null ? null : millimetres(reach)],
                  ["Walls in contact", finite(contact) === null ? null : `${neat(contact)} N/mm`],
                ]));
 }

@@ -196,7 +196,7 @@ class SceneView {
     const {from, to} = this.motion, moves = Math.abs(to - from) > 1e-9;
     if (moves) {
       const steps = {min: Math.min(from, to), max: Math.max(from, to), step: "any", value: this.theta};
-      this.slider = html("input", {type: "range", ...steps, "aria-label": "Fold angle", input: () => this.show(Number(this.slider.value))});
+      this.slider = html("input", {type: "range", ...steps, "aria-label": "Fold angle", ...(to < from ? {dir: "rtl"} : {}), input: () => this.show(Number(this.slider.value))});
       this.readout = html("output", {}, this.placeWords());
       this.button = html("button", {type: "button", click: () => this.play(!this.playing)}, "Play");
     }
