@@ -33,7 +33,7 @@ struct FollowedWay {
 
 std::string turn_words(const model::AssemblyMotion& m, const std::vector<model::AssemblyHinge>& hinges,
                        int driven) {
-  const double last = to_degrees(m.turns.back());
+  const double last = to_degrees(m.turns.back()) + 0.0;  // no -0
   if (m.reached)
     return fmt::format(
         "`{}` turned by {:.2f} deg; hinges stay closed within {:.1e} cell edges and {:.1e} rad",
@@ -58,7 +58,9 @@ FollowedWay turned_way(const Design& design, const model::Linkage& linkage, cons
   return out;
 }
 
-std::string pull_words(const model::Deployment& d, double seconds) {
+std::string pull_words(const model::Deployment& d, double seconds, bool is_stopped) {
+  if (!d.reached && is_stopped)
+    return fmt::format("stopped after {:.0f} % of the way on which bodies are pulled", 100 * d.shares.back());
   if (!d.reached)
     return fmt::format(
         "bodies follow their pull for {:.0f} % of the way and no further: hinges would have to open",
@@ -103,7 +105,7 @@ FollowedWay pulled_way(const Design& design, const model::Linkage& linkage, cons
   FollowedWay out{.way = {.reached = d.reached,
                           .last = d.states.back(),
                           .off = model::StateDistance{d.off_rms, d.off_max},
-                          .words = pull_words(d, watch.lap())},
+                          .words = pull_words(d, watch.lap(), options.stop.stop_requested())},
                   .gap = d.gap};
   out.way.missed = d.reached
                        ? pull_reasons(*body_pull_of(design), d, moved_by(d.states, linkage.size.edge_mm))

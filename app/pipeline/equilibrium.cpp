@@ -170,6 +170,7 @@ Run with_states(Run run, ElasticState state) {
 double reached_theta(const model::Lattice& sheet, const model::ExactMotion& exact,
                      const model::LinkageDrive& drive, const model::EquilibriumPath& path,
                      const model::Elasticity& elasticity) {
+  if (sheet.assembly()) return reached_drive(drive, path).theta();
   const double turned = model::mean_theta(sheet, path.state);
   if (!exact || path.off_closed_form || !drive.tells_fold()) return turned;
   try {

@@ -128,8 +128,10 @@ void RunVerdict::set(Flag flag, const Reasons& reasons, const std::string& hinge
   this->*flag = reasons.empty();
   hinges.emplace_back(flag_name(flag), hinge);
   for (const std::string& text : reasons) {
-    const auto same = [&](const Problem& p) { return p.level == Problem::Level::error && p.text == text; };
-    if (std::none_of(problems.begin(), problems.end(), same))
+    const auto says = [&](const Problem& p) {  // perhaps with what helps behind it
+      return p.level == Problem::Level::error && p.text.starts_with(text);
+    };
+    if (std::none_of(problems.begin(), problems.end(), says))
       problems.push_back({Problem::Level::error, text});
   }
 }
