@@ -51,7 +51,7 @@ function halfWalls(structure, hinge) {
 }
 
 /** Faces of imported bodies and of the halves of their soft parts at rest, drawn as plates without thickness. */
-function solidFaces({bodies, hinges, meshes}) {
+function solidFaces({hinges, meshes}) {
   const faces = (mesh, bodyOf) => mesh.triangles.map((triangle) => {
     const corners = triangle.map((p) => mesh.points[p]);
     return {mesh, corners, bodies: corners.map(bodyOf), side: [0, 0, 0]};
