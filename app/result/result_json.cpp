@@ -216,8 +216,6 @@ Json result_json(const Run& run) {
   if (run.goal) run.goal->add_sections(run, out);
   if (run.equilibrium) {
     out["equilibrium"] = equilibrium_json(*run.equilibrium);
-    if (run.design.structure.assembly())  // `structure.hinges` has the stiffness of each
-      out["equilibrium"]["stiffness"] = {{"k_contact", run.equilibrium->elasticity.k_contact}};
     out["equilibrium"]["other_side"] = run.equilibrium->is_on_the_other_side(run.theta);
     add_stable_states(run, out["equilibrium"]);
     out["timing_s"]["balance"] = run.timings.equilibrium;

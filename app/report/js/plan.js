@@ -84,9 +84,10 @@ function planGroup(data) {
       why.length ? html("ul", {class: "why"}, why.map((line) => html("li", {}, line))) : null);
 }
 
-function stiffnessGroup({equilibrium}) {
+function stiffnessGroup({equilibrium, structure}) {
   if (!equilibrium) return null;
-  const {k_point: point, k_turn: turn, reach_mm: reach, k_contact: contact} = equilibrium.stiffness;
+  const {k_point: point, k_turn: turn, reach_mm: reach, k_contact: contact} =
+      structure.isBodies ? {k_contact: equilibrium.stiffness.k_contact} : equilibrium.stiffness;  // bodies have that of each hinge
   return group("Hinges and walls", facts([
                  ["Stretch of a point", finite(point) === null ? null : `${neat(point)} N/mm`],
                  ["Rotation", finite(turn) === null ? null : `${neat(turn)} N mm/rad`],
