@@ -22,7 +22,7 @@ const std::vector<Material>& materials() {
        "nu and the "
        "strain, a little below yield, are estimates"},
       {"pa12", 1700, 0.4, 0.04,
-       "polyamide 12 of powder: Materials Technical Fact Lattice of HP 3D High Reusability PA 12, 1800 MPa, "
+       "polyamide 12 of powder: Materials Technical Fact Sheet of HP 3D High Reusability PA 12, 1800 MPa, "
        "nu "
        "0.43 to 0.47, "
        "yield at 0.1; E and nu are taken a little lower; the strain is an estimate, under half of that at "
