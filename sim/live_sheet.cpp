@@ -105,7 +105,7 @@ void LiveSheet::drive_to(const model::LinkageDrive& drive, const model::State& r
   push_.reset();
   theta_ = theta_in(drive, structure_, state_);
   drive_ = drive;
-  if (!drive.gripped[0].empty()) stand_between_plates(reference);
+  if (drive.has_plates()) stand_between_plates(reference);
   rebuild();
 }
 

@@ -32,7 +32,7 @@ double mean_turn(const model::Linkage& structure, const model::LinkageDrive& dri
 bool is_on_branch(const model::Linkage& structure, const model::LinkageDrive& drive,
                   const PhysicsOptions& options, const model::State& state) {
   const double least_turn = options.elastic ? -1e-6 : 0;
-  if (drive.held.empty() || drive.compression == 0) return true;
+  if (!drive.has_plates() || drive.compression == 0) return true;
   return drive.branch * mean_turn(structure, drive, state) > least_turn;
 }
 

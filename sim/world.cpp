@@ -142,7 +142,7 @@ struct World::Engine {
   }
 
   std::optional<Cord> make_cord() const {
-    if (!drive || drive->through.empty()) return std::nullopt;
+    if (!drive || !drive->only_pulls()) return std::nullopt;
     return Cord(structure, drive->through);
   }
 

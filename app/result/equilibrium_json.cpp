@@ -71,7 +71,7 @@ Json equilibrium_json(const Equilibrium& equilibrium) {
                {"path", steps},
                {"events", events},
                {"hinge_energy_Nmm", energies}};
-  if (!equilibrium.drive.springs.empty())
+  if (!equilibrium.drive.acts_from_outside())
     json["shape_memory"] = {{"springs", equilibrium.drive.springs.size()},
                             {"k_turn", equilibrium.drive.k_spring},
                             {"energy_Nmm", path.steps.back().springs},

@@ -85,7 +85,7 @@ std::string load_words(const Equilibrium& equilibrium) {
   if (equilibrium.drive.only_pulls())
     return equilibrium.path.steps.back().load < 0 ? "the cord is slack, it would have to push: tension "
                                                   : "tension ";
-  if (equilibrium.drive.springs.empty()) return "";
+  if (equilibrium.drive.acts_from_outside()) return "";
   return fmt::format("{:.4g} N mm from each of {} springs, together ", mean_moment(equilibrium),
                      equilibrium.drive.springs.size());
 }

@@ -9,7 +9,7 @@
 
 namespace kinetix::app {
 
-/// Names of walls whose plates are two a hinge.
+/// Names of the two walls of a pair of plates. A wall has two plates, one at each side of its hinge.
 std::array<std::string, 2> wall_names(const model::WallPair& walls, const model::Lattice& sheet);
 
 /// "walls A and B overlap as built" and what helps.

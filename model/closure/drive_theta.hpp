@@ -23,10 +23,10 @@ std::optional<double> theta_of_cord(const LinkageDrive& drive, const Linkage& li
 std::optional<double> folded_theta(const LinkageDrive& drive, double theta, const Linkage& linkage,
                                    const std::function<State(double)>& fold);
 
-/// The drive's coordinate in a state that it need not hold: of plates by the middles of their rows, of springs by mean_theta.
+/// The drive's coordinate in any state, held by the drive or not. Plates: by the middles of their rows; springs: by mean_theta.
 double coordinate_of(const LinkageDrive& drive, const Linkage& linkage, const State& state);
-/// What the load does work along, in a state, up to a constant: mm by which the first bodies that plates grip have come closer
-/// or a cord has become shorter, else rad. @pre not springs
+/// The coordinate that the load does work along, up to a constant. Plates: minus the distance of the first bodies that they grip, mm;
+/// a cord: minus its length, mm; a hinge: its turn, rad. @pre not springs
 double way_of(const LinkageDrive& drive, const Linkage& linkage, const State& state);
 /// The LinkageDrive::theta(), rad, at which a drive would have a state as it is: of a hinge and a cord by their turn and
 /// length, of plates and springs as mean_theta. Of a cord with the sign of the drive's own; 0 where it is slack.

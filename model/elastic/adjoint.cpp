@@ -122,7 +122,7 @@ class Adjoint {
   }
 
   void add_drive(Eigen::Matrix4Xd& out) const {
-    if (!system_.drive().through.empty()) return add_cord(out);
+    if (system_.drive().only_pulls()) return add_cord(out);
     const int driven = system_.driven_hinge();
     if (driven < 0) return;
     const TurnGradients derivatives = rates_of_turn(driven);

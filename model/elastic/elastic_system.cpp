@@ -279,7 +279,7 @@ bool ElasticSystem::update_multiplier(const State& state, double theta, double t
 
 double ElasticSystem::load(const State& state, double theta) const {
   if (holds_coordinate()) return -(multiplier_ + grip * drive_miss(state, theta));
-  if (!drive_.springs.empty()) return spring_load(state, theta);
+  if (!drive_.acts_from_outside()) return spring_load(state, theta);
   const Eigen::VectorXd g = gradient(state, theta);
   const int coordinate = 3 + axis();
   double force = 0;

@@ -17,7 +17,8 @@ void place_hinges(const std::vector<Eigen::Vector2d>& y, Lattice& sheet);
 /// The closed form of a sheet, by the rules of its lattice. Imported bodies have none: they follow their drive step by step.
 ExactMotion exact_motion(const Lattice& sheet);
 
-/// The drive by bodies and hinges; none for bodies that are pulled (model/assembly/deployment.hpp). A cord that pulls an exactly moving sheet to one side of flat goes there.
+/// The drive by bodies and hinges; none for bodies that are pulled (model/assembly/deployment.hpp). A cord that pulls an
+/// exactly moving sheet to one side of flat goes there.
 /// @param theta of the design, whose sign a drive takes that names no branch
 /// @throws InvalidInput for values out of range, plates that find nothing to hold, and a cord that nothing shortens
 LinkageDrive drive_on(const Lattice& sheet, const Drive& drive, double theta = 0);

@@ -7,6 +7,7 @@
 #include "model/base/angle.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/closure_drive.hpp"
+#include "model/closure/drive_theta.hpp"
 #include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/square/lines.hpp"
 #include "model/linkage/actuators.hpp"
@@ -50,17 +51,11 @@ class Trials {
     Plates drive{.axis = axis, .branch = theta_ < 0 ? -1 : 1};
     const LinkageDrive still = drive_on(sheet_, drive);
     drive.compression = 2 * std::pow(std::sin(theta_ / 2), 2);  // 1 - cos(theta) without its rounding
-    if (exact_) drive.compression = 1 - apart(still, folded_) / apart(still, rest_);
+    if (exact_) drive.compression = 1 - way_of(still, linkage_, folded_) / way_of(still, linkage_, rest_);
     if (!(drive.compression > 0)) throw InvalidInput("its rows go apart as the sheet folds");
     const LinkageDrive made = drive_on(sheet_, drive);
     if (exact_) exact_.theta_of(made);
     return made;
-  }
-
-  /// Distance along the axis of the first bodies that plates grip, mm.
-  static double apart(const LinkageDrive& plates, const State& state) {
-    const int d = component(plates.axis);
-    return state[plates.gripped[1].front()].p[d] - state[plates.gripped[0].front()].p[d];
   }
 
   LinkageDrive hinge(int h) const {

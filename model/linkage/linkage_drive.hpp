@@ -69,12 +69,12 @@ struct LinkageDrive {
   std::string coordinate_unit() const;
   /// As results name it: "compression", "shortened_mm" or "drive_rad".
   std::string coordinate_name() const;
-  /// What its value goes behind in a sentence: "cord shortened by".
+  /// The words before its value in a sentence: "cord shortened by".
   std::string coordinate_words() const;
 
-  /// Whether theta() tells how far the sheet is folded, and to which side; else of the drive alone.
+  /// Whether theta() is the fold parameter of the sheet; else it speaks of the drive alone.
   bool tells_fold() const;
-  /// Whether it comes closer with the square of theta to either side of flat, to that of its branch if it may.
+  /// Whether its coordinate grows with the square of theta to both sides of flat, so that `branch` chooses the side.
   bool has_branch() const;
   /// Whether plates hold bodies of it.
   bool has_plates() const;

@@ -7,7 +7,7 @@ Eigen::VectorXd path_direction(const ElasticSystem& system, const State& state, 
   Eigen::VectorXd pull = tangent.multiply_all(system.place_rate(placed_at));
   if (system.holds_coordinate())
     pull += -ElasticSystem::grip * system.driven_rate(placed_at) * system.driven_gradient(state);
-  if (!system.drive().springs.empty())
+  if (!system.drive().acts_from_outside())
     pull += system.drive().coordinate_rate(theta) * system.spring_gradient(state);
   const Eigen::VectorXd reduced = system.dofs().restrict(pull);
   Eigen::VectorXd along = tangent.solve(reduced);

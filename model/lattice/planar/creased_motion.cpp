@@ -134,7 +134,7 @@ std::string why_not_round(const PlanarStructure& s, const Redrawing& y, const Pl
 /// Plates keep what they grip in planes across their axis.
 void refuse_rows_that_bend(const LinkageDrive& drive, const Linkage& linkage,
                            const std::function<State(double)>& at) {
-  if (drive.gripped[0].empty()) return;
+  if (!drive.has_plates()) return;
   const int part = component(drive.axis);
   for (const double theta : probe_thetas) {
     const State state = at(theta);

@@ -126,7 +126,7 @@ GrippedRows outer_rotors(const SodaliteStructure& s, Axis axis) {
 
 /// Theta and turns of hinges apart by rounding: as the bodies of plates have it.
 void check_between_plates(const LinkageDrive& drive, const Linkage& linkage, const State& state) {
-  if (drive.gripped[0].empty()) return;
+  if (!drive.has_plates()) return;
   if (planes_of(drive.gripped, state).off_plane <= 1e-8 * linkage.size.edge_mm) return;
   throw InvalidInput("plates would hold rotors in a plane that leave it in the lattice's exact motion",
                      {"", 0, 0, "drive.axis"});

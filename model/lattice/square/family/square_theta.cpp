@@ -21,7 +21,7 @@ void refuse_plates_that_tilt(const LinkageDrive& drive, const Classification& ki
 }  // namespace
 
 double theta_of(const LinkageDrive& drive, const Classification& kind, const Structure& structure) {
-  if (!drive.gripped[0].empty()) {
+  if (drive.has_plates()) {
     if (kind.family == Family::planar) {
       refuse_rows_that_curve(drive, kind.redrawing);
     } else if (drive.grips_part || kind.family == Family::F4) {
