@@ -11,7 +11,7 @@
 namespace kinetix::bench {
 namespace {
 
-/// Of this process, by the system's name for it. bytes
+/// Returns a memory size of this process by the system's name for it, bytes.
 double memory(const std::string& name) {
   std::ifstream status("/proc/self/status");
   std::string key, rest;
@@ -20,7 +20,7 @@ double memory(const std::string& name) {
   return 0;
 }
 
-/// From now on the most that is in use counts anew.
+/// Restarts the record of the largest memory in use.
 void forget_peak() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
 CostAlone measured(const std::function<Cost()>& run) {

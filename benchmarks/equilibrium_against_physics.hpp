@@ -7,8 +7,8 @@
 
 namespace kinetix::bench {
 
-/// A row that compares the equilibrium with where the physics run of the same hinges settles, walls in contact: at most
-/// 1e-2 cell edges, rms, half of what a verification allows by default.
+/// Compares the equilibrium with the state where the physics run of the same hinges settles, walls in contact. The
+/// limit is 1e-2 cell edges, rms, half of what a verification allows by default.
 Figure equilibrium_against_physics(const std::string& name, const model::Structure& structure,
                                    const model::LinkageDrive& drive,
                                    const model::Elasticity& elasticity = {});

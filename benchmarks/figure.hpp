@@ -55,7 +55,7 @@ std::string solver_table();
 /// SVG picture: energy barrier of the twist unit against its in-plane hinge angle.
 std::string barrier_plot();
 
-/// SVG picture: the same of the paper's twist unit against the play of its pins.
+/// SVG picture: energy barrier of the paper's twist unit against the clearance of its pins.
 std::string play_plot();
 
 /// Markdown table and SVG picture: speed against error of every method on every scene.

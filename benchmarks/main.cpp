@@ -82,7 +82,7 @@ constexpr Group groups[] = {{"whole_runs", kinetix::bench::whole_run_figures, tr
                             {"mujoco", kinetix::bench::mujoco_figures},
                             {"search_peers", kinetix::bench::search_peer_figures}};
 
-/// What a group adds to the page beside its rows: the text of a section, or a picture.
+/// Addition of a group to the page next to its rows: the text of a section, or a picture.
 struct Extra {
   const char* group;
   const char* name;  ///< of the section's mark, or of the picture's file
@@ -90,14 +90,15 @@ struct Extra {
   bool is_picture() const { return std::string_view(name).ends_with(".svg"); }
 };
 
-// What else a group writes: pictures and sections of the page.
+// Additions of the groups: pictures and sections of the page.
 constexpr Extra extras[] = {{"stable_state", "twist_barrier.svg", kinetix::bench::barrier_plot},
                             {"play", "play_barrier.svg", kinetix::bench::play_plot},
                             {"physics", "solvers", kinetix::bench::solver_table},
                             {"speed_error", "speed error", kinetix::bench::speed_error_section},
                             {"speed_error", "speed_error.svg", kinetix::bench::speed_error_picture}};
 
-/// Its figures; where it ends with an error, one that says which: the hour of the others is not lost.
+/// Returns the figures of a group. If it ends with an error, returns one that names it, so that the hour of the others
+/// is not lost.
 std::vector<Figure> figures_of(const Group& group) {
   try {
     return group.measure();
@@ -106,7 +107,7 @@ std::vector<Figure> figures_of(const Group& group) {
   }
 }
 
-/// Appends the rows of a group, and says how long it took. @return whether all its figures are met
+/// Appends the rows of a group and reports its time. @return whether all its figures are met
 bool measure(const Group& group, std::string& table) {
   bool all_met = true;
   std::vector<Figure> figures;
@@ -121,7 +122,7 @@ bool measure(const Group& group, std::string& table) {
   return all_met;
 }
 
-/// Prints a section; puts it into the page as well, and a picture beside it, where there is a page.
+/// Prints a section. If there is a page, writes the section into it, and a picture next to it.
 void write(const Extra& extra, const std::string& page) {
   if (extra.is_picture() && page.empty()) return;
   const std::string text = extra.make();
@@ -140,7 +141,7 @@ std::vector<std::string> group_names(bool only_quick) {
   return names;
 }
 
-/// Some groups alone, printed.
+/// Measures and prints some groups alone.
 int measure_only(const std::vector<std::string>& names, const std::string& page) {
   std::string table;
   bool all_met = true;

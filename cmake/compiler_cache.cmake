@@ -1,4 +1,4 @@
-# Compilations go through ccache where it is installed. What it must overlook to serve sources that use a precompiled
+# Compilations use ccache if it is installed. The listed checks must be relaxed for sources with a precompiled
 # header: https://ccache.dev/manual/latest.html#_precompiled_headers
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)

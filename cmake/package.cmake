@@ -1,11 +1,11 @@
-# `make package`: kinetix_VERSION_ARCH.deb with program, library, documentation, manual, completion and, where it is
-# built, the Python module. What shared libraries it needs, dpkg-shlibdeps finds out.
+# `make package`: kinetix_VERSION_ARCH.deb with program, library, documentation, manual, completion and, if it
+# was built, the Python module. dpkg-shlibdeps finds the shared libraries that it needs.
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN "__pycache__" EXCLUDE)
 install(DIRECTORY targets/shapes targets/sweeps DESTINATION ${CMAKE_INSTALL_DATADIR}/kinetix/targets
   PATTERN "__pycache__" EXCLUDE PATTERN "*.py" EXCLUDE)
 
-# The headers and libraries that programs of one's own are linked with; fonts are for letters of displays.
+# Headers and libraries to link other programs with; the fonts are for letters of displays.
 file(STRINGS packages/program.txt for_programs REGEX "-dev$")
 list(JOIN for_programs ", " for_programs)
 

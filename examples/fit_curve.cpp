@@ -1,4 +1,4 @@
-// Designs a strip of cells that folds into a half circle of 60 mm radius, and prints how to make it.
+// Designs a strip of cells that folds into a half circle of 60 mm radius, and prints its parameters.
 #include <kinetix/kinetix.hpp>
 
 #include <cmath>

@@ -28,14 +28,14 @@ def unit(a):
 
 
 def rotated(quaternion, v):
-    """v turned by a unit quaternion."""
+    """Returns v turned by a unit quaternion."""
     w, axis = quaternion[0], quaternion[1:]
     twice = times(2, cross(axis, v))
     return add(v, add(times(w, twice), cross(axis, twice)))
 
 
 class Pose(object):
-    """A point p of a body's own frame, which starts at its rest position, is carried to position + R p."""
+    """Pose of a body. It moves point p of the body's frame (origin at the rest position) to position + R p."""
 
     def __init__(self, position, quaternion):
         self.position, self.quaternion = position, quaternion
@@ -45,7 +45,7 @@ class Pose(object):
 
 
 class Body(object):
-    """A rigid body: its name, where it is at rest, and its half walls as boxes of 8 corners in its own frame."""
+    """Rigid body: its name, its rest position, and its half walls as boxes of 8 corners in its own frame."""
 
     def __init__(self, name, rest):
         self.name, self.rest, self.boxes = name, rest, []
@@ -56,18 +56,18 @@ BOX_SIDES = [[2, 3, 1, 0], [5, 7, 6, 4], [1, 5, 4, 0], [6, 7, 3, 2], [4, 6, 2, 0
 
 
 def box(length, edge, up, thickness, height):
-    """Corners of a plate from the body's vertex along `edge`; the last bit of a corner's number is up, the one before
-    across, the first along."""
+    """Returns the corners of a plate from the body's vertex along `edge`. The bits of a corner's number are, from the
+    first: along, across, up."""
     across = cross(up, edge)
     return [add(times(along, edge), add(times(side, across), times(high, up)))
             for along in (0, length) for side in (thickness / 2, -thickness / 2) for high in (-height / 2, height / 2)]
 
 
 class Result(object):
-    """What a result.json holds.
+    """Content of a result.json.
 
-    `bodies`: in the order of all poses; `hinges`: as the file has them; `steps`: the motion from flat to the goal, a list
-    of poses each; `targets`: the folded state by model.
+    `bodies`: in the order of all poses. `hinges`: as in the file. `steps`: the motion from flat to the goal, a list of
+    poses per step. `targets`: the folded state by model.
     """
 
     def __init__(self, path):
@@ -101,7 +101,7 @@ class Result(object):
         return [Pose(body.rest, [1.0, 0.0, 0.0, 0.0]) for body in self.bodies]
 
     def add_walls(self, hinge, thickness, height):
-        """The half walls on both sides of a hinge; a wall's height is along what is left of the hinge's axis normal to it."""
+        """Adds the half walls of a hinge. A wall's height is along the component of the hinge's axis normal to it."""
         lower, upper = (self.bodies[b] for b in hinge["bodies"])
         whole = add(upper.rest, times(-1, lower.rest))
         edge = unit(whole)
@@ -112,7 +112,7 @@ class Result(object):
         upper.boxes.append(box((1 - hinge["t"]) * length, times(-1, edge), up, thickness, height))
 
     def poses_at(self, part):
-        """Poses at a part of the motion, 0 (flat) to 1: on the way between two steps straight, and turned evenly."""
+        """Returns the poses at a part of the motion, 0 (flat) to 1. Linear between two steps."""
         place = min(max(part, 0.0), 1.0) * (len(self.steps) - 1)
         k = min(int(place), len(self.steps) - 2)
         return [between(a, b, place - k) for a, b in zip(self.steps[k], self.steps[k + 1])]
@@ -123,7 +123,7 @@ def name_of(body):
 
 
 def keep_signs(before, after):
-    """q and -q are one rotation; programs that mix them between steps need the nearer one."""
+    """Selects the nearer of q and -q, which are one rotation, for programs that interpolate between steps."""
     for a, b in zip(before, after):
         if dot(a.quaternion, b.quaternion) < 0:
             b.quaternion = times(-1, b.quaternion)

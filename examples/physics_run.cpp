@@ -1,4 +1,4 @@
-// Folds a sheet in the rigid-body engine, which knows nothing of the closed form, and compares the two.
+// Folds a sheet in the rigid-body engine, which does not use the closed form, and compares the two.
 #include <kinetix/kinetix.hpp>
 
 #include <cstdio>

@@ -1,10 +1,11 @@
-// How much of an arch's scatter comes from its tilts, and how much from the angle it is folded to?
+// Compares the scatter of an arch's rise caused by its tilts with that caused by its fold angle.
 #include <kinetix/kinetix.hpp>
 
 #include <cstdio>
 #include <vector>
 
-// Rise of an arch of 20 columns of 10 mm, mm. Tilts are alike but for their sign: all columns turn one way.
+// Returns the rise of an arch of 20 columns of 10 mm, mm. The tilts differ only in sign: all columns turn in
+// one direction.
 double rise_mm(double tilt_deg, double theta_deg) {
   kinetix::ExactDesign<double> arch = kinetix::ExactDesign<double>::basic(20, 1);
   for (int c = 0; c < 20; ++c) arch.beta[c] = (c % 2 ? -tilt_deg : tilt_deg) * kinetix::radians_per_degree;
@@ -15,7 +16,7 @@ double rise_mm(double tilt_deg, double theta_deg) {
 }
 
 int main() {
-  // What the makers promise, with one standard deviation: 10 +- 0.2 deg of tilt, folded to 30 +- 1 deg.
+  // Manufacturing tolerances, one standard deviation: 10 +- 0.2 deg of tilt, folded to 30 +- 1 deg.
   const std::vector<kinetix::Factor> factors = {{"tilt", kinetix::NormalSpread{.mean = 10, .sd = 0.2}},
                                                 {"fold angle", kinetix::NormalSpread{.mean = 30, .sd = 1}}};
   const kinetix::SamplePlan plan(factors, {.method = kinetix::SamplingMethod::saltelli, .samples = 1024});

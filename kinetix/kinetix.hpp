@@ -1,8 +1,8 @@
 #pragma once
 
-/// What a program that uses kinetix starts from, by one include and in one namespace: kinetix::fit_curve,
-/// kinetix::trace_equilibrium, ... Lengths in mm, angles in rad, forces in N. What is not named here is in
-/// the namespace and the folder of its room, such as kinetix::model::null_space in
+/// Public interface of the library in one include and one namespace: kinetix::fit_curve,
+/// kinetix::trace_equilibrium, ... Lengths in mm, angles in rad, forces in N. Names that are not listed here
+/// are in the namespace and the folder of their room, such as kinetix::model::null_space in
 /// model/closure/null_space.hpp.
 
 #include "model/base/angle.hpp"
@@ -42,8 +42,8 @@
 #include "targets/space_curve/space_goal.hpp"
 #include "targets/surface/surface_patch.hpp"
 
-// Memory passes between a program and the library, so both must align it alike. Eigen aligns it by the widest vectors
-// that it sees; the library and Debian's libceres are built for those of SSE.
+// Memory is passed between a program and the library, so both need the same alignment. Eigen aligns it by the
+// widest vectors that it sees; the library and Debian's libceres are built for those of SSE.
 static_assert(EIGEN_DEFAULT_ALIGN_BYTES == 16 && EIGEN_MAX_STATIC_ALIGN_BYTES == 16,
               "kinetix needs Eigen to align memory to 16 bytes. Link the CMake target kinetix::kinetix, or "
               "compile with "
@@ -75,7 +75,7 @@ using model::Vertex;
 using model::Wall;
 /// @}
 
-/// @name How it moves: exact families, degrees of freedom, walls in the way
+/// @name Motion: exact families, degrees of freedom, collisions
 /// @{
 using model::aligned_distance;
 using model::apply;
@@ -138,7 +138,7 @@ using targets::SpaceGoal;
 using targets::SurfacePatch;
 /// @}
 
-/// @name Searches: for the goals above, and for a problem of one's own
+/// @name Searches: for the goals above, and for custom problems
 /// @{
 using optim::AngleRange;
 using optim::CurveDesign;
@@ -187,7 +187,7 @@ using optim::UniformRange;
 using optim::ValueList;
 /// @}
 
-/// @name The physics run
+/// @name Simulation
 /// @{
 using sim::PhysicsOptions;
 using sim::PhysicsResult;

@@ -29,7 +29,7 @@ class Plates final : public Actuator {
       const std::vector<int>& row = drive.gripped[side];
       rows_[side] = structure.bodies[row.front()].position[coordinate()];
       for (const int b : row) {
-        // Of a block in space any rotor may have to spin or to slide; its other rigid motions meet no force.
+        // A rotor of a block in space may have to spin or slide; its other rigid motions are free of forces.
         const bool is_key = b == row[row.size() / 2] && !structure.bodies[b].spin;
         const Pin pin = is_key ? Pin::keyed : Pin::sliding;
         add(side, pin, *bodies[b], error_reduction);
@@ -68,7 +68,7 @@ class Plates final : public Actuator {
  private:
   int coordinate() const { return axis_ == model::Axis::x ? 0 : 1; }
 
-  /// Sign along the axis.
+  /// Returns the inward sign along the axis.
   static double inward(int side) { return side == 0 ? 1 : -1; }
   int side_of(btGeneric6DofSpring2Constraint& joint) const {
     return &joint.getRigidBodyA() == &plates_[0] ? 0 : 1;
@@ -91,8 +91,8 @@ class Plates final : public Actuator {
   bool press_;
   std::array<double, 2> rows_{};  ///< cell edges
   std::array<btRigidBody, 2> plates_{btRigidBody(0, nullptr, nullptr), btRigidBody(0, nullptr, nullptr)};
-  std::vector<Joint> joints_;  ///< of each body with its plate
-  std::vector<Joint> keys_;    ///< plates that press: to the plane z = 0
+  std::vector<Joint> joints_;  ///< joint of each body with its plate
+  std::vector<Joint> keys_;    ///< joints to the plane z = 0, for plates that press
 };
 
 class DrivenHinge final : public Actuator {
@@ -116,7 +116,7 @@ class DrivenHinge final : public Actuator {
   double angle_ = 0;
 };
 
-/// Times a hinge point: many times stiffer, and not so stiff that rounding drowns the hinges' forces.
+/// Over the stiffness of a hinge point: many times stiffer, but rounding must not drown the hinges' forces.
 constexpr double held_stiffness = 1e4;
 
 class DrivenSpring final : public Actuator {
@@ -148,7 +148,7 @@ class DrivenSpring final : public Actuator {
   double angle_ = 0;
 };
 
-/// Springs of shape memory, which ask for no place of their own: there is no gap.
+/// Springs of shape memory. They have no target position, so there is no gap.
 class HeatedSprings final : public Actuator {
  public:
   HeatedSprings(const model::Linkage& structure, const model::LinkageDrive& drive, double weight,
@@ -186,7 +186,7 @@ class PulledCord final : public Actuator {
   std::vector<btGeneric6DofSpring2Constraint*> joints() const override { return {}; }
   void move_to(double theta) override { cord_.shorten_to(rest_ * std::cos(theta)); }
 
-  /// A slack cord is short enough.
+  /// Returns the excess length; a slack tendon has no gap.
   double gap() const override {
     model::State state(bodies_.size());
     for (std::size_t b = 0; b < bodies_.size(); ++b)
@@ -195,7 +195,7 @@ class PulledCord final : public Actuator {
   }
 
  private:
-  const double edge_mm_, rest_;  ///< of the cord: cell edges
+  const double edge_mm_, rest_;  ///< rest length of the tendon: cell edges
   const Bodies& bodies_;
   Cord& cord_;
 };

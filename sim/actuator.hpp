@@ -13,24 +13,26 @@ namespace kinetix::sim {
 class Cord;
 class ElasticHinges;
 
-/// A drive in the engine: its joints, and what moves them.
+/// Drive in the engine: its joints, and what moves them.
 class Actuator {
  public:
   virtual ~Actuator() = default;
   virtual std::vector<btGeneric6DofSpring2Constraint*> joints() const = 0;
-  /// @param theta of the drive, with sign, rad
+  /// Moves the drive. @param theta of the drive, with sign, rad
   virtual void move_to(double theta) = 0;
-  /// Distance from where it should be: cell edges for plates, rad for a hinge; NaN if a body's place is. Of plates
-  /// that press how far a body lies behind its plate.
+  /// Returns the distance from the target: cell edges for plates, rad for a hinge; NaN if the place of a body
+  /// is NaN. For plates that press it is the distance of a body behind its plate.
   virtual double gap() const = 0;
 };
 
-/// @param bodies in the structure's order; they must outlive the actuator
-/// @param error_reduction part of a gap removed per step, (0, 1]
-/// @param elastic null for rigid hinges; else a driven hinge is driven through them, and they must outlive
-/// the actuator, as must the structure
-/// @param spring_weight shape memory: of each spring over the stiffness of a hinge point, as Stiffness::turn
-/// @param cord that of a drive that pulls one; must outlive the actuator
+/// Makes the drive of a structure.
+/// @param bodies in the structure's order; they must outlive the actuator.
+/// @param error_reduction fraction of a gap removed per step, (0, 1].
+/// @param elastic null for rigid hinges. Otherwise a driven hinge is driven through them. They and the
+/// structure must outlive the actuator.
+/// @param spring_weight shape memory: stiffness of each spring over that of a hinge point, as
+/// Stiffness::turn.
+/// @param cord tendon of a drive that pulls one; must outlive the actuator.
 /// @pre shape memory has elastic hinges
 std::unique_ptr<Actuator> make_actuator(const model::Linkage& structure, const model::LinkageDrive& drive,
                                         const std::vector<std::unique_ptr<btRigidBody>>& bodies,

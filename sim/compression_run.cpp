@@ -17,10 +17,10 @@
 namespace kinetix::sim {
 namespace {
 
-constexpr int least_window_steps = 100;  // since the drive's end: fewer show of a slow swing too little
-constexpr int window_steps = 200;  // time steps at the end, enough for what goes to and fro to show how far
-constexpr int few_steps = 8;       // downhill: a soft mode takes more
-constexpr double least_force = 1e-9;  // k_point edge: below, a structure is at rest where it stands
+constexpr int least_window_steps = 100;  // since the drive's end: fewer show too little of a slow swing
+constexpr int window_steps = 200;     // time steps at the end: enough to show the amplitude of an oscillation
+constexpr int few_steps = 8;          // downhill: a soft mode takes more
+constexpr double least_force = 1e-9;  // k_point edge: below, a structure is at rest
 
 using Clock = std::chrono::steady_clock;
 
@@ -79,7 +79,7 @@ class Run {
     show();
   }
 
-  /// Elastic: parts run downhill freely, and stop whenever they are past the deepest point of their way.
+  /// Stops parts past the deepest point of their path; elastic only. Otherwise damps all speeds.
   void calm() {
     if (!options_.elastic) return world_.parts().damp(damping_);
     const double energy = world_.parts().kinetic_energy();
@@ -94,8 +94,9 @@ class Run {
     }
   }
 
-  /// A linearised step may lead past the deepest point, the next one back past it, for ever. Parts that are past it after a
-  /// few steps, the longest of which was no shorter than half the longest of the time before, go half as far from now on.
+  /// Adapts the longest motion per step. A linearised step may overshoot the deepest point, and the next one
+  /// overshoot back, without end. Parts move half as far from now on if they are past that point after a few
+  /// steps, the longest of which was at least half of the previous longest. Otherwise the limit doubles.
   void limit_way() {
     const bool jumps = steps_downhill_ <= few_steps && way_ >= way_before_ / 2;
     longest_way_ = jumps ? way_ / 2 : 2 * longest_way_;
@@ -133,14 +134,14 @@ class Run {
     return world_.free_force() <= limit && way * std::max(way, force) <= limit;
   }
 
-  /// Whatever moved before, nothing is left that does.
+  /// Returns whether the parts are at rest, and then clears the residual motion.
   bool comes_to_rest() {
     const bool rests = is_at_rest();
     if (rests) result_.residual_motion = 0;
     return rests;
   }
 
-  /// Looks at the last steps before the time is up.
+  /// Returns whether parts stayed within the allowed residual motion over the last steps.
   bool stays_in_place() {
     if (!options_.elastic || options_.settle_residual_motion == 0 ||
         all_steps_ - drive_steps_ < least_window_steps || result_.steps < all_steps_ - window_steps)
@@ -184,17 +185,17 @@ class Run {
   const PhysicsObserver& observer_;
   const double theta_;
   const int drive_steps_, all_steps_;
-  const double rate_;  ///< mean of theta's, rad/s
+  const double rate_;  ///< mean rate of theta, rad/s
   const double damping_;
   const std::vector<model::Twist> start_;
   World world_;
   PhysicsResult result_;
   double energy_ = std::numeric_limits<double>::infinity();  ///< kinetic, at the last step of settling
   int steps_downhill_ = 0;                                   ///< since parts stopped
-  // Cell edges or rad, of the fastest part in the longest of these steps, the time before, and at most.
+  // Largest motion of a part per step, cell edges or rad: since parts stopped, before that, and its limit.
   double way_ = 0, way_before_ = std::numeric_limits<double>::infinity(),
          longest_way_ = std::numeric_limits<double>::infinity();
-  model::State window_;  ///< the state at the first of the last steps
+  model::State window_;  ///< state at the first of the last steps
   double next_frame_s_ = 0;
   int last_frame_ = -1;
 };

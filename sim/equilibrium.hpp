@@ -5,8 +5,8 @@
 
 namespace kinetix::sim {
 
-/// Largest force that a point or the turning spring (as a moment over the cell edge) of any hinge exerts, in
-/// units of k_point edge.
+/// Returns the largest force that any hinge exerts by a point or by the turning spring (moment over the cell
+/// edge), in units of k_point edge.
 double largest_hinge_force(const model::Linkage& structure, const model::State& state,
                            const model::Stiffness& stiffness);
 

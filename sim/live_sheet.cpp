@@ -19,21 +19,22 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double hand_stiffness =
-    300;                       // part mass / s^2, a part of the sheet: it follows within a tenth of a second
-constexpr double damping = 4;  // 1/s, of all speeds: a sheet that is let go stands still after a second
+    300;                       // part mass / s^2, per part of the sheet: it follows within a tenth of a
+                               // second
+constexpr double damping = 4;  // 1/s, of all speeds: a released sheet stops after a second
 constexpr double pulled_damping =
-    60;  // 1/s, likewise under a cord, which holds nothing back: a sheet goes no further than it is pulled
-constexpr double drive_speed = 1;  // rad of theta a second: a fold takes about one
-constexpr double longest_way =
-    0.1;  // cell edges or rad a step: further on, what was linearised tells nothing
+    60;  // 1/s, with a tendon, which does not hold the sheet back: it moves no further than pulled
+constexpr double drive_speed = 1;    // rad of theta per second: a fold takes about one
+constexpr double longest_way = 0.1;  // cell edges or rad per step: linearisation is inaccurate beyond
 constexpr double shortest_way =
-    1e-6;                      // likewise: a sheet that cannot go so far without gaining energy stands
+    1e-6;                      // cell edges or rad per step: below, a sheet that only moves by gaining energy
+                               // is at rest
 constexpr double fall = 10;    // cell edges / s^2: weight shows within a second and does not tear hinges
-constexpr double newton = 30;  // part mass edge / s^2: a push of 1 N where hinges are rigid
-constexpr double flat_theta = 0.01;       // rad: below, a hand that presses finds no lever arm
+constexpr double newton = 30;  // part mass edge / s^2: a push of 1 N with rigid hinges
+constexpr double flat_theta = 0.01;       // rad: below, a pressing hand has no lever arm
 constexpr double flat_push = 0.5;         // rad / s^2 that then turns the parts to the side of positive theta
-constexpr double resting_speed = 1e-4;    // cell edges/s or rad/s: nobody sees it
-constexpr double widest_gap = 0.5;        // cell edges, of a hinge: the sheet would not have held
+constexpr double resting_speed = 1e-4;    // cell edges/s or rad/s: not visible
+constexpr double widest_gap = 0.5;        // cell edges, of a hinge: beyond, the sheet would have come apart
 constexpr double point_stiffness = 1000;  // of a hinge point, part masses / step^2 (PhysicsOptions::elastic)
 
 Vector3d in_rest_frame(const model::Linkage& structure, int body, const Vector3d& at) {
@@ -109,7 +110,8 @@ void LiveSheet::drive_to(const model::LinkageDrive& drive, const model::State& r
   rebuild();
 }
 
-/// Plates close in on the middle of the flat sheet, and hold a body of each row at its height.
+/// Moves the sheet between the plates, which close in on the middle of the flat sheet and hold a body of each
+/// row at its height.
 void LiveSheet::stand_between_plates(const model::State& reference) {
   state_ = aligned(state_, reference);
   const int along = drive_->axis == model::Axis::x ? 0 : 1;
@@ -153,7 +155,7 @@ void LiveSheet::apply_forces() {
   if (gravity_ || push_) world_->parts().start(kicks, options_.step_s);
 }
 
-/// The flat state is a dead point: forces in its plane have no lever arm.
+/// Pushes parts off the flat state. It is a dead point, since forces in its plane have no lever arm.
 void LiveSheet::leave_flat() {
   if (!is_pulled()) return;
   const double theta = mean_theta(structure_, state_), goal = drive_ ? drive_->theta() : 1;
@@ -165,8 +167,8 @@ bool LiveSheet::holds(const model::State& next) const {
   return hinge_gaps(structure_, next).max <= widest_gap;
 }
 
-/// Takes the new state over, or stays where hinges would have broken, numbers overflowed, or energy came from nowhere:
-/// then the next step is shorter.
+/// Accepts the new state. Keeps the old one and shortens the next step if hinges would have broken, numbers
+/// overflowed, or energy grew without a source.
 void LiveSheet::accept(double before) {
   model::State next = world_->parts().state();
   const bool grows = !is_pulled() && !(potential_energy(next) <= before);
@@ -187,7 +189,7 @@ void LiveSheet::keep_energy(double before) {
   world_->parts().damp(kinetic > excess ? std::sqrt((kinetic - excess) / kinetic) : 0);
 }
 
-/// Of 1 N: part mass edge / s^2, the other way round.
+/// Returns the force of 1 part mass edge / s^2 in N.
 double LiveSheet::force_unit() const {
   if (!options_.elastic) return 1 / newton;
   const double k = point_stiffness / (options_.step_s * options_.step_s);

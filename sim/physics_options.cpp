@@ -9,9 +9,9 @@
 namespace kinetix::sim {
 namespace {
 
-// Of values without an upper limit: any finite number, in whatever unit, is allowed.
+// Marks values without an upper limit: any finite number, in any unit, is allowed.
 constexpr double no_limit = std::numeric_limits<double>::max();
-constexpr double most_steps = 1e7;  // time steps: a mistyped step_s gives a message, not a run without end
+constexpr double most_steps = 1e7;  // time steps: a mistyped step_s gives a message instead of an endless run
 
 void positive(const char* field, double value, double largest = no_limit) {
   if (value > 0 && value <= largest) return;

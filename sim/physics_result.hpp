@@ -6,22 +6,21 @@
 
 namespace kinetix::sim {
 
-/// The two parts of a state that overlap most, or come closest to it.
+/// The two parts of a state that overlap most or are closest to overlapping.
 struct PartContact {
-  int first = -1, second = -1;  ///< bodies; -1 where no parts touch
+  int first = -1, second = -1;  ///< bodies; -1 if no parts touch
   double depth = 0;             ///< overlap, cell edges; slightly negative for parts that just touch
 
   bool touches() const { return first >= 0; }
 };
 
-/// Outcome of a physics run. Only a settled one is a result to trust.
+/// Outcome of a simulation. Only a settled one is a valid result.
 struct PhysicsResult {
   enum class Status {
     settled,             ///< at rest, hinges (unless elastic) and drive within gap_limit
-    not_settled,         ///< still moving when the time was up
-    hinge_gap_exceeded,  ///< a hinge is open by more than gap_limit (or was by more than tear_limit);
-                         ///< elastic: by more than stretch_limit
-    drive_missed,        ///< the hinges hold, but the drive is off by more than gap_limit
+    not_settled,         ///< still moving at the end of the time
+    hinge_gap_exceeded,  ///< a hinge gap exceeds gap_limit (or exceeded tear_limit); elastic: stretch_limit
+    drive_missed,        ///< hinges within limits, but the drive is off by more than gap_limit
     wrong_branch,        ///< plates: the sheet folded to the other sign of theta
     blocked,  ///< parts touch, and the (rigid) hinges or the drive give way or the parts overlap; ends the
               ///< run
@@ -30,15 +29,15 @@ struct PhysicsResult {
 
   Status status = Status::not_settled;
   std::string why;        ///< the status in words, with its numbers
-  model::State state;     ///< last state, mm, in the structure's body order; not finite where it blew up
+  model::State state;     ///< last state, mm, in the structure's body order; not finite if it blew up
   model::HingeGaps gaps;  ///< of that state
   double drive_gap = 0;   ///< largest distance of a gripped body from its plate, cell edges, or of the driven
                           ///< hinge from its angle, rad
   PartContact contact;    ///< in that state
-  double residual_motion = 0;  ///< of parts that still go to and fro at the end, cell edges or rad at half an
+  double residual_motion = 0;  ///< of parts that still oscillate at the end, cell edges or rad at half an
                                ///< edge (PhysicsOptions::settle_residual_motion)
-  int steps = 0;               ///< taken
-  double simulated_s = 0;      ///< time that passed in the simulation, s
+  int steps = 0;               ///< steps taken
+  double simulated_s = 0;      ///< simulated time, s
   double seconds = 0;          ///< wall-clock time of the run, s
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Part mass / s^2, of all springs of a body: it follows its place within a hundredth of the time of a run.
+// Part mass / s^2, of all springs of a body: it follows its target within a hundredth of the run's time.
 constexpr double pull_stiffness = 1e3;
 
 int whole_steps(double seconds, double step_s) {

@@ -6,9 +6,9 @@
 
 namespace kinetix::sim {
 
-/// Pulls every body of a structure towards a place of its own in the engine, by springs at pull_points(), with rigid hinges and
-/// contact, until nothing moves. The springs' places go from rest to the pull as the drive of a compression run does; the run
-/// knows nothing of closed states, only of hinges.
+/// Pulls every body of a structure towards its own target in the engine until nothing moves. Springs act at
+/// pull_points(), with rigid hinges and contact. Their targets move from rest to the pull as the drive of a
+/// compression run does. The run uses the hinges only, not the closed states.
 /// @return as run_compression; there is no drive, so no drive_missed
 /// @throws InvalidInput as run_with_parts
 PhysicsResult run_pull(const model::Linkage& structure, const model::Pull& pull,

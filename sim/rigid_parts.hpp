@@ -14,45 +14,44 @@ namespace kinetix::sim {
 
 struct ContactParts;
 
-/// The bodies of a structure in the engine, and how they move. Units: cell edge 1, part mass 1, s.
+/// Bodies of a structure in the engine, and their motion. Units: cell edge 1, part mass 1, s.
 ///
-/// The quasi-static answer depends on neither mass nor inertia, so those are chosen for the solver: equal
+/// The quasi-static result depends on neither mass nor inertia, so those are chosen for the solver: equal
 /// masses, the same inertia about every axis, centre of mass on the vertex.
 class RigidParts {
  public:
   static constexpr double mass = 1;  ///< of every part, the unit of mass
 
   /// @param structure must outlive this
-  /// @param parts what bodies collide with; null: their walls
+  /// @param parts collision shapes of the bodies; null: their walls
   RigidParts(const model::Linkage& structure, const PhysicsOptions& options,
              const ContactParts* parts = nullptr);
   ~RigidParts();
 
-  /// In the structure's order; their user indices are their indices in it.
+  /// Returns the bodies in the structure's order; their user indices are their indices in it.
   const std::vector<std::unique_ptr<btRigidBody>>& bodies() const { return bodies_; }
 
-  /// Adds to the bodies' turning speeds what takes theta away from flat: +rate about z for class A, -rate for
-  /// class B. @param rate rad/s
+  /// Adds turning speeds that move theta away from flat: +rate about z for sublattice A, -rate for B.
+  /// @param rate rad/s
   void push(double rate);
   /// Adds a motion to the bodies' speeds. @param motion one twist per body, v in cell edges; @param rate 1/s
   void start(const std::vector<model::Twist>& motion, double rate);
   /// Multiplies all speeds. @param factor in [0, 1]
   void damp(double factor);
 
-  /// Puts all bodies there, at rest. @param state mm
+  /// Sets the state of all bodies, at rest. @param state mm
   void place(const model::State& state);
 
   model::State state() const;  ///< mm
-  /// Linear and angular, of each body, edges/s and rad/s.
+  /// Returns linear and angular speed of each body, edges/s and rad/s.
   std::vector<Vector6> speeds() const;
-  /// Largest speed or turning speed, edges/s or rad/s; NaN if one is NaN.
+  /// Returns the largest speed or turning speed, edges/s or rad/s; NaN if one is NaN.
   double fastest() const;
-  /// Largest turning speed of two parts that share a hinge against each other, rad/s; NaN if one is NaN.
+  /// Returns the largest relative turning speed of two parts that share a hinge, rad/s; NaN if one is NaN.
   double fastest_hinge() const;
-  double kinetic_energy() const;  ///< part mass edge^2 / s^2
-  /// Largest change of momentum, or of angular momentum over the cell edge, since the parts had these speeds,
-  /// part mass edge / s;
-  /// NaN if one is NaN.
+  double kinetic_energy() const;  ///< part mass edge^2 / s^2.
+  /// Returns the largest change of momentum, or of angular momentum over the cell edge, since the parts had
+  /// these speeds, part mass edge / s; NaN if one is NaN.
   double largest_change(const std::vector<Vector6>& speeds_before) const;
 
  private:
@@ -66,7 +65,7 @@ class RigidParts {
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
 };
 
-/// Sharp where elastic walls stay upright: there contacts press deep.
+/// Returns the contact method. It is sharp if elastic walls stay upright, since contacts then press deep.
 WallSurface wall_surface(const PhysicsOptions& options);
 
 }  // namespace kinetix::sim

@@ -8,8 +8,9 @@
 namespace kinetix::sim {
 namespace {
 
-constexpr double least_share = 0.5;  // of the wanted spins: a motion that has less of them is another one
-constexpr double weight_of_the_rest = 1e-6;  // times that of the spins: decides only what they leave open
+constexpr double least_share = 0.5;          // of the wanted spins: a motion with less is a different one
+constexpr double weight_of_the_rest = 1e-6;  // relative to that of the spins: decides only what they leave
+                                             // open
 
 std::vector<model::Twist> bare_spins(const model::Linkage& structure) {
   std::vector<model::Twist> twists(structure.bodies.size());
@@ -17,7 +18,7 @@ std::vector<model::Twist> bare_spins(const model::Linkage& structure) {
   return twists;
 }
 
-/// Columns: the internal motions, then the six of the whole as a rigid body.
+/// Returns the internal motions as columns, then the six of the whole as a rigid body.
 Eigen::MatrixXd all_motions(const model::Linkage& structure) {
   const Eigen::MatrixXd internal = null_space(structure, rest_state(structure)).basis;
   Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(6 * structure.bodies.size(), internal.cols() + 6);
@@ -31,8 +32,8 @@ Eigen::MatrixXd all_motions(const model::Linkage& structure) {
   return motions;
 }
 
-/// Least squares for the wanted spins (of bodies that turn about z the part about z), with everything else kept small where
-/// the spins leave a choice.
+/// Finds the motion nearest to the wanted spins by least squares. Bodies that turn about z count with their z
+/// part. Everything else is kept small if the spins leave a choice.
 Eigen::VectorXd nearest_motion(const model::Linkage& structure, const Eigen::MatrixXd& motions) {
   Eigen::VectorXd weight = Eigen::VectorXd::Constant(motions.rows(), weight_of_the_rest);
   Eigen::VectorXd wanted = Eigen::VectorXd::Zero(motions.rows());
@@ -62,7 +63,7 @@ std::vector<model::Twist> start_motion(const model::Linkage& structure) {
   return twists;
 }
 
-// From the generator's bits, since the distributions of the standard differ between libraries.
+// Uses the generator's bits, since the distributions of the standard differ between libraries.
 void disturb(std::vector<model::Twist>& motion, double by, unsigned seed, bool planar) {
   std::mt19937 random(seed);
   const auto part = [&] { return by * (2 * static_cast<double>(random()) / std::mt19937::max() - 1); };

@@ -9,13 +9,13 @@ namespace {
 
 using Status = PhysicsResult::Status;
 
-/// Sine of a turn about a direction, times its length.
+/// Returns the sine of a turn about a direction, times the direction's length.
 double turn_about(const Eigen::Vector3d& spin, const Eigen::Matrix3d& R) {
   return 0.5 * spin.dot(Eigen::Vector3d(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)));
 }
 
-/// Mean of sin(theta) over the bodies between the plates: how far they turned in the plane, class B counted
-/// backwards.
+/// Returns the mean of sin(theta) over the bodies between the plates. It measures their turn in the plane,
+/// with the sign reversed for sublattice B.
 double mean_turn(const model::Linkage& structure, const model::LinkageDrive& drive,
                  const model::State& state) {
   double sum = 0;
@@ -28,7 +28,8 @@ double mean_turn(const model::Linkage& structure, const model::LinkageDrive& dri
   return sum / static_cast<double>(drive.held.size());
 }
 
-/// A sheet that its turning springs keep straight is on neither branch.
+/// Returns whether the sheet folded to the branch of the drive. A sheet that its turning springs keep
+/// straight is on neither branch, and passes.
 bool is_on_branch(const model::Linkage& structure, const model::LinkageDrive& drive,
                   const PhysicsOptions& options, const model::State& state) {
   const double least_turn = options.elastic ? -1e-6 : 0;
@@ -61,7 +62,7 @@ std::string open_hinge(const model::Linkage& s, const PhysicsResult& r) {
                      r.gaps.max);
 }
 
-/// Of parts that still move: rigid hinges hold, however they do.
+/// Describes the hinges of parts that still move. Rigid hinges hold during any motion.
 std::string hinges_words(const model::Linkage& s, const PhysicsOptions& o, const PhysicsResult& r) {
   return o.elastic
              ? open_hinge(s, r)

@@ -6,12 +6,14 @@
 
 namespace kinetix::sim {
 
-/// Overlap of parts beyond which a run is blocked, cell edges: PhysicsOptions::overlap_limit, or, with
-/// elastic hinges, half the thickness of a wall: pressed deeper, contact would push walls through each other.
+/// Returns the overlap of parts beyond which a run is blocked, cell edges. It is
+/// PhysicsOptions::overlap_limit, or half the thickness of a wall with elastic hinges. Pressed deeper,
+/// contact would push walls through each other.
 double overlap_limit(const model::Linkage& structure, const PhysicsOptions& options);
 
-/// Sets status and why of a finished run from its last measurements.
-/// @param settled whether the run came to rest; @param result its status blew_up is kept
+/// Sets status and reason of a finished run from its last measurements.
+/// @param settled whether the run came to rest.
+/// @param result its status blew_up is kept
 void judge(const model::Linkage& structure, const model::LinkageDrive& drive, const PhysicsOptions& options,
            bool settled, PhysicsResult& result);
 

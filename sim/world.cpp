@@ -25,17 +25,17 @@
 namespace kinetix::sim {
 namespace {
 
-// Stiffness of a point of an elastic hinge, times step^2 over the part mass: less takes soft modes longer to
-// settle, more takes unstable ones further in a step.
+// Stiffness of a point of an elastic hinge, times step^2 over the part mass. With less, soft modes take
+// longer to settle. With more, unstable ones move further per step.
 constexpr double elastic_stiffness = 1000;
-constexpr double touching = 1e-3;  // cell edges between parts that are said to touch
+constexpr double touching = 1e-3;  // cell edges between parts that are reported as touching
 
 constexpr double longest_slide =
-    5e-3;  // cell edges, of a touching corner of sharp walls from where it was found
+    5e-3;  // cell edges: how far a touching corner of sharp walls may move from where it was found
 
-// Rad: a first-order motion may ask for any angle; springs rest below pi.
+// Rad: a first-order motion may give any angle; springs rest below pi.
 constexpr double largest_lean = 1.5;
-// Of plates, times the points of elastic hinges: yields 1e-4 of their gaps.
+// Stiffness of plates over that of the points of elastic hinges: yields 1e-4 of their gaps.
 constexpr double elastic_grip = 1e4;
 
 void* memory_or_throw(std::size_t bytes) {
@@ -44,16 +44,16 @@ void* memory_or_throw(std::size_t bytes) {
   return memory;
 }
 
-/// From before main on: by itself the engine writes where memory that it did not get would begin.
+/// Set before main: by default the engine uses memory that it failed to get.
 [[maybe_unused]] const bool engine_throws = [] {
   btAlignedAllocSetCustom(memory_or_throw, std::free);
   return true;
 }();
 
-/// That the engine lays out at once for parts that are near each other: by itself it takes and fills 8 MB, which costs small
-/// scenes more than their run. Pairs beyond get memory of their own.
+/// Returns the size of the engine's pools for pairs of near parts. By default it allocates and fills 8 MB,
+/// which costs small scenes more than their run. Further pairs get separate memory.
 btDefaultCollisionConstructionInfo memory_of_pairs(std::size_t parts) {
-  constexpr int pairs_a_part = 8;  // walls of a cell and of the cells beside it
+  constexpr int pairs_a_part = 8;  // walls of a cell and of the adjacent cells
   btDefaultCollisionConstructionInfo memory;
   memory.m_defaultMaxPersistentManifoldPoolSize = pairs_a_part * static_cast<int>(parts);
   memory.m_defaultMaxCollisionAlgorithmPoolSize = pairs_a_part * static_cast<int>(parts);
@@ -88,7 +88,7 @@ struct World::Engine {
   const model::Linkage structure;
   const std::optional<model::LinkageDrive> drive;
   const PhysicsOptions options;
-  /// Part of a gap removed per step. Gaps of elastic hinges pull as undamped springs do.
+  /// Fraction of a gap removed per step. Gaps of elastic hinges pull as undamped springs do.
   const double error_reduction = options.elastic ? 1 : 0.95;
 
   btDefaultCollisionConfiguration configuration{memory_of_pairs(structure.bodies.size())};
@@ -98,7 +98,7 @@ struct World::Engine {
   std::optional<Cord> cord;
   Hand hand;
   double longest_way = std::numeric_limits<double>::infinity();
-  bool agrees = true;  ///< what pushes in the last step
+  bool agrees = true;  ///< whether the rows that pushed in the last step were consistent
   std::unique_ptr<btConstraintSolver> solver;
   btDiscreteDynamicsWorld world;
 
@@ -151,7 +151,8 @@ struct World::Engine {
     for (const auto& body : parts.bodies()) world.addRigidBody(body.get(), group, group);
   }
 
-  /// All pieces of two bodies that touch the other body at rest: as these turn, other pairs of them meet.
+  /// Finds all pieces of two bodies that touch the other body at rest. All pairs of them are listed, since
+  /// different pairs meet as the bodies turn.
   void find_what_touches() {
     world.performDiscreteCollisionDetection();
     std::map<std::pair<int, int>, std::array<std::set<int>, 2>> touching;
@@ -183,7 +184,7 @@ struct World::Engine {
       PartShape::let_pass(*parts.bodies()[p.body], p.piece, *parts.bodies()[p.other], p.piece_of_other);
   }
 
-  /// Points that pull by the directions of their hinge's frame are the direct solver's own.
+  /// Adds the hinges. Points with stiffness in their hinge's frame are handled by the direct solver.
   void add_hinges() {
     const auto& bodies = parts.bodies();
     for (std::size_t h = 0; h < structure.hinges.size(); ++h) {

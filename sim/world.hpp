@@ -15,46 +15,48 @@ struct TouchingPieces;
 class Hand;
 class RigidParts;
 
-/// A structure as rigid parts, hinges and a drive in the engine. Half walls collide without friction, except
+/// Structure as rigid parts, hinges and a drive in the engine. Half walls collide without friction, except
 /// the two that share a hinge.
 class World {
  public:
-  /// @param drive nothing: none, and the structure floats freely
-  /// @param parts what its bodies collide with; null: their walls
+  /// @param drive unset: no drive, and the structure floats freely.
+  /// @param parts collision shapes of the bodies; null: their walls
   World(const model::Linkage& structure, const std::optional<model::LinkageDrive>& drive,
         const PhysicsOptions& options, const ContactParts* parts = nullptr);
   ~World();
 
-  /// Hands that pull and hold; needs the direct solver, as does the next.
+  /// Returns the hands that pull and hold. They and limit_way() need the direct solver.
   Hand& hand();
-  /// From now on no part goes further in a step, cell edges or rad.
+  /// Limits the motion of every part per step, cell edges or rad.
   void limit_way(double longest);
   RigidParts& parts();
   const RigidParts& parts() const;
 
-  /// Elastic hinges: shifts the rest of their turning springs to where a motion from flat takes them.
+  /// Elastic hinges: moves the rest angles of their turning springs to those of a motion from flat.
   /// @param amount of the motion, by which its rates are multiplied
   void relax_along(const std::vector<model::Twist>& motion, double amount);
-  /// @pre there is a drive: here, and for its gap
-  /// Sets where the drive is to be at the end of the next step. @param theta rad, with sign
+  /// Sets the drive's target at the end of the next step. @pre there is a drive, as for its gap
+  /// @param theta rad, with sign
   void set_drive(double theta);
-  /// Rotary hinges hold no sheet back that coasts: slows all parts alike until its cord is not slack at the end of the next step.
-  /// Without a cord, or with elastic hinges, nothing.
+  /// Slows all parts by one factor until the tendon is not slack at the end of the next step. Rigid hinges do
+  /// not hold a coasting sheet back. Does nothing without a tendon or with elastic hinges.
   void slow_to_cord();
   void step();
 
-  /// Largest force or moment (over the cell edge) that moved a part in the last step, which is what its
-  /// hinges, drive and contacts left over; in units of the stiffness of a hinge point times the cell edge.
-  /// NaN if one is NaN. @pre step was called
+  /// Returns the largest net force or moment (over the cell edge) that moved a part in the last step: the
+  /// remainder of its hinges, drive and contacts. The unit is the stiffness of a hinge point times the cell
+  /// edge. NaN if one is NaN. @pre step was called
   double free_force() const;
-  /// Whether what pressed in the last step is what had to: if not, its forces are none to trust. True before the first.
+  /// Returns whether the rows that pushed in the last step were consistent. If not, its forces are
+  /// meaningless. True before the first step.
   bool contacts_agree() const;
   double drive_gap() const;
   PartContact deepest_contact() const;
-  /// Pieces that pass through each other since they touched at rest.
+  /// Returns the pieces that pass through each other because they touched at rest.
   const std::vector<TouchingPieces>& touching_pieces() const;
 
-  /// Largest middle Euler angle of the hinges' constraint frames, rad. It must stay away from pi/2.
+  /// Returns the largest middle Euler angle of the hinges' constraint frames, rad. It must stay away from
+  /// pi/2.
   double largest_middle_angle() const;
 
  private:

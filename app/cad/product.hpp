@@ -30,7 +30,7 @@ struct ContourStep {
   std::optional<Eigen::Vector3d> through;  ///< mm; none: straight
 };
 
-/// Closed: the last edge ends at the start. All of it in one plane.
+/// Closed planar contour. The last edge ends at the start.
 struct Contour {
   Eigen::Vector3d start;  ///< mm
   std::vector<ContourStep> edges;
@@ -38,22 +38,22 @@ struct Contour {
 
 /// A cone without its tip.
 struct Frustum {
-  Circle base;            ///< its axis into the cone
+  Circle base;            ///< its axis points into the cone
   double end_radius = 0;  ///< mm, above 0
   double along = 0;       ///< from the base to the other end, mm, above 0
 };
 
-/// What a flat face sweeps.
+/// Solid that a flat face sweeps along a vector.
 struct Prism {
   std::variant<Contour, Circle> base;
   std::optional<Circle> hole;       ///< in the plane of the base
   Eigen::Vector3d along;            ///< mm
-  std::vector<Frustum> sinks = {};  ///< taken away
+  std::vector<Frustum> sinks = {};  ///< cones that are cut out
 };
 
 using Piece = std::variant<Faceted, Prism, Frustum>;
 
-/// One solid, of pieces that share faces or parts of them.
+/// One solid of pieces that share faces or parts of faces.
 struct Shape {
   std::string name;
   std::array<double, 3> colour;  ///< red, green, blue of the screen, 0 to 1
@@ -67,7 +67,7 @@ struct Part {
   Eigen::Isometry3d where = Eigen::Isometry3d::Identity();
 };
 
-/// Parts of a CAD file; several may be of one shape.
+/// Parts of a CAD file. Several parts may share one shape.
 struct Product {
   std::string name;
   std::vector<Shape> shapes;

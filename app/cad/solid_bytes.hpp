@@ -8,7 +8,7 @@
 
 namespace kinetix::app::cad {
 
-/// A solid that a CAD file holds, at its place.
+/// Solid of a CAD file, placed as in the file's assembly.
 struct FoundSolid {
   std::string name;                     ///< as the file has it; empty: none
   std::string colour;                   ///< #rrggbb; empty: none
@@ -17,11 +17,11 @@ struct FoundSolid {
       triangles;  ///< counter-clockwise from outside; faces of the solid share no points
 };
 
-// How kinetix-read-step gives solids to the program that started it.
+// Encoding by which kinetix-read-step passes solids to the program that started it.
 
 std::string to_bytes(const std::vector<FoundSolid>& solids);
 
-/// @throws std::runtime_error for bytes that end early, and for triangles of points that are not there
+/// @throws std::runtime_error for bytes that end early, and for triangles with missing points
 std::vector<FoundSolid> read_solids(std::string_view bytes);
 
 }  // namespace kinetix::app::cad

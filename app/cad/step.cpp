@@ -11,9 +11,9 @@
 namespace kinetix::app::cad {
 namespace {
 
-// Seconds of the processor: files of this program take 1 s a MiB, and damaged ones that crash do so at once.
+// CPU time limit in s. Files of this program take 1 s per MiB. Damaged files that crash the reader do so at once.
 constexpr unsigned long least_s = 20, s_per_mebibyte = 10;
-constexpr unsigned long most_bytes = 4ul << 30;  // bytes, 4 GiB: of addresses, the libraries' among them
+constexpr unsigned long most_bytes = 4ul << 30;  // bytes: 4 GiB of address space, libraries included
 
 void* cad_function(const char* name) { return model::module_function("kinetix-cad.so", name); }
 

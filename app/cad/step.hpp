@@ -8,20 +8,21 @@
 
 namespace kinetix::app::cad {
 
-// OpenCASCADE, which writes STEP, takes longer to load than many a run of the program: it stands in a module of
-// its own, kinetix-cad.so, loaded by the first call.
+// OpenCASCADE writes STEP. It takes longer to load than many runs of the program, so it is in a separate module. The
+// first call loads that module, kinetix-cad.so.
 
-/// Loads that module now. @throws std::runtime_error where it is missing
+/// Loads kinetix-cad.so now. @throws std::runtime_error if it is missing
 void load();
 
-/// A STEP file (AP214) of the product: the same bytes each time.
-/// @throws std::runtime_error where the module is missing, or where pieces of a shape are no solid together
+/// Returns a STEP file (AP214) of the product. The same product always gives the same bytes.
+/// @throws std::runtime_error if the module is missing, or if the pieces of a shape do not form one solid
 std::string step_text(const Product& product);
 
-/// All solids of a STEP file, in mm; of its assemblies at their places. Read by kinetix-read-step, a separate process
-/// (app/io/reader_program.hpp): one flipped bit in six crashes OpenCASCADE, which uses null handles before it checks them.
-/// @throws InvalidInput without a place for a file that is damaged or too large
-/// @throws std::runtime_error where kinetix-read-step is missing
+/// Reads all solids of a STEP file, in mm, each at its place in the assembly. kinetix-read-step reads the file in a
+/// separate process (app/io/reader_program.hpp). One flipped bit in six crashes OpenCASCADE, which uses null handles
+/// before it checks them.
+/// @throws InvalidInput without a place for a file that is damaged or too large.
+/// @throws std::runtime_error if kinetix-read-step is missing
 std::vector<FoundSolid> solids_of_step(const std::string& file);
 
 }  // namespace kinetix::app::cad

@@ -4,6 +4,6 @@
 
 #include "app/cad/product.hpp"
 
-// What kinetix-cad.so gives the program: see app/cad/step.hpp.
+// Interface of kinetix-cad.so: see app/cad/step.hpp.
 
 extern "C" void kinetix_write_step(const kinetix::app::cad::Product& product, std::string& text);

@@ -95,7 +95,7 @@ TopoDS_Shape built(const Frustum& frustum) {
       .Solid();
 }
 
-/// The one solid that is left.
+/// Cuts the cones `sinks` from `whole`. @return the first solid that remains
 TopoDS_Shape without(const TopoDS_Shape& whole, const std::vector<Frustum>& sinks) {
   TopTools_ListOfShape first, tools;
   first.Append(whole);
@@ -117,7 +117,7 @@ TopoDS_Shape built(const Prism& prism) {
   return prism.sinks.empty() ? whole : without(whole, prism.sinks);
 }
 
-/// Of pieces that share faces or parts of them.
+/// Fuses pieces that share faces or parts of faces.
 TopoDS_Shape fused(const TopTools_ListOfShape& pieces) {
   if (pieces.Size() == 1) return pieces.First();
   TopTools_ListOfShape first, rest(pieces);
@@ -159,7 +159,8 @@ void set_name(const TDF_Label& label, const std::string& name) {
   TDataStd_Name::Set(label, TCollection_ExtendedString(name.c_str(), true));
 }
 
-/// Of a shape that was translated. The writer itself would write colours in an order that differs from run to run.
+/// Adds a colour to a shape that the writer has translated. The writer itself would write colours in an order that
+/// differs from run to run.
 void add_colour(const TopoDS_Shape& shape, const Quantity_Color& colour, STEPCAFControl_Writer& writer) {
   STEPConstruct_Styles styles(writer.ChangeWriter().WS());
   const Handle(StepVisual_Colour) encoded = STEPConstruct_Styles::EncodeColor(colour);
@@ -193,7 +194,7 @@ class Document {
   Document(const Document&) = delete;
   Document& operator=(const Document&) = delete;
 
-  /// The text of a file, made in memory: no disk can be full.
+  /// Returns the text of the file. It is made in memory, where no disk can be full.
   std::string text() {
     STEPCAFControl_Writer writer;
     writer.SetColorMode(false);  // add_colour does

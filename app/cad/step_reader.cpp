@@ -1,5 +1,5 @@
-// kinetix-read-step CPU_S BYTES FILE: all solids of a STEP file as solid_bytes.hpp writes them, by OpenCASCADE. It is started by
-// app/cad/step.cpp and may crash.
+// kinetix-read-step CPU_S BYTES FILE reads all solids of a STEP file by OpenCASCADE and writes them as solid_bytes.hpp
+// does. app/cad/step.cpp starts it. It may crash.
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
 #include <Message.hxx>
@@ -39,9 +39,8 @@
 namespace kinetix::app::cad {
 namespace {
 
-constexpr double deflection_mm =
-    0.002;  // mm, between a curved face and its triangles: a tenth of what hinges are asked for
-constexpr double deflection_rad = 0.2;  // rad, between two of its facets: circles of 32 sides and more
+constexpr double deflection_mm = 0.002;  // mm, curved face to triangles: a tenth of the accuracy for hinges
+constexpr double deflection_rad = 0.2;   // rad between neighbouring facets: circles get 32 sides or more
 
 std::string name_of(const TDF_Label& label) {
   Handle(TDataStd_Name) name;
@@ -61,7 +60,7 @@ std::string colour_text(const Quantity_Color& colour) {
   return text;
 }
 
-/// All faces of a solid, as its surface runs.
+/// Triangulates all faces of a solid, with corners counter-clockwise from outside.
 FoundSolid triangles_of(const TopoDS_Shape& solid) {
   BRepMesh_IncrementalMesh(solid, deflection_mm, false, deflection_rad, false);
   FoundSolid out;
@@ -120,7 +119,7 @@ class StepModel {
     return otherwise;
   }
 
-  /// A reference keeps its own name and place and has the shape of what it refers to.
+  /// Adds the solids of a label. A reference keeps its own name and place and uses the shape that it refers to.
   void add(const TDF_Label& label, const TopLoc_Location& above, const std::string& name,
            const std::string& colour) {
     TDF_Label shape = label;
@@ -161,7 +160,7 @@ class StepModel {
   std::vector<FoundSolid> out_;
 };
 
-/// Keeps what the library prints out of the bytes. @return where the bytes go
+/// Sends what the library prints to /dev/null. @return descriptor of the original standard output
 int take_output() {
   const int out = dup(STDOUT_FILENO), nowhere = open("/dev/null", O_WRONLY);
   dup2(nowhere, STDOUT_FILENO);
@@ -169,7 +168,7 @@ int take_output() {
   return out;
 }
 
-/// The hard limit of the system stays: at that of the processor SIGKILL comes, which does not say why.
+/// Sets the soft limit and keeps the hard one: SIGKILL, sent at the hard limit of CPU time, gives no reason.
 void limit(__rlimit_resource resource, rlim_t most) {
   rlimit now{};
   getrlimit(resource, &now);
@@ -177,13 +176,13 @@ void limit(__rlimit_resource resource, rlim_t most) {
   setrlimit(resource, &now);
 }
 
-/// It ends with the program that started it, which answers Ctrl-C.
+/// Sets resource limits. This process ends with the program that started it, which handles Ctrl-C.
 void set_limits(const char* cpu_s, const char* bytes) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   std::signal(SIGINT, SIG_IGN);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, std::strtoul(cpu_s, nullptr, 10));
-#ifndef __SANITIZE_ADDRESS__  // it reserves far more addresses than there is memory
+#ifndef __SANITIZE_ADDRESS__  // the sanitizer reserves far more addresses than there is memory
   limit(RLIMIT_AS, std::strtoul(bytes, nullptr, 10));
 #else
   static_cast<void>(bytes);
@@ -202,7 +201,7 @@ bool write_all(int to, std::string_view bytes) {
 }  // namespace
 }  // namespace kinetix::app::cad
 
-/// Ends by _exit, with the model still there: destructors of what was read from a damaged file may crash as well.
+/// Ends by _exit while the model still exists: destructors of data from a damaged file may crash, too.
 int main(int argc, char** argv) {
   if (argc != 4) return 1;
   using namespace kinetix::app;

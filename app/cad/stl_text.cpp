@@ -19,13 +19,13 @@ void add_vector(const Eigen::Vector3f& v, std::string& out) {
 }  // namespace
 
 std::string stl_text(const std::string& name, const model::Polyhedron& solid) {
-  std::string out = "kinetix " + name;  // never "solid", by which readers know text
+  std::string out = "kinetix " + name;  // never "solid", by which readers recognise text files
   out.resize(header_bytes, ' ');
   out.reserve(header_bytes + 4 + triangle_bytes * solid.triangles.size());
   const auto count = static_cast<std::uint32_t>(solid.triangles.size());
   out.append(reinterpret_cast<const char*>(&count), sizeof count);
   for (const auto& [a, b, c] : solid.triangles) {
-    // The normal of the corners as they are written: of slender triangles that of the exact ones is another.
+    // Normal of the corners as written: rounding to float changes the normal of slender triangles.
     const Eigen::Vector3f p = solid.points[a].cast<float>(), q = solid.points[b].cast<float>(),
                           r = solid.points[c].cast<float>();
     add_vector((q - p).cast<double>().cross((r - p).cast<double>()).normalized().cast<float>(), out);

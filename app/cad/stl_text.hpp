@@ -6,7 +6,7 @@
 
 namespace kinetix::app {
 
-/// A solid as binary STL, its coordinates rounded to float. @param name of the file's title
+/// Returns a solid as binary STL, with coordinates rounded to float. @param name title in the header
 std::string stl_text(const std::string& name, const model::Polyhedron& solid);
 
 }  // namespace kinetix::app

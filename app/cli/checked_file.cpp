@@ -30,7 +30,7 @@ std::optional<double> available_bytes() {
   return std::nullopt;
 }
 
-/// Bytes that the limit of address space leaves; infinity where there is none.
+/// Returns the bytes that the limit of address space leaves, or infinity without a limit.
 double left_of_limit() {
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
@@ -41,21 +41,21 @@ double left_of_limit() {
                   0.0);
 }
 
-/// Memory that this process can still take, bytes: what the system has available, or what a limit of the process (`ulimit -v`)
-/// leaves, if that is less. Nothing where the system does not report it.
+/// Returns the memory that this process can still allocate, bytes. It is what the system has available, or what the
+/// limit of the process (`ulimit -v`) leaves, if that is less. Empty if the system does not report it.
 std::optional<double> free_memory() {
   const std::optional<double> available = available_bytes();
   if (!available) return std::nullopt;
   return std::min(*available, left_of_limit());
 }
 
-// Of a fold whose file has no goal; the report of a search turns it as its goal lies.
+// Text after the folded size of a design, whose file has no goal. A search's report turns the fold as its goal lies.
 constexpr const char* of_motion = " along x, y and z of the design's motion";
 
-// Bodies, of which the collision-free range is computed within a second.
+// Number of bodies up to which the collision-free range is computed within a second.
 constexpr int most_bodies_for_contact = 4000;
 
-// Measured on squares of 250 x 250 and 1000 x 1000 cells, once they have been read.
+// Measured on square sheets of 250 x 250 and 1000 x 1000 cells, after reading.
 constexpr double check_seconds_per_body = 1e-5, check_bytes_per_body = 1.6e3;
 
 std::string size_text(const Eigen::Vector3d& mm) {
@@ -78,7 +78,7 @@ std::string time_text(const Forecast& f, const model::Linkage& linkage) {
   return fmt::format("{}{}, {:.0f} MB of memory", about(f.search_s + physics), parts, memory_mb);
 }
 
-/// @param lies how, where that is not as a goal was drawn
+/// Formats a forecast. @param lies text on the axes of the folded size; empty for targets
 std::string text_of(const Forecast& f, const char* lies) {
   const model::Linkage linkage = f.sheet;
   std::string out =
@@ -111,7 +111,7 @@ std::optional<CheckedContact> contact_of(const Design& design) {
   return CheckedContact{certify(design.structure, wall_error(design)), exact_theta_of(design, exact)};
 }
 
-/// Says how long the check of a large sheet takes. @throws InvalidInput where it takes more memory than is free
+/// Reports how long the check of a large sheet takes. @throws InvalidInput if it takes more memory than is free
 void announce_check(const std::string& file, const model::Lattice& sheet, const Progress& progress) {
   const double seconds = check_seconds_per_body * sheet.bodies(),
                bytes = check_bytes_per_body * sheet.bodies();

@@ -9,27 +9,27 @@
 
 namespace kinetix::app {
 
-/// What is proven of a design without a run: how far its closed form folds without contact.
+/// Collision-free range of a design's closed-form motion, computed without a simulation.
 struct CheckedContact {
   ProvenRanges certified;
-  double theta = 0;  ///< rad, to which its drive takes it
+  double theta = 0;  ///< rad, fold that the drive reaches
 };
 
-/// What `check` has to say of a file that is valid.
+/// Result of `check` for a valid file.
 struct CheckedFile {
   std::string file;
   std::string kind;  ///< target, design or sweep
   std::string name;
-  std::optional<Forecast> forecast = {};       ///< not of sweeps
-  double samples = 0;                          ///< number of them, of sweeps
-  std::optional<CheckedContact> contact = {};  ///< of designs that move exactly
+  std::optional<Forecast> forecast = {};       ///< none for sweeps and for designs of bodies
+  double samples = 0;                          ///< number of samples of a sweep
+  std::optional<CheckedContact> contact = {};  ///< only for designs with an exact motion
 
   std::string text() const;
   nlohmann::ordered_json json() const;
 };
 
-/// @param progress gets a stage for a design that takes a second or more: how long and how much memory
-/// @throws InvalidInput for whatever the formats do not allow, and for a design that takes more memory than is free
+/// Checks a target, a design or a sweep. @param progress reports time and memory of a check of a second or more.
+/// @throws InvalidInput for violations of the file format, and for a design that takes more memory than is free
 CheckedFile check_file(const std::string& file, const Progress& progress);
 
 }  // namespace kinetix::app

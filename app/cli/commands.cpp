@@ -37,11 +37,11 @@
 namespace kinetix::app {
 namespace {
 
-/// Asks a run to stop and keep the best so far: at the first Ctrl-C, or when its time is up. A second Ctrl-C ends the
-/// program as it always did.
+/// Watch that asks a run to stop and keep the best so far, at the first Ctrl-C or when its time is up. A second Ctrl-C
+/// ends the program as usual.
 class Stopper {
  public:
-  /// @param time_limit_s from now, s, > 0; nothing: as long as it takes
+  /// @param time_limit_s from now, s, > 0; empty: no limit
   explicit Stopper(std::optional<double> time_limit_s);
   ~Stopper();
   Stopper(const Stopper&) = delete;
@@ -59,7 +59,7 @@ class Stopper {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds between_looks{20};  // nobody sees a shorter wait
+constexpr std::chrono::milliseconds between_looks{20};  // ms: too short for users to notice
 
 std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may write it");
@@ -107,16 +107,17 @@ Stopper::~Stopper() {
 
 bool would_replace(const std::string& input, const std::string& folder) {
   namespace fs = std::filesystem;
-  std::error_code missing;  // of a file that is not there yet, which is not the input
+  std::error_code missing;  // set if the file does not exist yet: then it is not the input
   return fs::equivalent(input, fs::path(folder) / "design.yaml", missing) ||
          fs::equivalent(input, fs::path(folder) / "result.json", missing);
 }
 
-/// Where results go, which must not take the place of what they were made from: a file written by hand loses its comments and
-/// patterns, and a result its goal.
-/// @param folder for design.yaml and result.json, which need not exist   @param is_given by the user, who is not overruled
-/// @return the folder, or where that is the input's own, NAME_2 beside it
-/// @throws InvalidInput where it was given and one of these two files in it is the input
+/// Chooses the folder for results, which must not replace their input. A file written by hand would lose its comments
+/// and patterns, and a result its goal.
+/// @param folder for design.yaml and result.json; need not exist.
+/// @param is_given whether the user named the folder; then it does not change.
+/// @return the folder, or NAME_2 next to it if the input is in it.
+/// @throws InvalidInput if the user named the folder and one of these two files in it is the input
 std::string folder_beside_input(const std::string& input, const std::string& folder, bool is_given) {
   if (!would_replace(input, folder)) return folder;
   if (is_given)
@@ -138,7 +139,7 @@ RunOptions run_options(const CommandOptions& options, Console& console, const st
 
 using RunFunction = std::function<Run(const RunOptions&)>;
 
-/// Bad input that is found after reading gets the file's name.
+/// Runs a function and adds the file's name to bad input that is found after reading.
 Run located(const std::string& file, const RunFunction& run, const RunOptions& options) {
   try {
     return run(options);
@@ -158,7 +159,8 @@ void print(const Run& run, const nlohmann::ordered_json& json, const std::string
                      std::string("report.html, result.json, design.yaml") + (run.way ? ", parts" : ""));
 }
 
-/// @param watch started before the file was read   @param has_parts whether a run that is stopped has something to keep
+/// Runs a function, writes its results and prints the summary. @param watch started before the file was read.
+/// @param has_parts whether a stopped run has anything to keep
 int run_and_write(const CommandOptions& options, const RunFunction& function, const std::string& name,
                   const std::string& suffix, Stopwatch watch, bool has_parts = true) {
   OutputFolder folder(
@@ -182,12 +184,13 @@ int run_and_write(const CommandOptions& options, const RunFunction& function, co
   return exit_code(verdict_of(run));
 }
 
-/// Read once: a file that changes in between would be two designs.
+/// Reads the file once: a file that changes between two reads would be two designs.
 targets::Node document_of(const CommandOptions& options) {
   return targets::read_document(options.file, max_design_bytes);
 }
 
-/// Imported bodies turn the hinge that their file names, or that turns most in the first motion.
+/// Applies --theta-deg to imported bodies. It drives the hinge that the file names, or the hinge that turns most in
+/// the first motion.
 Design turned_to(Design design, const CommandOptions& options) {
   if (body_pull_of(design))
     throw InvalidInput("--theta-deg turns a hinge, and here bodies are pulled",
@@ -198,7 +201,7 @@ Design turned_to(Design design, const CommandOptions& options) {
   return design;
 }
 
-/// The design, to another theta where the command line gives one: by the drive of a file that has none.
+/// Reads the design and applies --theta-deg, if given. A sheet then folds without its `drive:`.
 Design design_of(const CommandOptions& options, const targets::Node& root) {
   Design design = read_design(root);
   if (!options.theta_given) return design;
@@ -243,7 +246,7 @@ int compare_drives(const CommandOptions& options) {
   return trials.least_force < 0 ? target_missed : done;
 }
 
-/// @throws Interrupted for a physics run that was stopped before there was anything to say
+/// Runs a design. @throws Interrupted for a simulation that was stopped before it settled
 Run settled_run(const Design& design, Model model, const RunOptions& options) {
   Run run = run_design(design, model, options);
   if (model == Model::bullet && run.stopped && !run.verification)
@@ -255,7 +258,7 @@ int run_design_command(const CommandOptions& options, Model model, const std::st
   Stopwatch watch;
   const targets::Node root = document_of(options);
   const Design design = design_of(options, root);
-  // A closed form has no part that could be kept: Ctrl-C ends the program at once. Imported bodies go their way step by step.
+  // A closed form has no partial result: Ctrl-C ends the program at once. Imported bodies move step by step.
   const bool has_parts = model != Model::exact || design.structure.assembly();
   return run_and_write(
       options, [&](const RunOptions& of) { return settled_run(design, model, of); }, design.name, suffix,

@@ -4,13 +4,13 @@
 
 namespace kinetix::app {
 
-/// `kinetix-opt TARGET.yaml`: search, verify, write.
+/// Runs `kinetix-opt TARGET.yaml`: searches, verifies, writes.
 int optimise_command(const CommandOptions& options);
-/// `kinetix-opt verify DESIGN.yaml`: the physics run of a design, compared with the model where one fits.
+/// Runs `kinetix-opt verify DESIGN.yaml`: simulates a design and compares it with the model, if one applies.
 int verify_command(const CommandOptions& options);
-/// `kinetix-opt simulate DESIGN.yaml`: one forward state.
+/// Runs `kinetix-opt simulate DESIGN.yaml`: computes one folded state.
 int simulate_command(const CommandOptions& options);
-/// `kinetix-opt check FILE.yaml`: validates a target, a design or a sweep, writes nothing.
+/// Runs `kinetix-opt check FILE.yaml`: validates a target, a design or a sweep. Writes nothing.
 int check_command(const CommandOptions& options);
 
 }  // namespace kinetix::app

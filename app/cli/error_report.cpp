@@ -18,7 +18,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr char no_memory[] = "there is not enough memory";
 
-/// Without a stream: these take memory. Words may hold file names, whose control characters must not reach a terminal.
+/// Writes a line to stderr without a stream, since streams allocate memory. Bytes other than printable ASCII become
+/// `?`: file names may hold control characters.
 void write_line(const char* words) noexcept {
   for (; *words != '\0'; ++words) {
     const auto byte = static_cast<unsigned char>(*words);
@@ -29,7 +30,7 @@ void write_line(const char* words) noexcept {
 }
 
 void print(const Json& error) {
-  constexpr auto replace = Json::error_handler_t::replace;  // a file's name may hold bytes that are no UTF-8
+  constexpr auto replace = Json::error_handler_t::replace;  // a file's name may hold bytes that are not UTF-8
   std::cout << Json{{"error", error}}.dump(1, ' ', false, replace) << std::endl;
 }
 

@@ -7,16 +7,16 @@
 
 namespace kinetix::app {
 
-/// One line on stderr; where JSON was asked for, the same as a document on stdout:
-/// `{"error": {"exit_code", "message", "file", "line", "column", "key", "reason"}}`, place as far as it is known.
+/// Reports an error as one line on stderr. With `as_json` it also prints a document on stdout: `{"error":
+/// {"exit_code", "message", "file", "line", "column", "key", "reason"}}`. The place is included as far as known.
 /// @param exit_code that the program ends with
 void report_error(const InvalidInput& error, int exit_code, bool as_json);
-/// That document alone, of an error that stands on stderr already.
+/// Prints the JSON document of an error that stderr already shows.
 void print_error(const std::string& message, int exit_code);
-/// What to say of an exception that is no bad input: that the machine gave out, where it did, else that the program has a bug.
+/// Describes an exception that is not bad input: memory or threads ran out, or the program has a bug.
 std::string failure_text(const std::exception& error);
-/// For std::set_terminate. Removes unfinished files, prints one line and ends the program with code 1. An exception in a thread
-/// of a library comes here, for one. Allocates no memory.
+/// Removes unfinished files, prints one line and ends the program with code 1. It is for std::set_terminate, which
+/// also handles exceptions in threads of libraries. Allocates no memory.
 [[noreturn]] void end_with_a_word() noexcept;
 
 }  // namespace kinetix::app

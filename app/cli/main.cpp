@@ -30,7 +30,7 @@ namespace {
 
 using kinetix::app::CommandOptions;
 
-/// As CLI::Range, which takes what is not a number for one in range.
+/// Returns a check that a number is in a range. CLI::Range accepts text that is not a number.
 CLI::Validator within(double least, double most) {
   const auto problem = [=](std::string& text) {
     double value = NAN;
@@ -42,7 +42,7 @@ CLI::Validator within(double least, double most) {
   return {problem, fmt::format("FLOAT in [{:g} - {:g}]", least, most)};
 }
 
-/// One line, as all errors are.
+/// Formats a usage error as one line, like all errors.
 std::string usage_error(const CLI::App*, const CLI::Error& e) {
   return fmt::format("{} (see --help)\n", e.what());
 }
@@ -187,7 +187,7 @@ void add_view(CLI::App& app, CommandOptions& options, kinetix::app::ViewRequest&
       ->check(CLI::Range(0, 65535));
 }
 
-// What --help ends with.
+// Text at the end of --help.
 constexpr const char* footer = R"(
 examples:
   kinetix-opt targets/shapes/helmet_rib.yaml -o out       search, verify, write out/report.html
@@ -203,14 +203,14 @@ exit codes:
   0 done   1 internal error   2 bad input   3 target missed or not reached
   4 physics run disagrees or failed   130 Ctrl-C before there was anything to keep)";
 
-/// A 3MF file brings the settings that keep a coupon's gaps open.
+/// Sets 3mf as the default format of a coupon: a 3MF file has the settings that keep the coupon's gaps open.
 void choose_format(kinetix::app::PrintRequest& request) {
   if (!request.formats.empty()) return;
   if (!request.coupon) throw kinetix::InvalidInput("--format is required, e.g. --format 3mf (see --help)");
   request.formats = {"3mf"};
 }
 
-/// What a command does not take would be ignored where it stands before it: `--no-verify verify` would verify nothing.
+/// Rejects options given before a command that does not have them: `--no-verify verify` would verify nothing.
 void refuse_options_before(const CLI::App& app, const CLI::App& command) {
   for (const CLI::Option* option : app.get_options([](const CLI::Option* o) { return o->count() > 0; })) {
     if (command.get_option_no_throw(option->get_name())) continue;
@@ -220,7 +220,7 @@ void refuse_options_before(const CLI::App& app, const CLI::App& command) {
   }
 }
 
-/// Also of a command line that cannot be read.
+/// Looks for --json, also in a command line that cannot be parsed.
 bool asks_for_json(int argc, char** argv) {
   return std::any_of(argv + 1, argv + argc,
                      [](const char* word) { return std::string_view(word) == "--json"; });
@@ -336,15 +336,16 @@ int run(int argc, char** argv) {
   return kinetix::app::optimise_command(options);
 }
 
-/// Memory that is given back and taken again comes as fresh pages, which cost a search more than what it works out there.
+/// Keeps freed memory in the process. Memory that is returned and allocated again comes as fresh pages. These cost a
+/// search more time than its computations on them.
 void keep_memory() {
-  constexpr int kept = 64 << 20;  // bytes, at the end of a heap
-  constexpr int own = 16 << 20;   // bytes, of blocks that get pages of their own
+  constexpr int kept = 64 << 20;  // bytes of free memory at the end of a heap
+  constexpr int own = 16 << 20;   // bytes: larger blocks get separate pages
   mallopt(M_TRIM_THRESHOLD, kept);
   mallopt(M_MMAP_THRESHOLD, own);
 }
 
-constexpr std::size_t stack_bytes = 1 << 20;  // four times what any run was seen to take
+constexpr std::size_t stack_bytes = 1 << 20;  // bytes: four times the largest stack of any observed run
 
 [[gnu::noinline]] void grow_stack() {
   char stack[stack_bytes];
@@ -352,7 +353,7 @@ constexpr std::size_t stack_bytes = 1 << 20;  // four times what any run was see
   *deepest = 0;
 }
 
-/// The stack of this thread takes its room while there is some: one that cannot grow later is a crash, no exception.
+/// Grows the stack of this thread while memory is left: a stack that cannot grow later is a crash, not an exception.
 void keep_stack() {
   void* const room = mmap(nullptr, 2 * stack_bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (room == MAP_FAILED) throw std::bad_alloc();
@@ -360,8 +361,8 @@ void keep_stack() {
   grow_stack();
 }
 
-/// Ends the program without the destructors of global objects, which other threads may still use: libraries call exit, too, as
-/// OpenMP does when it cannot start a thread.
+/// Ends the program without the destructors of global objects, which other threads may still use. Libraries also call
+/// exit: OpenMP does so if it cannot start a thread.
 void end_at_once(int code, void*) {
   kinetix::app::remove_unfinished();
   std::_Exit(code);
@@ -377,8 +378,7 @@ int main(int argc, char** argv) {
   try {
     keep_stack();
     keep_memory();
-    FLAGS_minloglevel =
-        google::GLOG_FATAL;  // Ceres tells on stderr of points without a value, which searches know
+    FLAGS_minloglevel = google::GLOG_FATAL;  // Ceres logs points without a value, which searches handle
     kinetix::app::remove_parts_when_interrupted();
     const int code = run(argc, argv);
     std::cout.flush();

@@ -20,12 +20,12 @@ namespace kinetix::app {
 namespace {
 
 constexpr int bar_width = 30;  // characters: leaves room for stage and note on a line of 80
-constexpr std::chrono::milliseconds interval{1000};  // after which silence makes people wonder
-constexpr auto pulse = interval / 4;                 // ms, between looks: notes come little late
+constexpr std::chrono::milliseconds interval{1000};  // ms of silence, after which users wait for a report
+constexpr auto pulse = interval / 4;                 // ms between checks: reports are at most this late
 static_assert(pulse.count() > 0, "a heart that does not wait takes a core for itself");
 
-/// Held while a heart writes, and while this process forks: a child inherits every lock of the memory allocator and of
-/// the stream as it stood, and the thread that would have opened it is not in the child.
+/// Returns the mutex that is locked while the heartbeat writes and while this process forks. A child inherits all
+/// locks of the memory allocator and of the stream. The thread that would unlock them is not in the child.
 std::mutex& forks() {
   static std::mutex mutex;
   static const int registered =
@@ -43,7 +43,7 @@ spdlog::logger& log() {
   return *logger;
 }
 
-/// Code point of the UTF-8 character that these bytes are.
+/// Returns the code point of one UTF-8 character.
 unsigned code_point(std::string_view character) {
   const auto lead = static_cast<unsigned char>(character[0]);
   unsigned code = character.size() == 1 ? lead : lead & (0xffu >> (character.size() + 1));
@@ -51,7 +51,7 @@ unsigned code_point(std::string_view character) {
   return code;
 }
 
-/// C0 and C1 of ISO 6429, and what turns the direction of text (Unicode, UAX 9).
+/// Finds the control characters C0 and C1 (ISO 6429) and those that change the direction of text (Unicode, UAX 9).
 bool changes_terminal(unsigned code) {
   return (code < 0x20 && code != '\t' && code != '\n') || (code >= 0x7f && code < 0xa0) ||
          (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
@@ -90,7 +90,7 @@ void Console::beat() {
       try {
         show();
       } catch (const std::bad_alloc&) {
-        stage_.clear();  // a run without memory for a note says so itself
+        stage_.clear();  // a run without memory for a note reports that itself
       }
     }
 }

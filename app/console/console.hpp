@@ -16,24 +16,24 @@
 
 namespace kinetix::app {
 
-/// Progress on stderr: a bar where stderr is a terminal, lines where it is not, nothing when quiet. A stage that takes
-/// longer than a second says so every second: how long it has been going on, and how much of it is done and left where
-/// that is known. Calls may come from any thread.
+/// Progress on stderr: a bar on a terminal, else lines, and nothing when quiet. A stage that takes longer than a
+/// second is reported every second: its time so far, and its share done and time left if known. Calls may come from
+/// any thread.
 class Console {
  public:
-  /// @param says_starts a line for each stage as it begins, where stderr is no terminal; else a stage that is over within
-  /// a second says nothing, so that a refusal stands alone
+  /// @param says_starts prints a line at the start of each stage if stderr is not a terminal. Otherwise a stage
+  /// shorter than a second prints nothing, so that an error message is the only output
   explicit Console(bool quiet, bool says_starts = true);
   ~Console();
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
 
-  /// @param done share of the stage, 0 to 1 (negative: not known)
-  /// @param note stands at the end, in the place of the time left   @param so_far in words, before the time
+  /// Reports a stage. @param done share of the stage, 0 to 1; negative: unknown
+  /// @param note at the end, instead of the time left   @param so_far in words, before the time
   void stage(const std::string& name, double done, const std::string& note = {},
              const std::string& so_far = {});
   void error(const std::string& message);
-  void warning(const std::string& message);  ///< nothing where quiet
+  void warning(const std::string& message);  ///< nothing when quiet
   Progress progress();
 
  private:
@@ -46,20 +46,20 @@ class Console {
   void clear_line();
 
   const bool quiet_, terminal_, says_starts_;
-  std::mutex mutex_;  ///< of all below
+  std::mutex mutex_;  ///< guards all members below
   std::condition_variable end_;
   bool ends_ = false;
-  bool on_screen_ = false;  ///< a bar
+  bool on_screen_ = false;  ///< whether a bar is shown
   int shown_percent_ = -1;
   double done_ = -1;
-  TimeLeft left_;                   ///< of the stage
-  Clock::time_point since_, next_;  ///< the stage began; its next word is due
+  TimeLeft left_;
+  Clock::time_point since_, next_;  ///< start of the stage; time of the next report
   std::string stage_, note_, so_far_;
-  std::latch awake_{1};  ///< the heart's thread has begun: beginnings take memory, too
+  std::latch awake_{1};  ///< open once the heartbeat runs: starting a thread takes memory, too
   std::thread heart_;
 };
 
-/// Shows a file in the user's browser, by xdg-open, and does not wait for it. Says on stderr where there is none.
+/// Opens a file in the user's browser by xdg-open, without waiting. Reports a missing xdg-open on stderr.
 void open_report(const std::string& path);
 
 /// Exit codes of formats.md.
@@ -72,7 +72,7 @@ enum ExitCode {
   interrupted_early = 130
 };
 
-/// What every command takes.
+/// Options of all commands.
 struct CommandOptions {
   std::string file;
   std::string
@@ -81,33 +81,33 @@ struct CommandOptions {
   bool json = false;
   bool quiet = false;
   bool verify = true;
-  bool fidelity = false;               ///< of a target and verify: physics runs of coarser steps too
-  std::optional<double> time_limit_s;  ///< of a target and simulate: the best so far is kept
+  bool fidelity = false;               ///< of a target and verify: also simulations with coarser steps
+  std::optional<double> time_limit_s;  ///< s, of a target and simulate: the best so far is kept
   bool open = false;                   ///< shows the report when it is written
-  int prints = 0;                      ///< of a target: to confirm what prints come to
+  int prints = 0;  ///< of a target: number of prints with errors that confirm the print tolerance
   int threads = 0;
   std::uint64_t seed = 0;
   bool seed_given = false;
   std::string model = "exact";  ///< of simulate: exact, equilibrium or bullet
   double theta_deg = 0;         ///< of simulate, deg
   bool theta_given = false;
-  bool drives = false;  ///< of simulate: tries drives instead of the design's own
+  bool drives = false;  ///< of simulate: compares several drives instead of using the design's
   bool resume = false;  ///< of sweep
 
-  /// Where results go. @param suffix keeps those of one command from replacing another's
+  /// Returns the folder for results. @param suffix keeps results of one command from replacing another's
   std::string folder_of(const std::string& name, const std::string& suffix = "") const {
     return folder_given ? folder : "results/" + name + suffix;
   }
 };
 
-/// A text without anything that changes how a terminal works or in which order it shows letters: control characters but tab and
-/// line end as \uXXXX, as JSON has them, and bytes that are not UTF-8 as \xXX. File names may hold them.
+/// Returns a text without anything that changes a terminal or the order in which it shows letters. Control characters
+/// except tab and line end become \uXXXX, as in JSON. Bytes that are not UTF-8 become \xXX. File names may hold both.
 std::string printable(std::string_view text);
 
 /// Makes a text printable on one line: line ends become \n as well.
 std::string printable_line(std::string_view text);
 
-/// Makes what std::cout and std::cerr print printable while it lives.
+/// Filter that makes the output of std::cout and std::cerr printable while it lives.
 class PrintableStreams {
  public:
   PrintableStreams();

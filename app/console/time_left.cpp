@@ -6,8 +6,8 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double told_from_share = 0.02;           // of a stage: from less nobody can tell what is left
-constexpr double about_ratio = 1.25, about_s = 1;  // ratio and s, by which "about" may be short
+constexpr double told_from_share = 0.02;  // of a stage: a smaller share is too little for an estimate
+constexpr double about_ratio = 1.25, about_s = 1;  // ratio and s by which "about" may be too short
 
 }  // namespace
 

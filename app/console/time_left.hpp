@@ -6,27 +6,27 @@
 
 namespace kinetix::app {
 
-/// How long a stage still takes, by the time that its part took which is done. What is told never goes up: it counts down
-/// between two shares, and where later ones come slower it stands, or gives way to words.
+/// Time left of a stage, extrapolated from the part that is done. The displayed time never increases. If the stage
+/// slows down, the time stays the same or gives way to words.
 class TimeLeft {
  public:
-  /// @param seconds since the stage began   @param done share of it, 0 to 1 (negative: not known)
+  /// Updates the estimate. @param seconds since the stage began   @param done share of it, 0 to 1; negative: unknown
   void update(double seconds, double done);
-  /// s; nothing where too little is done to tell, and where it takes longer than was told
+  /// Returns the time left, s. Empty if too little is done for an estimate, or if it takes longer than displayed.
   std::optional<double> at(double seconds);
-  /// "about 41 s left", "takes longer than it seemed", or nothing
+  /// Returns "about 41 s left", "takes longer than it seemed", or an empty text.
   std::string words(double seconds);
 
  private:
   bool is_known() const { return total_ < std::numeric_limits<double>::infinity(); }
 
-  double began_ = -1, before_ = 0;                          ///< s and share at the first word of it
+  double began_ = -1, before_ = 0;                          ///< s and share at the first update
   double done_ = -1;                                        ///< the latest share
-  double total_ = std::numeric_limits<double>::infinity();  ///< s, of the stage by that share
-  double told_ = std::numeric_limits<double>::infinity();   ///< s left: the least that was said
+  double total_ = std::numeric_limits<double>::infinity();  ///< s, whole stage, extrapolated from that share
+  double told_ = std::numeric_limits<double>::infinity();   ///< s left: the least displayed so far
 };
 
-/// "2.3 s", "41 s", "4 min 10 s", "3 h 20 min"
+/// Formats a duration: "2.3 s", "41 s", "4 min 10 s", "3 h 20 min".
 std::string duration_text(double seconds);
 
 }  // namespace kinetix::app

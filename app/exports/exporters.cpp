@@ -24,7 +24,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Edge = model::CreasePattern::Edge;
 
-constexpr std::size_t most_triangles = 200'000;            // of bodies in a report: a page of 5 MB
+constexpr std::size_t most_triangles = 200'000;            // triangles of bodies in a report: a page of 5 MB
 constexpr std::string_view creases_name = "creases.fold";  // in the folder of results
 
 std::vector<NamedContent> write_design(const Run& run, const Json&) {
@@ -39,7 +39,7 @@ Json points_json(const auto& points) {
 
 std::string letter_of(const Edge& edge) { return edge.crease < 0 ? "B" : edge.multiplier > 0 ? "V" : "M"; }
 
-/// deg; of an edge at the rim there is none.
+/// Lists the fold angle of each edge in degrees; null for edges at the boundary.
 Json fold_angles(const model::CreasePattern& pattern, double theta) {
   Json out = Json::array();
   for (const Edge& edge : pattern.edges) {
@@ -86,7 +86,7 @@ std::vector<NamedContent> write_creases(const Run& run, const nlohmann::ordered_
     const model::CreasePattern pattern = crease_pattern(*planar, redrawing_of(*planar).y, run.theta);
     return {{std::string(creases_name), origami_text(pattern, run.theta, run.design.name)}};
   } catch (const InvalidInput&) {
-    return {};  // facets that are no polygons have no place in such a file
+    return {};  // the format has no facets that are not polygons
   }
 }
 
@@ -101,8 +101,8 @@ std::size_t triangles_of(const model::Assembly& bodies) {
   return count;
 }
 
-/// The result with the pictures that belong into the page itself, without the time of writing: it is not known yet. Imported bodies come
-/// with their meshes.
+/// Makes report.html with the pictures of the page and the meshes of imported bodies. The time of writing is removed,
+/// because it is not known yet.
 std::vector<NamedContent> write_report(const Run& run, const Json& result) {
   Json shown = result;
   if (const model::Assembly* bodies = run.design.structure.assembly()) {
@@ -127,9 +127,9 @@ std::vector<const Exporter*>& all() {
   return list;
 }
 
-constexpr int indent = 1;  // spaces: small, and still one number a line
+constexpr int indent = 1;  // spaces: small, and still one number per line
 
-constexpr const char* design_name = "design.yaml";  // which users change by hand
+constexpr const char* design_name = "design.yaml";  // users may change it by hand
 
 void add_files(const Run& run, const nlohmann::ordered_json& result, FileSet& files, FileRecord& record) {
   for (const Exporter* exporter : exporters())
@@ -139,7 +139,7 @@ void add_files(const Run& run, const nlohmann::ordered_json& result, FileSet& fi
     }
 }
 
-/// The first that is free in the folder.
+/// Returns the first unused file name for a changed design in the folder.
 std::string name_for_changed_design(const std::string& folder) {
   std::string name = "design_changed.yaml";
   for (int k = 2; std::filesystem::exists(std::filesystem::path(folder) / name); ++k)
@@ -147,7 +147,7 @@ std::string name_for_changed_design(const std::string& folder) {
   return name;
 }
 
-/// @return under which name
+/// Keeps a design.yaml that was changed by hand under a new name. @return that name; "" if it was not changed
 std::string keep_changed_design(const std::string& folder, const FileRecord& record, FileSet& files) {
   const auto changed = record.changed(design_name);
   if (!changed) return "";

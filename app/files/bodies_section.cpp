@@ -22,22 +22,21 @@ namespace {
 namespace value = targets::value;
 using Eigen::Vector3d;
 
-constexpr double unit_length =
-    1e-3;                        // by which the length of an axis may differ from 1: what a person rounds to
-constexpr double square = 1e-2;  // of the cosine between an axis and the direction along the part
-constexpr double default_reach = 0.18;  // cell edges: as of hinges of sheets
-/// As files name what joins two bodies.
+constexpr double unit_length = 1e-3;  // deviation of an axis's length from 1: rounding by a person
+constexpr double square = 1e-2;       // limit of the cosine between an axis and the direction along the part
+constexpr double default_reach = 0.18;  // cell edges, as for hinges of sheets
+/// Kind of a joint as files name it.
 enum class JointWord { pin, block, ball };
 constexpr targets::Word<JointWord> joint_words[] = {
     {"pin", JointWord::pin}, {"block", JointWord::block}, {"ball", JointWord::ball}};
 
-// Degrees of a driven hinge: half a turn either way is all that one angle can tell.
+// Degrees of a driven hinge: one angle cannot describe more than half a turn in either direction.
 const targets::Bounds turn_bounds = targets::between(-180, 180, "degrees");
-// Of distances from the middle: to nothing, or a hundred times as far.
+// Ratio of distances from the middle: almost to nothing, or a hundred times as far.
 const targets::Bounds expand_bounds = targets::from_to(0.01, 100);
 // Cell edges, rms distances from poses.
 const targets::Bounds pull_bounds = targets::from_to(1e-9, 100, "cell edges");
-// Of a confidence, dimensionless.
+// Range of a confidence, dimensionless.
 const targets::Bounds share = targets::from_to(0, 1);
 
 targets::ValueType vector_mm() { return value::list(value::number({.unit = "mm"}), "`[x, y, z]`", 3, 3); }
@@ -271,7 +270,7 @@ std::string vector_text(const Vector3d& v) {
          shortest_text(v.z() + 0.0) + "]";
 }
 
-/// Of its tilts those that do not follow from its reach.
+/// Formats the stiffness. Of the tilts it has only those that do not follow from the hinge's reach.
 std::string k_text(const model::HingeStiffness& k) {
   using targets::shortest_text;
   std::string out = fmt::format("{{axial: {}, shear: {}, along: {}, turn: {}", shortest_text(k.axial),
@@ -326,7 +325,7 @@ model::State read_poses(const targets::Node& node, std::size_t bodies) {
   return out;
 }
 
-/// What its drive says.
+/// Reads the drive of a design of imported bodies.
 void read_bodies_drive(const targets::Section& drive, const BodiesReader& reader, Design& design) {
   const auto poses = drive.optional("poses"), expand = drive.optional("expand");
   if (poses && expand) throw expand->error("cannot stand beside `poses`; give one of them");

@@ -8,20 +8,21 @@
 
 namespace kinetix::app {
 
-/// Every key of a design of imported bodies, as `import` writes it: assembly.schema.json.
+/// Returns every key of a design of imported bodies, as `import` writes it: assembly.schema.json.
 const targets::KeyTable& bodies_keys();
 
-/// Whether a document is one: its `structure` has the key `bodies`.
+/// Whether a document is such a design: its `structure` has the key `bodies`.
 bool lists_bodies(const targets::Node& root);
 
-/// A design of imported bodies, with a mesh beside it for each of them and each soft part.
-/// @throws InvalidInput for whatever the keys do not allow, names that are not there or there twice, and meshes that are no solids
+/// Reads a design of imported bodies, with a mesh file for each body and soft part, relative to the design.
+/// @throws InvalidInput for all that the keys do not allow, names that are missing or used twice, and meshes that are
+/// not solids
 Design read_bodies(const targets::Node& root);
 
-/// Its text. @pre design.structure.assembly()
+/// Returns the text of the design's file. @pre design.structure.assembly()
 std::string bodies_text(const Design& design);
 
-/// design.yaml of any design, and the meshes of imported bodies beside it, coordinates rounded to float.
+/// Returns design.yaml of any design, and the meshes of its imported bodies, coordinates rounded to float.
 std::vector<NamedContent> design_files(const Design& design);
 
 }  // namespace kinetix::app

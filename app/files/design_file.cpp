@@ -20,15 +20,15 @@ namespace {
 namespace value = targets::value;
 using model::SharedWalls;
 
-// Of t (a fraction), alpha and beta (degrees). The ends, at which a hinge would be on a vertex or its axis
-// along the wall or in the sheet, are left out.
+// Ranges of t (a fraction), alpha and beta (degrees). They exclude their ends, which would put a hinge on a vertex,
+// or its axis along the wall or in the sheet.
 const targets::Bounds fraction = targets::between(0, 1);
 const targets::Bounds in_plane = targets::between(0, 180, "degrees");
 const targets::Bounds tilt = targets::between(-90, 90, "degrees");
-// Half a wall to either side: beyond it the hinge would be nearer to another wall.
+// Half a wall to either side: any further, the hinge would be nearer to another wall.
 const targets::Bounds offset = targets::between(-0.5, 0.5, "mm (within half a cell to either side)");
 
-// What the key `shared` may say.
+// Words of the key `shared`.
 constexpr targets::Word<SharedWalls> ways_to_share[] = {{"average", SharedWalls::average},
                                                         {"must_agree", SharedWalls::must_agree}};
 
@@ -147,7 +147,8 @@ void read_state(const targets::Section& root, Design& file) {
   design.read("theta_deg", file.theta);
 }
 
-/// Where single walls say how stiff their hinges are, all of them give.
+/// Reads the section `hinge`. If single walls have stiffnesses, all hinges are elastic unless the section names its
+/// model.
 HingeSection read_common_hinge(const targets::Section& root, const Design& file) {
   HingeSection hinge = read_hinge_section(root, file.structure.size());
   if (!file.own_hinges.empty() && !root.section("hinge").optional("model"))
@@ -158,7 +159,8 @@ HingeSection read_common_hinge(const targets::Section& root, const Design& file)
   return hinge;
 }
 
-/// Walls of a graph have lengths of their own; the cell's edge, against which gaps are read, is their mean.
+/// Checks that gaps are shorter than their walls. Walls of a graph differ in length, but gaps are read against their
+/// mean, the cell edge.
 void check_gaps(const targets::Section& root, const Design& file) {
   for (int h = 0; h < file.structure.hinges(); ++h) {
     const auto& made = hinge_at(file.hinge, file.own_hinges, h).made;
@@ -251,7 +253,7 @@ std::optional<std::string> why_offset_does_not_fit(const Design& design, int hin
   if (!made) return std::nullopt;
   const model::CellSize size = design.structure.size();
   const double offset_mm = std::abs(design.structure.hinge(hinge).offset) * size.edge_mm;
-  const double rounding_mm = 1e-9 * size.edge_mm;  // of a file's digits
+  const double rounding_mm = 1e-9 * size.edge_mm;  // rounding by the digits of a file
   if (offset_mm <= largest_offset_mm(*made, size) + rounding_mm) return std::nullopt;
   return offset_limit_text(*made, size);
 }
@@ -266,7 +268,7 @@ const model::BodyPull* body_pull_of(const Design& design) {
 
 std::string design_at(const std::string& source) {
   namespace fs = std::filesystem;
-  std::error_code failure;  // of a name that no file can have: reading it says so
+  std::error_code failure;  // ignored: reading the file reports a name that no file can have
   const fs::path path(source), beside = path.parent_path() / "design.yaml", inside = path / "design.yaml";
   if (path.filename() == "result.json" && fs::exists(beside, failure)) return beside.string();
   if (!fs::is_directory(path, failure)) return source;
@@ -296,7 +298,7 @@ Design read_design(const targets::Node& node) {
   const targets::Section root = read_root(node, design_keys());
   Design file{.name = read_name(root), .structure = read_structure(root)};
   read_state(root, file);
-  file.own_hinges.merge(read_own_hinges(root, file.structure));  // single walls go before
+  file.own_hinges.merge(read_own_hinges(root, file.structure));  // entries of single walls take precedence
   file.drive = read_drive_section(root, file.structure);
   file.side = read_side(root);
   file.hinge = read_common_hinge(root, file);

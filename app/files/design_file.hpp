@@ -15,55 +15,56 @@
 
 namespace kinetix::app {
 
-/// Of one entry of `design.hinges`.
+/// Returns the keys of an entry of `design.hinges`.
 const targets::KeyTable& hinge_entry_keys();
 
-/// The content of a design.yaml. Angles in radians, lengths in mm.
+/// Content of a design.yaml. Angles in radians, lengths in mm.
 struct Design {
   std::string name;                                     ///< default: the file's name without its ending
   model::Lattice structure;                             ///< with the parameters of every hinge
-  model::Process process = model::processes().front();  ///< that prints it
-  double theta = 0;                        ///< the state to show, rad, within (-pi/2, pi/2); default flat
-  std::optional<model::Drive> drive = {};  ///< nothing: to theta
-  int side = 1;  ///< `side` of the drive: which way to leave a bifurcation that it leaves open, 1 or -1
+  model::Process process = model::processes().front();  ///< process that prints the design
+  double theta = 0;                        ///< state to show, rad, within (-pi/2, pi/2); default flat
+  std::optional<model::Drive> drive = {};  ///< empty: to theta
+  int side = 1;                            ///< `side` of the drive: branch to take at a bifurcation, 1 or -1
   HingeSection hinge = {};
-  std::map<int, HingeSection> own_hinges =
-      {};  ///< of walls whose hinge is another one, by index of the hinge
+  std::map<int, HingeSection> own_hinges = {};  ///< per-hinge overrides, by index of the hinge
   PhysicsSection physics = {};
 };
 
-/// How its hinges are made: first those that have nothing of their own, where there are any, then each of the others.
+/// Returns the hinge sections of a design: the common one if a hinge uses it, then each override.
 std::vector<const HingeSection*> hinge_sections(const Design& design);
 
-/// Why a hinge's axis cannot sit as far off the middle of its wall as it does; nothing where it can, and of hinges that the
-/// file does not describe.
+/// Describes why a hinge cannot have its axis as far off the middle of its wall as it does. Empty if it can, and for
+/// hinges that the file does not describe.
 std::optional<std::string> why_offset_does_not_fit(const Design& design, int hinge);
 
-/// Returns the hinge that a design of imported bodies turns, its number -1 for the one that turns most in the first motion. Null where none is.
+/// Returns the hinge that a design of imported bodies turns; null if none. Its number is -1 for the hinge that turns
+/// most in the first motion.
 const model::HingeTurn* turn_of(const Design& design);
-/// Returns by what the imported bodies of a design are pulled; null where they are not.
+/// Returns the pull of the imported bodies of a design; null if they are not pulled.
 const model::BodyPull* body_pull_of(const Design& design);
 
-/// Every key of a design.yaml of a sheet; bodies_keys(): of imported bodies.
+/// Returns every key of a design.yaml of a sheet. bodies_keys() has those of imported bodies.
 const targets::KeyTable& design_keys();
 
-/// Bytes, 16 MiB. Designs may be larger than targets: this holds some 200 000 named hinges.
+/// Bytes, 16 MiB. Designs may be larger than targets: this is enough for some 200 000 named hinges.
 inline constexpr std::size_t max_design_bytes = 16 << 20;
 
-/// The file of a design. @param source it, the folder of a result, or its result.json, which stands beside the design
+/// Returns the file of a design. @param source that file, the folder of a result, or a result.json next to the design
 /// @throws InvalidInput for a folder without a design
 std::string design_at(const std::string& source);
 
-/// @throws InvalidInput for whatever formats.md does not allow: among others a wall that the structure does
-/// not have, is named twice, or does not run from its lower to its upper vertex, and cells of a pattern that
-/// disagree; of imported bodies as read_bodies()
+/// Reads a design.
+/// @throws InvalidInput for all that formats.md does not allow. Examples: a wall that the structure does not have,
+/// that is named twice, or that does not run from its lower to its upper vertex. Other examples: cells of a pattern
+/// that disagree, and errors of read_bodies().
 Design read_design(const std::string& file);
-/// The same of a document in memory.
+/// Reads a design from a document in memory.
 Design read_design(const targets::Node& root);
 
-/// The file's text. read_design gives the same design back, bit for bit: angles are in degrees with as many
-/// digits as that takes. (An offset that is no number of mm over cell_mm loses its last bit.) Only hinges that differ
-/// from the basic one are named.
+/// Returns the file's text. read_design gives the same design back, bit for bit: angles are in degrees with as many
+/// digits as that takes. An exception is the last bit of an offset that is not a number of mm over cell_mm. Only
+/// hinges that differ from the basic one are named.
 /// @pre finite numbers within the ranges that read_design allows, and a name that it allows
 std::string design_text(const Design& design);
 

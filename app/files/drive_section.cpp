@@ -12,11 +12,11 @@ namespace {
 
 namespace value = targets::value;
 
-// Of a compression (fraction of the plates' first distance): 0 leaves nothing to do, at 1 the plates meet.
+// Range of a compression (fraction of the plates' initial distance): 0 leaves nothing to do, at 1 the plates meet.
 const targets::Bounds fraction = targets::between(0, 1);
-// Of a driven hinge, degrees: half a turn either way is all that one angle can tell.
+// Range of a driven hinge, degrees: one angle cannot describe more than half a turn in either direction.
 const targets::Bounds turn = targets::between(-180, 180, "degrees");
-// What the keys of the section may say.
+// Words of the section's keys.
 
 constexpr targets::Word<model::Axis> axes[] = {{"x", model::Axis::x}, {"y", model::Axis::y}};
 constexpr targets::Word<int> signs[] = {{"1", 1}, {"-1", -1}};  // of `branch` and `side`, nothing between
@@ -96,7 +96,7 @@ const targets::KeyTable& drive_keys() {
   return keys;
 }
 
-/// `drive: {side: -1}` alone says nothing of where to go.
+/// Returns the keys of a drive without a goal, `drive: {side: -1}`.
 const targets::KeyTable& side_alone_keys() {
   static const targets::KeyTable keys({side_key()});
   return keys;
@@ -183,7 +183,7 @@ std::string branch_text(const std::optional<int>& branch) {
   return branch ? fmt::format(", branch: {}", *branch) : "";
 }
 
-/// The keys of a drive, its kind first.
+/// Formatter of the keys of a drive, its kind first.
 struct DriveText {
   const model::Lattice& structure;
 

@@ -8,9 +8,9 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int supported_version = 1;       // of the file format, the only one there is
+constexpr int supported_version = 1;       // the only version of the file format
 constexpr std::size_t longest_name = 100;  // characters: file systems allow 255, endings included
-// What messages and the documentation say a name may be.
+// Description of allowed names in messages and the documentation.
 constexpr const char* wanted_name =
     "1 to 100 letters, digits, `_`, `-` and `.`, not starting with a point, since it names a folder";
 
@@ -45,7 +45,7 @@ void refuse_result(const targets::Node& root) {
   const auto schema = root.optional("schema");
   if (!schema || schema->kind() != targets::Node::Kind::scalar) return;
   const fs::path beside = fs::path(root.folder()) / "design.yaml";
-  std::error_code failure;  // of a folder that cannot be read: then it is not beside
+  std::error_code failure;  // ignored: in a folder that cannot be read no design is found
   throw root.error("this is a result, and what can be run or exported is its design; give " +
                    (fs::exists(beside, failure)
                         ? beside.string()

@@ -14,7 +14,7 @@ namespace {
 namespace value = targets::value;
 using optim::Symmetry;
 
-// What the key `symmetry` may say.
+// Words of the key `symmetry`.
 constexpr targets::Word<Symmetry> symmetries[] = {{"none", Symmetry::none},
                                                   {"mirror_x", Symmetry::mirror_x},
                                                   {"mirror_y", Symmetry::mirror_y},
@@ -41,7 +41,7 @@ const targets::KeyTable& keys() {
 
 bool starts_as_number(const std::string& word) { return word.find_first_of("0123456789.+-") == 0; }
 
-/// Nothing where the file does not ask for it.
+/// Reads the weight of prints; empty if the file does not request it.
 std::optional<double> read_robust(const targets::Section& root) {
   const auto node = root.optional("robust");
   if (!node) return std::nullopt;
@@ -51,7 +51,7 @@ std::optional<double> read_robust(const targets::Section& root) {
   return node->boolean() ? std::optional(1.0) : std::nullopt;
 }
 
-/// Of springs that would have nothing to turn.
+/// Rejects springs that would have nothing to turn.
 void refuse_idle_drive(const targets::Section& root, const GoalSettings& settings) {
   if (!settings.drive || settings.hinge.model == HingeSection::Model::elastic) return;
   throw root.optional("drive")->key_error(
@@ -71,7 +71,7 @@ double read_tilt(const targets::Section& beta, double usual) {
   return std::min(-range[0], range[1]);
 }
 
-/// Where the file says how far theta may go, or would have.
+/// Returns the section with the range of theta, or the innermost section given that could have it.
 const targets::Section& place_of_theta(const targets::Section& root, const targets::Section& variables,
                                        const targets::Section& theta) {
   return theta.given() ? theta : variables.given() ? variables : root;

@@ -16,100 +16,99 @@
 
 namespace kinetix::app {
 
-/// The `solver:` section. What is not given is for the search to choose.
+/// Content of the `solver:` section. The search chooses what is not given.
 struct SolverSection {
   std::optional<optim::SolverName> name;
   std::optional<int> starts;           ///< 1 to 10000
   std::optional<int> max_evaluations;  ///< per start, 1 to 10000000
 };
 
-/// Keys of the section for a kind of goal. @param names of the solvers that suit it, the default first
-/// @param starts default; nothing where a search has one start alone; @param of_what the evaluations are
-/// counted, e.g. "per start"
+/// Returns the keys of the section for a kind of goal. @param names of the solvers that suit it, the default first
+/// @param starts default; empty if a search has a single start   @param of_what unit of evaluations, e.g. "per start"
 targets::KeyTable solver_keys(const std::vector<optim::SolverName>& names, std::optional<int> starts,
                               int max_evaluations, const std::string& of_what);
 
-/// The key `name`, any of all solvers.
+/// Reads the key `name`, any of all solvers.
 optim::SolverName read_solver_name(const targets::Node& node);
 
-/// @param root the whole document
+/// Reads the `solver:` section. @param root the whole document
 SolverSection read_solver(const targets::Section& root);
 
 targets::Key symmetry_key(const std::string& meaning);
-/// The `symmetry:` key of a section; none where it is not given. @throws InvalidInput for rotate_4 unless the
-/// panel is a square
+/// Reads the `symmetry:` key of a section; none by default. @throws InvalidInput for rotate_4 unless the panel is a
+/// square
 optim::Symmetry read_symmetry(const targets::Section& section, int columns, int rows);
 
-/// The `drive:` key of goals of exact families.
+/// Returns the `drive:` key of goals of exact families.
 targets::Key goal_drive_key();
-/// The springs that are to fold a sheet of elastic hinges, which have no angle yet; nothing: plates or one hinge, whichever folds
-/// the sheet's family most evenly.
+/// Reads the springs that fold a sheet of elastic hinges. They have no angle yet. Empty: plates or one hinge,
+/// whichever folds the sheet's family most evenly.
 /// @param root the whole document
 std::optional<model::ShapeMemory> read_goal_drive(const targets::Section& root);
 
 class Goal;
 
-/// What the file of every goal asks of its run beside the goal.
+/// Settings of a run in the file of every goal, except the goal itself.
 struct GoalSettings {
-  static constexpr double usual_verify =
-      0.02;                             // cell edges: twenty times what converged physics runs are off
-  static constexpr double grain = 0.5;  // cell edges: what a sheet of such cells cannot follow more closely
+  static constexpr double usual_verify = 0.02;  // cell edges: twenty times the error of converged simulations
+  static constexpr double grain = 0.5;  // cell edges: a sheet of such cells cannot follow more closely
 
   std::string name = {};                   ///< default: the file's name without its ending
-  double verify_tolerance = usual_verify;  ///< tolerance.verify: of verify_rms, cell edges, (0, 1]
-  SolverSection solver = {};               ///< of kinds whose searches have a choice
+  double verify_tolerance = usual_verify;  ///< tolerance.verify: limit of verify_rms, cell edges, (0, 1]
+  SolverSection solver = {};               ///< only of kinds with a choice of solvers
   PhysicsSection physics = {};
   HingeSection hinge = {};
-  std::vector<HingePart> hinge_parts = {};  ///< hinges that are made otherwise
+  std::vector<HingePart> hinge_parts = {};  ///< per-hinge overrides
   std::optional<model::ShapeMemory> drive =
-      {};  ///< springs in place of the usual drive, where hinges are elastic
+      {};  ///< springs in place of the usual drive, if hinges are elastic
   model::Process process = model::processes().front();
-  /// How much prints count beside the design itself where it is chosen by them, (0, 1]; of kinds that have robust_key()
+  /// Weight of prints against the design itself in a robust search, (0, 1]. Only of kinds that have robust_key().
+  /// Empty: no such search.
   std::optional<double> robust = {};
 };
 
-/// Adds what the file's process cannot print of cells of this size to the notes of a forecast.
+/// Adds notes to a forecast on what the file's process cannot print with cells of this size.
 void note_process(const GoalSettings& settings, const model::CellSize& size, std::vector<std::string>& notes);
 
-/// Every key of a target: a goal's own, and those that all have in common.
-/// @param hinge what the key `hinge` means; empty: the goal has no `hinge` and `drive`, or among its own
-/// @param more behind them all
+/// Returns every key of a target: a goal's own, and those that all goals have.
+/// @param hinge meaning of the key `hinge`; empty: the goal has no `hinge` and `drive`, or has them among its own
+/// @param more keys after all others
 targets::KeyTable goal_keys(std::vector<targets::Key> own, const std::string& hinge,
                             std::vector<targets::Key> more = {});
-/// Meanings of the key `hinge`: for cells whose size is known before the search, and for cells that may get it by the search.
+/// Meanings of the key `hinge`: for cells whose size is known before the search, and for cells sized by the search.
 inline constexpr const char* any_hinge = "what the hinges are made of";
 inline constexpr const char* sized_hinge = "what the hinges are made of; needs `structure.cell_mm`";
 
-/// The key `tolerance.verify`.
+/// Returns the key `tolerance.verify`.
 targets::Key verify_key(double usual = GoalSettings::usual_verify);
 
 /// Reads the settings that a kind has keys for, except those of read_hinges().
 /// @param edge_mm cell edge, for ranges of lengths
 void read_settings(const targets::Section& root, double edge_mm, GoalSettings& settings);
 
-/// The key `robust`. @param over what such a search may change
+/// Returns the key `robust`. @param over choices of such a search, in words
 targets::Key robust_key(const std::string& over =
                             "theta where the search is free to choose it, and over gaps of "
                             "blocks and films");
 
-/// Hinges, what drives them and the process that makes them.
-/// @param size of the cells; nothing where the search finds it
+/// Reads the hinges, their drive and the process that makes them.
+/// @param size of the cells; empty if the search finds it
 /// @throws InvalidInput for hinges whose cells have no size yet, and for what the process cannot make
 void read_hinges(const targets::Section& root, const std::optional<model::CellSize>& size,
                  GoalSettings& settings);
 
-/// Keys of a `variables:` section; angles in radians.
+/// Returns a key of a `variables:` section; angles in radians.
 targets::Key tilt_range_key(const optim::AngleRange& usual);
-/// @param usual rad
+/// Returns the key `theta` of a `variables:` section. @param usual rad
 targets::Key theta_key(const optim::AngleRange& usual);
-/// The whole section of a net. @param tilt largest, rad, of either sign
+/// Returns the whole section of a net. @param tilt largest, rad, of either sign
 targets::KeyTable net_variables_keys(double tilt, const optim::AngleRange& theta);
 
-/// `theta: {range_deg: [2, 44]}` of a file's variables.
+/// Reads `theta: {range_deg: [2, 44]}` of a file's variables.
 /// @param root the whole document
-/// @param usual where the file says nothing
+/// @param usual default
 /// @return rad, within (0, 45) deg
-/// @throws InvalidInput for a range that starts where walls already close the cells
+/// @throws InvalidInput for a range that starts at a theta at which walls already close the cells
 optim::AngleRange read_theta(const targets::Section& root, const model::CellSize& size,
                              const optim::AngleRange& usual);
 
@@ -119,7 +118,7 @@ struct NetVariables {
   optim::AngleRange theta;  ///< rad
 };
 
-/// `variables: {beta: {range_deg: [-60, 60]}, theta: {range_deg: [2, 44]}}` of a file.
+/// Reads `variables: {beta: {range_deg: [-60, 60]}, theta: {range_deg: [2, 44]}}` of a file.
 /// @throws InvalidInput for tilts of one sign alone, and as read_theta
 NetVariables read_net_variables(const targets::Section& root, const model::CellSize& size,
                                 const NetVariables& usual);

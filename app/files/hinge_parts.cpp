@@ -12,7 +12,7 @@ namespace {
 
 using PartPlace = HingePart::Place;
 
-constexpr double least_lean = 1e-9;  // rad: hinges that lean by less are rounding
+constexpr double least_lean = 1e-9;  // rad: smaller tilts are rounding
 
 const char* line_word(const HingePart& part) { return part.place == PartPlace::column ? "column" : "row"; }
 
@@ -63,7 +63,7 @@ std::vector<int> hinges_of_part(const model::Lattice& sheet, const HingePart& pa
   return hinges_on_line(*squares, axis, part.line);
 }
 
-/// Of a block or film, by its material; 0 of all others.
+/// Returns the largest strain that the material of a block or film withstands; 0 for all other hinges.
 double bearable_strain(const HingeSection& hinge) {
   const bool bends = hinge.made && hinge.made->kind != model::HingeKind::pin;
   return bends ? hinge.made->material.strain_max : 0;

@@ -13,15 +13,15 @@ using Model = HingeSection::Model;
 using model::HingeKind;
 using model::MadeHinge;
 
-// What the key `model` may say.
+// Words of the key `model`.
 constexpr targets::Word<Model> models[] = {{"rotary", Model::rotary}, {"elastic", Model::elastic}};
-// And the key `kind`.
+// Words of the key `kind`.
 constexpr targets::Word<HingeKind> kinds[] = {
     {"pin", HingeKind::pin}, {"block", HingeKind::block}, {"film", HingeKind::film}};
 
-constexpr double default_clearance_mm = 0.3;  // mm a side: of FDM, the widest that is in general use
-constexpr const char* default_pin = "pa12";   // a material that rods are printed of
-// Of a made hinge: N/mm and mm are far from these ends.
+constexpr double default_clearance_mm = 0.3;  // mm per side: of FDM, the widest in general use
+constexpr const char* default_pin = "pa12";   // a material that rods are printed in
+// Ranges of a made hinge, far beyond practical values.
 const targets::Bounds modulus = targets::from_to(1e-6, 1e7, "MPa");
 const targets::Bounds poisson = {0, 0.5, true, false, {}};
 const targets::Bounds strain = {0, 10, false, true, {}};
@@ -127,7 +127,7 @@ std::vector<targets::Key> keys_with(targets::Key model) {
   return keys;
 }
 
-constexpr int most_lines = 1000000;  // of a sheet: more than fit in a file
+constexpr int most_lines = 1000000;  // lines of a sheet: more than fit in a file
 
 targets::Key except_key() {
   return {"except", value::list(value::map(hinge_part_keys()), "a list of hinges made otherwise", 0),
@@ -136,7 +136,7 @@ targets::Key except_key() {
           "that hold one hinge the later counts"};
 }
 
-/// Which of the ways to give a hinge a file takes.
+/// Checks that a file gives a hinge in one way only.
 void check_one_way(const targets::Section& section) {
   const auto refuse = [&](const char* way, std::initializer_list<const char*> others) {
     if (!section.optional(way)) return;
@@ -165,7 +165,7 @@ model::Material read_material(const targets::Node& node) {
   return material;
 }
 
-/// @throws InvalidInput for a key that belongs to another kind
+/// Checks that no key belongs to another kind. @throws InvalidInput for such a key
 void check_kind(const targets::Section& section, HingeKind kind) {
   const auto refuse = [&](std::initializer_list<const char*> keys, const char* why) {
     for (const char* key : keys)
@@ -177,13 +177,14 @@ void check_kind(const targets::Section& section, HingeKind kind) {
     refuse({"diameter_mm", "clearance_mm", "play", "caps"}, "belongs to pins, not to blocks and films");
 }
 
-/// Checks that the lengths are there that the kind needs.
+/// Checks that the lengths that the kind needs are given.
 void check_lengths(const targets::Section& section, HingeKind kind) {
   section.node().required(kind == HingeKind::pin ? "diameter_mm" : "gap_mm", "a length in mm");
   if (kind == HingeKind::film) section.node().required("thickness_mm", "a length in mm");
 }
 
-/// The message of validate() begins with the field: at its key, without saying it twice, where the file gives it.
+/// Checks a made hinge. The message of validate() begins with the field. If the file gives that key, the error is at
+/// the key and does not repeat the name.
 void check_made(const targets::Section& section, const model::MadeHinge& hinge, const model::CellSize& size) {
   try {
     validate(hinge, size);
@@ -217,7 +218,7 @@ model::MadeHinge read_made(const targets::Section& section, const model::CellSiz
   return hinge;
 }
 
-/// All but the model.
+/// Reads all of the section except the model.
 HingeSection read_stiffness_or_shape(const targets::Section& section, const model::CellSize& size,
                                      HingeSection hinge) {
   check_one_way(section);

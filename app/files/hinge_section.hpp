@@ -8,46 +8,48 @@
 
 namespace kinetix::app {
 
-/// The `hinge:` section: what the hinges are made of.
+/// Content of the `hinge:` section: what the hinges are made of.
 struct HingeSection {
   enum class Model { rotary, elastic };
 
   Model model = Model::rotary;
-  double k_point = 1000;                 ///< N/mm, > 0
-  double k_turn = 0.1;                   ///< N mm/rad, > 0; 0 is allowed where rotary
-  std::optional<double> reach_mm;        ///< half distance of the two constraint points, (0, 10] cell edges
-  std::optional<double> k_contact = {};  ///< of two walls pressed together, N/mm, > 0; nothing: 10 k_point
-  std::optional<model::HingeStiffness> k = {};  ///< instead of k_point and k_turn
-  std::optional<model::MadeHinge> made = {};    ///< instead of all of them but k_contact
+  double k_point = 1000;           ///< N/mm, > 0
+  double k_turn = 0.1;             ///< N mm/rad, > 0; 0 is allowed for rotary hinges
+  std::optional<double> reach_mm;  ///< half distance of the two constraint points, 0.01 to 10 cell edges
+  std::optional<double> k_contact = {};  ///< of walls in contact, N/mm, > 0; empty: 10 k_point or 5 max(k)
+  std::optional<model::HingeStiffness> k = {};  ///< replaces k_point and k_turn
+  std::optional<model::MadeHinge> made = {};    ///< replaces all of them except k_contact
 
   bool operator==(const HingeSection&) const = default;
 };
 
-/// By the directions of the hinge's frame, where the section gives them or a shape that has them.
+/// Returns the stiffness in the directions of the hinge's frame. Empty if the section gives neither that nor a shape
+/// that has it.
 std::optional<model::HingeStiffness> framed_stiffness(const HingeSection& hinge);
 
-/// Keys of the section, `except` with them (app/files/hinge_parts.hpp), and those where hinges are elastic whether
-/// the file says so or not.
+/// Returns the keys of the section, with `except` (app/files/hinge_parts.hpp).
 const targets::KeyTable& hinge_keys();
+/// Returns the keys of the section for goals whose hinges are always elastic, without `except`.
 targets::KeyTable elastic_hinge_keys();
-/// Keys of the hinge of a single wall, of an entry of `except`, and of the column or row that this is at.
+/// Returns the keys of the hinge of a single wall.
 const targets::KeyTable& single_hinge_keys();
+/// Returns the keys of an entry of `except`.
 const targets::KeyTable& hinge_part_keys();
+/// Returns the keys of the column or row of such an entry.
 const targets::KeyTable& hinge_line_keys();
 
-/// @param root the whole document; @param size for the ranges of lengths, and what a made hinge takes from its
-/// wall
+/// Reads the section. @param root the whole document   @param size for the ranges of lengths, and for what a made
+/// hinge takes from its wall
 HingeSection read_hinge_section(const targets::Section& root, const model::CellSize& size);
-/// The same where hinges are elastic whether the file says so or not. @throws InvalidInput also for model:
-/// rotary
+/// Reads the section for goals whose hinges are always elastic. @throws InvalidInput also for model: rotary
 HingeSection read_elastic_hinge_section(const targets::Section& root, const model::CellSize& size);
-/// Of a single wall, by single_hinge_keys(); its model is elastic.
+/// Reads the hinge of a single wall by single_hinge_keys(); its model is elastic.
 HingeSection read_single_hinge(const targets::Section& section, const model::CellSize& size);
 
-/// Why a made hinge cannot sit where a file asks, and of a pin without caps how far they reach.
+/// Describes how far a made hinge can be off the middle of its wall, and for a pin without caps how far with caps.
 std::string offset_limit_text(const model::MadeHinge& hinge, const model::CellSize& size);
 
-/// The inside of a map that reads back to the same, but for the model: "k_point: 1000, k_turn: 0.1".
+/// Returns the inside of a map that reads back to the same hinge, except its model: "k_point: 1000, k_turn: 0.1".
 std::string hinge_text(const HingeSection& hinge);
 
 }  // namespace kinetix::app

@@ -19,21 +19,22 @@ namespace {
 namespace value = targets::value;
 using model::PlanarLattice;
 
-constexpr double default_cell_mm = 10;        // mm: a cell that a hand takes hold of
-constexpr int max_vertices = 1'000'000;       // as many bodies as the largest sheet of squares has cells
+constexpr double default_cell_mm = 10;        // mm: a cell that can be held in the hand
+constexpr int max_vertices = 1'000'000;       // as many as the largest sheet of squares has cells
 constexpr const char* squares = "square";     // `lattice` of model/lattice/square
-constexpr const char* by_hand = "graph";      // and of what is drawn by hand
-constexpr const char* in_space = "sodalite";  // and of model/lattice/sodalite
-constexpr double default_gusset = 0.2;        // of an edge: arms of four fifths, gussets that a printer makes
-// Of a gusset, over the edge: shorter ones have both hinges in one place, longer ones leave rotors no arms.
+constexpr const char* by_hand = "graph";      // `lattice` of what is drawn by hand
+constexpr const char* in_space = "sodalite";  // `lattice` of model/lattice/sodalite
+constexpr double default_gusset = 0.2;        // of an edge: printable gussets, and arms of four fifths
+
+// Ratio of a gusset to the edge: shorter ones have both hinges in one place, longer ones leave rotors no arms.
 const targets::Bounds gussets = targets::from_to(0.02, 0.9);
-constexpr int most_cells_in_space = 14;  // along a direction: 14^3 cells have some 100 000 bodies
-constexpr double slender = 0.1;  // of an edge: walls of rotors pass each other up to a height of a fifth
-constexpr const char* slender_walls = "of `sodalite` a tenth of `cell_mm`";  // the same in words
+constexpr int most_cells_in_space = 14;  // per direction: 14^3 cells have some 100 000 bodies
+constexpr double slender = 0.1;          // of an edge: rotors pass each other up to heights of a fifth
+constexpr const char* slender_walls = "of `sodalite` a tenth of `cell_mm`";  // `slender` in words
 constexpr const char* rims[] = {"open", "closed"};
-// Of a rhombus, degrees: flatter ones have walls that touch their neighbours'.
+// Degrees of a rhombus: flatter ones have walls that touch their neighbours'.
 const targets::Bounds angles = targets::from_to(30, 150, "degrees");
-// Of a vertex: a kilometre is larger than any sheet.
+// Coordinates of a vertex: a kilometre is larger than any sheet.
 const targets::Bounds places = targets::from_to(-1e6, 1e6, "mm");
 
 std::vector<std::string> regular_names() {
@@ -42,7 +43,7 @@ std::vector<std::string> regular_names() {
   return names;
 }
 
-/// Those that cells are counted of.
+/// Returns the names of lattices with counted cells.
 std::vector<std::string> names_with_cells() {
   std::vector<std::string> names = regular_names();
   names.insert(names.begin(), squares);
@@ -96,7 +97,7 @@ Eigen::Vector2d read_point(const targets::Node& node) {
   return {xy[0].number(places), xy[1].number(places)};
 }
 
-/// As written in the file, mm.
+/// Reads the walls as written in the file, mm.
 model::PlanarGraph read_walls(const targets::Section& structure) {
   model::PlanarGraph graph;
   const targets::Node points = structure.required("vertices_mm", "points [[x, y], ...] in mm");
@@ -130,11 +131,11 @@ model::Lattice read_graph(const targets::Section& structure) {
   return place.located([&] { return make_planar_structure(std::move(graph), size); });
 }
 
-// Degrees, of the steepest crease: flat walls do not fold, and beyond 75 deg they lie on their sheet.
+// Degrees of the steepest crease: flat walls do not fold, and beyond 75 deg they lie on their sheet.
 const targets::Bounds pattern_tilts = targets::from_to(1, 75, "degrees");
 constexpr double default_tilt = 50 * radians_per_degree;  // rad: folds by 78 deg at theta 43 deg
 
-/// mm of the mean wall of a sheet that keeps the pattern's own size. @param unit_mm of the mesh
+/// Returns the length of the mean wall of a sheet that keeps the pattern's size, mm. @param unit_mm of the mesh
 /// @throws InvalidInput without a place for walls that `cell_mm` could not have
 double edge_of_pattern(const model::QuadMesh& mesh, double unit_mm) {
   const double edge_mm = unit_mm * mean_edge(mesh) / mean_edge(origami_sheet(mesh, default_size(1)).mesh);
@@ -145,7 +146,7 @@ double edge_of_pattern(const model::QuadMesh& mesh, double unit_mm) {
   return edge_mm;
 }
 
-/// A FOLD file as a sheet whose creases are tilted.
+/// Reads a FOLD file as a sheet whose creases are tilted.
 model::Lattice read_origami(const targets::Section& structure) {
   const targets::Node path = structure.required("origami", "path of a FOLD file");
   const std::filesystem::path file = std::filesystem::path(path.folder()) / path.text("path of a FOLD file");
@@ -175,7 +176,8 @@ model::Lattice read_block(const targets::Section& structure) {
   return cells.located([&] { return make_sodalite(counts, gusset, size); });
 }
 
-/// @param in_order whether the order of the cells tells: then only that of a rectangle is written as one
+/// Formats cells. @param in_order whether their order matters: then only cells in the order of a rectangle are
+/// written as one
 std::string cells_text(const std::vector<model::Cell>& cells, bool in_order) {
   const auto sides = as_rectangle(cells);
   const bool starts_at_0 = *std::min_element(cells.begin(), cells.end()) == model::Cell{0, 0};
@@ -242,7 +244,7 @@ targets::Key angle_key() {
           "of `rhombus`: between walls along the rows and across them"};
 }
 
-/// Of walls that have their lengths already.
+/// Returns the key `cell_mm` for walls that have their lengths already.
 targets::Key drawn_cell_mm_key() {
   return cell_mm_key(
       targets::otherwise("of a drawing and of a list of walls their mean length, which it does not change: "

@@ -25,12 +25,11 @@ using Eigen::Vector2d;
 using Json = nlohmann::json;
 using Ends = std::pair<int, int>;
 
-constexpr std::size_t max_pattern_bytes = 16 << 20;  // bytes, 16 MiB: as designs, some 100 000 facets
-// Rad: opposite sectors of vertices given to six digits differ by less from a straight angle.
+constexpr std::size_t max_pattern_bytes = 16 << 20;  // bytes, 16 MiB as for designs, some 100 000 facets
+// Rad: opposite sectors of vertices given to six digits differ from a straight angle by less.
 constexpr double straight_slack = 2e-3;
-constexpr double same_multiplier =
-    2e-3;                             // over each other: round a mesh given to six digits they agree better
-constexpr double least_ratio = 1e-4;  // of multipliers: below it a crease does not fold at all
+constexpr double same_multiplier = 2e-3;  // relative: around a mesh given to six digits they agree better
+constexpr double least_ratio = 1e-4;      // of multipliers: below it a crease does not fold at all
 
 std::string vertex_name(int v) { return "vertex " + std::to_string(v); }
 std::string edge_name(const Ends& e) {
@@ -38,7 +37,7 @@ std::string edge_name(const Ends& e) {
 }
 Ends ordered(int a, int b) { return std::minmax(a, b); }
 
-/// What a FOLD file says, by its numbers.
+/// Content of a FOLD file by its numbers.
 struct Pattern {
   std::vector<Vector2d> vertices;
   std::vector<std::vector<int>> faces;     ///< counter-clockwise
@@ -57,8 +56,8 @@ const Json& list_in(const Json& frame, const char* key) {
   return *found;
 }
 
-/// A frame with what it inherits: frame 0 is the file itself, the others are those of file_frames.
-/// @param deep in how many frames that inherit from each other
+/// Returns a frame with what it inherits: frame 0 is the file itself, the others are those of file_frames.
+/// @param deep number of frames that inherit from each other so far
 Json with_inherited(const Json& root, std::size_t number, std::size_t deep = 0) {
   const Json& frames = list_in(root, "file_frames");
   const Json& frame = number == 0 ? root : frames[number - 1];
@@ -75,7 +74,7 @@ Json with_inherited(const Json& root, std::size_t number, std::size_t deep = 0) 
   return whole;
 }
 
-/// The first that has faces, of its own or inherited.
+/// Returns the first frame that has faces, its own or inherited.
 Json frame_of(const Json& root) {
   if (!root.is_object()) throw InvalidInput("is not a FOLD file: its JSON is not an object");
   if (root.contains("faces_vertices") || !root.contains("file_frames")) return root;
@@ -88,7 +87,7 @@ Json frame_of(const Json& root) {
   return root;
 }
 
-/// mm; nothing where the frame says "unit", or nothing.
+/// Returns the unit of a frame, mm; empty if the frame has "unit" or none.
 std::optional<double> unit_of(const Json& frame) {
   static const std::map<std::string, double> known = {
       {"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}, {"pt", 25.4 / 72}};
@@ -162,7 +161,7 @@ Pattern read_pattern(const Json& frame) {
   return p;
 }
 
-/// Vertices that no rim passes have four creases.
+/// Checks that vertices inside the boundary have four creases.
 void check_degrees(const Pattern& p) {
   std::vector<int> degree(p.vertices.size(), 0);
   std::vector<bool> at_rim(p.vertices.size(), false);
@@ -200,7 +199,7 @@ class Grid {
     throw InvalidInput("faces of the pattern do not lie in columns and rows that are all equally long");
   }
 
-  /// The first vertex that a single face has, at its front.
+  /// Returns the face of the first vertex that only one face has, with that vertex at its front.
   std::vector<int> corner_face() const {
     std::vector<int> count(p_.vertices.size(), 0);
     for (const auto& face : p_.faces)
@@ -213,7 +212,8 @@ class Grid {
     refuse();
   }
 
-  /// To the face beyond an edge, turned so that it begins with this edge. @return false where there is none
+  /// Replaces `face` by the face beyond an edge, turned so that it begins with this edge. @return false if there is
+  /// none
   bool step(std::vector<int>& face, int a, int b) const {
     for (const int f : p_.sides.at(ordered(a, b))) {
       std::vector<int> next = p_.faces[f];
@@ -242,7 +242,8 @@ class Grid {
     rows_.push_back(above);
   }
 
-  /// The face beyond [1], [2] begins with [1], its neighbour, [?], [2].
+  /// Replaces `face` by the face to its right, beyond its corners [1] and [2]. The new face begins with the old [1]
+  /// and ends with the old [2]. @return false if there is none
   bool step_right(std::vector<int>& face) const {
     std::vector<int> next = face;
     if (!step(next, face[2], face[1])) return false;
@@ -277,7 +278,7 @@ class Reading {
  private:
   std::string name(int i, int j) const { return vertex_name(grid_.at(i, j)); }
 
-  /// +1 of a valley, -1 of a mountain.
+  /// Returns +1 for a valley, -1 for a mountain.
   int sign(int i, int j, int to_i, int to_j) const {
     const Ends edge = ordered(grid_.at(i, j), grid_.at(to_i, to_j));
     const auto found = p_.assignment.find(edge);
@@ -288,7 +289,7 @@ class Reading {
                        " lies inside and is neither mountain nor valley; give it \"M\" or \"V\"");
   }
 
-  /// |level| over |rising| of the creases of a vertex.
+  /// Returns |level| over |rising| of the creases of a vertex.
   double ratio(int i, int j) const {
     const Eigen::Vector4d sector = sectors(raw_, i, j);
     const double a = sector[0], b = sector[1];
@@ -315,7 +316,8 @@ class Reading {
     return std::abs(level_flips ? of_other : 1 / of_other);
   }
 
-  /// Sizes of all lines from the first rising one; what the other vertices say must agree.
+  /// Computes the multipliers of all lines from the first column and row of vertices, with a largest of 1. The other
+  /// vertices must agree with them.
   void find_multipliers() {
     const int p = grid_.columns() - 1, q = grid_.rows() - 1;
     for (int j = 1; j <= q; ++j) level_.push_back(ratio(1, j));
@@ -359,7 +361,7 @@ class Reading {
     return data;
   }
 
-  /// Moves the marched mesh to where the file has it; corners stay those of the file.
+  /// Moves the marched mesh to the place of the file's mesh; corners stay those of the file.
   void lay_over(OrigamiFile& out) const {
     const Vector2d along = (raw_.at(2, 1) - raw_.at(1, 1)).normalized();
     Eigen::Matrix2d R;

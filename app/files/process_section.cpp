@@ -41,7 +41,7 @@ const targets::KeyTable& sd_keys() {
   return keys;
 }
 
-/// What one's own printer does otherwise than the process's usual one.
+/// Returns the key of a limit that differs between printers of a process.
 targets::Key limit_key(const char* name, double model::Process::*field, const char* what) {
   std::string text = what;
   for (const model::Process& p : model::processes())

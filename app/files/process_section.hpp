@@ -5,27 +5,28 @@
 
 namespace kinetix::app {
 
-/// The `process:` key of a target: how it is to be printed, by name or as a section of what differs from a base.
+/// Returns the `process:` key of a target: how it is to be printed, by name or as a section of differences from a
+/// base.
 targets::Key process_key();
-/// The same of a design.
+/// Returns the `process:` key of a design.
 targets::Key design_process_key();
-/// What the key says of a process: its name, or that and what differs from it.
-/// @pre of a base that there is, upright clearance, bed and materials as it has them
+/// Returns the key's text for a process: its name, or its base with the differences.
+/// @pre the base exists, and has the same upright clearance, bed and materials
 std::string process_text(const model::Process& process);
 
-/// What a process cannot print, with the cell edge at which it could.
+/// Describes what a process cannot print, with the cell edge at which it could.
 std::string problem_text(const model::PrintProblem& problem);
 
-/// Adds what a process cannot print of a whole sheet to the notes of a forecast, each once.
+/// Adds notes to a forecast on what a process cannot print of a whole sheet, each once.
 void note_process(const model::Process& process, const model::CellSize& size,
                   const std::optional<model::MadeHinge>& made, std::vector<std::string>& notes);
 
-/// The first process, as the paper prints, where the file names none.
-/// @param root the whole document   @param made its hinges, where it says how they are made
-/// @throws InvalidInput also where the file names a process that cannot print the sheet
+/// Reads the process. The default is the first process, as the paper prints.
+/// @param root the whole document   @param made its hinges, if it says how they are made
+/// @throws InvalidInput also if the file names a process that cannot print the sheet
 model::Process read_process(const targets::Section& root, const model::CellSize& size,
                             const std::optional<model::MadeHinge>& made);
-/// The same of a file that does not say yet how large the sheet is.
+/// Reads the process of a file that does not give the size of the sheet yet.
 model::Process read_process(const targets::Section& root);
 
 }  // namespace kinetix::app

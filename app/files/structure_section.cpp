@@ -11,13 +11,13 @@ namespace {
 
 namespace value = targets::value;
 
-constexpr int max_side = 10'000;              // cells: a strip of that length is the longest that is read
-constexpr std::size_t max_cells = 1'000'000;  // in all: refused before memory is taken for bodies and hinges
-// Cell edges: of thinner walls, light and contact are lost to rounding.
+constexpr int max_side = 10'000;              // cells: the longest strip that is read
+constexpr std::size_t max_cells = 1'000'000;  // in all: rejected before bodies and hinges use memory
+// Cell edges: thinner walls lose light and contact to rounding.
 constexpr double least_thickness = 1e-6;
-constexpr double least_height_mm = 1e-4;  // below the default of the smallest cells, 0.0006 mm
-constexpr double thin_thickness = 0.08, thin_height = 0.15;  // of an edge
-// What messages about `cells` ask for.
+constexpr double least_height_mm = 1e-4;  // mm: below the default of the smallest cells, 0.0006 mm
+constexpr double thin_thickness = 0.08, thin_height = 0.15;  // ratio to an edge
+// Description of `cells` in messages.
 constexpr const char* wanted_cells = "[columns, rows], or a list of cells [[i, j], ...]";
 
 std::vector<model::Cell> read_rectangle(const targets::Node& node, const std::vector<targets::Node>& sides) {

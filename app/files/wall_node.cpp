@@ -3,8 +3,8 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int highest_number = 4'000'000;  // of a vertex of a lattice that numbers them
-constexpr int highest_index = 10'000;      // of a vertex: the far end of the longest side that `cells` allows
+constexpr int highest_number = 4'000'000;  // of a vertex in a lattice that numbers them
+constexpr int highest_index = 10'000;      // of a vertex: end of the longest side that `cells` allows
 
 model::Wall read_wall(const targets::Node& node) {
   const auto ends = node.list_of(2, "two vertices, e.g. [[0, 0], [1, 0]]");

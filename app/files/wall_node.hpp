@@ -8,29 +8,29 @@
 namespace kinetix::app {
 
 targets::ValueType vertex_type();
-/// The key `wall`. @param with the alternative that it goes with
+/// Returns the key `wall`. @param with the alternative that it goes with
 targets::Key wall_key(std::string with = {}, targets::Default fallback = targets::needed);
 
-/// A vertex [i, j] of squares, of the structure or not.
+/// Reads a vertex [i, j] of squares, in the structure or not.
 model::Vertex read_vertex(const targets::Node& node);
 
-/// Finds the walls that a file names by their two vertices: [[i, j], [i, j]] of squares, [number, number] of any
+/// Reader of walls that a file names by their two vertices: [[i, j], [i, j]] for squares, [number, number] for any
 /// other lattice.
 class WallReader {
  public:
   /// @param sheet must outlive it
   explicit WallReader(const model::Lattice& sheet);
 
-  /// Index of the hinge on the wall that `wall` names by its two vertices.
-  /// @throws InvalidInput for a wall that the structure does not have, or that does not run from its lower to
-  /// its upper vertex
+  /// Returns the index of the hinge on the wall that `wall` names by its two vertices.
+  /// @throws InvalidInput for a wall that the structure does not have, or that does not run from its lower to its
+  /// upper vertex
   int hinge_of(const targets::Node& wall) const;
-  /// The same of the key `wall` of `owner`, which must be given.
+  /// Returns the index of the hinge on the wall that the key `wall` of `owner` names, which must be given.
   int hinge_of(const targets::Section& owner) const;
 
  private:
   const model::Lattice& sheet_;
-  std::map<std::pair<int, int>, int> hinge_between_;  ///< of lattices whose vertices are numbers
+  std::map<std::pair<int, int>, int> hinge_between_;  ///< only of lattices whose vertices are numbers
 };
 
 }  // namespace kinetix::app

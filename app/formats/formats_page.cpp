@@ -27,9 +27,9 @@ std::string words_text(const Json& words) {
   return text;
 }
 
-/// " above 0", " from 1"
+/// Formats the bounds of a schema: " above 0", " at least 1".
 std::string bounds_text(const Json& schema) {
-  // Keys of JSON Schema, and how a range is told in words.
+  // Keys of JSON Schema, and their words for a range.
   static constexpr std::pair<const char*, const char*> bounds[] = {{"minimum", "at least"},
                                                                    {"exclusiveMinimum", "above"},
                                                                    {"maximum", "at most"},
@@ -51,7 +51,7 @@ class SchemaTable {
   }
 
  private:
-  /// The schema that a reference names, with the keys that stand beside the reference.
+  /// Returns the schema that a reference names, with the keys next to the reference.
   Json resolved(const Json& schema) const {
     if (!schema.contains("$ref")) return schema;
     Json full = root_.at(Json::json_pointer(schema["$ref"].get<std::string>().substr(1)));
@@ -81,7 +81,7 @@ class SchemaTable {
     return (type == "object" ? "section" : type.get<std::string>()) + bounds_text(schema);
   }
 
-  /// @param note goes before every meaning
+  /// Adds a row for each key of a schema. @param note goes before every meaning
   void add_properties(const std::string& prefix, const Json& schema, const std::string& note = {}) {
     const Json properties = schema.value("properties", Json::object());
     for (const auto& [key, value] : properties.items()) add_key(prefix + key, resolved(value), note);
@@ -108,18 +108,18 @@ class SchemaTable {
   std::string rows_;
 };
 
-/// The keys of a JSON document as a table in Markdown: path, type with its range, meaning.
+/// Returns the keys of a JSON document as a Markdown table: path, type with its range, meaning.
 /// @param schema JSON Schema (draft 07) with `$ref` to its own definitions alone
 /// @throws InvalidInput for a key without a description
 std::string schema_table(const std::string& schema) { return SchemaTable(Json::parse(schema)).text(); }
 
 using Kind = targets::ValueType::Kind;
 
-/// The rows of one table; a key that several ways of a map have in common stands once, but for what they say differently.
+/// Rows of one table. Equal rows of a map's alternatives appear once.
 struct Rows {
   std::string text;
-  std::set<std::string> said;  ///< rows; of choices, whose words are one, their paths
-  std::map<std::string, std::vector<std::string>> words = {};  ///< of choices, those of all ways of their map
+  std::set<std::string> said;  ///< rows added; for choices their path and the names they go with
+  std::map<std::string, std::vector<std::string>> words = {};  ///< of choices, from all alternatives of a map
 };
 
 void add_map(Rows& rows, const std::string& prefix, const targets::KeyTable& keys);
@@ -129,7 +129,7 @@ std::string meaning_of(const std::string& path, const targets::Key& key) {
   return key.meaning;
 }
 
-/// A choice says in each way of a map which words lead there: the page shows them all.
+/// Collects the words of each choice from all alternatives of a map: the page shows them all.
 void add_words(Rows& rows, const std::string& prefix, const std::vector<targets::ValueType>& ways) {
   for (const targets::ValueType& way : ways) {
     if (way.kind != Kind::map) continue;
@@ -142,7 +142,7 @@ void add_words(Rows& rows, const std::string& prefix, const std::vector<targets:
   }
 }
 
-/// The maps that a value may hold, and what stands between its key and theirs.
+/// Adds the maps that a value may hold. Their paths include what is between the key and theirs.
 void add_inner_maps(Rows& rows, const std::string& path, const targets::ValueType& type) {
   if (type.kind == Kind::map && type.keys->title().empty()) add_map(rows, path + ".", *type.keys);
   if (type.kind == Kind::either) add_words(rows, path + ".", type.parts);

@@ -30,7 +30,7 @@ void add_bounds(Json& schema, const targets::Bounds& bounds) {
     schema[bounds.upper_allowed ? "maximum" : "exclusiveMaximum"] = number(bounds.upper);
 }
 
-/// A length's bounds follow the cell edge, of which a schema knows nothing but that it is above 0.
+/// Returns the bounds of a length that hold for every cell edge: a schema only knows that the edge is above 0.
 targets::Bounds fixed_part(const targets::Bounds& cells) {
   if (cells.lower < 0) return {};
   return cells.lower > 0 ? targets::above(0)
@@ -43,7 +43,7 @@ Json number_schema(const targets::ValueType& type) {
   return schema;
 }
 
-/// A word that reads as a number is one in the file, unless it stands in quotes.
+/// Returns the schema of a choice. A word that reads as a number is a number in the file, unless it is quoted.
 Json choice_schema(const targets::ValueType& type) {
   Json words = Json::array();
   for (const std::string& word : type.words) {
@@ -61,7 +61,7 @@ Json list_schema(const targets::ValueType& type) {
   return schema;
 }
 
-/// A default as the file would say it, where it is a value; else its rule is part of the description.
+/// Returns a default as the file would write it, if it is a value. Otherwise its rule is part of the description.
 Json default_value(const targets::Default& fallback) {
   const Json value = Json::parse(fallback.text, nullptr, false);
   return value.is_discarded() ? Json(fallback.text) : value;
@@ -89,7 +89,7 @@ Json plain_map_schema(const targets::KeyTable& keys) {
   return schema;
 }
 
-/// At least one of these keys must be given, too.
+/// Requires at least one of these keys.
 Json any_of(const std::vector<std::string>& names) {
   if (names.size() == 1) return Json(names);
   Json schema;
@@ -97,7 +97,7 @@ Json any_of(const std::vector<std::string>& names) {
   return schema;
 }
 
-/// One of several keys must be given, and others go with one of them alone.
+/// Requires one of several keys. Some other keys are allowed only with certain ones of these.
 Json map_with_choice_of_keys(const targets::KeyTable& keys) {
   Json schema = plain_map_schema(keys);
   for (const std::string& name : keys.alternatives().names)
@@ -125,8 +125,7 @@ Json schema_of(const targets::ValueType& type) {
     case Kind::boolean:
       return {{"type", "boolean"}};
     case Kind::text:
-      return {{"type",
-               Json::array({"string", "number", "boolean"})}};  // what is not quoted may read as another type
+      return {{"type", Json::array({"string", "number", "boolean"})}};  // unquoted text may have another type
     case Kind::choice:
       return choice_schema(type);
     case Kind::list:
@@ -153,7 +152,7 @@ Json of_one_table(const std::string& title, const targets::KeyTable& keys) {
   return schema;
 }
 
-/// `target.kind` says which keys the rest of the file may hold.
+/// Returns the schema of targets: `target.kind` selects the keys that the rest of the file may hold.
 Json of_targets() {
   Json schema = header("A goal for kinetix-opt: target.yaml"), kinds = Json::array();
   for (const GoalKind* kind : goal_kinds()) {
@@ -183,7 +182,7 @@ std::string listed(const std::vector<std::string>& words, const std::string& las
   return text;
 }
 
-/// "number above 0, in mm"
+/// Describes the bounds of a number: "number above 0, in mm".
 std::string number_text(const targets::Bounds& bounds) {
   return bounds.describe().substr(std::string("a ").size());
 }
@@ -214,7 +213,7 @@ std::string ways_text(const std::vector<targets::ValueType>& ways) {
   return text;
 }
 
-/// Units and ranges that the type alone would not tell.
+/// Returns the unit, which the type alone does not show.
 std::string unit_text(const targets::ValueType& type) {
   if (type.kind == Kind::list) return unit_text(type.parts[0]);
   return type.is_numeric() && !type.bounds.unit.empty() ? fmt::format(", in {}", type.bounds.unit) : "";

@@ -14,21 +14,21 @@ struct FileSchema {
   std::string text;
 };
 
-/// Those of target.yaml, design.yaml and doe.yaml, made of the tables by which the files are read. A file
-/// that they refuse the program refuses, but not the other way round: they know nothing of keys that depend
-/// on each other, and of what other files hold.
+/// Returns the schemas of target.yaml, design.yaml (of sheets and of bodies), an import's hinges and doe.yaml. They
+/// are made from the tables by which the files are read. The program refuses every file that a schema refuses. Schemas
+/// do not see keys that depend on each other, nor the content of other files.
 std::vector<FileSchema> file_schemas();
 
-/// What a value may be, with its range and unit; Markdown.
+/// Describes the allowed values with range and unit, in Markdown.
 std::string type_text(const targets::ValueType& type);
 
-/// What holds where the key is not given, or when it must be; Markdown.
+/// Describes the default of a key, or when the key is needed, in Markdown.
 std::string default_text(const targets::Key& key, const targets::Alternatives& ways);
 
-/// Meaning, unit and rule of the default without marks, for an editor's hint.
+/// Returns meaning, unit and rule of the default without Markdown, for an editor's hint.
 std::string plain_text(const targets::Key& key);
 
-/// The anchor that a heading gets, as GitHub makes it.
+/// Returns the anchor that GitHub makes of a heading.
 std::string anchor(const std::string& heading);
 
 }  // namespace kinetix::app

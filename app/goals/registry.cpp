@@ -14,7 +14,7 @@ namespace {
 
 std::vector<const GoalKind*>& kinds() {
   static std::vector<const GoalKind*> all = {
-      // One a line.
+      // One kind per line.
       &curve_kind,        //
       &display_kind,      //
       &fold_kind,         //
@@ -52,7 +52,7 @@ void check_kind_of_file(const targets::Node& root) {
     throw root.error("this is a design of experiments, not a target; use it with sweep");
 }
 
-/// Says what is wrong with a file that names no goal: its keys, its version or its name, else that.
+/// Returns the `target` section. If it is missing, reports wrong keys, version or name first, then the missing section.
 targets::Node goal_of(const targets::Node& root) {
   if (root.kind() == targets::Node::Kind::map && root.optional("target"))
     return root.required("target", target_hint());
@@ -66,7 +66,7 @@ const GoalKind& kind_of(const targets::Node& root) {
   return *goal_kinds()[goal_of(root).required("kind", kind_hint()).one_of(names())];
 }
 
-/// The kinds that take a key at the top of their files.
+/// Lists the kinds that accept a key at the top level of their files, separated by commas.
 std::string kinds_with(std::string_view key) {
   std::string out;
   for (const GoalKind* kind : goal_kinds()) {
@@ -77,7 +77,7 @@ std::string kinds_with(std::string_view key) {
   return out;
 }
 
-/// A key that other kinds have says which.
+/// Rejects `robust` for a kind without a robust search. The error names the kinds that have one.
 void check_robust(const targets::Node& root, const GoalKind& kind) {
   const auto asked = root.optional("robust");
   const auto keys = kind.table().names();

@@ -16,15 +16,13 @@ using Eigen::Affine3d;
 
 constexpr double metre_mm = 1000;                 // mm: glTF is in metres
 constexpr std::size_t max_json_bytes = 16 << 20;  // 16 MiB: numbers are in the buffer, all else is short
-constexpr int max_node_depth = 256;               // nodes in nodes: limbs of figures are some twenty deep
-constexpr std::size_t max_placed_nodes =
-    100'000;  // of a scene: a model of that many parts is none that folds
-constexpr std::size_t max_corners =
-    3 * max_model_triangles;  // corners, and points likewise: of all triangles
+constexpr int max_node_depth = 256;  // levels of nested nodes: limbs of figures have about twenty
+constexpr std::size_t max_placed_nodes = 100'000;  // nodes of a scene: no folding model has that many parts
+constexpr std::size_t max_corners = 3 * max_model_triangles;  // corners, and also points: of all triangles
 constexpr std::size_t glb_header_bytes = 12,
-                      glb_chunk_bytes = 8;  // bytes, of the file and of a chunk, as glTF has them
+                      glb_chunk_bytes = 8;  // bytes of the file's header and of a chunk's, in glTF
 
-/// y up, as glTF has it, to z up.
+/// Returns the rotation from y up, as in glTF, to z up.
 Affine3d upright() {
   Affine3d out = Affine3d::Identity();
   out.linear() << 1, 0, 0, 0, 0, -1, 0, 1, 0;
@@ -38,12 +36,12 @@ double number_in(const char* bytes) {
   return number;
 }
 
-/// A kind of number in a buffer, by glTF's code for it.
+/// Number type in a buffer, with glTF's code for it.
 struct Component {
   int code;
   std::size_t bytes;
   double (*read)(const char* bytes);
-  double largest;  ///< that stands for 1 where numbers are normalised; 1: they are as they are
+  double largest;  ///< value that means 1 in normalised data; 1: not scaled
 };
 
 const std::vector<Component>& components() {
@@ -54,19 +52,19 @@ const std::vector<Component>& components() {
   return all;
 }
 
-/// Numbers of a buffer, so many a row.
+/// Rows of numbers in a buffer.
 struct Rows {
   const char* data = nullptr;
   std::size_t count = 0, stride = 0;
   Component component = components()[0];
-  double unit = 1;  ///< of each number as it stands
+  double unit = 1;  ///< factor of each number in the file
 
   double at(std::size_t row, std::size_t column) const {
     return component.read(data + row * stride + column * component.bytes) * unit;
   }
 };
 
-/// A binary glTF file of version 2 (Khronos 2021). Nothing in it is believed: every index and length is checked.
+/// Binary glTF file of version 2 (Khronos 2021). The reader trusts nothing: every index and length is checked.
 class GlbModel {
  public:
   GlbModel(std::string_view bytes, const std::string& file) : out_{file, {}, metre_mm} {
@@ -110,7 +108,7 @@ class GlbModel {
     if (!root_.is_object()) damaged("its JSON cannot be read");
   }
 
-  /// A whole number of at least 0.
+  /// Reads a whole number of at least 0.
   std::size_t whole(const PlainJson& map, const char* key, std::optional<std::size_t> otherwise = {}) const {
     const auto found = map.find(key);
     if (found == map.end() && otherwise) return *otherwise;
@@ -140,7 +138,7 @@ class GlbModel {
     return &all[index];
   }
 
-  /// The entry that a key names; nothing where there is no such key.
+  /// Returns the entry that a key names, or null without such a key.
   const PlainJson* named(const PlainJson& map, const char* key, const char* of) const {
     return map.contains(key) ? entry(of, whole(map, key)) : nullptr;
   }
@@ -170,7 +168,7 @@ class GlbModel {
     fail("has numbers of a kind that is not read: " + std::to_string(code));
   }
 
-  /// @param type of a row as glTF names it, of so many columns
+  /// Reads the rows of an accessor. @param type of a row in glTF, with `columns` numbers
   Rows rows(std::size_t accessor_index, const char* type, std::size_t columns) const {
     const PlainJson& accessor = *entry("accessors", accessor_index);
     Rows out;
@@ -276,7 +274,7 @@ class GlbModel {
     return out;
   }
 
-  /// What each joint of a skin does to points of the mesh.
+  /// Returns the transform of each joint of a skin for points of the mesh.
   std::vector<Affine3d> joints(const PlainJson& node) const {
     const PlainJson& skin = *named(node, "skin", "skins");
     std::vector<Affine3d> out;
@@ -293,7 +291,8 @@ class GlbModel {
     return out;
   }
 
-  /// Where bones hold a mesh: what they carry each corner to. The mesh's own place does not count then.
+  /// Returns the points of a skinned mesh, each moved by up to four weighted bones. The transform of the mesh's node
+  /// is not used.
   std::vector<Eigen::Vector3d> skinned(const PlainJson& node, const PlainJson& attributes,
                                        const Rows& points) const {
     const std::vector<Affine3d> bones = joints(node);
@@ -327,7 +326,7 @@ class GlbModel {
     return out;
   }
 
-  /// @param mode 4: triangles, 5: a strip, 6: a fan
+  /// Adds triangles. @param mode 4: triangles, 5: a strip, 6: a fan
   void add_triangles(const std::vector<int>& c, std::size_t mode, bool mirrored, FoundMesh& found) const {
     if (mode > 6) damaged("a mesh of an unknown kind");
     for (std::size_t k = 0; k + 2 < c.size(); k += mode == 4 ? 3 : 1) {

@@ -26,27 +26,25 @@
 namespace kinetix::app {
 namespace {
 
-/// How an imported assembly moves.
+/// Mobility of an imported assembly.
 struct AssemblyMobility {
   int gruebler = 0;            ///< degrees of freedom by counting bodies and hinges
-  std::optional<int> at_rest;  ///< first-order motions at rest; nothing: too many bodies to count
-  int hinge = -1;              ///< that is turned to see; -1: nothing turns
+  std::optional<int> at_rest;  ///< first-order motions at rest; empty: too many bodies to count
+  int hinge = -1;              ///< hinge that is turned to examine it; -1: nothing turns
   double sense = 1;            ///< sign of its turn, 1 or -1, dimensionless
-  double turn = 0;             ///< up to which all hinges stay closed, rad
-  int broken =
-      -1;  ///< the hinge that breaks it: with which nothing moves any more, or which opens first beyond `turn`
-  std::string why;  ///< in a sentence
+  double turn = 0;             ///< largest one with all hinges closed, rad
+  int broken = -1;             ///< hinge that makes it rigid, or that opens first beyond `turn`; -1: none
+  std::string why;             ///< the result in a sentence
 };
 
-constexpr double looked_at = 60 * radians_per_degree;  // rad of a hinge: as far as most sheets fold
-// Of a closure Jacobian's singular value: axes from meshes of floats are off by 1e-6 rad, which leaves a mechanism's zeros at
-// about as much; those of structures that hold are 1e-3 and more.
+constexpr double looked_at = 60 * radians_per_degree;  // rad of a hinge: most sheets fold no further.
+// Singular value of a closure Jacobian. Axes from meshes of floats are off by 1e-6 rad, and a mechanism's zeros are
+// about as large. Rigid structures have 1e-3 and more.
 constexpr double smallest = 1e-4;
-constexpr double least_turn = 2 * radians_per_degree;  // rad: what gives way by less only rattles
-constexpr double most_strain =
-    1e-3;  // rad and cell edges per rad: a first motion that opens hinges faster is none
+constexpr double least_turn = 2 * radians_per_degree;  // rad: a smaller turn is only clearance
+constexpr double most_strain = 1e-3;  // rad and cell edges per rad: faster opening is not a motion
 
-/// Turns the hinge that turns most in the first motion by up to 60 degrees, with all others rigid rotary ones.
+/// Turns the hinge that turns most in the first motion by up to 60 degrees. All hinges count as rigid revolute joints.
 AssemblyMobility examine(const model::Assembly& assembly) {
   const model::Linkage linkage = linkage_of(assembly);
   AssemblyMobility out;
@@ -93,11 +91,9 @@ nlohmann::ordered_json mobility_json(const AssemblyMobility& m, const model::Ass
 
 constexpr double usual_edge_mm = 20;      // mm: tiles that a hand can hold
 constexpr double thickness_share = 0.05;  // of the median edge: 1 mm of board at the usual one
-constexpr double kerf_share =
-    0.03;  // likewise: more than what counts as touching in the physics run, a wide laser cut
-constexpr double usual_expand = 3;  // times: no tiling opens so far, so that tiles go as far as they can
-constexpr double no_motion =
-    1e-6;  // rad and cell edges: of a singular value of closure, which files leave of zero
+constexpr double kerf_share = 0.03;       // of the median edge, a wide laser cut: above the contact tolerance
+constexpr double usual_expand = 3;        // times: no tiling opens that far, so tiles move as far as they can
+constexpr double no_motion = 1e-6;  // rad and cell edges: a closure's singular value of 0 in rounded files
 
 void refuse_options_of_models(const ImportRequest& r) {
   for (const auto& [name, value] :
@@ -119,7 +115,7 @@ double checked(const std::optional<double>& asked, double usual, double least, c
 }
 
 model::TileMake make_of(const ImportRequest& request, const model::TileSheet& sheet) {
-  constexpr double least = 1e-3;  // mm: nothing is made finer
+  constexpr double least = 1e-3;  // mm: nothing is manufactured finer
   const double edge = model::median_edge(sheet),
                mm = checked(request.tile_mm, usual_edge_mm, least, "--tile-mm");
   if (!(edge > 0)) throw InvalidInput("has tiles without a size");
@@ -128,12 +124,13 @@ model::TileMake make_of(const ImportRequest& request, const model::TileSheet& sh
           .kerf_mm = checked(request.kerf_mm, kerf_share * mm, 0, "--kerf-mm")};
 }
 
-/// A design of tiles, and what there is to say of it.
+/// Design of tiles with data for its summary.
 struct TileImport {
   Design design;
   model::TileMake make;
-  std::optional<double> target_off = {};  ///< by which corners miss their target as rigid tiles, median edges
-  std::optional<int> motions = {};        ///< at rest
+  std::optional<double> target_off =
+      {};                           ///< largest miss of the target by rigid tiles' corners, median edges
+  std::optional<int> motions = {};  ///< first-order motions at rest
 };
 
 TileImport made_of(const model::TileSheet& sheet, const ImportRequest& request) {
@@ -207,8 +204,9 @@ nlohmann::ordered_json tiles_json(const TileImport& import) {
   return out;
 }
 
-/// `import` of a folder of tiles: a design of prisms and their joints, pulled to its target, or apart where it has none.
-/// @return the exit code   @throws InvalidInput for files, tiles and joints that cannot be, and for options of other models
+/// Imports a folder of tiles as a design of prisms and their joints. The drive pulls them to the target, or apart if
+/// there is none.
+/// @return the exit code.   @throws InvalidInput for invalid files, tiles and joints, and for options of other models
 int import_tiles(const CommandOptions& options, const ImportRequest& request) {
   refuse_options_of_models(request);
   Console console(options.quiet, false);
@@ -218,11 +216,10 @@ int import_tiles(const CommandOptions& options, const ImportRequest& request) {
   return done;
 }
 
-constexpr double first_turn_deg = 30;  // degrees, of the drive that a design starts with: enough to see
-constexpr double written_mm =
-    1e9;  // parts of a mm, of points in the design: far below what a mesh of floats knows
-constexpr double written_size = 1e6;        // likewise, of diameters and clearances
-constexpr double written_direction = 1e12;  // parts of the length of a direction, which is 1
+constexpr double first_turn_deg = 30;       // degrees, of a new design's drive: enough to see the motion
+constexpr double written_mm = 1e9;          // parts per mm, for points: far finer than a mesh of floats
+constexpr double written_size = 1e6;        // parts per mm, for diameters and clearances
+constexpr double written_direction = 1e12;  // parts per unit length, for directions
 
 model::HingeChoices choices_of(const ImportRequest& request) {
   model::HingeChoices choices =
@@ -240,13 +237,13 @@ model::HingeChoices choices_of(const ImportRequest& request) {
   return choices;
 }
 
-// Of a file whose parts are all hard, with no rod in a bore.
+// Advice for a file whose parts are all hard, with no rod in a bore.
 constexpr const char* if_films =
     ". If it is a sheet whose films are printed of the walls' own material (export does so for fdm and sls), "
     "its file "
     "does not tell them apart: give both parts as files of their own, --hard hard.stl --soft soft.stl";
 
-/// Bad input that is found after reading gets the files' names.
+/// Builds the assembly. Adds the files' names to bad input that is found after reading.
 model::Assembly assembled(const ModelParts& parts, const model::HingeChoices& choices) {
   try {
     return make_assembly(parts.parts, choices);
@@ -263,7 +260,7 @@ Eigen::Vector3d rounded(const Eigen::Vector3d& v, double parts) {
   return {rounded(v.x(), parts), rounded(v.y(), parts), rounded(v.z(), parts)};
 }
 
-/// What rounding left of zeros reads badly.
+/// Rounds numbers of the assembly: remainders of zeros are hard to read in its file.
 void tidy_up(model::Assembly& assembly) {
   for (model::AssemblyBody& b : assembly.bodies) b.position = rounded(b.position, written_mm);
   for (model::AssemblyHinge& h : assembly.hinges) {

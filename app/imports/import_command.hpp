@@ -5,8 +5,9 @@
 
 namespace kinetix::app {
 
-/// `kinetix-opt import MODEL|--hard A --soft B -o DIR`: a design of general bodies from a 3D model, design.yaml and its part files, all
-/// of them or none. @return the exit code. @throws InvalidInput for what is no such model
+/// Runs `kinetix-opt import MODEL|--hard A --soft B -o DIR`: makes a design of general bodies from a 3D model. Writes
+/// design.yaml and its part files, all of them or none. @return the exit code. @throws InvalidInput for unusable
+/// models
 int import_command(const CommandOptions& options, const ImportRequest& request);
 
 }  // namespace kinetix::app

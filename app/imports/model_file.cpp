@@ -34,7 +34,7 @@ ModelFile read_by_ending(const std::string& file) {
   if (ending == ".3mf") return read_threemf(bytes(), file);
   if (ending == ".obj") return read_groups_of_obj(bytes(), file);
   if (ending == ".glb") return read_glb(bytes(), file);
-  std::error_code failure;  // of a name that no file can have: then there is none
+  std::error_code failure;  // set for names that no file can have: such a file does not exist
   if (!std::filesystem::exists(file, failure)) throw InvalidInput("no such file", {file});
   if (std::filesystem::is_directory(file, failure))
     throw InvalidInput(

@@ -8,32 +8,32 @@
 
 namespace kinetix::app {
 
-/// Triangles of a model that a file keeps together: an object, a group or a material's share of one.
+/// Triangles that a file keeps together: an object, a group or the part of one with the same material.
 struct FoundMesh {
   std::string name;        ///< as the file has it; empty: none
   std::string material;    ///< its name, or its colour as #RRGGBB; empty: none
   model::Polyhedron soup;  ///< in the file's unit, later mm
 };
 
-/// What a file of a 3D model holds.
+/// Content of a file of a 3D model.
 struct ModelFile {
   std::string file;
   std::vector<FoundMesh> meshes;
-  std::optional<double> unit_mm = {};  ///< length of its unit, mm, where the file says so
+  std::optional<double> unit_mm = {};  ///< length of its unit, mm; empty: the file does not name one
 };
 
-/// More than any printer's job; a limit keeps damage and hostile files off the memory.
+/// More than in any print job. The limit keeps damaged and hostile files from filling memory.
 inline constexpr std::size_t max_model_triangles = 1'000'000;
 
-/// A 3MF, STEP, glTF (glb), OBJ, PLY or STL file, told apart by its ending.
+/// Reads a 3MF, STEP, glTF (glb), OBJ, PLY or STL file. Its ending decides which.
 /// @throws InvalidInput with the file as place: missing, unreadable, damaged, of another format, too large
 ModelFile read_model_file(const std::string& file);
 
-/// Each of the formats, of its bytes; `file` serves for messages.
+/// Read one format from the bytes of a file; `file` is for messages.
 ModelFile read_threemf(const std::string& bytes, const std::string& file);
 ModelFile read_groups_of_obj(const std::string& bytes, const std::string& file);
 ModelFile read_glb(const std::string& bytes, const std::string& file);
-/// The library reads named files only.
+/// Reads a STEP file by its name, since the library reads named files only.
 ModelFile read_step(const std::string& file);
 
 }  // namespace kinetix::app

@@ -21,12 +21,12 @@
 namespace kinetix::app {
 namespace {
 
-// Words in names of materials and parts that say that these are soft: rubbers, and what our own exports say.
+// Words in names of materials and parts that mark them as soft: rubbers, and the names in kinetix's own exports.
 constexpr std::array<std::string_view, 11> soft_words = {
     "soft", "tango", "agilus", "rubber", "elast", "flex", "ninja", "tpu", "tpe", "silicone", "hinge"};
-// Of the largest side: points as near as that are one, where a shell does not close as it is written.
+// Share of the largest side. Nearer points are merged if a shell is not closed as written.
 constexpr double weld_share = 1e-6;
-// The largest side of a model, in a file's own unit, below which it cannot be in mm, and below which not in inches either.
+// Largest sides of a model, in a file's own unit: below the first it cannot be in mm, below the second not in inches.
 constexpr double least_mm = 10, least_inches = 1;
 
 struct Unit {
@@ -34,7 +34,7 @@ struct Unit {
   double mm;
   std::string_view words;
 };
-// In mm: what programs write models in.
+// Units in which programs write models, in mm.
 constexpr std::array<Unit, 5> units = {{{"mm", 1, "millimetres"},
                                         {"cm", 10, "centimetres"},
                                         {"m", 1000, "metres"},
@@ -56,7 +56,7 @@ const Unit& named_unit(const std::string& name) {
   throw InvalidInput("--unit: unknown unit " + targets::in_ticks(name) + "; allowed: mm, cm, m, in, ft");
 }
 
-/// What files say of their units; two that say different ones by their names.
+/// Describes the units that files state. Different units appear with the names of their files.
 std::string said_units(const std::vector<ModelFile>& files) {
   std::set<double> said;
   std::string each;
@@ -68,8 +68,8 @@ std::string said_units(const std::vector<ModelFile>& files) {
   return said.size() == 1 ? fmt::format("{:g} mm, as the file says", *said.begin()) : each + ", as they say";
 }
 
-/// Sets the scale and says how it was found. Of two files, which are in common coordinates, one that does not say its
-/// unit has that of the other.
+/// Scales files to mm and describes how the unit was found. Two files have common coordinates. If one of them does not
+/// state its unit, it has that of the other.
 std::string to_mm(const std::string& asked, std::vector<ModelFile>& files) {
   const double side = largest_side(files);
   const Unit& guess = side >= least_mm ? units[0] : side >= least_inches ? units[3] : units[2];
@@ -99,7 +99,7 @@ bool is_called(const FoundMesh& mesh, const std::string& name) {
   return targets::lower_case(mesh.material) == name || targets::lower_case(mesh.name) == name;
 }
 
-/// Materials first: a part called "hinge" may be a hard half of one.
+/// Rule by which parts are soft. Materials come first: a part called "hinge" may be a hard half of one.
 class Softness {
  public:
   Softness(const ImportRequest& request, const ModelFile& file)
@@ -159,7 +159,7 @@ std::string plain(const std::string& name) {
 
 class Names {
  public:
-  /// @param wanted may be empty or taken: then a number follows
+  /// Returns an unused name. @param wanted may be empty or used before: then a number follows
   std::string next(const std::string& wanted, bool soft, bool many) {
     const std::string stem = many || wanted.empty() ? (soft ? "hinge" : "body") : wanted;
     if (stem == wanted && taken_.insert(stem).second) return stem;
@@ -193,7 +193,7 @@ void add_parts(const FoundMesh& mesh, bool soft, Names& names, ModelParts& out) 
     out.parts.push_back({names.next(plain(mesh.name), soft, many), soft, std::move(shell)});
 }
 
-/// The extent and volume of a part, in which two parts of one place and shape agree.
+/// Extent and volume of a part, equal for two parts of one place and shape.
 struct PartExtent {
   const model::ModelPart* part;
   Eigen::AlignedBox3d box;

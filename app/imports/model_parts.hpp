@@ -9,23 +9,25 @@
 
 namespace kinetix::app {
 
-/// The shells of a model, mm, and how they were read.
+/// Shells of a model, mm, with notes on how they were read.
 struct ModelParts {
   std::vector<model::ModelPart> parts;  ///< names of letters, digits, `_`, `-` and `.`, each once
   std::string unit;                     ///< in words: "millimetres, as the file says"
-  std::string softness;                 ///< in words: what made parts soft
+  std::string softness;                 ///< in words: how soft parts were recognised
   std::string source;                   ///< the files
 };
 
-/// Reads the files of a request, brings them to mm, takes their meshes apart and tells hard parts from soft ones.
-/// @throws InvalidInput for files that cannot be read, sizes that no unit explains, and materials of which none says that it is soft
+/// Reads the files of a request, scales them to mm, splits their meshes into parts and decides which are soft.
+/// @throws InvalidInput for unreadable files, unknown units, unknown soft materials and repeated parts. Also if none
+/// of several materials is known to be soft
 ModelParts read_model_parts(const ImportRequest& request);
 
-/// Keys of the side file of an import.
+/// Returns the keys of an import's side file.
 const targets::KeyTable& hinge_choice_keys();
 
-/// What a side file says of hinges: `hinges: [{hinge: NAME, axis: [x, y, z]}, {bodies: [A, B], axis: ...}]`, and `towards: [x, y, z]` for all
-/// ambiguous ones that it does not name. @throws InvalidInput with the place in the file
+/// Reads the axes of hinges from a side file: `hinges: [{hinge: NAME, axis: [x, y, z]}, {bodies: [A, B], axis: ...}]`.
+/// `towards: [x, y, z]` is for all ambiguous hinges that it does not name. @throws InvalidInput with the place in the
+/// file
 model::HingeChoices read_hinge_choices(const std::string& file);
 
 }  // namespace kinetix::app

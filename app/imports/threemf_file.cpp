@@ -19,10 +19,10 @@ constexpr zip_int64_t max_entries = 10'000;  // files of a package: thumbnails a
 constexpr zip_uint64_t max_model_bytes =
     512u << 20;                          // bytes, unpacked: a million triangles take some 100 MB as text
 constexpr int max_component_depth = 32;  // objects in objects: assemblies of assemblies have three or four
-constexpr int max_placed_objects =
-    100'000;  // of the build, those in others counted each time: a model of that many parts is none that folds
-constexpr std::size_t max_points = 3 * max_model_triangles;  // of all meshes: a point for each corner
-// Of a package's XML, 1: a million triangles have a third as many. What is more fills memory many times its size.
+constexpr int max_placed_objects = 100'000;  // objects, counted each time: no folding model has that many
+constexpr std::size_t max_points = 3 * max_model_triangles;  // of all meshes: a point for each corner.
+// Counts in a package's XML, 1: a million triangles have a third of these. XML beyond them fills memory many times its
+// size.
 constexpr std::ptrdiff_t max_tags = 4'000'000, max_attributes = 12'000'000;
 
 class Package {
@@ -40,7 +40,7 @@ class Package {
     check_names();
   }
 
-  /// What all that is read of a package may come to is limited together.
+  /// Reads a file of the package. The counts of tags and attributes are limited over all files read.
   std::string text(const std::string& name) {
     zip_stat_t status;
     if (zip_stat(archive_.get(), name.c_str(), ZIP_FL_NOCASE, &status) != 0)
@@ -89,7 +89,7 @@ class Package {
   std::ptrdiff_t tags_ = 0, attributes_ = 0;  ///< read so far
 };
 
-/// The part that the package's relationships name as its model.
+/// Returns the path of the model that the package's relationships name.
 std::string model_part(Package& package) {
   if (package.has("_rels/.rels")) {
     pugi::xml_document relations;
@@ -103,7 +103,7 @@ std::string model_part(Package& package) {
   return "3D/3dmodel.model";
 }
 
-/// One of a package's models: the first, or one that holds objects for it (production extension).
+/// Model of a package: the first, or one that holds objects for it (production extension).
 struct ModelPart {
   pugi::xml_document document;
   pugi::xml_node root;
@@ -127,7 +127,7 @@ class ThreemfModel {
  private:
   [[noreturn]] void fail(const std::string& reason) const { throw InvalidInput(reason, {out_.file}); }
 
-  /// Read when it is first asked for.
+  /// Returns a model of the package. It is read at the first request.
   ModelPart& part_of(const std::string& name) {
     const auto [found, is_new] = parts_.try_emplace(name);
     ModelPart& part = found->second;
@@ -166,7 +166,7 @@ class ThreemfModel {
       names.push_back(targets::lower_case(std::string(colour.attribute("color").value()).substr(0, 7)));
   }
 
-  /// Row vectors times a matrix of four rows and three columns.
+  /// Reads a transform: row vectors times a matrix of four rows and three columns.
   Eigen::Affine3d transform(const pugi::xml_node& node) const {
     Eigen::Affine3d out = Eigen::Affine3d::Identity();
     const pugi::xml_attribute given = node.attribute("transform");
@@ -183,7 +183,7 @@ class ThreemfModel {
     return out;
   }
 
-  /// The model that holds what an item or a component places. @param here the model that this stands in
+  /// Returns the name of the model whose object an item or a component places. @param here the model that it is in
   static std::string part_name(const pugi::xml_node& placed, const std::string& here) {
     for (const pugi::xml_attribute& attribute : placed.attributes())
       if (std::string(attribute.name()).ends_with(":path")) {
@@ -199,8 +199,9 @@ class ThreemfModel {
     return found->second;
   }
 
-  /// @param placed an item of the build, or a component of an object   @param here the model that it stands in
-  /// @param around where that object is   @param name that it is called where its object has none
+  /// Adds an object with its components. @param placed an item of the build, or a component of an object.
+  /// @param here the model that it is in.   @param around transform of that object.   @param name used if its object
+  /// has none
   void add_object(const pugi::xml_node& placed, const std::string& here, const Eigen::Affine3d& around,
                   int depth, const std::string& name) {
     const int id = placed.attribute("objectid").as_int(-1);

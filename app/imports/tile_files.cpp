@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t max_tile_bytes = 64 << 20;  // bytes of a file: more than a million corners
 
-/// A number of a text, and where it stands.
+/// Number in a text, with its column.
 struct FoundNumber {
   double value;
   int column;  ///< from 1
@@ -30,7 +30,7 @@ struct NumberLine {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == ','; }
 
-/// Words between blanks, each a finite number.
+/// Reads a line of finite numbers between blanks.
 std::vector<FoundNumber> numbers_of(const std::string& line, const Place& place) {
   std::vector<FoundNumber> out;
   const char* const end = line.data() + line.size();
@@ -51,7 +51,7 @@ std::vector<FoundNumber> numbers_of(const std::string& line, const Place& place)
   return out;
 }
 
-/// Lines that hold something.
+/// Reads the lines that are not empty.
 std::vector<NumberLine> number_lines(const std::string& file) {
   const std::string text = targets::read_text_file(file, max_tile_bytes);
   std::vector<NumberLine> out;
@@ -90,8 +90,7 @@ int whole(const FoundNumber& found, const std::string& file, int line) {
 
 std::vector<model::TileJoint> read_joints(const std::string& file) {
   std::vector<model::TileJoint> out;
-  std::map<std::array<int, 4>, std::pair<std::size_t, int>>
-      known;  // of corners: their joint, and the faces seen as bits
+  std::map<std::array<int, 4>, std::pair<std::size_t, int>> known;  // by corners: joint, and faces as bits
   for (const NumberLine& line : number_lines(file)) {
     if (line.numbers.size() != 4 && line.numbers.size() != 5)
       throw InvalidInput(
@@ -129,7 +128,7 @@ void check_target(const model::TileSheet& sheet, const std::string& file) {
 }  // namespace
 
 bool is_tile_folder(const std::string& path) {
-  std::error_code failure;  // of a name that no file can have: reading it says so
+  std::error_code failure;  // set for names that no file can have: reading reports them
   return fs::is_regular_file(fs::path(path) / "vertices.txt", failure);
 }
 

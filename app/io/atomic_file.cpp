@@ -32,24 +32,24 @@ std::string folder_of(const fs::path& file) {
   return parent.empty() ? "." : parent;
 }
 
-constexpr const char* part_mark = ".kinetix-part-";  // in the names of parts, after that of the file
+constexpr const char* part_mark = ".kinetix-part-";  // in the names of parts, after the file's name
 constexpr std::chrono::hours old_part{24};           // far more than any run takes to write its files
 
 class Part;
 
-/// Chains of the parts and of the new folders that are there, for the signal handler.
+/// Chains of the existing parts and of the new folders, for the signal handler.
 Part* newest_part = nullptr;
 OutputFolder* newest_folder = nullptr;
 
-/// Guards the chains, and files that are put into their places together. The signal handler does not lock it: only a program
-/// that has handed signals to others writes from several threads.
+/// Guards the chains, and files that are put in place together. The signal handler does not lock it: a program that
+/// writes from several threads handles signals in another way.
 std::mutex chains;
 
 /// The thread that handles signals.
 pthread_t writer;
 
-/// A file under a temporary name. What has that name in the end goes: the part itself, or the file that it
-/// replaced.
+/// File under a temporary name. The destructor removes what has that name in the end: the part itself, or the file
+/// that it replaced.
 class Part {
  public:
   explicit Part(fs::path file) : file_(std::move(file)) {
@@ -89,13 +89,14 @@ class Part {
     }
   }
 
-  /// From here on the part is whole on the disk.
+  /// Flushes and closes the part. From here on it is whole on the disk.
   void finish() {
     if (fsync(descriptor_) != 0 && errno != EINVAL) fail();
     if (close(std::exchange(descriptor_, -1)) != 0) fail();
   }
 
-  /// An old file goes under the part's name, so that it can be put back. @pre finished, interrupts held back
+  /// Gives the part its name. An old file gets the name of the part, so that it can be put back. @pre finished,
+  /// interrupts held back
   void put_in_place() {
     std::error_code unknown;
     const fs::file_status old = fs::symlink_status(file_, unknown);
@@ -106,7 +107,7 @@ class Part {
     path_.clear();
   }
 
-  /// Undoes put_in_place(). Without the old file the new one stays.
+  /// Undoes put_in_place(). The new file stays if the old one was not kept.
   void put_back() {
     if (is_new_)
       unlink(file_.c_str());
@@ -114,7 +115,7 @@ class Part {
       exchange();
   }
 
-  /// So that the new name survives a power cut; some file systems cannot, and the file is whole either way.
+  /// Flushes the folder so that the new name survives a power cut. Some file systems cannot; the file is whole anyway.
   void flush_folder() const {
     const int folder = open(folder_of(file_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (folder < 0) return;
@@ -122,7 +123,7 @@ class Part {
     close(folder);
   }
 
-  /// Safe in a signal handler.
+  /// Removes the temporary name. Safe in a signal handler.
   void remove() const {
     if (!path_.empty()) unlink(path_.c_str());
   }
@@ -154,7 +155,7 @@ extern "C" void remove_parts_and_end(int signal_number) {
   std::raise(signal_number);
 }
 
-/// Of runs that a power cut or SIGKILL ended. What cannot be removed stays.
+/// Removes old parts of runs that a power cut or SIGKILL ended. Parts that cannot be removed stay.
 void remove_old_parts(const fs::path& folder) {
   std::error_code unknown;
   const auto now = fs::file_time_type::clock::now();
@@ -191,7 +192,7 @@ std::map<std::string, std::string> read_record(const fs::path& file) {
   return hashes;
 }
 
-/// Whether a name means a file of its own in the folder: no link, and no way out.
+/// Checks whether a name is a regular file of the folder itself: no link, and no path that leads outside.
 bool is_inside(const fs::path& folder, const fs::path& name) {
   if (name.is_absolute()) return false;
   std::error_code missing;
@@ -226,7 +227,7 @@ void remove_unfinished_of_others() {
 void remove_parts_when_interrupted() {
   writer = pthread_self();
   for (const int signal_number : interrupts) std::signal(signal_number, remove_parts_and_end);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is a write that fails, with a reason
+  std::signal(SIGXFSZ, SIG_IGN);  // so that writing too large a file fails with a reason
 }
 
 void write_file(const std::string& file, std::string_view content) {
@@ -270,7 +271,7 @@ void FileSet::commit() {
 
 OutputFolder::OutputFolder(const std::string& path) : path_(path) {
   if (path.empty()) throw InvalidInput("the output folder has no name");
-  std::error_code error, unknown;  // of a name that no folder can have: make() says so
+  std::error_code error, unknown;  // set for names that no folder can have: make() reports them
   fs::path p = fs::absolute(path, error);
   if (error) throw InvalidInput("cannot create this output folder: " + error.message(), {path});
   for (; !p.empty() && !fs::exists(fs::symlink_status(p, unknown)) && p != p.parent_path();

@@ -10,32 +10,31 @@
 
 namespace kinetix::app {
 
-/// Writes a whole file or nothing: beside its place under the name `.NAME.kinetix-part-XXXXXX`, flushed to
-/// the disk, then renamed. A file that was there before is replaced in one step; on failure it stays and the
-/// part is removed.
+/// Writes a whole file or nothing. The content goes to `.NAME.kinetix-part-XXXXXX` in the same folder, is flushed to
+/// the disk and then renamed. An existing file is replaced in one step. On failure it stays and the part is removed.
 /// @throws InvalidInput naming the folder or file and the reason
 void write_file(const std::string& file, std::string_view content);
 
-/// Takes the next piece of a file.
+/// Function that takes the next piece of a file.
 using FileSink = std::function<void(std::string_view)>;
-/// The same for content that comes in pieces. Whatever `produce` throws leaves the file as it was.
+/// Writes a whole file or nothing, from pieces that `produce` passes on. If `produce` throws, an existing file stays.
 void write_file(const std::string& file, const std::function<void(const FileSink&)>& produce);
 
-/// From now on an interrupt, a hangup, a request to terminate or a closed pipe removes the parts that are being
-/// written and the folders that were created for them, then ends the program as it would have; a file that grows
-/// over the limit of `ulimit -f` is an error as that of a full disk. For programs that write from one thread: the
-/// one that calls this.
+/// Handles interrupts, hangups, requests to terminate and closed pipes from now on. The handler removes the parts that
+/// are being written and the folders created for them, then ends the program as the signal does. A file above the
+/// limit of `ulimit -f` becomes an error, like a full disk. This is for programs that write only from the thread that
+/// calls it.
 void remove_parts_when_interrupted();
 
-/// What that handler removes, at any other end of the program. Safe in a signal handler.
+/// Removes unfinished files, new empty folders and lock files, for other ends of the program. Safe in a signal
+/// handler.
 extern "C" void remove_unfinished();
 
-/// Removes the same while other threads write: no file of theirs is put into its place after that, and the program must end.
-/// For programs that write from several threads, and so handle interrupts themselves.
+/// Removes unfinished files while other threads write. Afterwards they put no file in place, and the program must end.
+/// It is for programs that write from several threads and handle interrupts themselves.
 void remove_unfinished_of_others();
 
-/// Files of one folder that come all together or not at all. What was added and not committed leaves no
-/// trace.
+/// Files of one folder that are put in place all together or not at all. Files that were not committed leave no trace.
 class FileSet {
  public:
   explicit FileSet(std::string folder);
@@ -46,8 +45,8 @@ class FileSet {
   /// Writes a file under a temporary name, flushed to the disk. @param name path under the folder; folders
   /// that it needs are created. @throws InvalidInput naming the folder or file and the reason
   void add(const std::string& name, std::string_view content);
-  /// Renames all, each replacing what was there before. Where one cannot be renamed those before it get their
-  /// old content back (on file systems that can exchange two files). @throws InvalidInput likewise
+  /// Renames all files, each replacing an existing one. If one cannot be renamed, those before it get their old
+  /// content back (on file systems that can exchange two files). @throws InvalidInput naming the file and the reason
   void commit();
 
  private:
@@ -55,9 +54,9 @@ class FileSet {
   std::unique_ptr<Files> files_;
 };
 
-/// A folder for results. It is created with its parents where it does not exist, and proven writable, before
-/// any work is done; what was created goes again, if still empty, unless keep() is called. Parts of files that runs
-/// left there more than a day ago, when a power cut or SIGKILL ended them, are removed.
+/// Folder for results. It is created with its parents if missing, and proven writable, before any work is done.
+/// Created folders are removed if still empty, unless keep() is called. Parts of files that are older than a day are
+/// removed: runs left them when a power cut or SIGKILL ended them.
 class OutputFolder {
  public:
   /// @throws InvalidInput naming the folder and the reason
@@ -68,7 +67,7 @@ class OutputFolder {
 
   const std::string& path() const { return path_; }
   void keep();
-  /// What all folders that live have created goes, if empty. Safe in a signal handler.
+  /// Removes the empty folders that all living objects have created. Safe in a signal handler.
   static void remove_all_created();
 
  private:
@@ -81,24 +80,24 @@ class OutputFolder {
   OutputFolder* older_ = nullptr;
 };
 
-/// Files that a run writes into a folder, kept there as `sha256sum` lists them. So a later run knows what an earlier one left,
-/// and whether somebody has changed it since.
+/// Record of the files that a run writes into a folder, kept there in the form of `sha256sum`. It shows a later run
+/// what an earlier one left, and whether anybody has changed it since.
 class FileRecord {
  public:
-  static constexpr const char* name = ".kinetix-files";  ///< hidden: for the program alone
+  static constexpr const char* name = ".kinetix-files";  ///< hidden: for the program only
 
   /// Reads the record of the earlier run in the folder, if any. @param record its name there
   explicit FileRecord(std::string folder, std::string record = name);
 
   void add(const std::string& file, std::string_view content);
-  /// Keeps what earlier runs wrote for others: it stays, and in the record too.
+  /// Keeps files that earlier runs wrote for others, and their lines in the record.
   void keep(const std::function<bool(const std::string& file)>& is_of_others);
-  /// What a file holds that somebody changed since the earlier run wrote it; nothing of other files.
+  /// Returns the content of a file that was changed since the earlier run wrote it. Empty for other files.
   std::optional<std::string> changed(const std::string& file) const;
-  /// Of this run's files: a line `HASH  NAME` each.
+  /// Returns the record of this run's files: a line `HASH  NAME` for each.
   std::string text() const;
-  /// Removes what the earlier run wrote and this one does not, and folders that are empty then. Files that
-  /// are not as it wrote them stay, as does whatever lies outside the folder or cannot be removed.
+  /// Removes files that the earlier run wrote and this one does not, and folders that become empty. Files that were
+  /// changed stay, and files outside the folder or that cannot be removed.
   void remove_what_is_left_over() const;
 
  private:
@@ -108,7 +107,7 @@ class FileRecord {
   Hashes earlier_, now_;
 };
 
-/// A file of a folder: its path there, and its content.
+/// File of a folder: its path in the folder, and its content.
 struct NamedContent {
   std::string name, content;
 };

@@ -21,12 +21,13 @@ void put_all(std::string& bytes, const Value* values, std::size_t count) {
   bytes.append(reinterpret_cast<const char*>(values), count * sizeof(Value));
 }
 
-/// Reads what put() and put_all() wrote. Lengths are checked before anything is allocated: the sender may have crashed.
+/// Reader of what put() and put_all() wrote. Lengths are checked before anything is allocated: the sender may have
+/// crashed.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
 
-  /// @throws std::runtime_error where the message ends early
+  /// @throws std::runtime_error if the message ends early
   template <class Value>
   Value get() {
     Value value;
@@ -34,7 +35,7 @@ class ByteReader {
     return value;
   }
 
-  /// A vector or a string. @throws std::runtime_error where the message ends early
+  /// Reads a vector or a string. @throws std::runtime_error if the message ends early
   template <class Container>
   Container get_all() {
     using Value = typename Container::value_type;
@@ -62,12 +63,12 @@ class ByteReader {
   std::string_view bytes_;
 };
 
-/// @throws InvalidInput for text that is no base64 with its padding
+/// Decodes base64. @throws InvalidInput for text that is not base64 with its padding
 std::string from_base64(std::string_view text);
-/// With its padding.
+/// Encodes base64 with its padding.
 std::string to_base64(std::string_view bytes);
 
-/// SHA-256 (FIPS 180-4) in hexadecimal, as `sha256sum` prints it.
+/// Returns SHA-256 (FIPS 180-4) in hexadecimal, as `sha256sum` prints it.
 std::string sha256(std::string_view bytes);
 
 }  // namespace kinetix::app

@@ -5,9 +5,9 @@
 namespace kinetix::app {
 
 inline constexpr int interrupts[] = {SIGINT, SIGTERM, SIGHUP,
-                                     SIGPIPE};  ///< signals by which a program is asked to end
+                                     SIGPIPE};  ///< signals that ask a program to end
 
-/// Holds interrupts back while it lives: no file may exist that the signal handler does not know.
+/// Guard that holds interrupts back while it lives: no file may exist that the signal handler does not know.
 class HeldSignals {
  public:
   HeldSignals() {

@@ -16,7 +16,7 @@ namespace {
 LockFile* newest_lock = nullptr;  // a chain, for the signal handler
 std::mutex lock_chain;            // guards it; the signal handler does not lock it
 
-/// Whether a file is still what a name leads to: its holder may have removed it before it was locked here.
+/// Checks whether a name still leads to the opened file: its holder may have removed it before it was locked here.
 bool is_named(int descriptor, const std::string& file) {
   struct stat opened, named;
   return fstat(descriptor, &opened) == 0 && stat(file.c_str(), &named) == 0 &&

@@ -5,11 +5,11 @@
 
 namespace kinetix::app {
 
-/// A file that one program at a time holds. It is removed with the lock, at interrupts too. A file that SIGKILL or
-/// a power cut left locks nobody out.
+/// File that one program at a time holds. It is removed with the lock, also at interrupts. A file that SIGKILL or a
+/// power cut left does not lock anybody out.
 class LockFile {
  public:
-  /// @return null where another program holds it, or it cannot be made
+  /// @return null if another program holds it, or if it cannot be made
   static std::unique_ptr<LockFile> acquire(const std::string& file);
   ~LockFile();
   LockFile(const LockFile&) = delete;

@@ -17,7 +17,7 @@
 namespace kinetix::app {
 namespace {
 
-/// A program whose standard output is read from a pipe. It has nothing on the other streams.
+/// Program whose standard output is read from a pipe. Its other streams are /dev/null.
 class StartedReader {
  public:
   explicit StartedReader(std::vector<std::string> words) {
@@ -59,7 +59,7 @@ class StartedReader {
     }
   }
 
-  /// @return as waitpid has it
+  /// @return status of waitpid
   int wait() {
     int status = 0;
     while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) continue;

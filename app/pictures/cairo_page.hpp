@@ -11,16 +11,16 @@
 
 namespace kinetix::app {
 
-/// px a side: half of 32767, at which cairo's images end; a whole image of this size takes a gigabyte.
+/// Largest side of an image, px: half of cairo's limit of 32767. A square image of this size takes a gigabyte.
 inline constexpr double most_picture_pixels = 16'000;
 
-/// What a picture shows of the plane, mm.
+/// Part of the plane that a picture shows, mm.
 struct PictureFrame {
   Eigen::Vector2d low, high;
   Eigen::Vector2d size() const { return high - low; }
 };
 
-/// All bodies with a margin. @throws std::runtime_error for a state that is not finite
+/// Returns the frame around all bodies, with a margin. @throws std::runtime_error for a state that is not finite
 PictureFrame picture_frame(const model::State& state, double margin_mm);
 
 struct DestroyCairo {
@@ -30,19 +30,19 @@ struct DestroyCairo {
 using CairoSurface = std::unique_ptr<cairo_surface_t, DestroyCairo>;
 using CairoPen = std::unique_ptr<cairo_t, DestroyCairo>;
 
-/// A pen that draws in mm, y up. @param scale units of the surface a mm
+/// Returns a pen that draws in mm, with y up. @param scale units of the surface per mm
 CairoPen pen_on(cairo_surface_t* surface, const PictureFrame& frame, double scale);
 
-/// For cairo's streams: appends to a std::string.
+/// Appends data to a std::string; callback for cairo's streams.
 cairo_status_t append_to_text(void* text, const unsigned char* data, unsigned int length);
 
-/// An image that starts black.
+/// Image that is black at first.
 class CairoImage {
  public:
   CairoImage(const PictureFrame& frame, double pixels_per_mm);
 
   cairo_t* pen() const { return pen_.get(); }
-  /// Rows of pixels from the top, 0 to 1.
+  /// Returns the grey values, 0 to 1, in rows from the top.
   Eigen::ArrayXXd grey();
   std::string png();
 
@@ -51,12 +51,10 @@ class CairoImage {
   CairoPen pen_;
 };
 
-/// A picture of grey values, 0 to 1, row by row from the top. @throws std::runtime_error where it is too
-/// large
+/// Returns a PNG of grey values, 0 to 1, in rows from the top. @throws std::runtime_error if it is too large
 std::string grey_png(const Eigen::ArrayXXd& picture);
 
-/// All in one stroke: where two overlap, such as the wall tips of a hinge, no pixel of their rims is
-/// covered twice.
+/// Draws all walls in one stroke. Where walls overlap, such as at hinges, edge pixels are not blended twice.
 /// @param grey 0 black, 1 white
 void draw_walls(const model::Linkage& panel, const model::State& state, double grey, cairo_t* pen);
 

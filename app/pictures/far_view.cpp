@@ -15,22 +15,20 @@
 namespace kinetix::app {
 namespace {
 
-using Grey = Eigen::ArrayXXd;  ///< row of pixels by column, 0 to 1
+using Grey = Eigen::ArrayXXd;  ///< pixels by row and column, 0 to 1
 
-// Cell edges, more than three times the usual blur, so that the rim fades out within the picture.
+// Cell edges: more than three times the usual blur, so the boundary fades out within the picture.
 constexpr double margin_in_cells = 2;
-// Quantiles of the light that become black and white: the last hundredths are single openings, and would
-// leave the rest grey.
+// Quantiles of the light that become black and white. Beyond them are single openings, which would leave the rest grey.
 constexpr double darkest = 0.02, brightest = 0.98;
-// Fractions of the blurred outline: it falls to a half at the panel's edge; where it is near 1 the rim
-// has no effect.
+// Fractions of the blurred outline: it is a half at the panel's edge. Near 1, the boundary has no effect.
 constexpr double inside = 0.5, deep_inside = 0.98;
-// Of the light: an eye takes differences of a fiftieth for none.
+// Least range of light to stretch, ratio: an eye does not see differences of a fiftieth.
 constexpr double least_range = 0.02;
-// px, least width of white walls: no seam between two openings lets the black through.
+// Least width of white walls, px: avoids black seams between two openings.
 constexpr double seam = 2;
 
-/// Light through a panel: openings white, walls and all around black, or the walls white too.
+/// Draws the light through a panel: white openings on black. @param walls true: walls are black, false: walls are white
 Grey drawn(const model::Linkage& panel, const model::State& state, const PictureFrame& frame, double scale,
            bool walls) {
   CairoImage image(frame, scale);
@@ -59,7 +57,7 @@ std::vector<double> gaussian(double deviation) {
   return weights;
 }
 
-/// Black beyond the picture.
+/// Blurs the columns of a picture. Pixels outside the picture count as black.
 Grey blurred_down(const Grey& picture, const std::vector<double>& weights) {
   const Eigen::Index reach = static_cast<Eigen::Index>(weights.size()) / 2;
   Grey out = Grey::Zero(picture.rows(), picture.cols());
@@ -76,7 +74,7 @@ Grey blurred(const Grey& picture, double deviation) {
   return blurred_down(blurred_down(picture, weights).transpose(), weights).transpose();
 }
 
-/// From 0 at the darkest to 1 at the brightest of where the outline hardly blurs.
+/// Stretches the light to 0 at its darkest and 1 at its brightest quantile, taken deep inside the outline.
 Grey stretched(const Grey& light, const Grey& outline) {
   std::vector<double> values;
   for (Eigen::Index k = 0; k < light.size(); ++k)
@@ -90,13 +88,13 @@ Grey stretched(const Grey& light, const Grey& outline) {
   return ((light - low) / range).max(0).min(1);
 }
 
-/// Values of pixels for a luminance from 0 to 1 (IEC 61966-2-1).
+/// Returns the sRGB pixel values of a luminance from 0 to 1 (IEC 61966-2-1).
 Grey in_srgb(const Grey& luminance) {
   const Grey within = luminance.max(0).min(1);
   return (within <= 0.0031308).select(12.92 * within, 1.055 * within.pow(1 / 2.4) - 0.055);
 }
 
-/// Less the mean of what surrounds each pixel inside the panel.
+/// Subtracts the mean light around each pixel, taken inside the panel.
 Grey against_surroundings(const Grey& light, const Grey& outline, double deviation) {
   const Grey within = (outline >= inside).select(Grey::Ones(light.rows(), light.cols()), 0);
   return light - blurred(light * within, deviation) / blurred(within, deviation).max(1e-6);

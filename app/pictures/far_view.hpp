@@ -8,22 +8,21 @@
 namespace kinetix::app {
 
 struct FarViewOptions {
-  double pixels_per_cell = 12;  ///< px a cell edge, > 0
-  /// Cell edges, standard deviation of the Gaussian that the eye's distance makes.
+  double pixels_per_cell = 12;  ///< px per cell edge, > 0
+  /// Standard deviation of the Gaussian blur from the distance, cell edges.
   double blur_in_cells = 0.6;
-  /// Cell edges, standard deviation of the neighbourhood that the light of each place is held against, as an eye
-  /// adapts; 0: against none.
+  /// Standard deviation of the neighbourhood whose mean light is subtracted, cell edges; 0: none. An eye adapts so.
   double surroundings_in_cells = 0;
-  /// Whether the light is stretched from its second to its ninety-eighth percentile, as an eye adapts, instead of drawn in true
-  /// luminance: then the picture must say that it is enhanced.
+  /// Stretches the light between its 2nd and 98th percentile, because an eye adapts. Otherwise luminance is true. A
+  /// page must mark such a picture as enhanced.
   bool enhanced = false;
-  /// For programs that read dark ink on white paper: the negative, and white all round.
+  /// Negative picture and white margin, for programs that read dark ink on white paper.
   bool negative = false, on_white = false;
 };
 
-/// A planar panel before a lamp as seen from a distance: the light through its openings, blurred to about a cell, relative to
-/// the panel's own blurred outline. The lamp's full light is white, none is black (luminance, encoded as sRGB has it), black
-/// all round, with a margin of two cells. @return a PNG @throws std::runtime_error for a state that is not finite
+/// Draws a planar panel in front of a lamp, seen from a distance. The light through its openings is blurred to about a
+/// cell and divided by the panel's blurred outline. Full light is white and no light is black (luminance in sRGB). The
+/// margin of two cells is black. @return a PNG @throws std::runtime_error for a state that is not finite
 std::string far_view(const model::Linkage& panel, const model::State& state,
                      const FarViewOptions& options = {});
 

@@ -11,15 +11,15 @@
 namespace kinetix::app {
 namespace {
 
-// Radius in cell edges: dots are wider than walls of the usual thickness, a tenth of an edge.
+// Radius of dots, cell edges: dots are wider than walls of the usual thickness, a tenth of an edge.
 constexpr double dot_in_edges = 0.09;
-// Fraction of the wall from its middle at which a dot has its full colour: the ends of the usual range of
+// Distance from the wall's middle at which a dot has its full colour, fraction of the wall: ends of the usual range of
 // t, 0.08 and 0.92.
 constexpr double most_off_centre = 0.42;
-constexpr double pale = 0.75;                // grey of the walls, 0 to 1, before which dots stand out
-constexpr double points_per_mm = 72 / 25.4;  // cairo's SVG counts in points, 72 an inch
+constexpr double pale = 0.75;                // grey of the walls, 0 to 1: dots stand out against it
+constexpr double points_per_mm = 72 / 25.4;  // cairo's SVG unit is the point, 72 per inch
 
-/// Blue towards the wall's lower end, grey in the middle, red towards its upper end.
+/// Draws the hinges: blue towards the wall's lower end, grey in the middle, red towards its upper end.
 void draw_hinges(const model::Linkage& panel, const model::State& state, cairo_t* pen) {
   const double L = panel.size.edge_mm;
   for (std::size_t h = 0; h < panel.hinges.size(); ++h) {

@@ -14,12 +14,12 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int least_prints = 20;              // brought to their equilibrium in any case
-constexpr int more_prints = 100;              // if those leave the error of first order uncertain
-constexpr double largest_ratio_error = 0.04;  // ratio, standard error: near the 0.05 from which it corrects
+constexpr int least_prints = 20;              // sample prints in any case
+constexpr int more_prints = 100;              // used if the first ones leave the first-order error uncertain
+constexpr double largest_ratio_error = 0.04;  // ratio: standard error, near the 0.05 of PrintedGoal
 constexpr int most_bodies_for_more = 150,
-              most_bodies_to_confirm = 400;  // beyond, they take longer than the search
-// Cell edges, rms: an equilibrium further from the state of the design is another one.
+              most_bodies_to_confirm = 400;  // above these, sample prints take longer than the search
+// Cell edges, rms: an equilibrium further from the state of the design is a different one.
 constexpr double near_design = 2;
 constexpr double across_the_plane = 1e-9;  // of a unit normal: less is rounding
 constexpr double one_length = 1e-9;        // of a cell edge: walls of equal length differ by rounding
@@ -62,8 +62,8 @@ model::HingeScatter scatter_with(const Design& design, bool with_play) {
   return scatter;
 }
 
-/// Whether prints are looked at in the plane alone: errors tilt hinges that stand upright in the design, so that a flat print
-/// bends out of its plane, which goals that are read in the plane do not see.
+/// Whether prints are analysed in the plane alone. Errors tilt hinges that are upright in the design, so a flat print
+/// bends out of its plane. Goals that are read in the plane do not see that.
 bool stays_in_plane(const Found& found, const std::vector<model::ObservedPoint>& points) {
   return found.plan.planar &&
          std::all_of(points.begin(), points.end(), [](const model::ObservedPoint& point) {
@@ -71,7 +71,7 @@ bool stays_in_plane(const Found& found, const std::vector<model::ObservedPoint>&
          });
 }
 
-/// A design that prints are judged by, in its equilibrium.
+/// Design in its equilibrium, the reference of its prints.
 struct PrintedDesign {
   PrintHinges hinges;
   bool planar;
@@ -108,10 +108,10 @@ model::PrintedLinkage printed_of(const Design& design) {
   return [&design](const Eigen::Matrix4Xd& errors) { return printed_sheet(design.structure, errors); };
 }
 
-constexpr int states_on_the_way = 8;  // in which walls of prints are looked at
+constexpr int states_on_the_way = 8;  // states of the motion in which walls of prints are checked for contact
 
-/// The fold itself is held as its prints are; on the way to it hinges rest at the turns that they have there, of the closed form
-/// or, where hinges are elastic, of their path.
+/// Counts the sample prints whose walls touch. The folded state is held as its prints are. In earlier states each
+/// hinge rests at the turn that it has there, in the closed form or, for elastic hinges, on their path.
 std::optional<model::TouchingPrints> count_touching(const Run& run, const PrintedDesign& design,
                                                     const RunOptions& options) {
   const model::Linkage linkage = run.design.structure;
@@ -132,9 +132,10 @@ std::optional<model::TouchingPrints> count_touching(const Run& run, const Printe
                          print_options(options, design.planar));
 }
 
-constexpr int most_bodies_to_press = 100;  // a path for each side of each print
+constexpr int most_bodies_to_press = 100;  // above this it takes too long: one path per side of each print
 
-/// Presses sample prints from flat: elastic hinges between plates, where the design itself folds to the side asked for.
+/// Presses sample prints from flat: elastic hinges between plates, if the design itself folds to the requested side.
+/// Empty otherwise.
 std::optional<model::FlatStarts> press_from_flat(const Run& run, const PrintedDesign& design,
                                                  const model::State& state, const RunOptions& options) {
   const model::LinkageDrive& drive = design.hinges.drive;
@@ -152,9 +153,10 @@ model::PrintRuns runs_of(const Run& run, const PrintedDesign& design,
                     print_options(options, design.planar));
 }
 
-constexpr double part = 1e-4;  // rad of theta, to either side: what differences of energies are taken over
+constexpr double part = 1e-4;  // rad of theta to either side, the step of difference quotients
 
-/// A block that does for all hinges in a state. Along an exact motion nothing pulls them apart: what rounding leaves is none.
+/// Returns a block that suits all hinges in a state. An exact motion stretches no hinge, so a stretch left by
+/// rounding counts as 0.
 model::MadeHinge soft_block(const Found& found, const model::Linkage& linkage, const model::State& design) {
   const model::CellSize size = linkage.size;
   model::MadeHinge block = open_hinge(model::HingeKind::block, found.design.process, size);
@@ -167,7 +169,7 @@ model::MadeHinge soft_block(const Found& found, const model::Linkage& linkage, c
   return block;
 }
 
-/// Energy of all turns in the exact state at theta, N mm. @param k_turn of each hinge, N mm/rad
+/// Computes the energy of all turns in the exact state at theta, N mm. @param k_turn of each hinge, N mm/rad
 double turning_energy(const Found& found, const model::Linkage& linkage, double k_turn, double theta) {
   const model::State state = found.plan.exact.at(theta);
   double sum = 0;
@@ -178,8 +180,8 @@ double turning_energy(const Found& found, const model::Linkage& linkage, double 
   return sum;
 }
 
-/// What the drive must hold if springs alone stand against it, N or N mm. Plates close in as the sheet does, which need not be
-/// by the cosine of its theta.
+/// Computes the load that holds the fold against the springs alone, N or N mm: the derivative of the energy by the
+/// travel of the drive. Plates approach as the sheet does, which need not follow the cosine of theta.
 double holding_load(const Found& found, const model::LinkageDrive& drive, const model::Linkage& linkage,
                     const model::Elasticity& elasticity) {
   const auto energy = [&](double at) { return turning_energy(found, linkage, elasticity.k_turn, at); };

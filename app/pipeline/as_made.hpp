@@ -5,48 +5,50 @@
 
 namespace kinetix::app {
 
-/// How many prints are brought to their equilibrium: as many as the run asks for, and twenty in any case. What is true to
-/// first order alone may be far off where cells that do not close bulge: enough to see that, and a fraction of a second of
-/// work.
+/// Returns how many sample prints to solve for equilibrium: as many as the run requests, and at least 20. First order
+/// may be far off where cells that do not close bulge. Twenty prints show that in a fraction of a second.
 int prints_of(const RunOptions& options);
-/// By the run's threads, until it is told to stop. @param planar prints move in the plane z = 0 only   @param options are
-/// kept by reference
+/// Returns the options of a print analysis: threads and stop token of the run.
+/// @param planar prints move in the plane z = 0 only   @param options are kept by reference
 model::AsMadeOptions print_options(const RunOptions& options, bool planar);
 
-/// What the run's process, and the play of its pins (model::play_scatter), do to each hinge.
+/// Returns the scatter of each hinge: errors of the design's process, and the clearance of pins
+/// (model::play_scatter).
 model::HingeScatter scatter_of(const Design& design);
-/// A sheet whose hinges are off by so much (model::PrintedLinkage).
+/// Returns the sheet with these errors added to its hinges (model::PrintedLinkage).
 model::Lattice printed_sheet(model::Lattice sheet, const Eigen::Matrix4Xd& errors);
 
-/// What prints are expected to come to, to first order: as as_made(), without a print.
+/// Computes the print tolerance to first order, as as_made() does, without sample prints. Empty without points, or if
+/// no stable equilibrium is near the design.
 std::optional<PrintedGoal> expected_of_prints(const Found& found, const model::LinkageDrive& drive,
                                               const model::State& design,
                                               const std::vector<model::ObservedPoint>& points);
 
-/// What prints of a state of the run's structure come to, with hinges as stiff as the file says (or by default) and the
-/// process's errors: the place of hinges, the tilt of walls, and what a pin's clearance leaves open.
-/// @param drive that holds the state, in equilibrium or nearly so   @param points by which the goal is judged
-/// @param options how many prints are brought to their equilibrium as well, to confirm it; a few in any case, but for large
-/// sheets, and until it is told to stop
-/// @return nothing without points, or where the state is not stable under that drive
+/// Computes the print tolerance of a state of the run. Prints have hinges as print_hinges() gives them and the errors
+/// of scatter_of(): place of hinges, tilt of walls, and what a pin's clearance leaves open.
+/// @param drive holds the state, in equilibrium or nearly so.   @param points by which the goal is judged.
+/// @param options number of sample prints that are solved for equilibrium to confirm the result (prints_of). Large
+/// sheets have none unless requested. A stop request ends the analysis.
+/// @return empty without points, or if no stable equilibrium under that drive is near the state
 std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& drive,
                                    const model::State& state, const std::vector<model::ObservedPoint>& points,
                                    const RunOptions& options);
 
-/// What prints of a run are judged with.
+/// Hinges and drive with which prints of a run are judged.
 struct PrintHinges {
   model::Elasticity elasticity;
-  model::LinkageDrive drive;         ///< that holds them
-  std::optional<TakenHinges> taken;  ///< where the file leaves open what hinges are
+  model::LinkageDrive drive;         ///< holds the prints
+  std::optional<TakenHinges> taken;  ///< assumed hinges, if the file leaves hinges open
 };
 
-/// Elastic hinges as the file says, under the drive that holds the design. Where it asks for hinges that turn freely, prints
-/// have hinges that were set at the turns of the design and keep them, without a drive (model::SetHinge): each as the file
-/// makes it, else a soft block of the run's process, as long as the largest turn needs.
-/// @param drive that holds the design   @param design its state, exact where hinges turn freely
+/// Returns the hinges of prints of a design. Elastic hinges are the file's, under the drive that holds the design.
+/// Hinges that turn freely have no drive in prints: each was set at its turn in the design and keeps it
+/// (model::SetHinge). It is manufactured as the file says. If the file leaves that open, it is
+/// an assumed soft block of the run's process, as long as the largest turn needs.
+/// @param drive holds the design   @param design its state, exact if hinges turn freely
 PrintHinges print_hinges(const Found& found, const model::LinkageDrive& drive, const model::State& design);
 
-/// The same hinges, each at rest at the turn that it has in a state of the sheet, as if it had been set there.
+/// Returns the hinges with each at rest at its turn in a state of the sheet, as if it had been set there.
 model::Elasticity set_in(model::Elasticity elasticity, const model::Linkage& linkage,
                          const model::State& state);
 

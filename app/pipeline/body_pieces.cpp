@@ -9,12 +9,13 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double bore_share = 1.05;  // of a bore's radius: its polygon's corners lie outside it
+constexpr double bore_share = 1.05;  // times a bore's radius: its polygon's corners lie outside it
 constexpr double pin_share =
-    2;  // of the reach of a pin, h / sqrt(12) of what bears: half of h and a little more
-constexpr double one_shape_mm = 1e-4;  // mm: what floats far from the origin leave of equal shapes
+    2;  // times a pin's reach h / sqrt(12), h the length that bears: a little over h / 2
+constexpr double one_shape_mm =
+    1e-4;  // mm: rounding of floats far from the origin leaves equal shapes this near
 
-/// Of a body: rods turn in them, and do not collide with what is round them.
+/// Returns the bores of a body. Rods turn in them and do not collide with the material around them.
 std::vector<sim::FilledBore> bores_of(const model::Assembly& assembly, int body) {
   std::vector<sim::FilledBore> out;
   for (const model::AssemblyHinge& h : assembly.hinges)
@@ -41,7 +42,7 @@ bool have_one_shape(const model::AssemblyBody& a, const model::AssemblyBody& b) 
                     });
 }
 
-/// For each body the first one of its shape.
+/// Returns, for each body, the first body of the same shape.
 std::vector<int> first_of_shape(const model::Assembly& assembly) {
   std::vector<int> out, firsts;
   for (int b = 0; b < static_cast<int>(assembly.bodies.size()); ++b) {

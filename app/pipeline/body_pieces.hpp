@@ -10,24 +10,26 @@
 
 namespace kinetix::app {
 
-/// Convex pieces of the bodies of an assembly, by which these collide: in the physics run and in equilibrium.
+/// Convex pieces of the bodies of an assembly, which collide in place of the bodies in the simulation and in
+/// equilibrium.
 struct BodyPieces {
   std::vector<std::vector<sim::CutPiece>> of_body;  ///< in the model's coordinates, mm
-  std::vector<std::vector<sim::FilledBore>> bores;  ///< of each body, that were filled
-  double seconds = 0;                               ///< that they took, s
+  std::vector<std::vector<sim::FilledBore>> bores;  ///< filled bores of each body
+  double seconds = 0;                               ///< computing time, s
 
   std::size_t count() const;
-  /// Whether those of another assembly of the same bodies are the same: its pins have the same bores.
+  /// Whether the pieces suit another assembly of the same bodies: its pins have the same bores.
   bool fit(const model::Assembly& assembly) const;
 };
 
-/// @param threads as of RunOptions
+/// Cuts the bodies into convex pieces. @param threads as in RunOptions
 BodyPieces pieces_of(const model::Assembly& assembly, int threads);
 
-/// By their corners, about the rest positions of the bodies.
+/// Returns the corners of the pieces relative to the rest positions of their bodies.
 sim::ContactParts contact_parts(const BodyPieces& pieces, const model::Assembly& assembly);
 
-/// With their faces, and the pairs that touch at rest as the physics run finds them. The engine runs: one thread at a time.
+/// Returns the pieces with their faces, and the pairs that touch at rest according to the physics engine. The engine
+/// runs, so only one thread at a time may call this.
 model::ConvexBodies convex_bodies(const BodyPieces& pieces, const model::Assembly& assembly,
                                   const model::Linkage& linkage);
 

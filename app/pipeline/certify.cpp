@@ -12,7 +12,7 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double deviations = 3;  // of a normal distribution: 997 of 1000 are within
+constexpr double deviations = 3;  // standard deviations of a normal distribution: 997 of 1000 are within
 
 ProvenRanges along(const model::Lattice& sheet, const model::ExactMotion& exact, const model::PrintError& sd,
                    int threads, const std::stop_token& stop) {

@@ -8,16 +8,18 @@
 
 namespace kinetix::app {
 
-/// By how much every wall of a print may stand out of where the design has it, mm: three standard deviations of its place,
-/// and of its tilt at the corner that is farthest from the body's vertex. 997 of 1000 walls keep each.
+/// Returns by how much a wall of a print may project from its place in the design, mm. It is the sum of three
+/// standard deviations of its place and of its tilt at the corner farthest from the body's vertex. 997 of 1000 walls
+/// stay within each.
 double print_growth_mm(const model::Linkage& sheet, const model::PrintError& sd);
 
-/// Along the plan's closed form; where there is none, why nothing is certified. Equilibria of elastic hinges come near the
-/// closed form and are not on it: what is proven of it is not proven of them. @param threads 0 = all cores
-/// @param stop when requested, nothing is certified
+/// Computes the collision-free range of theta along the plan's closed form (continuous collision check). Without a
+/// closed form the result says why nothing is proven. Equilibria of elastic hinges lie near the closed form, not on
+/// it, so the proof does not cover them. @param threads 0 = all cores
+/// @param stop when requested, nothing is proven
 ProvenRanges certify(const model::Lattice& sheet, const Plan& plan, const model::PrintError& sd, int threads,
                      const std::stop_token& stop);
-/// Of a sheet alone, as files are checked: of its closed form, on all cores.
+/// Computes the collision-free range of a sheet alone, as file checks need it: along its closed form, on all cores.
 ProvenRanges certify(const model::Lattice& sheet, const model::PrintError& sd);
 
 }  // namespace kinetix::app

@@ -20,15 +20,16 @@
 namespace kinetix::app {
 namespace {
 
-// Part of the way to the poses: rounding of files lets bodies move by up to 3 % of it, mechanisms by all of it.
+// Fraction of the distance to the poses: bodies that move by less count as fixed. Rounding of files lets bodies move
+// by up to 3 % of the distance, mechanisms move by all of it.
 constexpr double least_way = 0.05;
 
-/// States of the way, by their theta, with what is said of it.
+/// States along the motion with their theta, and a summary of the motion.
 struct FollowedWay {
   ClosedWay way;
   std::vector<model::State> states = {};
   std::vector<double> thetas = {};  ///< rad
-  double gap = 0;                   ///< largest mismatch of hinge points met, cell edges
+  double gap = 0;                   ///< largest mismatch of hinge points during the motion, cell edges
 };
 
 std::string turn_words(const model::AssemblyMotion& m, const std::vector<model::AssemblyHinge>& hinges,
@@ -71,7 +72,7 @@ std::string pull_words(const model::Deployment& d, double seconds, bool is_stopp
       d.off_rms, d.off_max, d.gap, d.states.size(), seconds);
 }
 
-/// Largest distance of a body from its place at rest, as Deployment::off_max measures it, cell edges.
+/// Returns the largest distance of a body from its rest pose, cell edges, measured like Deployment::off_max.
 double moved_by(const std::vector<model::State>& states, double edge_mm) {
   const model::State &rest = states.front(), &last = states.back();
   double most = 0;
@@ -80,7 +81,7 @@ double moved_by(const std::vector<model::State>& states, double edge_mm) {
   return most;
 }
 
-/// Reasons why the bodies do not end where they are pulled to.
+/// Lists the reasons why the bodies do not end where they are pulled to.
 std::vector<std::string> pull_reasons(const model::BodyPull& pull, const model::Deployment& d, double moved) {
   const bool stays = moved <= least_way * d.off_rms;
   if (!pull.poses) {
@@ -121,7 +122,7 @@ std::shared_ptr<const model::ConvexBodies> pressing_bodies(const Run& run, const
       convex_bodies(*run.pieces, *run.design.structure.assembly(), run.design.structure));
 }
 
-/// The equilibrium of its elastic hinges, with the closed state of the same drive beside it.
+/// Adds the equilibrium of the elastic hinges, and next to it the closed state of the same drive.
 Run with_elastic_state(Run run, const model::LinkageDrive& drive, const RunOptions& options) {
   run = with_pieces(std::move(run), options);
   ElasticState state = follow_drive(run, drive, elasticity_of(run.design), motion_states, options,

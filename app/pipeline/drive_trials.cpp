@@ -13,7 +13,7 @@
 namespace kinetix::app {
 namespace {
 
-/// Of its drive where it gives one, else its own, rad.
+/// Returns the target theta, rad: the drive's if there is a drive, otherwise the design's.
 double theta_of(const Design& design, const model::ExactMotion& exact) {
   double theta = design.theta;
   if (design.drive) theta = exact ? exact_theta_of(design, exact) : drive_of(design).theta();
@@ -22,10 +22,10 @@ double theta_of(const Design& design, const model::ExactMotion& exact) {
                      {"", 0, 0, "design.theta_deg"});
 }
 
-constexpr double snap_loss = 0.05;  // of the work of a step: what bent loads and rounding leave open
+constexpr double snap_loss = 0.05;  // ratio to the mean work of a step: error by curved loads and rounding
 
-/// What a step stores is its work, unless it is less than its lower load would do: then a snap lost the rest, and the work is
-/// that of the mean load.
+/// Returns the work of a step, N mm: the energy that it stores. If that is less than the work of the lower load, a
+/// snap dissipated the rest, and the work is that of the mean load.
 double work_of(const model::EquilibriumStep& a, const model::EquilibriumStep& b, double travel) {
   const double way = (b.drive - a.drive) * travel, stored = b.energy - a.energy,
                mean = way * (a.load + b.load) / 2;
@@ -40,12 +40,11 @@ double work_along(const model::EquilibriumPath& path, double travel) {
   return sum;
 }
 
-constexpr double same_theta = 5e-3;  // of theta: work goes with its square, and is known to 1 %
-constexpr int most_rounds =
-    8;  // of a drive; each comes nearer by what the sheet lags behind the drive, squared
-constexpr double widest = 1.55;  // rad: no drive asks for a right angle
+constexpr double same_theta = 5e-3;  // ratio to theta: work grows with its square, and is known to 1 %
+constexpr int most_rounds = 8;   // rounds per drive; each reduces the error by the square of the sheet's lag
+constexpr double widest = 1.55;  // rad: limit of a drive, just below a right angle
 
-/// Follows a drive, and again as much further as it fell short of theta.
+/// Follows a drive. Repeats with its target scaled by theta over the reached theta, until the sheet reaches theta.
 void drive_to(double theta, const model::Linkage& linkage, const model::ExactMotion& exact,
               const model::Elasticity& elasticity, const model::EquilibriumPathOptions& path,
               DriveTrial& trial) {
@@ -77,7 +76,7 @@ int least(const std::vector<DriveTrial>& trials, double DriveTrial::*number) {
   return best;
 }
 
-/// Those behind the first ones that can be tried.
+/// Returns the names of the drives not tried: those from index `first` on that exist.
 std::vector<std::string> names_after(std::size_t first, const std::vector<model::TrialDrive>& drives) {
   std::vector<std::string> names;
   for (std::size_t k = first; k < drives.size(); ++k)
@@ -104,7 +103,7 @@ DriveTrials try_drives(const Design& design, const RunOptions& options) {
     trial.drive = *drive.drive;
     follow(out.theta, linkage, exact, elasticity, path, trial);
     if (!options.stop.stop_requested()) continue;
-    out.trials.pop_back();  // on its way
+    out.trials.pop_back();  // incomplete
     out.stopped = true;
     out.not_tried = names_after(out.trials.size(), drives);
     break;

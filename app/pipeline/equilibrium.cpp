@@ -19,12 +19,12 @@
 namespace kinetix::app {
 namespace {
 
-// Rad of theta: as fine as the states that a run shows of a sheet that folds by 40 deg, and the same however far a drive goes, since
-// what happens on the way must not depend on that.
+// Rad of theta: as fine as the frames of a sheet that folds by 40 deg. The step does not depend on how far a drive
+// goes, because events on the path must not depend on that.
 constexpr double longest_step = 0.06;
-constexpr double steps_per_frame = 2;  // states kept for each frame shown, so that frames lie nearly evenly
+constexpr double steps_per_frame = 2;  // states kept per frame shown, so that frames are nearly evenly spaced
 
-/// Keeps states of a motion at even distances of theta, closer than the frames that are wanted in the end, and its last one.
+/// Recorder of a motion: keeps states at even distances of theta, closer than the final frames, and the last state.
 class FrameKeeper {
  public:
   FrameKeeper(double goal, int frames) : spacing_(std::abs(goal) / (steps_per_frame * frames)) {}
@@ -34,7 +34,7 @@ class FrameKeeper {
     if (kept_.empty() || !(std::abs(theta - kept_.back().theta) < spacing_)) kept_.push_back(latest_);
   }
 
-  /// Those nearest to `count` even distances up to `last`, where the motion ends.
+  /// Returns the states nearest to `count` even distances up to `last`, the end of the motion.
   std::vector<NamedState> even(double last, int count) const {
     std::vector<NamedState> frames;
     for (int k = 0; k < count; ++k) {
@@ -73,12 +73,12 @@ std::string stiffness_sentence(const Design& design, const model::Elasticity& e)
                      design.own_hinges.empty() ? e.k_point : design.hinge.k_point, e.k_turn, end);
 }
 
-/// The drive, as far as the path came.
+/// Returns the drive up to the end of the path.
 model::LinkageDrive reached_drive(const model::LinkageDrive& drive, const model::EquilibriumPath& path) {
   return drive.as_far_as(path.steps.back().drive);
 }
 
-/// The closed form of the same drive, and how far the equilibrium is from it.
+/// Adds the closed form's state of the same drive, and how far the equilibrium is from it.
 void add_exact(const Found& found, ElasticState& out) {
   Equilibrium& equilibrium = out.equilibrium;
   const model::Lattice& sheet = found.design.structure;

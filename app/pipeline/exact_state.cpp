@@ -9,7 +9,7 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int timed_calls = 200;  // enough for the clock to resolve the mean, microseconds for small sheets
+constexpr int timed_calls = 200;  // enough to resolve the mean, microseconds for small sheets
 
 /// Returns the size of the folded design by the closed form, mm.
 std::optional<Eigen::Vector3d> folded_size(const model::ExactMotion& motion, const Design& design) {

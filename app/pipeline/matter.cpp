@@ -15,23 +15,23 @@
 namespace kinetix::app {
 namespace {
 
-// Of the tolerance: an equilibrium that is so near its goal is not improved any further.
+// Ratio to the tolerance: an equilibrium this near its goal is not improved further.
 constexpr double near_enough = 0.05;
-// Cell edges: the equilibrium that a path from flat ends in is that of the search, but for what both leave of forces:
-// soft hinges lie apart by 2e-4 for these, and another state so near would do as well.
+// Cell edges: limit within which the end of a path from flat is the equilibrium of the search. Residual forces of
+// both separate them by 2e-4 with soft hinges. Any other state this near would serve as well.
 constexpr double same_state = 1e-3;
 
-// Springs so much stiffer than their hinges rest at 1.25 times the turn that they hold.
+// Ratio of stiffnesses: springs this much stiffer than their hinges rest at 1.25 times the turn that they hold.
 constexpr double spring_over_hinge = 4;
 
-/// N mm/rad
+/// Returns the largest turning stiffness of a hinge, N mm/rad.
 double stiffest_turn(const model::Elasticity& elasticity, int hinges) {
   double most = 0;
   for (int h = 0; h < hinges; ++h) most = std::max(most, elasticity.of(static_cast<std::size_t>(h)).k_turn);
   return most;
 }
 
-/// The drive as design.yaml has it: nothing where the file need not say it.
+/// Returns the drive for design.yaml; empty if the file need not name it.
 std::optional<model::Drive> springs_to(const Found& found, double theta) {
   if (!found.goal_drive) return std::nullopt;
   model::ShapeMemory springs = *found.goal_drive;
@@ -53,7 +53,8 @@ optim::MatterGoal goal_of(const Found& found, const Goal& goal) {
   return out;
 }
 
-/// Of springs theta is where they rest, which is further than the sheet comes: it has the bounds of any sheet.
+/// Returns the bounds of the compensation. For shape-memory drives theta is the springs' rest angle, beyond the
+/// reached fold, so the general bounds apply to it.
 optim::CompensationOptions bounded(const TurnBounds& bounds, bool by_springs) {
   optim::CompensationOptions options;
   options.ties = bounds.ties;
@@ -73,7 +74,7 @@ model::EquilibriumPath path_to(const Found& found, const model::Lattice& sheet, 
                            options);
 }
 
-/// @param path of the exact design, which came to its goal
+/// Compensates the exact design. @param path of that design, which reached its goal
 optim::Compensation made_up_for(const Found& found, const Goal& goal, const model::EquilibriumPath& path,
                                 const model::Elasticity& elasticity, double tolerance_mm,
                                 const std::stop_token& stop) {
@@ -84,14 +85,15 @@ optim::Compensation made_up_for(const Found& found, const Goal& goal, const mode
                     search);
 }
 
-/// Hinges that are too soft for their drive leave the sheet far from its goal; what is missed otherwise no spring mends.
+/// Whether a state misses its goal by more than the tolerance of its points. That is the effect of hinges too soft
+/// for their drive, which springs cure. They cure no other violation.
 bool is_far_off(const Run& run, const Goal& goal, const model::State& state) {
   const auto observed = goal.observe(run, run.design.structure, state);
   return !observed || rms_mm(*observed) > observed->tolerance_mm;
 }
 
-/// The design that was found, in place of the exact one, and its path from flat. Of the plan what the search added stays: the
-/// rest was said of the exact design, whose states come from the closed form.
+/// Replaces the exact design by the compensated one, with its path from flat. The plan keeps the sentences that the
+/// search added. The others described the exact design, whose states come from the closed form.
 Run showing(Run run, const optim::InMatter& found, const model::Elasticity& elasticity,
             const RunOptions& options) {
   const Plan exact = std::move(run.plan);
@@ -137,7 +139,7 @@ Run missed(Run run, const std::string& why) {
   return run;
 }
 
-/// How the equilibrium at the end of the path keeps the goal. @pre the drive came through
+/// Measures the equilibrium at the end of the path against the goal. @pre the drive reached its goal
 Run measured(Run run, const Goal& goal, const RunOptions& options) {
   const Equilibrium& equilibrium = *run.equilibrium;
   const model::State& end = equilibrium.path.state;
@@ -150,8 +152,8 @@ Run measured(Run run, const Goal& goal, const RunOptions& options) {
   return run;
 }
 
-/// Judges the end of the path from flat where it is not the state that the search found, which knows no contact.
-/// @param away from it, cell edges
+/// Judges the end of the path from flat if it differs from the state of the search, which ignores contact.
+/// @param away distance from that state, cell edges
 Run elsewhere(Run run, const Goal& goal, double away) {
   const std::string where = fmt::format(
       "the path from flat ends in another equilibrium than the one near the goal, {:.3g} mm from it",

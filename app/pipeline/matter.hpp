@@ -4,13 +4,14 @@
 
 namespace kinetix::app {
 
-/// Whether the goal was searched for by closed form and its file says what elastic hinges are made of.
+/// Whether the goal was searched for by closed form and its hinges are elastic.
 bool is_of_matter(const Found& found);
 
-/// The drive of a goal that takes a sheet to theta, rad.
+/// Returns the drive that takes a sheet to theta, rad: the goal's springs, at rest there, or the usual drive without
+/// springs.
 model::LinkageDrive goal_drive(const Found& found, const model::Lattice& sheet, double theta);
 
-/// A design that makes up for its elastic hinges, and its path from flat.
+/// Design compensated for its elastic hinges, and its path from flat.
 struct MatterPath {
   model::Lattice sheet;
   double theta = 0;  ///< rad, of its drive
@@ -18,14 +19,15 @@ struct MatterPath {
   model::EquilibriumPath path;
 };
 
-/// Follows the exact design of a goal, and the design that makes up for its elastic hinges. Without an equilibrium the path ends
-/// before its goal.
+/// Compensates the exact design of a goal for its elastic hinges and follows the new design from flat. If the exact
+/// design does not reach an equilibrium, returns that design and its incomplete path.
 /// @pre planned, is_of_matter
 MatterPath path_in_matter(const Found& found, const Goal& goal, const std::stop_token& stop);
 
-/// Takes a design that meets its goal exactly to the equilibrium of its elastic hinges, from flat by its drive, and
-/// brings that onto the goal (optim/matter/compensate.hpp). The run then shows the equilibrium of the new design, as
-/// the path from flat comes to it. Without an equilibrium the exact state stays, and the goal says why it is not met.
+/// Compensates a design that meets its goal exactly for its elastic hinges. Its drive folds it from flat to an
+/// equilibrium, and a search brings that onto the goal (optim/matter/compensate.hpp). The run then shows the
+/// equilibrium of the new design at the end of its path from flat. Without an equilibrium the exact state stays, and
+/// the violations give the reason.
 /// @pre measured, is_of_matter
 Run settled_in_matter(Run run, const Goal& goal, const RunOptions& options);
 

@@ -8,7 +8,7 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double settle_residual_motion = 0.01;  // cell edges: half the tolerance of a verification
+constexpr double settle_residual_motion = 0.01;  // cell edges: half the default tolerance of a verification
 
 }  // namespace
 
@@ -61,9 +61,9 @@ sim::PhysicsOptions rotary_physics(const HingeSection& hinge, const PhysicsSecti
 
 namespace {
 
-constexpr double most_overlap_mm = 0.1;  // mm: by which convex pieces may stick out of their bodies
+constexpr double most_overlap_mm = 0.1;  // mm: convex pieces may project from their bodies by this much
 
-/// Returns the stiffness of each hinge of imported bodies. The stiffest sets that of contact.
+/// Returns the stiffness of each hinge of imported bodies. The contact stiffness follows from the stiffest hinge.
 model::Elasticity elasticity_of_bodies(const model::Assembly& bodies) {
   model::Elasticity whole;
   for (const model::AssemblyHinge& h : bodies.hinges) whole.each.push_back(elasticity_of(h.k, h.reach_mm));
@@ -93,7 +93,7 @@ model::Elasticity elasticity_of(const Design& design) {
   if (design.own_hinges.empty()) return whole;
   whole.each.assign(static_cast<std::size_t>(design.structure.hinges()), model::Elasticity(whole));
   for (const auto& [h, own] : design.own_hinges) whole.each[h] = elasticity_of(own, design.physics, edge_mm);
-  whole.k_point = whole.each.front().k_point;  // no hinge may be as `hinge` says
+  whole.k_point = whole.each.front().k_point;  // the common `hinge` may apply to no hinge
   for (const model::Elasticity& hinge : whole.each) whole.k_point = std::max(whole.k_point, hinge.k_point);
   whole.k_contact = design.hinge.k_contact.value_or(10 * whole.k_point);
   return whole;

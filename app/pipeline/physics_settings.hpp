@@ -6,23 +6,26 @@
 
 namespace kinetix::app {
 
-/// What hinges are made of. Rotary hinges are taken as elastic with the same numbers, which are the defaults
-/// unless the file gives others; reach: that of the physics run. @throws InvalidInput for k_turn 0
+/// Returns the elasticity of hinges. Rotary hinges count as elastic with the same numbers, which are the defaults
+/// unless the file gives others. Their reach is that of the simulation. @throws InvalidInput for k_turn 0
 model::Elasticity elasticity_of(const HingeSection& hinge, const PhysicsSection& physics, double edge_mm);
-/// Half distance of the two points of a hinge: as made, as given, or as the physics run has it. mm
+/// Returns half the distance between the two points of a hinge, mm: of the manufactured hinge, else as given, else as
+/// in the simulation.
 double reach_mm(const HingeSection& hinge, const PhysicsSection& physics, double edge_mm);
 
-/// Settings of the physics run: defaults, with what the file gives. @param edge_mm cell edge
+/// Returns the settings of the simulation: the file's values, defaults for all others. @param edge_mm cell edge
 sim::PhysicsOptions physics_options(const PhysicsSection& section, double edge_mm);
-/// Those of a run with hinges that cannot stretch: as the file has them, or else the run.
+/// Returns the settings of a simulation with hinges that cannot stretch. Their reach is the hinge section's if it
+/// gives one.
 sim::PhysicsOptions rotary_physics(const HingeSection& hinge, const PhysicsSection& section, double edge_mm);
-/// Those of a run with elastic hinges. @param k_spring of each spring of a shape-memory drive, N mm/rad
+/// Returns the settings of a simulation with elastic hinges. @param k_spring of each spring of a shape-memory drive,
+/// N mm/rad
 sim::PhysicsOptions elastic_physics(const model::Elasticity& elasticity, const PhysicsSection& section,
                                     double edge_mm, bool planar, double k_spring = 0);
 
 /// Returns the elasticity of all hinges of a design: one for all, or one each in units of the stiffest.
 model::Elasticity elasticity_of(const Design& design);
-/// Returns the settings of a design's physics run. @param planar all hinges are vertical
+/// Returns the settings of a design's simulation. @param planar all hinges are vertical
 sim::PhysicsOptions physics_of(const Design& design, bool planar);
 
 }  // namespace kinetix::app

@@ -34,23 +34,24 @@
 namespace kinetix::app {
 namespace {
 
-/// What is said of a design beside its physics run.
+/// Results of the checks that run in parallel with the simulation.
 struct Judgement {
-  std::optional<PrintedGoal> printed;     ///< of goals that are judged by distances
-  std::string prints_unknown;             ///< why there is none, of such goals; else empty
-  std::optional<ProvenRanges> certified;  ///< where the options ask for it
-  std::optional<PrintAnswer> print;       ///< of `export`, where there is a goal and the options ask for it
+  std::optional<PrintedGoal> printed;     ///< only of goals that are judged by distances
+  std::string prints_unknown;             ///< why such a goal has none, else empty
+  std::optional<ProvenRanges> certified;  ///< if the options request it
+  std::optional<PrintAnswer> print;       ///< answer of `export`, for goals if the options request it
   double as_made_s = 0, certify_s = 0;
 };
 
-/// Comes to a judgement in parts, which threads take as they become free: what prints come to, where walls meet, what `export`
-/// answers. Looks at a run and changes nothing of it, so that a physics run may go on beside it.
+/// Checks of a run in parts: prints, contact of walls, answer of `export`. Threads take parts as they become free.
+/// The run is read only, so a simulation may run in parallel.
 class Judging {
  public:
   /// @param run, options are kept by reference   @param goal null for a design
   /// @pre the run has its plan, its state and, of elastic hinges, its equilibrium
   Judging(const Run& run, const Goal* goal, const RunOptions& options);
-  /// Does parts that no thread has begun, until none is left or the options say stop. Any number of threads may be in it.
+  /// Works on parts that no thread has begun, until none is left or the options request a stop. Any number of threads
+  /// may call it.
   void work();
   /// @pre every work() has returned
   const Judgement& judgement() const { return found_; }
@@ -64,10 +65,10 @@ class Judging {
   const Goal* goal_;
   const RunOptions& options_;
   std::atomic<int> begun_ = 0;
-  Judgement found_;  ///< each part writes fields of its own
+  Judgement found_;  ///< each part writes different fields
 };
 
-/// Puts right one end of a range whose samples have missed walls that touch before.
+/// Corrects one end of a sampled range if walls provably touch before it.
 void correct(model::ContactLimit& sampled, const model::ContactLimit& proven, Plan& plan) {
   if (!proven.contact || std::abs(sampled.theta) <= std::abs(*proven.contact)) return;
   plan.why.push_back(fmt::format("walls touch at theta {:.2f} deg already, and part again between samples",
@@ -82,8 +83,8 @@ Plan corrected(Plan plan, const ProvenRanges& certified) {
   return plan;
 }
 
-/// Walls that do overlap on the way to a goal, whichever states its search has looked at. Where nothing was to be proven those that
-/// overlap as built are seen in the flat state.
+/// Describes walls that overlap during the motion to a goal, whatever states its search has checked. If no proof was
+/// requested, only walls that overlap as built are found, in the flat state. Empty if none are found.
 std::optional<std::string> why_walls_meet(const Run& run) {
   if (!run.goal || run.plan.model != Model::exact) return std::nullopt;
   if (run.certified) return run.certified->designed ? contact_reason(run) : std::nullopt;
@@ -94,8 +95,9 @@ std::optional<std::string> why_walls_meet(const Run& run) {
   return overlap ? std::optional(overlap_words(*overlap, run.design.structure)) : std::nullopt;
 }
 
-/// What is proven of walls where they are out of place, of the states that prints are judged in. Of equilibria near the closed
-/// form nothing is; that even this form may touch is a warning all the same.
+/// Whether prints are free of contact in the states in which they are judged; empty if that is not known. Nothing is
+/// proven of equilibria near the closed form. A contact of the closed form counts for them all the same, as a
+/// warning.
 std::optional<bool> are_prints_free(const Run& run) {
   const bool has_left = run.equilibrium && run.equilibrium->path.off_closed_form;
   if (!run.printed || !run.certified || has_left || !run.certified->printed) return std::nullopt;
@@ -145,8 +147,8 @@ void Judging::ask_export() {
     found_.print = options_.printable(written_design(run_));
 }
 
-/// The run with its judgement: ranges of theta that samples took for free end where walls are proven to meet, and a goal that
-/// lies beyond is missed. So is one whose walls overlap as built, where nothing was to be proven as well.
+/// Adds the judgement to the run. A sampled range of theta ends where walls provably meet, and a goal beyond that is
+/// missed. A goal whose walls overlap as built is missed even if no proof was requested.
 Run with_judgement(Run run, Judgement judgement) {
   run.timings.as_made = judgement.as_made_s;
   run.timings.certify = judgement.certify_s;
@@ -166,7 +168,7 @@ Run with_judgement(Run run, Judgement judgement) {
   return run;
 }
 
-/// Of the equilibrium of elastic hinges; nothing where its drive did not come through.
+/// Returns the simulation of elastic hinges in equilibrium; empty if the drive did not reach its goal.
 std::optional<PhysicsTask> elastic_task(const Run& run) {
   const Equilibrium& equilibrium = *run.equilibrium;
   if (!equilibrium.reached()) return std::nullopt;
@@ -176,13 +178,13 @@ std::optional<PhysicsTask> elastic_task(const Run& run) {
   return PhysicsTask{equilibrium.path.state, equilibrium.drive, options};
 }
 
-/// Of a design: empty where there is none of the whole drive.
+/// Returns the state that a design's simulation is compared with; empty if there is none for the whole drive.
 model::State reference_of(const Run& run) {
   const bool on_the_way = (run.equilibrium && !run.equilibrium->reached()) || (run.way && !run.way->reached);
   return run.states.empty() || on_the_way ? model::State{} : run.states.front().poses;
 }
 
-/// Of a design: the file's drive. Imported bodies collide by their pieces.
+/// Returns the simulation of a design, with the file's drive. Imported bodies collide by their pieces.
 PhysicsTask design_task(const Run& run) {
   PhysicsTask task{reference_of(run), drive_of(run.design), physics_of(run.design, run.plan.planar)};
   task.pull = pull_of(run.design);
@@ -204,27 +206,28 @@ std::optional<PhysicsTask> physics_task(const Run& run) {
   return PhysicsTask{run.own, wish.drive ? *wish.drive : drive_to(run.design.structure, run.theta), options};
 }
 
-/// On a thread of its own where there may be one and the system gives it.
+/// Starts the checks in a separate thread if the run and the system allow one. Otherwise get() of the result runs
+/// them.
 std::future<void> work_beside(Judging& judging, int threads) {
   const auto policy =
       model::threads_of(threads) > 1 ? std::launch::async | std::launch::deferred : std::launch::deferred;
   return std::async(policy, [&judging] { judging.work(); });
 }
 
-/// How the settled physics run keeps the goal.
+/// Measures the settled simulation against the goal. Null without a goal or if it did not settle.
 std::shared_ptr<const Measure> measured(const Run& run, const Goal* goal, const Verification& verification,
                                         const RunOptions& options) {
   if (!goal || !is_settled(verification)) return nullptr;
   return goal->measure(run, StateOf::physics, verification.physics.state, options);
 }
 
-/// Of a state that misses its goal, physics says so too.
+/// Whether the simulation agrees with the run in its state and, if the run meets its goal, in meeting it.
 bool agrees(const Run& run, const Verification& verification, const Measure* measure) {
   return verification.agrees && (!measure || !run.met() || measure->violations.empty());
 }
 
-/// Runs the physics engine. Where coarser steps came near enough to the model's state, but not to the goal, which may be stricter,
-/// it runs again in the usual ones.
+/// Adds a simulation to the run. Larger time steps may reach the model's state within tolerance, but miss the goal,
+/// which may be stricter. Then the simulation is repeated with the usual steps.
 Run with_physics(Run run, const Goal* goal, Verification verification, const PhysicsTask& task,
                  const RunOptions& options) {
   std::shared_ptr<const Measure> measure = measured(run, goal, verification, options);
@@ -247,13 +250,14 @@ Run with_physics(Run run, const Goal* goal, Verification verification, const Phy
   return run;
 }
 
-/// A goal counts in the state that its drive leads to: where the drive stops on its way there is none.
+/// Returns why the drive of a goal stops before its end; empty if it does not. A goal counts only in the state at the
+/// end of its drive.
 std::optional<std::string> why_drive_stops(const Run& run) {
   if (!run.goal || run.matter || !run.equilibrium || run.equilibrium->reached()) return std::nullopt;
   return drive_stop_reason(run.equilibrium->path);
 }
 
-/// The goal is missed where a hinge tears in the state shown, however well the shape is kept.
+/// Adds a violation of the goal if a hinge is overstrained in the state shown, even if the shape is right.
 Run with_strain(Run run) {
   const auto why =
       run.goal && !run.states.empty() ? strained_too_far(run.design, run.states.front().poses) : std::nullopt;
@@ -263,14 +267,14 @@ Run with_strain(Run run) {
   return run;
 }
 
-/// The state that the search knows of its design, in place of a path that was stopped before its end.
+/// Returns the state known from the search, shown in place of a path that was stopped before its end.
 NamedState known_state(const Run& run) {
   const model::State& state = run.known->state;
   return {"target", to_string(run.known->model), model::mean_theta(run.design.structure, state), state,
           hinge_gaps(run.design.structure, state)};
 }
 
-/// The states in which the model holds what was found, where it has any.
+/// Adds the states in which the model holds what was found, if it has any.
 Run with_model_states(Run run, const RunOptions& options) {
   if (run.design.structure.assembly()) return with_closed_way(std::move(run), options);
   if (run.plan.model == Model::equilibrium) {
@@ -295,7 +299,7 @@ Run with_model_states(Run run, const RunOptions& options) {
   return run;
 }
 
-/// One run, from what was found to what every model says of it. @param goal null for a design
+/// Runs all models and checks on what was found. @param goal null for a design
 Run run_found(Found found, const Goal* goal, const RunOptions& options) {
   Run run = held(std::move(found), goal, options);
   if (goal) run = settled(std::move(run), *goal, options);

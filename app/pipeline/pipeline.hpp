@@ -5,23 +5,24 @@
 
 namespace kinetix::app {
 
-/// Searches for the goal, and says of what was found what each model says of it: the exact state, the equilibrium of elastic
-/// hinges, then the physics run, prints and contact side by side.
+/// Searches for the goal and evaluates the design by each model: the exact state, then the equilibrium of elastic
+/// hinges. The simulation and the checks of prints and contact follow in parallel.
 /// @throws InvalidInput for a target that leaves nothing to search
 Run run_goal(const Goal& goal, const RunOptions& options);
 
-/// The same of a design as it is, nothing to search for.
-/// @param model exact: one state of the closed form; equilibrium: of the design's elastic hinges, followed
-/// from flat to its drive, the closed form of the same drive beside it where a family fits; bullet: the
-/// physics run, compared with the equilibrium where hinges are elastic, else with the exact state where a
-/// family fits; elsewhere there is none, and the run is judged by its own closure alone
-/// Imported bodies have no family: their exact state is closed step by step along the drive.
+/// Evaluates a design as it is, without a search. Imported bodies have no family: their exact state is closed step by
+/// step along the drive.
+/// @param model `exact`: one state of the closed form. `equilibrium`: the path of the design's elastic hinges from
+/// flat to the goal of its drive, with the closed form of the same drive if a family fits. `bullet`: the simulation.
+/// It is compared with the equilibrium if hinges are elastic, otherwise with the exact state if a family fits.
+/// Without either, the run is judged by its own closure alone.
 /// @throws InvalidInput for a design that its model does not fit
 Run run_design(Design design, Model model, RunOptions options);
 
-/// What was found in the state that its model holds it in, and how far that is from its goal. @param goal null for a design
+/// Computes the state of what was found by its model, and its distance from the goal. @param goal null for a design
 Run held(Found found, const Goal* goal, const RunOptions& options);
-/// The same in the equilibrium of its elastic hinges, where a goal of an exact family has any.
+/// Compensates the run for its elastic hinges, if the goal is of an exact family and has any. Adds a violation if the
+/// drive stops before its goal.
 Run settled(Run run, const Goal& goal, const RunOptions& options);
 
 }  // namespace kinetix::app

@@ -13,17 +13,17 @@
 namespace kinetix::app {
 namespace {
 
-// What is tried of the gaps of blocks and films, over that of the file: longer ones turn softer, and are weaker across.
+// Ratios of the tried gaps of blocks and films to the file's. Longer ones turn softer and are weaker across.
 constexpr double gap_shares[] = {1, 0.7, 1.4};
 
-/// How the goal is kept, and what prints are expected to come to.
+/// Tolerance of a goal and expected error of its prints.
 struct Expected {
   double tolerance_mm = 0;
   PrintedGoal printed;
-  bool hinges_bear = true;  ///< their strain
+  bool hinges_bear = true;  ///< withstand their strain
 };
 
-/// Of a run that has been through its models.
+/// Returns the expected error of prints of a run that has been through its models; empty if it is not known.
 std::optional<Expected> expected(const Run& run, const Goal& goal) {
   if (run.matter && !run.equilibrium) return std::nullopt;
   const model::State& state = run.matter ? run.equilibrium->path.state : run.own;
@@ -35,7 +35,7 @@ std::optional<Expected> expected(const Run& run, const Goal& goal) {
   return Expected{observed->tolerance_mm, *printed, bears_its_strain(run.design, state)};
 }
 
-/// The plain search first.
+/// Lists the trials, the plain search first.
 std::vector<RobustTrial> trials(const std::optional<optim::AngleRange>& theta, const HingeSection& hinge) {
   std::vector<RobustTrial> out = {{std::nullopt, hinge}};
   for (const double share : gap_shares) {
@@ -59,7 +59,7 @@ std::string missed_in_words(const Run& run) {
   return run.matter ? "its elastic hinges miss the goal" : "it misses the goal";
 }
 
-/// Empty where it may be taken.
+/// Returns why a design is not allowed; empty if it is.
 std::string why_not_taken(const Run& run, const Expected& found, const RunOptions& options) {
   if (!run.met()) return missed_in_words(run);
   if (!(found.printed.made.designed_mm <= found.tolerance_mm)) return "it is too far off the goal";
@@ -70,7 +70,7 @@ std::string why_not_taken(const Run& run, const Expected& found, const RunOption
   return print.is_taken ? "" : "it cannot be printed: " + print.why;
 }
 
-/// @param plain what the plain search found
+/// Evaluates a trial. @param plain result of the plain search
 RobustCandidate tried(const Found& plain, const Goal& goal, const RobustTrial& trial,
                       const RobustSolve& solve, const RunOptions& options) {
   try {
@@ -126,12 +126,12 @@ Found search_robustly(Found plain, const Goal& goal, double weight,
     options.progress("robust search", static_cast<double>(k) / static_cast<double>(all.size()),
                      fmt::format("design {} of {}", k + 1, all.size()));
     RobustCandidate next = tried(plain, goal, all[k], solve, quiet);
-    if (options.stop.stop_requested()) break;  // cut short, it says nothing of that design
+    if (options.stop.stop_requested()) break;  // the trial was cut short and is not valid
     choice.tried.push_back(std::move(next));
     if (is_more_robust(weight, choice.tried.back(), choice.tried[choice.chosen])) choice.chosen = k;
   }
   if (choice.tried.empty()) return plain;
-  quiet.stop = {};  // the design that was found, not what a search that is stopped at once has
+  quiet.stop = {};  // solves the chosen design in full, even after a stop request
   Found best = choice.chosen > 0 ? solve(all[choice.chosen], quiet) : std::move(plain);
   best.robust = std::move(choice);
   return best;

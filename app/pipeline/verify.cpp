@@ -17,9 +17,9 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double longest_step_s = 0.1;  // s, the most that PhysicsOptions::step_s allows
-constexpr double stiff_joints = 1e8;    // over the parts' masses: ten thousand times the usual joints
-// Times the usual step, tried one after the other: in the longest most sheets come to rest in the same state, as near to
-// the model's, in a tenth of the time.
+constexpr double stiff_joints = 1e8;    // over the parts' masses: ten thousand times that of usual joints
+// Multiples of the usual step, tried one after the other. With the longest, most sheets settle in the same state, as
+// near to the model's, in a tenth of the time.
 constexpr std::array tried_steps = {10.0, 4.0, 1.0};
 
 std::unique_lock<std::mutex> hold_engine(const RunOptions& options) {
@@ -31,7 +31,8 @@ sim::PhysicsOptions with_steps(sim::PhysicsOptions options, double factor) {
   return options;
 }
 
-/// A sheet that moves exactly never strains, and may be long: joints that yield let its ends sway far behind.
+/// Stiffens the joints of a sheet that moves exactly. It never strains and may be long, and compliant joints let its
+/// ends sway far behind.
 sim::PhysicsOptions suited_to(const Run& run, sim::PhysicsOptions options) {
   const bool moves_exactly = run.way ? run.way->reached : static_cast<bool>(run.plan.exact);
   if (moves_exactly && !options.elastic) options.joint_stiffness = stiff_joints;
@@ -51,7 +52,7 @@ model::StateDistance distance(const model::Linkage& structure, const sim::Physic
   return aligned_distance(structure, physics.state, reference);
 }
 
-/// Sheets of elastic hinges may have several equilibria.
+/// Compares the equilibria of simulation and model, since sheets of elastic hinges may have several.
 std::optional<model::EquilibriumComparison> equilibria(const Run& run, const Verification& v,
                                                        const model::State& reference) {
   if (!is_settled(v) || !v.compared || !run.equilibrium) return std::nullopt;
@@ -68,8 +69,8 @@ Fidelity row_of(const Run& run, const std::string& model, const sim::PhysicsResu
           to_string(run.way ? Model::exact : run.plan.model)};
 }
 
-/// Only where a model's state tells whether a coarse run came to the right end, and where nobody asked for a step. Imported bodies
-/// that have none are taken wherever they settle.
+/// Whether larger steps may be tried first. A model's state must show whether such a run reached the right end, and
+/// no step may be requested. Imported bodies without a model's state count wherever they settle.
 bool may_be_coarser(const Run& run, const PhysicsTask& task, const RunOptions& options) {
   return (run.way || !task.reference.empty()) && !run.design.physics.step_s && !options.fidelity &&
          task.options.disturbance == 0;

@@ -9,25 +9,26 @@
 
 namespace kinetix::app {
 
-/// What the physics engine is to run, and what its last state is compared with.
+/// Task of the physics engine, and the state that its last state is compared with.
 struct PhysicsTask {
-  model::State reference;  ///< of the same drive by the run's model; empty where no model knows one
+  model::State reference;  ///< state under the same drive by the run's model; empty if no model has one
   model::LinkageDrive drive;
   sim::PhysicsOptions options;
-  std::optional<model::Pull> pull = {};                 ///< of imported bodies, in place of the drive
-  std::shared_ptr<const sim::ContactParts> parts = {};  ///< by which they collide; null: by walls
+  std::optional<model::Pull> pull = {};                 ///< of imported bodies, instead of the drive
+  std::shared_ptr<const sim::ContactParts> parts = {};  ///< shapes that collide; null: walls
 };
 
-/// Runs the physics engine on run.design.structure and compares it with the reference state. Looks at the run and changes
-/// nothing of it. Where no step is given and there is a reference, coarser steps are tried first: a run in them that
-/// settles in the reference is as good, and any other is repeated in finer ones; physics.seconds counts them all. Joints of
-/// exact families are stiffer than the options say. Nothing of a run that was stopped before it settled, or before finer steps
-/// could tell whether it disagrees.
-/// @param usual_steps no coarser ones first
+/// Runs the physics engine on run.design.structure and compares the result with the reference state. The run is read
+/// only. If no step is given and there is a reference, larger steps are tried first. A run with larger steps is as
+/// good if it settles in the reference; any other is repeated with smaller steps. physics.seconds is the sum of all
+/// runs. Joints of exact families are stiffer than in the options. Empty if a run was stopped before it settled, or
+/// before smaller steps could show whether it disagrees.
+/// @param usual_steps no larger steps first
 std::optional<Verification> verify(const Run& run, const PhysicsTask& task, const RunOptions& options,
                                    bool usual_steps = false);
 
-/// Rows of the table of speed against error of a physics run, and where `fidelity` asks for them of runs of coarser steps.
+/// Returns the rows of the speed-against-error table: the simulation and, if options.fidelity is set, runs with
+/// larger steps.
 std::vector<Fidelity> fidelity_of(const Run& run, const Verification& verification, const PhysicsTask& task,
                                   const RunOptions& options);
 

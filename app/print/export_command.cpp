@@ -25,9 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double told_strain = 1e-6;  // of what a material bears: less beyond it is rounding
+constexpr double told_strain = 1e-6;  // of the strain that a material bears: a smaller excess is rounding
 
-/// The entry of that name. @param allowed as (name, value)
+/// Returns the value of that name. @param allowed pairs of name and value
 template <class Value>
 Value named(const char* option, const std::string& name,
             const std::vector<std::pair<std::string_view, Value>>& allowed) {
@@ -41,7 +41,8 @@ Value named(const char* option, const std::string& name,
                                  targets::joined(names)));
 }
 
-/// The design's own limits hold where its process is asked for by name, too. @param of_design nothing: it does not say
+/// Returns the process to print by. The design's own limits also apply if its process is requested by name.
+/// @param of_design the design's process
 model::Process process_of(const PrintRequest& request, const model::Process& of_design) {
   if (request.process.empty()) return of_design;
   if (of_design.name == request.process) return of_design;
@@ -50,7 +51,7 @@ model::Process process_of(const PrintRequest& request, const model::Process& of_
   return *named("--process", request.process, all);
 }
 
-/// None where pins are to be used if they fit.
+/// Returns the requested kind of hinge; empty: pins if they fit.
 std::optional<model::HingeKind> kind_of(const PrintRequest& request) {
   if (request.hinge.empty()) return std::nullopt;
   return named<model::HingeKind>(
@@ -67,7 +68,7 @@ std::vector<const PrintFormat*> formats_of(const PrintRequest& request) {
   return out;
 }
 
-/// The least of the pins that a design describes itself, mm.
+/// Returns the least clearance of the pins that the design itself describes, mm; empty without such pins.
 std::optional<double> own_clearance_mm(const Design& design) {
   std::optional<double> least;
   for (const HingeSection* hinge : hinge_sections(design))
@@ -85,7 +86,7 @@ void check_own_clearance(const PrintRequest& request, const Design& design) {
         *own, request.clearance_mm));
 }
 
-/// A coupon is what it is, but for the bed and the way that it lies there.
+/// Rejects options that would change a coupon. Its bed and orientation may be chosen.
 void refuse_what_makes_designs(const PrintRequest& request) {
   const auto refuse = [](bool given, const char* option, const char* why) {
     if (given) throw InvalidInput(fmt::format("{} of designs: {}", option, why));
@@ -98,7 +99,7 @@ void refuse_what_makes_designs(const PrintRequest& request) {
   refuse(request.folded, "--state folded is", "a coupon's hinges each turn by themselves");
 }
 
-/// Imported bodies are written as their parts are.
+/// Rejects options that make sheets: imported bodies are written as their parts are.
 void refuse_what_makes_sheets(const PrintRequest& request) {
   constexpr const char* instead = "a design of bodies is written as ";
   const auto refuse = [&](bool given, const char* option) {
@@ -124,14 +125,14 @@ std::optional<Eigen::Vector2d> bed_of(const PrintRequest& request) {
   return Eigen::Vector2d(request.bed_mm[0], request.bed_mm[1]);
 }
 
-/// A sheet of which the flat state alone is known has none to be written folded.
+/// Rejects the folded state of a sheet for which only the flat state is known.
 void check_state(const PrintRequest& request, const PrintSheet& sheet) {
   if (request.folded && !sheet.is_path_exact && !sheet.why_no_path.empty())
     throw InvalidInput("--state folded: how the design looks when it is folded is not known: " +
                        sheet.why_no_path);
 }
 
-/// What was asked for and changes nothing, a sentence each.
+/// Lists requested options that change nothing, a sentence each.
 std::vector<std::string> idle_options(const PrintRequest& request, const Design& design,
                                       const PrintSheet& sheet) {
   std::vector<std::string> all;
@@ -153,7 +154,7 @@ std::vector<std::string> idle_options(const PrintRequest& request, const Design&
   return all;
 }
 
-/// What cells of another edge do to the size that the design was made for.
+/// Describes how cells of another edge change the size that the design was made for. Empty if they do not.
 std::optional<std::string> size_note(const Design& design, const PrintSheet& sheet) {
   const double edge_mm = sheet.linkage.size.edge_mm;
   const double own_mm = design.structure.size().edge_mm;
@@ -166,7 +167,7 @@ std::optional<std::string> size_note(const Design& design, const PrintSheet& she
       sheet.is_path_exact ? "" : "; its fold is the equilibrium at its own size, scaled");
 }
 
-/// The hinge that is strained farthest beyond what its material bears on the way to the fold.
+/// Describes the hinge that is strained farthest beyond what its material bears along the path to the fold.
 std::optional<std::string> strain_note(const PrintSheet& sheet) {
   std::optional<model::StrainedHinge> worst;
   for (const model::State& state : sheet.path) {
@@ -177,7 +178,7 @@ std::optional<std::string> strain_note(const PrintSheet& sheet) {
   return strained_words(*worst, sheet.linkage.wall_name(worst->hinge), " on the way to the fold");
 }
 
-/// What result.json tells of elastic hinges is their equilibrium, which the fold of a closed form is not.
+/// Describes how the elastic hinges' equilibrium, which result.json reports, differs from the fold of the closed form.
 std::optional<std::string> elastic_note(const PrintRequest& request, const Design& design,
                                         const PrintSheet& sheet) {
   if (!request.folded || sheet.path.size() < 2) return std::nullopt;
@@ -186,7 +187,7 @@ std::optional<std::string> elastic_note(const PrintRequest& request, const Desig
 
 using Formats = std::vector<const PrintFormat*>;
 
-/// "svg and dxf": those of which something holds; empty: none.
+/// Joins the names of the formats for which `is` holds: "svg and dxf"; empty: none.
 template <class Is>
 std::string names_of(const Formats& formats, Is is) {
   std::vector<std::string_view> names;
@@ -195,7 +196,7 @@ std::string names_of(const Formats& formats, Is is) {
   return fmt::format("{}", fmt::join(names, " and "));
 }
 
-/// What formats that were asked for leave out of what was asked.
+/// Describes the requested formats that show the sheet flat in any case, if its folded state is requested.
 std::optional<std::string> always_flat_note(const PrintRequest& request, const Formats& formats) {
   const std::string flat = names_of(formats, [](const PrintFormat& format) { return format.is_always_flat; });
   if (!request.folded || flat.empty()) return std::nullopt;
@@ -204,7 +205,7 @@ std::optional<std::string> always_flat_note(const PrintRequest& request, const F
       flat);
 }
 
-/// Likewise of tiles, which are joined flat.
+/// Describes that tiles are printed flat, if the folded state is requested.
 std::optional<std::string> flat_tiles_note(const PrintRequest& request, const PrintSheet& sheet) {
   if (!request.folded || sheet.tiles.count() < 2) return std::nullopt;
   return "--state folded changes nothing in tiles, which are printed flat, on the sheet's own side; sizes "
@@ -212,7 +213,7 @@ std::optional<std::string> flat_tiles_note(const PrintRequest& request, const Pr
          "are of the fold";
 }
 
-/// Likewise of the way it lies on the bed. @param lie what was chosen
+/// Describes the formats that ignore the orientation on the bed. @param lie the chosen orientation
 std::optional<std::string> unlaid_note(const PrintRequest& request, const Formats& formats,
                                        std::string_view lie) {
   const std::string others = names_of(formats, [](const PrintFormat& format) { return !format.lies_on_bed; });
@@ -221,7 +222,7 @@ std::optional<std::string> unlaid_note(const PrintRequest& request, const Format
                      others);
 }
 
-/// Of sheets whose hinges stretch on the way, in formats that have to move them without.
+/// Describes the formats in which hinges only turn, for a sheet whose hinges stretch along its path.
 std::optional<std::string> unstretched_note(const PrintSheet& sheet, const Formats& formats) {
   const std::string rigid = names_of(formats, [](const PrintFormat& format) { return format.turns_alone; });
   if (sheet.is_path_exact || sheet.path.size() < 2 || rigid.empty()) return std::nullopt;
@@ -232,7 +233,7 @@ std::optional<std::string> unstretched_note(const PrintSheet& sheet, const Forma
       rigid);
 }
 
-/// What is to be made: a design, or a coupon.
+/// Source of an export: a design, or a coupon.
 struct Source {
   std::string file;
   std::optional<Design> design;
@@ -315,16 +316,16 @@ void lay_as_asked(const PrintRequest& request, PrintJob& job) {
   lay(job, *named("--orient", request.orient, allowed));
 }
 
-constexpr const char* record_of_prints = ".kinetix-prints";  // beside that of runs, in the same folder or not
+constexpr const char* record_of_prints = ".kinetix-prints";  // separate from runs' record
 
-/// Whether a file comes with some sheets only: soft parts, rods, tiles and strips.
+/// Checks whether a file is written for some sheets only: soft parts, rods, tiles and strips.
 bool comes_with_some(const std::string& file) {
   const std::string stem = fs::path(file).stem().string();
   return stem == "soft" || stem.starts_with("tile_") || stem.find("_tile_") != std::string::npos ||
          stem.ends_with("rods") || stem.ends_with("_strips");
 }
 
-/// Whether an earlier export's file is of a format, or of a sheet, that this one does not write.
+/// Checks whether an earlier export's file is of a format, or of a sheet, that this one does not write.
 bool is_of_another_export(const std::string& file, const Exported& now, const std::string& name) {
   const std::string ending = fs::path(file).extension().string();
   const bool same_format = std::any_of(now.files.begin(), now.files.end(), [&](const std::string& written) {
@@ -333,7 +334,7 @@ bool is_of_another_export(const std::string& file, const Exported& now, const st
   return !same_format || (ending != ".stl" && !file.starts_with(name + "_"));
 }
 
-/// Whether a report beside the design may be of what is printed: of a flat sheet of the design's own size, as a whole.
+/// Checks whether a report next to the design may describe this print: flat, of the design's size, in one piece.
 bool is_of_a_result(const Source& source, const PrintJob& job) {
   if (!source.design || source.file.empty() || job.folded || job.sheet.tiles.count() > 1) return false;
   return !resized_words(source.design->structure.size().edge_mm, job.sheet.linkage.size.edge_mm);

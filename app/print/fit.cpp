@@ -13,18 +13,18 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double largest_scale = 100;  // times the sheet: beyond it no walls of millimetres would be any
+constexpr double largest_scale = 100;  // times the sheet: walls of millimetres would be too thin in it
 constexpr double step_mm = 0.5;        // mm: cell edges are proposed in whole steps
-constexpr double growth = 1.3;         // from one tried cell edge to the next, until one does
-constexpr double told_size = 0.005;    // of a cell edge: less is rounding of sizes with three digits
-// Of a pin's height over the wall's, tried in this order: the higher, the stiffer.
+constexpr double growth = 1.3;         // factor from one tried cell edge to the next, until one fits
+constexpr double told_size = 0.005;    // relative change of size: less is rounding to three digits.
+// Heights of pins over their wall's, tried in this order: higher pins are stiffer.
 constexpr double lower_shares[] = {0.8, 0.6, 0.4};
 
 std::string named(const PrintSheet& sheet, const LeastDistance& d) {
   return fmt::format("bodies {} and {}", part_name(sheet, d.first), part_name(sheet, d.second));
 }
 
-/// Of parts that come too near: from where on, and how near.
+/// Describes parts that come too near: from which theta on, and how near.
 std::string words(const PrintSheet& sheet, const PathClearance& clearance) {
   const LeastDistance &first = *clearance.first_too_near, &least = clearance.least();
   const std::string what = first.asked_mm > 0
@@ -39,14 +39,14 @@ std::string words(const PrintSheet& sheet, const PathClearance& clearance) {
                      first.place.z(), deepest, to_degrees(least.theta));
 }
 
-/// A sheet that can be printed, or why there is none.
+/// Sheet that can be printed, or the reason why there is none.
 struct Attempt {
   std::optional<PreparedPrint> print;
   std::string reason;
-  bool is_bed_too_small = false;  // which larger cells make worse
+  bool is_bed_too_small = false;  // larger cells make that worse
 };
 
-/// What is to be printed, and how it folds.
+/// Design to print, with its path to the fold.
 struct Order {
   const Design& design;
   const model::Process& process;
@@ -54,7 +54,7 @@ struct Order {
   PrintPath path = print_path(design);
 };
 
-/// @param look at the way to the fold; the reason says where parts come too near if that was looked for
+/// Makes a sheet and checks its path. @param look with `least` the reason names the parts that come too near
 Attempt attempt(const Order& order, const PrintChoice& choice, ClearanceLook look) {
   try {
     PrintSheet sheet = make_print_sheet(order.design, order.path, order.process, choice);
@@ -70,8 +70,8 @@ Attempt attempt(const Order& order, const PrintChoice& choice, ClearanceLook loo
 
 bool has_leaning_hinges(const Design& design) { return !all_vertical(model::Linkage(design.structure)); }
 
-/// What else can be tried with hinges that the design leaves open: leaning pins that are less high, blocks and films each
-/// as long as it needs.
+/// Returns other choices for hinges that the design leaves open. Leaning pins may be lower. Elastomer and living
+/// hinges may each be as long as needed.
 std::vector<PrintChoice> others(const Design& design, const PrintChoice& choice) {
   std::vector<PrintChoice> all;
   if (!leaves_hinges_open(design)) return all;
@@ -87,7 +87,7 @@ std::vector<PrintChoice> others(const Design& design, const PrintChoice& choice)
   return all;
 }
 
-/// By the first choice that leaves room. The reason is that of the choice itself.
+/// Makes the sheet by the first choice that leaves clearance. On failure the reason is that of the choice itself.
 Attempt best_attempt(const Order& order, const PrintChoice& choice,
                      ClearanceLook look = ClearanceLook::least) {
   Attempt first = attempt(order, choice, look);
@@ -100,7 +100,8 @@ Attempt best_attempt(const Order& order, const PrintChoice& choice,
   return first;
 }
 
-/// Cell edge that would do, mm, above the one that was refused; none up to largest_scale. One a step smaller would not, and most that are larger do.
+/// Returns a cell edge above the refused one that fits, mm; empty: none up to largest_scale. One step smaller does not
+/// fit, and most larger edges do.
 std::optional<double> enough_mm(const Order& order, PrintChoice choice) {
   choice.bed_mm.reset();
   const model::CellSize& size = order.design.structure.size();
@@ -129,7 +130,7 @@ bool has_pins_of_its_own(const Design& design) {
   });
 }
 
-/// What to do about pins whose hinges stretch; empty where they do not, or there are none.
+/// Suggests a replacement for pins whose hinges stretch. Empty if they do not stretch, or if there are no pins.
 std::string instead_of_pins(const Order& order, const PrintChoice& choice) {
   if (order.path.is_exact) return "";
   if (has_pins_of_its_own(order.design))
@@ -139,7 +140,8 @@ std::string instead_of_pins(const Order& order, const PrintChoice& choice) {
   return ": its hinges stretch on the way, and pins cannot (kinetix-opt export --hinge block)";
 }
 
-/// "; with walls of 0.8 x 6 mm a cell_mm of 12.5 would do (kinetix-opt export --cell-mm 12.5)"; nothing where the bed is in the way.
+/// Suggests a cell edge: "; with walls of 0.8 x 6 mm a cell_mm of 12.5 would do (kinetix-opt export --cell-mm 12.5)".
+/// Empty if the bed is too small.
 std::string would_do(const Order& order, const Attempt& refused, PrintChoice choice) {
   if (refused.is_bed_too_small) return "";
   const std::optional<double> edge = enough_mm(order, choice);
@@ -154,20 +156,20 @@ std::string would_do(const Order& order, const Attempt& refused, PrintChoice cho
       larger ? ": " + *larger : "");
 }
 
-/// A bed is an option of the command, all else the design's.
+/// Refuses a print: by InvalidInput for a bed, an option of the command, and by NotPrintable for what the design sets.
 [[noreturn]] void refuse(const Order& order, const Attempt& refused, const PrintChoice& choice) {
   if (refused.is_bed_too_small) throw InvalidInput(refused.reason);
   throw NotPrintable(refused.reason + would_do(order, refused, choice));
 }
 
-/// The first kind of hinge that fits, or the last that was tried.
+/// First kind of hinge that fits, or the last that was tried.
 struct Fitted {
   PrintChoice choice;
   Attempt attempt;
-  std::string no_pins = {};  ///< why hinges that the design leaves open are no pins
+  std::string no_pins = {};  ///< why hinges that the design leaves open are not pins
 };
 
-/// Pins where they fit, else blocks. @param choice whose kind does not count
+/// Tries pins, then elastomer hinges. @param choice its kind does not count
 Fitted fitted(const Order& order, PrintChoice choice, ClearanceLook look) {
   choice.kind = model::HingeKind::pin;
   Fitted out{choice, best_attempt(order, choice, look)};
@@ -176,13 +178,14 @@ Fitted fitted(const Order& order, PrintChoice choice, ClearanceLook look) {
   return {choice, best_attempt(order, choice, look), std::move(out.attempt.reason)};
 }
 
-/// Why neither fits, or why those do not that the design has itself. @param refused of a verdict
+/// Explains why neither pins nor elastomer hinges fit, or why the design's own hinges do not. @param refused result of
+/// a verdict
 std::string reason_of(const Order& order, const Fitted& refused) {
   const Attempt words = attempt(order, refused.choice, ClearanceLook::least);
   return (leaves_hinges_open(order.design) ? "neither pins nor blocks fit: with blocks " : "") + words.reason;
 }
 
-/// "block, pin": each kind once.
+/// Joins kinds: "block, pin".
 std::string named_kinds(const std::set<std::string>& kinds) {
   return fmt::format("{}", fmt::join(kinds, ", "));
 }
@@ -193,7 +196,7 @@ std::string named_kinds(const PrintSheet& sheet) {
   return named_kinds(kinds);
 }
 
-/// @param open of hinges that the design leaves open
+/// @param open kind of the hinges that the design leaves open
 std::string named_kinds(const Design& design, model::HingeKind open) {
   std::set<std::string> kinds;
   for (const HingeSection* hinge : hinge_sections(design))

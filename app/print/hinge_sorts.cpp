@@ -9,11 +9,11 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double one_size_mm = 1e-6;  // mm: sizes that differ by less are said as one
+constexpr double one_size_mm = 1e-6;  // mm: sizes that differ by less are reported as one
 
 using Size = std::function<double(const model::HingePrint&)>;
 
-/// "2", "2 to 2.5".
+/// Formats the range of a size: "2", "2 to 2.5".
 std::string sizes(const HingeSort& sort, const Size& size) {
   const auto less = [&](const auto* a, const auto* b) { return size(*a) < size(*b); };
   const auto [least, most] = std::minmax_element(sort.hinges.begin(), sort.hinges.end(), less);

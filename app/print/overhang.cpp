@@ -36,7 +36,7 @@ double overhang_mm2(const model::Polyhedron& solid, const Eigen::Matrix3d& turn)
     const Eigen::Vector3d &p = solid.points[a], &q = solid.points[b], &r = solid.points[c];
     if (up.dot(p) < bed && up.dot(q) < bed && up.dot(r) < bed) continue;
     const Eigen::Vector3d twice = (q - p).cross(r - p);  // outwards, its length twice the area
-    // A little more than as steep as is fine, so that walls at 45 degrees do not depend on rounding.
+    // Slightly steeper than the limit, so that walls at 45 degrees do not depend on rounding.
     if (-up.dot(twice) > (steep + 1e-6) * twice.norm()) area += twice.norm() / 2;
   }
   return area;

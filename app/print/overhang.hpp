@@ -8,30 +8,30 @@
 
 namespace kinetix::app {
 
-/// What FDM prints without support, degrees from upright (docs/print.md section 3).
+/// Largest overhang that FDM prints without support, degrees from upright (docs/print.md section 3).
 constexpr double steep_deg = 45;
 
-/// Largest angle of a hinge axis from upright when the sheet is flat, degrees, [0, 90].
+/// Returns the largest angle of a hinge axis from upright in the flat sheet, degrees, [0, 90].
 double steepest_deg(const PrintSheet& sheet);
 
-/// Area of a solid's faces that look down and lean more than `steep_deg` from upright, mm^2, those on the bed aside.
-/// @param turn of the solid before it is put on the bed, a rotation
+/// Returns the area of a solid's faces that look down and lean more than `steep_deg` from upright, mm^2. Faces on the
+/// bed do not count. @param turn rotation of the solid before it is put on the bed
 double overhang_mm2(const model::Polyhedron& solid, const Eigen::Matrix3d& turn);
 
-/// A way to lie on the bed, and what hangs over it.
+/// Orientation on the bed, with its overhang.
 struct Lie {
-  std::string_view name;  ///< as the command line says it
-  Eigen::Matrix3d turn;   ///< rotation matrix, from the files' own place
+  std::string_view name;  ///< on the command line
+  Eigen::Matrix3d turn;   ///< rotation matrix from the place in the files
   double overhang_mm2 = 0;
 };
 
-/// Both ways in which a sheet lies flat, of the hard and soft parts in the job's own state: as the files have it (flat),
-/// and turned over about x (over). Standing on an edge most bodies would begin in the air.
+/// Returns both flat orientations of the hard and soft parts in the job's own state: as in the files (flat), and
+/// turned over about x (over). On an edge most bodies would begin in the air.
 std::vector<Lie> lies(const PrintJob& job);
-/// That with the least overhang; the first of several.
+/// Returns the orientation with the least overhang; ties go to the first.
 const Lie& best(const std::vector<Lie>& all);
 
-/// Turns what `stl`, `3mf` and `step` write.
+/// Turns the solids that `stl`, `3mf` and `step` write.
 void lay(PrintJob& job, const Lie& lie);
 
 }  // namespace kinetix::app

@@ -23,9 +23,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double worth_turning = 0.99;  // of the overhang: less is not told of, as it is rounding of faces
+constexpr double worth_turning = 0.99;  // of the overhang: a smaller gain is rounding of faces
 
-constexpr double shown_mm2 = 0.05;  // mm^2: less is told as 0.0
+constexpr double shown_mm2 = 0.05;  // mm^2: less is shown as 0.0
 
 Json vector_json(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
@@ -55,7 +55,7 @@ std::string bed_words(const PrintJob& job) {
          fmt::format(": with that bed given (kinetix-opt export --bed {:g},{:g}) it is cut into tiles", x, y);
 }
 
-/// Where a usual printer does not hold what is printed; of the bed, where nobody named one.
+/// Warns if a usual printer does not hold the print. Its bed counts only if the user named none.
 std::vector<std::string> room_warnings(const PrintJob& job) {
   const model::Process& process = job.sheet.process;
   const Eigen::Vector3d size = bounds(hard_part(job));
@@ -68,7 +68,7 @@ std::vector<std::string> room_warnings(const PrintJob& job) {
   return out;
 }
 
-/// Where loose rods, side by side, do not lie on the bed that was asked for.
+/// Warns if the loose rods, side by side, do not fit on the requested bed.
 std::optional<std::string> rods_warning(const PrintSheet& sheet) {
   if (!sheet.tiles.bed_mm || sheet.loose_rods() == 0) return std::nullopt;
   const Eigen::Vector3d field = bounds(laid_out_rods(sheet));
@@ -77,7 +77,7 @@ std::optional<std::string> rods_warning(const PrintSheet& sheet) {
                      field.x(), field.y());
 }
 
-/// What to do where two tiles meet.
+/// Describes what to do where two tiles meet.
 std::string joining_words(const PrintSheet& sheet) {
   bool pins = false, soft = false;
   for (std::size_t h = 0; h < sheet.hinges.size(); ++h) {
@@ -115,13 +115,13 @@ Json lies_json(const std::vector<Lie>& all) {
   return out;
 }
 
-/// A side, at which the first two pieces of the flat sheet meet.
+/// Returns the swelling per side at which the first two pieces of the flat sheet meet, mm; null with soft parts.
 Json swelling_json(const PrintSheet& sheet, const PathClearance& clearance) {
   if (sheet.has_soft() || clearance.least().first < 0) return nullptr;
   return std::max(0.0, clearance.flat_mm / 2);
 }
 
-/// Of all pins, mm; 0 without any.
+/// Returns the least clearance of all pins, mm; 0 without pins.
 double least_clearance_mm(const PrintSheet& sheet) {
   std::optional<double> least;
   for (const model::HingePrint& hinge : sheet.hinges)
@@ -160,12 +160,12 @@ std::string slicer_words(const SlicerAnswer& slicer, const Tiles& tiles) {
       tiles.count() > 1 ? ", as if one bed held all tiles" : "");
 }
 
-/// How the sheet lies in its files.
+/// Returns the orientation of the sheet in its files.
 const Lie& lie_now(const PrintJob& job, const std::vector<Lie>& all) {
   return *std::find_if(all.begin(), all.end(), [&](const Lie& lie) { return lie.name == job.lie; });
 }
 
-/// What files hold, and whether less would hang over lying another way.
+/// Describes the orientation in the files, and whether another one has less overhang.
 std::string orientation_words(const PrintJob& job) {
   const std::vector<Lie> all = lies(job);
   const Lie& least = best(all);
@@ -181,7 +181,7 @@ std::string orientation_words(const PrintJob& job) {
                      least.name == "over" ? "on its other side" : "as it is", least.name);
 }
 
-/// What the process asks for under the overhang, as the sheet lies in its files.
+/// Describes the supports that the process needs under the overhang, as the sheet lies in its files.
 std::string support_words(const PrintJob& job) {
   const double hangs = lie_now(job, lies(job)).overhang_mm2;
   if (hangs < shown_mm2) return "none";
@@ -193,7 +193,7 @@ std::string support_words(const PrintJob& job) {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t largest_report = 64 << 20;  // bytes: that of 10 000 bodies has 9 MB
+constexpr std::size_t largest_report = 64 << 20;  // bytes: a report of 10 000 bodies has 9 MB
 constexpr double digits_of_reports = 1e-5;        // relative, or mm and rad: reports have six digits
 
 }  // namespace

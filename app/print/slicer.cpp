@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double margin_mm = 50;  // mm, round a sheet on the bed that the slicer is told of: skirts and brims
+constexpr double margin_mm = 50;  // mm around a sheet on the slicer's bed: room for skirts and brims
 
 class WorkFolder {
  public:
@@ -50,7 +50,7 @@ class WorkFolder {
 
 enum class Ended { well, badly, not_there };
 
-/// Without a shell, and with nothing on the streams of this program.
+/// Runs a program without a shell, and with nothing on the streams of this program.
 Ended run(std::vector<std::string> words) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
@@ -78,7 +78,7 @@ std::string bed_settings(const model::Polyhedron& solid) {
       x, y, std::ceil(size.z() + margin_mm));
 }
 
-/// Two extruders, as the 3MF file names them.
+/// Returns settings with two extruders, as in the 3MF file.
 std::string fdm_settings(bool supports) {
   return fmt::format(R"(printer_technology = FFF
 nozzle_diameter = 0.4,0.4
@@ -95,7 +95,7 @@ support_material = {}
                      supports ? 1 : 0);
 }
 
-// How long a layer hardens is PrusaSlicer's default.
+// The time in which a layer hardens is PrusaSlicer's default.
 constexpr const char* sla_settings = R"(printer_technology = SLA
 layer_height = 0.05
 initial_layer_height = 0.05
@@ -133,7 +133,7 @@ SliceEstimate read_slices(const std::string& file) {
   return out;
 }
 
-/// One run of a slicer, and how to read what it wrote.
+/// One run of a slicer, with the reader of its output.
 struct Slicing {
   std::string settings, input;
   const char* action;
@@ -154,7 +154,7 @@ SlicerAnswer sliced(const WorkFolder& folder, const std::string& program, const 
   return {estimate};
 }
 
-/// One print after the other: what all take.
+/// Slices one print after the other. Time and material are those of all prints.
 SlicerAnswer all_sliced(const WorkFolder& folder, const std::string& program,
                         const std::vector<Slicing>& prints) {
   SlicerAnswer sum{SliceEstimate{.prints = 0}};
@@ -168,7 +168,7 @@ SlicerAnswer all_sliced(const WorkFolder& folder, const std::string& program,
   return sum;
 }
 
-/// Loose rods lie on the bed and need no supports.
+/// Slices for FDM. Loose rods lie on the bed and need no supports.
 SlicerAnswer sliced_fdm(const PrintJob& job, const WorkFolder& folder, const std::string& program) {
   const bool supports = steepest_deg(job.sheet) > steep_deg;
   const std::string sheet = job.sheet.name + ".3mf", rods = job.sheet.name + "_rods.3mf";
@@ -188,7 +188,7 @@ SlicerAnswer sliced_fdm(const PrintJob& job, const WorkFolder& folder, const std
   return out;
 }
 
-/// Hard and soft are a print each, and so are loose rods.
+/// Slices for SLA. Hard and soft parts are a print each, and so are loose rods.
 SlicerAnswer sliced_sla(const PrintJob& job, const WorkFolder& folder, const std::string& program) {
   std::vector<Slicing> prints;
   for (const auto& [name, content] : stl_format.write(job)) {

@@ -3,8 +3,8 @@
 set(js "(() => {\n\"use strict\";\n")
 foreach(script IN LISTS SCRIPTS)
   file(READ ${script} text)
-  string(REGEX REPLACE "\n +" "\n" text "\n${text}")  # indentation is an eighth of the page's own part
-  string(REGEX REPLACE "\n(//[^\n]*|/\\*\\*[^\n]*\\*/)" "" text "${text}")  # whole lines of comment
+  string(REGEX REPLACE "\n +" "\n" text "\n${text}")  # indentation is an eighth of the script
+  string(REGEX REPLACE "\n(//[^\n]*|/\\*\\*[^\n]*\\*/)" "" text "${text}")  # lines that are only a comment
   string(APPEND js "${text}\n")
 endforeach()
 string(APPEND js "})();")

@@ -13,13 +13,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t bytes_a_pose = 52;        // of a row, as text
-constexpr std::size_t bytes_of_frames = 60000;  // a page of 637 bodies then stays under 1.2 MB
-constexpr int digits_of_numbers = 6,
-              digits_of_colours = 4;      // significant ones: of what is read, of what is coloured
-constexpr double mm = 1e-4, part = 1e-6;  // to which places and quaternions are shown
+constexpr std::size_t bytes_a_pose = 52;        // bytes of one row as text
+constexpr std::size_t bytes_of_frames = 60000;  // keeps a page of 637 bodies under 1.2 MB
+// Significant digits: of numbers that a reader sees, and of values that only set colours.
+constexpr int digits_of_numbers = 6, digits_of_colours = 4;
+constexpr double mm = 1e-4, part = 1e-6;  // steps of positions (mm) and of quaternion components
 
-/// Nearest multiple of 1 / per_unit; null where there is no number.
+/// Rounds to the nearest multiple of 1 / per_unit. Returns null if x is not a number.
 Json rounded(const Json& x, double per_unit) {
   return x.is_number() ? short_number(std::round(x.get<double>() * per_unit) / per_unit) : Json();
 }
@@ -38,7 +38,7 @@ void make_rows(Json& state) {
   state["rows"] = std::move(rows);
 }
 
-/// Every k-th frame, the last of them included.
+/// Keeps every k-th frame including the last one. @param none true: keeps no frames
 void thin_frames(Json& states, bool none) {
   Json kept = Json::array();
   std::size_t count = 0, seen = 0;
@@ -60,8 +60,8 @@ bool is_computed(const Json& result) {
   return result["plan"]["family"] != "none" && !states.empty() && states[0].value("model", "") == "exact";
 }
 
-constexpr double nothing = 1e-15;      // of any unit in a result: the rounding of a number about 1
-constexpr double most_exact = 0x1p53;  // dimensionless: integers below it are doubles too
+constexpr double nothing = 1e-15;      // in any unit of a result: rounding error of a number near 1
+constexpr double most_exact = 0x1p53;  // dimensionless: a double represents all integers below it exactly
 
 double with_digits(double x, int digits) {
   if (std::abs(x) < nothing) return 0;
@@ -70,11 +70,12 @@ double with_digits(double x, int digits) {
   return std::strtod(text, nullptr);
 }
 
-constexpr int digits_of_dots = 5;  // significant ones: a dot in a plot is not placed better
+constexpr int digits_of_dots = 5;  // significant digits: enough for the position of a dot in a plot
 
 double number(const Json& x) { return x.is_number() ? x.get<double>() : -1; }
 
-/// How much a factor does to a response, by the best that its samples say; comparable among its factors only.
+/// Returns the effect of a factor on a response, by the best measure that its samples allow. Values are comparable only
+/// among the factors of one response.
 double effect_of(const Json& response, std::size_t factor) {
   if (response.contains("sobol")) return number(response["sobol"][factor]["total"][0]);
   if (response.contains("morris")) return number(response["morris"][factor]["mu_star"][0]);

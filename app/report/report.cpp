@@ -7,12 +7,11 @@
 namespace kinetix::app {
 namespace {
 
-// Where the page takes the script of the three-dimensional view and the result, in this order (report.hpp).
+// Marks of a page for the script of the three-dimensional view and for the result, in this order (report.hpp).
 constexpr std::string_view scene_mark = "@SCENE@";
 constexpr std::string_view result_mark = "@RESULT@";
 
-/// JSON that means the same and cannot end its script element: '<' occurs only within strings, where it may
-/// be written as an escape.
+/// Escapes '<', so that the JSON cannot end its script element. In JSON, '<' occurs only within strings.
 std::string inert(const std::string& json) {
   std::string text;
   text.reserve(json.size());
@@ -34,11 +33,12 @@ std::string filled(std::string_view page, std::string_view scene, const std::str
   return text;
 }
 
-// Around the result in report.html.
+// Text around the result in report.html.
 constexpr std::string_view data_start = R"(<script type="application/json" id="result">)";
 constexpr std::string_view data_end = "</script>";
 
-/// First character of the result and the one behind it; none: both at the end.
+/// Returns the index of the result's first character and the index after its last one. Without a result, both are the
+/// size of the page.
 std::pair<std::size_t, std::size_t> data_range(const std::string& page) {
   const std::size_t before = page.find(data_start);
   if (before == std::string::npos) return {page.size(), page.size()};

@@ -5,22 +5,22 @@
 
 namespace kinetix::app {
 
-/// One self-contained HTML page that shows a result: no network, no other files.
-/// The page copes with missing keys, empty lists and null; text that is no JSON gives a page that says so.
+/// Makes one self-contained HTML page that shows a result, without network or other files.
+/// The page accepts missing keys, empty lists and null. For text that is not JSON it shows an error.
 /// @param result_json the content of result.json (kinetix-result/1), UTF-8
 std::string report_html(const std::string& result_json);
 
-/// The result that such a page holds, as JSON; empty where the text is no report.
+/// Returns the result inside a report page, as JSON. Empty if the text is not a report.
 std::string data_of_report(const std::string& page);
-/// The page with another result. @pre data_of_report(page) is not empty
+/// Returns the page with another result. @pre data_of_report(page) is not empty
 std::string report_with(const std::string& page, const std::string& result_json);
 
-/// Likewise of a sweep. @param sweep_json the content of sweep.json (kinetix-sweep/1), UTF-8
+/// Makes one self-contained HTML page that shows a sweep. @param sweep_json sweep.json (kinetix-sweep/1), UTF-8
 std::string sweep_html(const std::string& sweep_json);
 
-/// The report's page with style and scripts in place, @SCENE@ where the three-dimensional view goes and @RESULT@ where the result goes.
+/// Report page with style and scripts. @SCENE@ stands for the script of the 3D view, @RESULT@ for the result.
 extern const std::string_view report_page;
-/// That of a sweep, likewise.
+/// Sweep page with style and scripts, @SCENE@ and @RESULT@. Its @SCENE@ is replaced by an empty text.
 extern const std::string_view sweep_page;
 
 }  // namespace kinetix::app

@@ -8,7 +8,7 @@ const hasLayout = (data) => !data.kind?.hasNoLayout && !data.structure.isBodies;
 const isTiltedDesign = (data) => !data.kind && largestTilt(data.structure) > 1e-4;
 const hasFidelity = (data) => Boolean(data.raw.target) || data.fidelity.length > 0;
 
-/** id, title, content, and when it has anything to say. */
+/** Sections: [id, title, function that makes the content, predicate: is it needed]. */
 const SPACE_SECTION = ["space", "Turn it, fold it", spaceSection];
 const GENERAL_SECTIONS = [
   ["load", "Load and energy along the drive", loadSection, hasEquilibrium],
@@ -21,7 +21,7 @@ const CLOSING_SECTIONS = [
   ["contact", "Free of contact: proven of the closed form, not of this state", certifiedSection, isProvenOfOthers],
   ["tilts", "Tilts per column", tiltSection, isTiltedDesign],
 ];
-/** Folded away: for whoever wants to know how it was found, and how sure it is. */
+/** Collapsed sections with the origin and accuracy of the result. */
 const DETAILS = [
   ["words", "The verdict in numbers", wordsSection, always],
   ["energy", "Where the energy is", energySection, hasHeat],
@@ -39,7 +39,7 @@ function sectionsOf(data) {
   return [SPACE_SECTION, ...firstSections, ...needed(data, GENERAL_SECTIONS), ...lastSections, ...needed(data, CLOSING_SECTIONS)];
 }
 
-/** Figures within are drawn when they are first seen. */
+/** Makes the collapsed details. Their figures are drawn when they are first opened. */
 function details(data) {
   const box = html("details", {id: "details", toggle: () => drawAll(true)}, html("summary", {}, "Details: numbers, search, speed against error, origin"));
   for (const [id, title, make] of needed(data, DETAILS)) box.append(section(id, title, guarded(() => make(data))));
@@ -61,7 +61,7 @@ function build(data) {
   drawAll();
 }
 
-/** Paper is white whatever the screen's colours are, and shows every warning. */
+/** Switches to light colours and opens all warnings for printing, and back. */
 function prepareForPaper(printing) {
   for (const warnings of document.querySelectorAll(".warnings")) warnings.open = printing;
   if (printing)

@@ -1,4 +1,4 @@
-// The report of a sweep: the answer, what was varied, what it did to each response, and what failed.
+// Report of a sweep: the answer, the factors, their effect on each response, and the failures.
 
 const CARDS = 4;
 
@@ -22,7 +22,7 @@ function verdictBox(data) {
                   data.seed}.${done}`)));
 }
 
-/** A number in large for each of the first responses. */
+/** Makes a card with the median and range of each of the first responses. */
 function answerCards(data) {
   const cards = data.responses.slice(0, CARDS).map((response) => {
     const {words: said, unit} = named(response.name), s = response.spread, lead = leadWords(data, response);
@@ -37,7 +37,7 @@ function answerCards(data) {
   return cards.length ? html("dl", {class: "numbers", style: `grid-template-columns: repeat(${cards.length}, 1fr)`}, cards) : null;
 }
 
-/** A row for each family, with its share of the variance of the responses that have one. */
+/** Makes a table with one row per family. Columns show its share of the variance of each response. */
 function factorTable(data) {
   const shown = data.responses.filter((response) => (response.families ?? []).some(Boolean) && !isConstant(response)).slice(0, CARDS);
   const rows = data.families.map(({name, factors}, f) => {
@@ -77,7 +77,7 @@ function spreadTable(data) {
   return html("div", {class: "scroll"}, table(heads, rows, "spread of the responses"));
 }
 
-/** Share of the variance that a plane explains, less what as many slopes explain by chance. */
+/** Returns the adjusted R2 of a plane: the share of variance it explains, less the share explained by chance. */
 function explained({r_squared: share, used, factors}) {
   const slopes = factors.filter(({slope}) => finite(slope) !== null).length;
   return Math.max(1 - (1 - share) * (used - 1) / (used - slopes - 1), 0);
@@ -103,7 +103,7 @@ function linearTable(data, response) {
       table(["factor", "slope", "unit", "standardised", "correlation", "of ranks"], rows, "linear regression"));
 }
 
-/** The flat sheet for each family of walls. */
+/** Draws the flat sheet for each family of wall factors. */
 function layouts(data, response) {
   const families = familiesOnWalls(data).filter((family) => sensitivities(response, family).length > 0);
   if (families.length === 0) return null;
@@ -122,14 +122,14 @@ function layouts(data, response) {
   ];
 }
 
-/** What the lines of plots of single factors are. */
+/** Describes the lines in plots of single factors. */
 function lineWords({method}) {
   if (method === "one_at_a_time") return "Line: the response at each level of the factor, all else as in the first sample.";
   const mean = "Line: mean at each level of the factor, all else left to vary";
   return method === "saltelli" || method === "morris" ? `${mean}.` : `${mean}, with two standard errors.`;
 }
 
-/** Which samples plots of single factors show. */
+/** Describes the samples in plots of single factors. */
 function dotsWords({scatter, samples}) {
   return scatter.length < samples ? `${scatter.length} of ${samples} samples, drawn by lot` : "samples";
 }

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_sources = 10;  // that a person would look at
+constexpr std::size_t most_sources = 10;  // length of lists: enough for a reader
 constexpr const char* parameters[] = {"t", "alpha", "beta", "offset"};
 constexpr const char* parameter_words[] = {"the place", "the direction", "the tilt", "the offset"};
 
@@ -26,7 +26,7 @@ std::string share_words(double share) {
   return share < 0.01 ? "under 1 %" : fmt::format("{:.0f} %", 100 * share);
 }
 
-/// @param goal what distances are from
+/// Describes the sampled prints. @param goal reference of the distances, in words
 std::string prints_words(const PrintedGoal& printed, const std::string& goal) {
   const model::PrintRuns& runs = *printed.runs;
   if (runs.prints == 0)
@@ -41,7 +41,7 @@ std::string prints_words(const PrintedGoal& printed, const std::string& goal) {
   return text + (printed.is_confirmed() ? "" : ": FIRST ORDER IS FAR FROM THEM");
 }
 
-/// Of prints that keep the goal: what is known of their walls.
+/// Describes collisions of walls, for prints that keep the goal.
 std::string holding_words(const PrintedGoal& printed) {
   if (printed.touches_too_often())
     return fmt::format("holds, but in {:.0f} % of prints walls touch", 100 * printed.touching->share());
@@ -73,7 +73,7 @@ Json taken_json(const TakenHinges& taken) {
   return out;
 }
 
-/// Whether the fold lies where walls of prints are proven not to meet; nothing where it does, or nothing is proven.
+/// Warns if the fold is outside the collision-free range of prints; nullopt if it is inside, or no range is proven.
 std::optional<std::string> contact_words(const Run& run) {
   if (run.printed->free_of_contact.value_or(true) || run.certified->printed.covers(run.theta))
     return std::nullopt;
@@ -84,7 +84,7 @@ std::optional<std::string> contact_words(const Run& run) {
       to_degrees(run.theta), run.certified->printed.growth_mm);
 }
 
-/// What printed walls do on the way to the fold, in sample prints.
+/// Describes the share of simulated prints whose walls touch during the motion; nullopt if it is zero or unknown.
 std::optional<std::string> touching_words(const PrintedGoal& printed) {
   if (!printed.touching || printed.touching->share() == 0) return std::nullopt;
   return fmt::format("in {:.0f} +- {:.0f} % of {} simulated prints walls touch on the way to the fold{}",
@@ -95,7 +95,7 @@ std::optional<std::string> touching_words(const PrintedGoal& printed) {
                          : "");
 }
 
-/// Prints that plates do not fold to the side of the design by themselves, and what to do.
+/// Describes prints that plates may fold to the other side, with advice; nullopt if there are none.
 std::optional<std::string> flat_start_words(const PrintedGoal& printed) {
   if (!printed.from_flat || !printed.from_flat->need_help()) return std::nullopt;
   const model::FlatStarts& starts = *printed.from_flat;
@@ -106,7 +106,7 @@ std::optional<std::string> flat_start_words(const PrintedGoal& printed) {
   return text + ": bend the sheet a little to its side by hand before the plates close";
 }
 
-/// Three digits, and all before the point: forces of hundreds without a power of ten.
+/// Formats a load with three digits, and with all integer digits, so that large forces have no power of ten.
 std::string held_load_text(double load) {
   return load < 100 ? fmt::format("{:.3g}", load) : fmt::format("{:.0f}", load);
 }
@@ -124,7 +124,7 @@ std::string taken_words(const TakenHinges& taken) {
       block.material.name, block.gap_mm, taken.strain, block.material.strain_max, held);
 }
 
-/// Why prints leave the goal, a sentence each; none where they keep it.
+/// Returns the reasons why prints leave the goal, one sentence each. Empty if they keep it.
 std::vector<std::string> scatter_reasons(const Run& run) {
   const PrintedGoal& printed = *run.printed;
   std::vector<std::string> why;
@@ -244,7 +244,7 @@ std::vector<SummaryLine> as_made_lines(const Run& run) {
                    run.design.process.name, run.printed->rms_mm(), run.judged_against, made.designed_mm,
                    run.printed->p95_mm(), run.printed->tolerance_mm, verdict_words(run))}};
   if (const auto touching = touching_words(*run.printed); touching && !run.printed->touches_too_often())
-    lines.push_back({"", *touching});  // else it is a warning
+    lines.push_back({"", *touching});  // a larger share is reported as a warning
   if (const auto places = sources_by_place(run); !places.empty())
     lines.push_back({"", fmt::format("{} of {}: {} of what errors do", plural_words[places[0].parameter],
                                      places[0].place, share_words(places[0].share))});

@@ -10,26 +10,27 @@
 
 namespace kinetix::app {
 
-/// The section `as_made` of result.json. @pre run.printed
+/// Returns the section `as_made` of result.json. @pre run.printed
 nlohmann::ordered_json as_made_json(const Run& run);
 
-/// The errors of one kind of all hinges at one place.
+/// Variance share of one hinge parameter for all hinges in one column or row.
 struct PlaceSource {
-  std::string place;  ///< "column 12": walls along x there, or in a strip all; "row 3": walls along y
-  int parameter = 0;  ///< as in model::ScatterSource
-  double share = 0;   ///< of the variance, [0, 1]
+  std::string place;  ///< "column 12": walls along x there, or all walls in a strip; "row 3": walls along y
+  int parameter = 0;  ///< parameter index of model::ScatterSource
+  double share = 0;   ///< share of the variance, [0, 1]
 };
-/// What errors do by place, largest first. None of other lattices than squares, whose walls lie in no columns.
+/// Returns variance shares by place, largest first. Empty for lattices other than squares, which have no columns.
 std::vector<PlaceSource> sources_by_place(const Run& run);
 
-/// Why prints do not hold, a sentence each; none where they do. @pre run.printed
+/// Returns the reasons why prints miss the goal or cannot be made, one sentence each. Empty if prints keep it.
+/// @pre run.printed
 std::vector<std::string> as_made_reasons(const Run& run);
 
-/// What speaks against the prints beside whether they can be made: that they leave the goal, may touch on the way, need not fold to
-/// the side of the design, or that the first order does not hold. @pre run.printed
+/// Returns warnings about prints, except that they cannot be made. Prints may leave the goal, collide during motion, or
+/// fold to the other side. The first-order estimate may disagree with sampled prints. @pre run.printed
 std::vector<std::string> scatter_warnings(const Run& run);
 
-/// What prints come to, in words, and what counts most. None where that is not known.
+/// Returns the summary lines of the print tolerance analysis and its largest sources. Empty without an analysis.
 std::vector<SummaryLine> as_made_lines(const Run& run);
 
 }  // namespace kinetix::app

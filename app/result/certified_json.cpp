@@ -28,9 +28,9 @@ Json range_json(const ContactRange& range, const model::Lattice& sheet) {
           {"left_out", range.touching_at_rest.size()}};
 }
 
-/// "nowhere" where not even the flat state is, but for rounding.
+/// Formats the collision-free range of theta. Returns "nowhere" if it is 0 deg at both ends after rounding.
 std::string between(const ContactRange& range) {
-  constexpr double shown = 0.005 * radians_per_degree;  // less is 0.00 deg
+  constexpr double shown = 0.005 * radians_per_degree;  // smaller angles print as 0.00 deg
   if (-range.negative.theta < shown && range.positive.theta < shown) return "nowhere";
   return fmt::format("{:.2f} to {:.2f} deg", to_degrees(range.negative.theta),
                      to_degrees(range.positive.theta));
@@ -42,7 +42,7 @@ std::string end_words(const ContactLimit& limit, const model::Lattice& sheet) {
   return fmt::format("limited by walls {} and {}", first, second);
 }
 
-/// Of an equilibrium that has left the closed form: the range is that form's alone.
+/// Returns the lines for an equilibrium that left the closed form. The range applies to the closed form only.
 std::vector<SummaryLine> left_lines(const ProvenRanges& certified, const model::Lattice& sheet,
                                     double theta) {
   return {{"NOT PROVEN",

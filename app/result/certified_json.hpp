@@ -7,18 +7,19 @@
 
 namespace kinetix::app {
 
-/// What the states of a run are to the closed form that a range is proven of: those of an equilibrium are near it where the last
-/// was compared with it, and left it where they did or where no closed form fits the drive.
+/// Relation of a run's states to the closed form that the certified range applies to.
+/// same: there is no equilibrium, so states are exact. near: the last equilibrium is close to the closed form.
+/// left: the equilibrium path left the closed form, or no closed form fits the drive.
 enum class NearExact { same, near, left };
 
+/// Determines this relation for a run.
 NearExact near_exact(const Run& run);
 
-/// The section `certified` of result.json.
-/// @param theta of the state shown, rad
+/// Returns the section `certified` of result.json. @param theta of the reported state, rad
 nlohmann::ordered_json certified_json(const ProvenRanges& certified, const model::Lattice& sheet,
                                       double theta, NearExact states);
 
-/// Lines of the summary, and of `check`. Parameters as above.
+/// Returns the lines for the summary and for `check`. @param theta of the reported state, rad
 std::vector<SummaryLine> certified_lines(const ProvenRanges& certified, const model::Lattice& sheet,
                                          double theta, NearExact states);
 

@@ -10,7 +10,7 @@ struct Limit {
   const char* words;
 };
 
-// N: a pinch of two fingers holds 40 to 100, a grip 200 to 500, body weight on two arms 300 and more.
+// N: two fingers pinch with 40 to 100, a hand grips with 200 to 500, body weight on two arms gives 300 and more.
 constexpr Limit forces[] = {{20, "fingers"}, {100, "a hand"}, {300, "both arms"}};
 // N mm: fingers turn a knob with 500 to 1500, a hand opens a jar with 4000 to 6000.
 constexpr Limit moments[] = {{500, "fingers"}, {3000, "a hand"}, {10000, "both arms"}};

@@ -6,14 +6,14 @@
 
 namespace kinetix::app {
 
-/// What a force on plates takes, N: "fingers", "a hand", "both arms", "a vice". The limits are those of handbooks of
-/// ergonomics, rounded down, as what most adults do without strain.
+/// Classifies a force on plates, N: "fingers", "a hand", "both arms", "a vice". The limits are from ergonomics
+/// handbooks, rounded down to what most adults can do without strain.
 std::string effort_of_force(double newtons);
-/// What turning a hinge takes, N mm: likewise.
+/// Classifies the moment of a driven hinge, N mm, by the same words.
 std::string effort_of_moment(double newton_mm);
-/// What the largest load on the way takes; springs of shape memory need nobody.
+/// Describes the peak actuation load. Shape-memory drives need none: "its own springs".
 std::string effort_of(const Equilibrium& equilibrium);
-/// What the load on hinges takes that a file left open. @pre it is known
+/// Classifies the load that holds assumed hinges at the design. @pre taken.load
 std::string effort_of(const TakenHinges& taken);
 
 }  // namespace kinetix::app

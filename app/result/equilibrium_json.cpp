@@ -28,7 +28,7 @@ Json event_json(const model::PathEvent& event) {
           {"drive", event.at.drive},       {"load", event.at.load},       {"what", event.what}};
 }
 
-/// What hinges have that are more than two springs k_point.
+/// Adds the stiffness terms of hinges that are not just two springs k_point.
 void add_directions(const model::Elasticity& e, Json& stiffness) {
   const model::HingeStiffness k = stiffness_of(e);
   if (!e.ratios.are_one() || !e.tilt.are_by_reach())

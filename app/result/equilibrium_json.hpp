@@ -7,19 +7,20 @@
 
 namespace kinetix::app {
 
-/// The section `equilibrium` of result.json.
+/// Returns the section `equilibrium` of result.json.
 nlohmann::ordered_json equilibrium_json(const Equilibrium& equilibrium);
 
-/// Shape memory: of the moments by which its springs turn their hinges on, at the path's end, N mm.
+/// Returns the mean moment of shape-memory springs at the end of the path, N mm.
 double mean_moment(const Equilibrium& equilibrium);
 
 /// Adds an equilibrium's numbers to `metrics`.
 void add_equilibrium_metrics(const Equilibrium& equilibrium, nlohmann::ordered_json& metrics);
 
-/// The section `matter` of result.json. @pre run.matter
+/// Returns the section `matter` of result.json.
 nlohmann::ordered_json matter_json(const MatterResult& matter);
 
-/// How far elastic hinges are from the goal, before and after the design makes up for them. None without.
+/// Returns the summary lines of the compensation for elastic hinges: distance from the goal before and after it. Empty
+/// without run.matter.
 std::vector<SummaryLine> matter_lines(const Run& run);
 
 }  // namespace kinetix::app

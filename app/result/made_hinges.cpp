@@ -15,12 +15,12 @@
 namespace kinetix::app {
 namespace {
 
-/// A block or film in the state shown.
+/// Elastomer or living hinge in the reported state.
 struct Turned {
   int hinge;
   const model::MadeHinge* made;
-  double turn;    ///< rad, without sign
-  double strain;  ///< by bending and stretching
+  double turn;    ///< absolute value, rad
+  double strain;  ///< strain by bending and stretching, ratio
 };
 
 std::vector<Turned> turned_hinges(const Run& run) {
@@ -44,7 +44,7 @@ double corner_turn(const Run& run, const Turned& t) {
   return contact_turn(*t.made, size.thickness_mm, run.design.structure.hinge(t.hinge).offset * size.edge_mm);
 }
 
-/// The made hinge that lies farthest beyond where its kind can be made, pins among them.
+/// Returns label and text for the made hinge, pins included, whose offset exceeds the limit of its kind the most.
 std::optional<std::pair<std::string, std::string>> offset_line(const Run& run) {
   const model::CellSize size = run.design.structure.size();
   std::optional<std::pair<std::string, std::string>> line;
@@ -65,7 +65,7 @@ std::optional<std::pair<std::string, std::string>> offset_line(const Run& run) {
   return line;
 }
 
-/// The one with the largest value, if that is above 1.
+/// Returns the hinge with the largest value if that value is above 1, else nullptr.
 template <class Value>
 const Turned* worst(const std::vector<Turned>& all, const Value& value) {
   const auto at = std::max_element(all.begin(), all.end(),

@@ -10,25 +10,28 @@
 
 namespace kinetix::app {
 
+/// Strain of an elastomer or living hinge.
 struct HingeStrain {
-  double strain = 0;   ///< of a block or film, a ratio of lengths
-  double allowed = 0;  ///< what its material bears, a ratio of lengths too
+  double strain = 0;   ///< ratio of lengths
+  double allowed = 0;  ///< largest strain of the material, ratio of lengths
 };
 
-/// Of the hinge that comes nearest to what its material bears, or is farthest beyond, in the state shown.
-/// @return nothing where no hinge is a block or film, or there is no state
+/// Returns the strain of the hinge with the largest ratio of strain to allowed strain, in the reported state.
+/// @return nullopt without elastomer and living hinges, or without a state
 std::optional<HingeStrain> worst_strain(const Run& run);
 
-/// What the run's process cannot print of its sheet, in words, and why its hinges do not fit: none of a design, whose process
-/// is not known.
+/// Returns the reasons why the run's process cannot print the sheet, or why its hinges do not fit. Empty for a run
+/// without a goal, because the process of a design is not known.
 std::vector<std::string> unprintable(const Run& run);
 
-/// Label and words for the terminal: what the process cannot print, a hinge that is strained by more than its material bears, a wall whose two
-/// halves meet over the gap before the state is reached, and a hinge farther off the middle of its wall than its
-/// kind can be made; the worst of each, none where all is well.
+/// Returns label and text of each problem of made hinges, for the terminal:
+/// PRINT: the process cannot print it. STRAINED: a hinge exceeds the strain of its material.
+/// CORNERS: the two halves of a wall collide over the gap before the state is reached.
+/// OFFSET: a hinge is farther from the middle of its wall than its kind allows.
+/// For all but PRINT, only the worst case is listed.
 std::vector<std::pair<std::string, std::string>> made_hinge_lines(const Run& run);
 
-/// The same as result.json has it, the labels in lower case.
+/// Returns these problems for result.json, with labels in lower case.
 nlohmann::ordered_json made_problems_json(const Run& run);
 
 }  // namespace kinetix::app

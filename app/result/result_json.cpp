@@ -50,7 +50,7 @@ Json comparison_json(const model::EquilibriumComparison& c) {
           {"energy_Nmm", c.energy},          {"model_energy_Nmm", c.reference_energy}};
 }
 
-/// The section `physics` of result.json.
+/// Returns the section `physics` of result.json.
 Json physics_json(const Verification& v) {
   Json out = {{"status", to_string(v.physics.status)},
               {"why", v.physics.why},
@@ -115,7 +115,7 @@ Json state_json(const NamedState& state) {
           {"hinge_gap_rms", state.gaps.rms}};
 }
 
-/// A design has no goal to be judged by.
+/// Returns the section `tolerance`. Designs have no goal, so theirs only has `verify`.
 Json tolerance_json(const Run& run) {
   Json out = Json::object();
   for (const auto& [key, limit] : run.tolerances) out[key] = limit;

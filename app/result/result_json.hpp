@@ -6,16 +6,17 @@
 
 namespace kinetix::app {
 
-/// The document of formats.md, schema kinetix-result/1 (app/schema/result.schema.json): millimetres, and
-/// radians where a key ends in _rad. Numbers that are not finite become null.
+/// Returns result.json, schema kinetix-result/1 (formats.md, app/schema/result.schema.json). Lengths are in mm, and
+/// keys that end in _rad are in radians. Numbers that are not finite become null.
 nlohmann::ordered_json result_json(const Run& run);
-/// Its key `metrics` alone.
+/// Returns only the section `metrics`.
 nlohmann::ordered_json metrics_json(const Run& run);
 
-/// The few lines of it that a person reads on stdout.
+/// Returns the summary of a run for stdout.
 std::string summary(const Run& run);
 
-/// Returns the section `structure`. @param reach_mm of hinges that do not define theirs   @param elasticity defines the reach of all
+/// Returns the section `structure`. @param reach_mm reach of hinges without their own value
+/// @param elasticity if given, defines the reach of all hinges
 nlohmann::ordered_json structure_json(const Design& design, double reach_mm,
                                       const model::Elasticity* elasticity = nullptr);
 

@@ -36,7 +36,7 @@ nlohmann::ordered_json mesh_json(const model::Polyhedron& solid) {
   return {{"points", to_base64(points)}, {"triangles", to_base64(triangles)}};
 }
 
-/// Block, pin or ball; a hinge where there is no rod.
+/// Returns the kind of a hinge, such as block, pin or ball. A pin without a rod is a "hinge".
 std::string kind_of(const model::AssemblyHinge& hinge) {
   if (hinge.ball) return "ball";
   return hinge.kind == model::HingeKind::pin && hinge.rod_mm == 0 ? "hinge" : to_string(hinge.kind);
@@ -64,7 +64,7 @@ bool is_near(const Json& a, const Json& b, double rounding) {
   return a == b;
 }
 
-/// What reports leave out of hinges counts for nothing.
+/// Removes reach_mm from hinges for a comparison, because reports omit it.
 Json compared(Json part) {
   for (Json& entry : part)
     if (entry.is_object()) entry.erase("reach_mm");

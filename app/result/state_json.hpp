@@ -9,32 +9,34 @@
 
 namespace kinetix::app {
 
-/// The poses of a state as result.json has them.
+/// Returns the poses of a state for result.json, positions in mm.
 nlohmann::ordered_json poses_json(const model::State& state);
 
-/// [[x, y], ...], as a list.
+/// Returns [[x, y], ...].
 nlohmann::ordered_json points_json(const std::vector<Eigen::Vector2d>& points);
 
-/// [x, y, z].
+/// Returns [x, y, z].
 nlohmann::ordered_json point_json(const Eigen::Vector3d& point);
 
-/// `structure` of the result of imported bodies.
+/// Returns the section `structure` of imported bodies.
 nlohmann::ordered_json bodies_json(const model::Assembly& bodies);
 
-/// The same as pages show it: with kind, direction along the part, confidence and, of a pin, diameter and clearance of each hinge.
+/// Returns the section `structure` of imported bodies for pages. Each hinge also has its kind, direction along the part
+/// and confidence; pins also have diameter and clearance.
 nlohmann::ordered_json shown_bodies_json(const model::Assembly& bodies);
 
-/// Surfaces of `bodies` and of soft parts (`hinges`, null where there is none) at rest, mm: {points, triangles}, base64 of little-endian
-/// floats x, y, z and of 32-bit numbers of points.
+/// Returns the surfaces at rest, mm: `bodies`, and `hinges` for soft parts (null for a hinge without one). Each surface
+/// is {points, triangles} in base64: little-endian floats x, y, z, and 32-bit indices of points.
 nlohmann::ordered_json meshes_json(const model::Assembly& bodies);
 
-/// The stiffness of a hinge as results have it, N/mm and N mm/rad.
+/// Returns the stiffness of a hinge for results, N/mm and N mm/rad.
 nlohmann::ordered_json stiffness_json(const model::HingeStiffness& k);
 
-/// What results say of a design's sheet: their section `structure`.
+/// Returns the section `structure` of a design.
 nlohmann::ordered_json sheet_json(const Design& design);
 
-/// Whether a result is of this sheet: cells, walls, bodies and hinges differ by less than `rounding`, relative, or in mm and rad.
+/// Returns whether a result belongs to this sheet. Numbers of cells, walls, bodies and hinges may differ by `rounding`,
+/// relative above 1 and absolute below.
 bool is_of_sheet(const nlohmann::ordered_json& result, const Design& design, double rounding);
 
 }  // namespace kinetix::app

@@ -56,7 +56,7 @@ std::string structure_lines(const Run& run) {
                                   to_degrees(largest_tilt(structure))));
 }
 
-// Of a summary: what a person reads through in a terminal. result.json has them all.
+// Limits of the lists in a summary: enough for a reader in a terminal. result.json has complete lists.
 constexpr std::size_t most_events = 12, most_states = 6;
 
 std::string load_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
@@ -80,7 +80,7 @@ std::string drive_text(const Equilibrium& equilibrium, const model::EquilibriumS
   return fmt::format("{} {:.4g}{}", words, step.drive, unit == "mm" ? " mm" : "");
 }
 
-/// What the load is, where its unit does not say it.
+/// Returns words before the load of tendons and springs; "" for loads that their unit describes.
 std::string load_words(const Equilibrium& equilibrium) {
   if (equilibrium.drive.only_pulls())
     return equilibrium.path.steps.back().load < 0 ? "the cord is slack, it would have to push: tension "
@@ -135,7 +135,7 @@ std::string stable_text(const model::StableStates& stable) {
 
 using Json = nlohmann::ordered_json;
 
-// Of a force or work: drives that differ by less end at thetas that differ by as much, or stretch hinges as little.
+// Ratio of forces or works: smaller differences are within the differences of final theta and hinge stretch.
 constexpr double alike = 0.02;
 
 std::string path_text(const DriveTrial& trial) {
@@ -158,7 +158,7 @@ std::string trial_line(const DriveTrial& trial, std::size_t width) {
                      fmt::format("{:.4g}", last.energy), to_degrees(trial.theta), path_text(trial));
 }
 
-/// The others that hold and need hardly more.
+/// Lists the other stable drives that need at most 2 % more.
 std::string alike_text(const DriveTrials& all, int best, double DriveTrial::*number) {
   std::string names;
   for (int k = 0; k < static_cast<int>(all.trials.size()); ++k)
@@ -167,7 +167,7 @@ std::string alike_text(const DriveTrials& all, int best, double DriveTrial::*num
   return names.empty() ? "" : fmt::format("; within {:g} %: {}", 100 * alike, names);
 }
 
-/// The drives that need least; of the others nothing is known where the trials were stopped.
+/// Describes the drives with the least force and the least work. After a stop, only among those tried.
 std::string least_text(const DriveTrials& all) {
   const char* among = all.stopped ? ", of those tried" : "";
   const DriveTrial &force = all.trials[all.least_force], &work = all.trials[all.least_work];
@@ -269,7 +269,7 @@ std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
 }
 
 std::string summary(const DriveTrials& all) {
-  std::size_t width = 5;  // of the heading
+  std::size_t width = 5;  // characters of the heading "drive"
   for (const DriveTrial& trial : all.trials) width = std::max(width, trial.name.size());
   std::string text = fmt::format(
       "{}: drives to theta {:.2f} deg, slowly; moments count as forces at a lever of one cell edge, {:g} "

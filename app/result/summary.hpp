@@ -10,12 +10,12 @@
 
 namespace kinetix::app {
 
-/// What the summary says of an equilibrium: lines of a label and a text. @pre run.equilibrium
+/// Returns the summary lines of an equilibrium, each a label and a text. @pre run.equilibrium
 std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run);
 
-/// A table of the drives that were tried, a line each, and which needs the least force and the least work.
+/// Returns a table of the tried drives, one line each, and the drives with the least force and the least work.
 std::string summary(const DriveTrials& trials);
-/// The same as a document, `schema` kinetix-drives/1.
+/// Returns the tried drives as JSON, `schema` kinetix-drives/1.
 nlohmann::ordered_json drive_trials_json(const DriveTrials& trials);
 
 }  // namespace kinetix::app

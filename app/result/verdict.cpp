@@ -42,7 +42,7 @@ std::string kinds_of(const model::Assembly& bodies) {
   return fmt::format("{}", fmt::join(kinds, ", "));
 }
 
-/// The hinges of the states: as the file makes them, else as the model assumes them.
+/// Names the kinds of hinges in the states: those of the file, else those that the model assumes.
 std::string hinges_of_model(const Run& run) {
   if (const model::Assembly* bodies = run.design.structure.assembly()) return kinds_of(*bodies);
   std::vector<std::string> kinds;
@@ -73,7 +73,7 @@ Reasons print_reasons(const Run& run) {
   return why.empty() ? Reasons{run.print->why} : why;
 }
 
-/// What keeps the drive from taking the sheet to the state shown; nothing where no model of the drive was asked.
+/// Returns the reasons why the drive does not reach the reported state; nullopt if the run has no model of the drive.
 std::optional<Reasons> drive_reasons(const Run& run) {
   Reasons why;
   if (run.matter && !run.equilibrium)
@@ -100,15 +100,15 @@ void warn_all(RunVerdict& verdict, const Reasons& texts) {
   for (const std::string& text : texts) verdict.warn(text);
 }
 
-/// What other parts of the run found and what changes no flag. New warnings are added here, those of a kind of goal in its
-/// GoalOutcome::warnings().
+/// Adds the warnings of all parts of the run; they do not change a flag. New warnings belong here, those of a goal kind
+/// in its Measure::warnings.
 void add_warnings(const Run& run, RunVerdict& verdict) {
   if (run.stopped) verdict.warn("stopped before its end: this is the best so far");
   if (run.plan.is_floppy())
     verdict.warn(fmt::format("the sheet has {} degrees of freedom: one drive does not hold it",
                              run.plan.mobility->dofs_along));
   for (const auto& [label, words] : made_hinge_lines(run))
-    if (label != "STRAINED") verdict.warn(words);  // that is an error of `reaches`
+    if (label != "STRAINED") verdict.warn(words);  // STRAINED is an error of `reaches`
   if (!run.goal) return;
   if (!run.met()) warn_all(verdict, run.physics_violations());
   warn_all(verdict, shown_measure(run).warnings);
@@ -128,7 +128,7 @@ void RunVerdict::set(Flag flag, const Reasons& reasons, const std::string& hinge
   this->*flag = reasons.empty();
   hinges.emplace_back(flag_name(flag), hinge);
   for (const std::string& text : reasons) {
-    const auto says = [&](const Problem& p) {  // perhaps with what helps behind it
+    const auto says = [&](const Problem& p) {  // the text of a problem may have advice after it
       return p.level == Problem::Level::error && p.text.starts_with(text);
     };
     if (std::none_of(problems.begin(), problems.end(), says))

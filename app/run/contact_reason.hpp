@@ -9,21 +9,21 @@
 
 namespace kinetix::app {
 
-/// Names of the two walls of a pair of plates. A wall has two plates, one at each side of its hinge.
+/// Returns the names of the two walls of a pair of plates. A wall has two plates, one at each side of its hinge.
 std::array<std::string, 2> wall_names(const model::WallPair& walls, const model::Lattice& sheet);
 
-/// "walls A and B overlap as built" and what helps.
+/// Returns "walls A and B overlap as built" with advice.
 std::string overlap_words(const model::WallPair& walls, const model::Lattice& sheet);
 
-/// "walls A and B overlap at theta 25.126 deg, on the way to 28.000 deg". @param theta rad, to which the motion goes
+/// Returns "walls A and B overlap at theta 25.126 deg, on the way to 28.000 deg". @param theta end of the motion, rad
 /// @pre limit.contact
 std::string overlap_words(const model::ContactLimit& limit, double theta, const model::Lattice& sheet);
 
-/// Why walls keep an exact motion from coming to the run's theta, one sentence: they overlap as built or on the way, by the
-/// certified range where there is one, else by samples. Nothing where no contact is known.
+/// Describes why walls keep an exact motion from reaching the run's theta, one sentence. They overlap as built or
+/// during the motion, by the certified range if there is one, otherwise by samples. Empty if no contact is known.
 std::optional<std::string> contact_reason(const Run& run);
 
-/// Lists walls that collide before the theta of a run, as far as samples of its motion show it. @param instead what would help, in words
+/// Returns contact_reason() with advice, as a list of at most one entry. @param instead advice, in words
 std::vector<std::string> collisions_on_the_way(const Run& run, const std::string& instead);
 
 }  // namespace kinetix::app

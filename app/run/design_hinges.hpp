@@ -24,9 +24,10 @@ model::PrintError wall_error(const Design& design);
 /// Whether the material of every block and film withstands its strain in a state.
 bool bears_its_strain(const Design& design, const model::State& state);
 
-/// Describes the hinge that is strained farthest beyond the limit of its material in a state. Nothing if none is.
+/// Describes the hinge that is strained farthest beyond the limit of its material in a state. Empty if none is.
 std::optional<std::string> strained_too_far(const Design& design, const model::State& state);
-/// The same words of any hinge. @param wall its name   @param when "" or what follows, such as " on the way to the fold"
+/// Describes the strain of a hinge against the limit of its material. @param wall its name   @param when "" or what
+/// follows the strain, such as " on the way to the fold"
 std::string strained_words(const model::StrainedHinge& worst, const std::string& wall, const char* when = "");
 
 /// Lists what the process of the design cannot print, each problem once.

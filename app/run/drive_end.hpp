@@ -6,17 +6,17 @@
 
 namespace kinetix::app {
 
-/// How a path stopped, for people: result.json says `torn` where a hinge was overstretched.
+/// Describes how a path stopped, for people. result.json has `torn` for an overstretched hinge.
 std::string in_words(model::EquilibriumPath::Stop stop);
 
-/// That a sheet folded to the other side than asked. @param theta that it came to, rad
+/// Describes that a sheet folded to the opposite side. @param theta that it reached, rad
 std::string describe_other_side(const Equilibrium& equilibrium, double theta);
 
-/// Why an equilibrium is not what its drive was to lead to. @param theta that it came to, rad   @pre it stopped, or is on the
-/// other side
+/// Describes why an equilibrium is not the goal of its drive. @param theta that it reached, rad
+/// @pre its path stopped early, or the sheet is on the opposite side
 std::string missed_words(const Equilibrium& equilibrium, double theta);
 
-/// That the drive stops on its way, and why, one sentence. @pre it did
+/// Describes where and why the drive stops before its goal, one sentence. @pre it did
 std::string drive_stop_reason(const model::EquilibriumPath& path);
 
 }  // namespace kinetix::app

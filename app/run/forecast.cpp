@@ -10,15 +10,16 @@
 namespace kinetix::app {
 namespace {
 
-// Medians over the shapes of targets/shapes, whose physics runs take 0.01 to 2 s.
+// Seconds per loop: median over the shapes of targets/shapes, whose simulations take 0.01 to 2 s.
 constexpr double seconds_a_loop = 0.0012;
-constexpr double seconds_of_block = 2.4;  // of 1000 bodies that fill space; 0.7 s for 384 and 27 s for 4952
-// Of elastic hinges: the path to the goal, and what makes up for them. 0.5 to 2.6 s for 34 to 173 bodies.
+constexpr double seconds_of_block = 2.4;  // s for 1000 bodies that fill space; 0.7 s for 384, 27 s for 4952
+// Seconds for 175 bodies: the path to the goal and the compensation for elastic hinges. Measured: 0.5 to 2.6 s for 34
+// to 173 bodies.
 constexpr double elastic_seconds_of_175 = 2.5;
 constexpr double contact_seconds_of_10000 = 2.4;
 constexpr double bytes_of_program = 55e6, bytes_a_body = 65e3;
 
-/// 20 of 23.4.
+/// Rounds to one significant digit: 23.4 becomes 20.
 double one_digit(double x) {
   const double unit = std::pow(10, std::floor(std::log10(x)));
   return unit * std::round(x / unit);
@@ -41,7 +42,7 @@ Eigen::Vector3d flat_size(const model::Linkage& linkage) { return size_of(linkag
 
 Eigen::Vector3d size_of(const model::Linkage& linkage, const model::State& state) {
   Eigen::AlignedBox3d all;
-  // One by one: the half walls of a million cells take half as much memory as their linkage.
+  // Plates are handled one by one: the half walls of a million cells take half as much memory as their linkage.
   model::Linkage one;
   one.size = linkage.size;
   for (const model::Plate& plate : linkage.plates) {

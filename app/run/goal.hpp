@@ -14,7 +14,7 @@
 
 namespace kinetix::app {
 
-/// The goal of a target: how a design is found for it, and how far any state of a design is from it.
+/// Goal of a target: finds a design for it, and measures how far any state of a design is from it.
 class Goal {
  public:
   explicit Goal(std::string name_of_results) : name(std::move(name_of_results)) {}
@@ -22,22 +22,22 @@ class Goal {
 
   const std::string name;  ///< names folders of results
 
-  /// What can be said without a search.
+  /// Returns estimates that need no search.
   virtual Forecast forecast() const = 0;
-  /// @throws InvalidInput for a target that leaves nothing to search
+  /// Searches for a design. @throws InvalidInput for a target that leaves nothing to search
   virtual Found search(const RunOptions& options) const = 0;
-  /// How far a state is from the goal. Nothing of states that the kind does not judge.
-  /// @param run as far as it has come   @param state anywhere in space; of the model: Found::own
+  /// Measures how far a state is from the goal. Null for states that the kind does not judge.
+  /// @param run as far as it is computed   @param state anywhere in space; of the model: Found::own
   virtual std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State& state,
                                                  const RunOptions& options) const = 0;
 
-  /// The points by which the goal is judged, and what their rms may be.
+  /// Points by which the goal is judged, and the limit of their rms.
   struct Observed {
     std::vector<model::ObservedPoint> points;
     double tolerance_mm = 0;
   };
-  /// How far points of a state are from the goal. Nothing of goals that are not judged by distances.
-  /// @param found planned   @param sheet that the state is of: the design's, or one with other hinges
+  /// Returns how far points of a state are from the goal. Empty for goals that are not judged by distances.
+  /// @param found planned   @param sheet that the state belongs to: the design's, or one with other hinges
   /// @param state anywhere in space; points are in its own frame
   virtual std::optional<Observed> observe(const Found& /*found*/, const model::Lattice& /*sheet*/,
                                           const model::State& /*state*/) const {
@@ -45,34 +45,33 @@ class Goal {
   }
 };
 
-/// A number under `metrics` in result.json.
+/// Number under `metrics` in result.json.
 struct GoalMetric {
   std::string_view name;
   std::string_view unit;          ///< empty for ratios, counts and truth values
   std::string_view meaning = {};  ///< for the documentation, in Markdown
 };
 
-/// A number that tells how far any state is from a goal, without a search; its name ends in its unit, if it
-/// has one.
+/// Number that measures how far any state is from a goal, without a search. Its name ends in its unit, if it has one.
 struct GoalMeasure {
   std::string_view name;
   double (*of)(const Goal& goal, const model::Lattice& structure, const model::State& state);
 };
 
-/// A kind of goal: how targets of it are read, and what else the program has to know of all of them.
+/// Kind of goal: how its targets are read, and what the program must know about all of them.
 struct GoalKind {
   std::string_view name;     ///< `target.kind`
-  std::string_view example;  ///< the shortest `target:` of it
-  /// @param root a target of this kind. @throws InvalidInput for whatever the format does not allow
+  std::string_view example;  ///< the shortest `target:` of this kind
+  /// Reads a target. @param root a target of this kind @throws InvalidInput for all that the format does not allow
   std::unique_ptr<Goal> (*read)(const targets::Node& root);
-  /// Every key of its files.
+  /// Returns every key of its files.
   const targets::KeyTable& (*table)();
-  Model model = Model::exact;       ///< that its states come from
-  std::vector<GoalMetric> metrics;  ///< that its searches add to `metrics`
+  Model model = Model::exact;       ///< source of its states
+  std::vector<GoalMetric> metrics;  ///< entries that its searches add to `metrics`
   std::vector<GoalMeasure> measures = {};
 };
 
-/// A goal that was read.
+/// Goal that was read, with its kind.
 struct Target {
   const GoalKind* kind = nullptr;
   std::shared_ptr<const Goal> goal;

@@ -8,7 +8,7 @@
 
 namespace kinetix::app {
 
-/// (x, z), mm, of the mean of the bodies of each column.
+/// Returns the mean position (x, z) of the bodies of each column, mm.
 std::vector<Eigen::Vector2d> column_midline(const model::Lattice& structure, const model::State& state);
 
 }  // namespace kinetix::app

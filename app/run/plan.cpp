@@ -12,8 +12,8 @@
 namespace kinetix::app {
 namespace {
 
-/// Bodies: beyond this the numeric rank costs more than a search. The exact families have one degree of
-/// freedom by their closed form anyhow.
+/// Bodies: above this the numeric rank costs more than a search. The exact families have one degree of freedom by
+/// their closed form.
 constexpr std::size_t most_bodies_for_rank = 500;
 
 std::string wall_sentence(const model::ContactRange& range) {
@@ -35,7 +35,7 @@ std::string model_sentence(const Plan& plan, const model::Linkage& structure) {
                     structure.wall_name(static_cast<int>(leaning - structure.hinges.begin())) + " leans");
 }
 
-/// How much choice upright hinges on their walls have, or how far they are from having a choice.
+/// Describes how many parameters choose the t of upright hinges, or by how much t must change for an exact design.
 std::string designs_sentence(const model::PlanarStructure& planar, bool is_exact) {
   const int numbers = model::ExactDesigns(planar).dimension();
   if (is_exact)
@@ -48,7 +48,8 @@ std::string designs_sentence(const model::PlanarStructure& planar, bool is_exact
   return fmt::format("every cell would close if each t moved by {:.2g} or less", change);
 }
 
-/// Between plates a structure with several degrees of freedom takes its lowest mode, which is not the closed form's motion.
+/// Warns of several degrees of freedom. Between plates such a structure follows its lowest mode, which is not the
+/// motion of the closed form.
 std::string floppy_sentence(const Plan& plan) {
   return fmt::format(
       "FLOPPY: it moves in {} independent ways, and a drive of one of them leaves the others to the springs "

@@ -7,8 +7,8 @@
 namespace kinetix::app {
 namespace {
 
-/// Returns the requested theta, rad, which the equilibrium need not have reached. Plates on lattices other than squares, for which
-/// the file has no drive, need not approach each other by the cosine of it.
+/// Returns the requested theta, rad, which the equilibrium need not have reached. Plates on lattices other than
+/// squares need not approach each other by the cosine of theta. Files have no drive for such lattices.
 double asked_theta(const Run& run) {
   if (!run.equilibrium) return run.theta;
   const model::LinkageDrive& drive = run.equilibrium->drive;

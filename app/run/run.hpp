@@ -20,7 +20,7 @@
 
 namespace kinetix::app {
 
-/// A state with the name and the model that made it.
+/// State with its name and the model that computed it.
 struct NamedState {
   std::string name;   ///< "target", or "frame" for the steps of a motion
   std::string model;  ///< "exact", "equilibrium" or "bullet"
@@ -29,106 +29,104 @@ struct NamedState {
   model::HingeGaps gaps;
 };
 
-/// One row of a scene's speed-against-error table.
+/// Row of a scene's speed-against-error table.
 struct Fidelity {
   std::string model;
-  double seconds = 0;  ///< of computing one state, s
+  double seconds = 0;  ///< time of one state, s
   double error = 0;    ///< rms of body positions after rigid alignment, cell edges
   std::string against;
 };
 
-/// The physics run and its agreement with the model.
+/// Simulation and its agreement with the model.
 struct Verification {
   sim::PhysicsOptions options;
   sim::PhysicsResult physics;
   model::StateDistance distance;  ///< NaN unless the run settled
-  bool compared = false;          ///< whether there was a model's state to compare with
+  bool compared = false;          ///< whether the model had a state to compare with
   bool agrees = false;            ///< settled and, if compared, distance.rms within the tolerance
-  bool coarse = false;            ///< in longer steps than usual, for which nobody asked
+  bool coarse = false;            ///< whether steps are longer than usual, without a request
   std::optional<model::EquilibriumComparison>
-      equilibrium;  ///< settled, and compared with an equilibrium of elastic hinges
+      equilibrium;  ///< if settled and compared with an equilibrium of elastic hinges
 };
 
-/// The equilibrium of elastic hinges that a drive leads to.
+/// Equilibrium of elastic hinges that a drive leads to.
 struct Equilibrium {
   model::Elasticity elasticity;
   model::LinkageDrive drive;
   model::EquilibriumPath path;
-  model::StableStates stable;  ///< that a release on the way leads to
-  std::optional<model::StateDistance>
-      from_exact;                         ///< of the last state, where a closed form fits the drive so far
-  std::optional<double> turned_off = {};  ///< of a hinge of the last state from that closed form, most, rad
+  model::StableStates stable;                      ///< states that a release on the path leads to
+  std::optional<model::StateDistance> from_exact;  ///< of the last state, if a closed form fits the drive
+  std::optional<double> turned_off = {};  ///< largest difference of a hinge turn from that closed form, rad
 
   bool reached() const { return path.stop == model::EquilibriumPath::Stop::reached; }
-  /// Plates and cords push to no side of their own: the drive may be through while the sheet stands folded the other way.
-  /// @param theta that it came to, rad
+  /// Whether the drive is complete with the sheet folded to the opposite side. Plates and tendons do not select
+  /// a branch.
+  /// @param theta that the sheet reached, rad
   bool is_on_the_other_side(double theta) const {
-    constexpr double folded = 0.1;  // of the theta asked for: a sheet that is nearly flat is on no side
+    constexpr double folded = 0.1;  // ratio to the requested theta: a sheet that is nearly flat is on no side
     const double asked = drive.theta();
     return reached() && asked * theta < 0 && std::abs(theta) > folded * std::abs(asked);
   }
 };
 
-/// What became of a goal that was met exactly once its hinges are elastic.
+/// Compensation of a goal that was met exactly, for its elastic hinges.
 struct MatterResult {
-  double exact_mm = 0;   ///< rms from the goal of the exact state
-  double before_mm = 0;  ///< of the equilibrium of that design; NaN where none was found
-  double after_mm = 0;   ///< of the design that makes up for it, which the run shows; NaN likewise
+  double exact_mm = 0;   ///< rms error of the exact state
+  double before_mm = 0;  ///< rms error of that design's equilibrium; NaN if none was found
+  double after_mm = 0;   ///< rms error of the compensated design, which the run shows; NaN if none was found
   double tolerance_mm = 0;
-  double largest_change = 0;  ///< of a tilt, rad
+  double largest_change = 0;  ///< largest change of a tilt, rad
   double theta_change = 0;    ///< rad
-  int rounds = 0;             ///< steps that the search for it tried
-  std::string why;            ///< it ended, or there is no equilibrium
+  int rounds = 0;             ///< steps that the compensation tried
+  std::string why;            ///< why the compensation ended, or why there is no equilibrium
 };
 
-/// What hinges are taken for that the file leaves open: soft blocks of the process, set at the turns of the design.
+/// Hinges assumed if the file leaves them open: soft blocks of the process, at rest at the turns of the design.
 struct TakenHinges {
   model::MadeHinge made;
-  double strain = 0;  ///< of the one that is strained most; ratio
-  std::optional<double> load =
-      {};                ///< that folds them to the design if nothing but their turns resists, N or N mm
-  bool is_force = true;  ///< whether that is a force, N, of plates; else a moment, N mm, of the driven hinge
+  double strain = 0;                ///< largest strain of these hinges, ratio
+  std::optional<double> load = {};  ///< load that folds the design if only turns of hinges resist, N or N mm
+  bool is_force = true;  ///< whether `load` is a force, N, of plates; else a moment, N mm, of a driven hinge
 
   std::string load_unit() const { return is_force ? "N" : "N mm"; }
 };
 
-/// What prints of a result come to.
+/// Print tolerance of a result.
 struct PrintedGoal {
   model::AsMade made;
-  std::optional<model::AsMade> without_play =
-      {};                   ///< of pins: what the same prints would come to if they had none
-  double tolerance_mm = 0;  ///< of the goal
-  std::optional<model::PrintRuns> runs = {};  ///< that confirm it, or do not
-  bool can_be_printed = true;                 ///< Run::print, or by the process where that was not asked
-  /// Whether no walls meet on the way to the fold where each is as far out of place as the process leaves it, proven
-  /// (ProvenRanges::printed), and no more prints touch than most_touching; nothing where nothing is proven of these states, as of
-  /// equilibria of elastic hinges.
+  std::optional<model::AsMade> without_play = {};  ///< of pins: the same prints without clearance
+  double tolerance_mm = 0;                         ///< of the goal
+  std::optional<model::PrintRuns> runs = {};       ///< sample prints that confirm it or not
+  bool can_be_printed = true;  ///< whether it is printable: Run::print, else by the process.
+  /// Whether prints are free of contact during the motion to the fold. It is proven for walls as far out of place as
+  /// the process leaves them (ProvenRanges::printed). In addition, at most the share most_touching of sample prints
+  /// touches. Empty if nothing is proven of these states, such as equilibria of elastic hinges.
   std::optional<bool> free_of_contact = {};
   std::optional<TakenHinges> taken = {};
-  /// Sample prints whose walls touch on the way to the fold; nothing where none could be looked at.
+  /// Sample prints whose walls touch during the motion to the fold; empty if none could be checked.
   std::optional<model::TouchingPrints> touching = {};
-  /// Of elastic hinges between plates: sample prints pressed from flat; nothing where none were looked at.
+  /// Sample prints pressed from flat, for elastic hinges between plates; empty if none were checked.
   std::optional<model::FlatStarts> from_flat = {};
 
   /// Share of prints that may touch without a warning.
   static constexpr double most_touching = 0.05;
   bool touches_too_often() const { return touching && touching->share() > most_touching; }
 
-  /// What prints are expected to be off, mm: to first order, times what the prints that were looked at are off over what first
-  /// order has of the same prints, as far as these prints know that. Where the two are within 5 % of each other first order is
-  /// as it is, and a ratio within its standard error of 1 corrects nothing.
+  /// Returns the expected error of prints, mm: first order times a correction. The correction is the ratio of the
+  /// error of the sample prints to their first-order error, weighted by how well these prints determine it. There is
+  /// none for a ratio within 5 % of 1, or within its standard error of 1.
   double rms_mm() const { return made.rms_mm * correction(); }
   double p95_mm() const { return made.p95_mm * correction(); }
 
-  /// As expected, and in the prints that were looked at.
+  /// Whether prints keep the tolerance, both as expected and in the sample prints.
   bool holds() const {
     return can_be_printed && p95_mm() <= tolerance_mm &&
            (!runs || (runs->failed == 0 && runs->p95_mm <= tolerance_mm));
   }
-  /// Whether first order comes near to the prints that were looked at; true where there are none.
+  /// Whether first order is near the sample prints; true if there are none.
   bool is_confirmed() const {
-    constexpr double near = 0.3;   // of the rms
-    constexpr double lost = 0.05;  // of the prints: those beyond what 95 of 100 keep
+    constexpr double near = 0.3;   // ratio to the rms of first order
+    constexpr double lost = 0.05;  // fraction of prints: those beyond what 95 of 100 keep
     return !runs || (runs->failed <= lost * (runs->prints + runs->failed) &&
                      std::abs(runs->rms_mm - runs->first_order_rms_mm) <= near * runs->first_order_rms_mm);
   }
@@ -144,14 +142,14 @@ struct PrintedGoal {
   }
 };
 
-/// How imported bodies went along their drive with all hinges closed.
+/// Motion of imported bodies along their drive with all hinges closed.
 struct ClosedWay {
-  bool reached = false;  ///< its end
+  bool reached = false;  ///< whether they reached its end
   model::State last;     ///< mm
-  /// Of bodies that are pulled: distance of the last state from where they are pulled to, cell edges.
+  /// Distance of the last state from where bodies are pulled to, cell edges; empty if a hinge is turned.
   std::optional<model::StateDistance> off = {};
-  std::string words;                     ///< how far it goes, in a sentence
-  std::vector<std::string> missed = {};  ///< why it does not come to what the drive asks for
+  std::string words;                     ///< one sentence on how far the bodies moved
+  std::vector<std::string> missed = {};  ///< why the motion misses the goal of the drive
 };
 
 struct Timings {
@@ -161,42 +159,43 @@ struct Timings {
 
 struct BodyPieces;
 
-/// How far a sheet folds before walls meet, proven and not sampled.
+/// Collision-free ranges of theta, by a continuous collision check and not by samples.
 struct ProvenRanges {
-  model::ContactRange designed, printed;  ///< the latter of walls that are larger all round
+  model::ContactRange designed, printed;  ///< `printed`: for walls that are larger all round
 };
 
-/// Everything one call of the program knows at its end, what result.json and the report show: what was found, and what each
-/// model says of it.
+/// Results of one call of the program, as in result.json and the report: what was found, and the results of each
+/// model.
 struct Run : Found {
   std::uint64_t seed = 0;
   std::vector<NamedState> states;
   std::optional<ClosedWay> way;              ///< of imported bodies
-  std::shared_ptr<const BodyPieces> pieces;  ///< by which these collide; null where nothing asked for them
+  std::shared_ptr<const BodyPieces> pieces;  ///< by which these collide; null if not requested
   std::optional<Equilibrium> equilibrium;
   std::optional<Verification> verification;
   std::optional<MatterResult> matter;  ///< of goals of exact families whose hinges are elastic
-  /// Of a goal: how far the state is from it that its model holds it in, that of the equilibrium which takes its place where hinges
-  /// are elastic, and that of the settled physics run; each where there is one.
+
+  /// Distances from a goal: of the model's state, of the equilibrium that replaces it if hinges are elastic, and of
+  /// the settled simulation. Null if there is no such state.
   std::shared_ptr<const Measure> by_model, by_equilibrium, by_physics;
-  std::vector<std::string> violations;  ///< why the goal is not met, in words
-  bool strained = false;                ///< the one violation is of a hinge, by more than its material bears
-  std::optional<PrintedGoal> printed;   ///< of goals that are judged by distances
-  std::optional<PrintAnswer> print;     ///< of `export` to the design; nothing where it was not asked
-  std::optional<ProvenRanges> certified;  ///< theta without contact; nothing where it was not asked for
-  bool stopped = false;                   ///< the best so far, when it was told to stop
-  std::string prints_unknown;  ///< why it is not known what prints of a goal come to; empty where it is
+  std::vector<std::string> violations;    ///< why the goal is not met, in words
+  bool strained = false;                  ///< whether the one violation is the strain of a hinge
+  std::optional<PrintedGoal> printed;     ///< of goals that are judged by distances
+  std::optional<PrintAnswer> print;       ///< answer of `export` for the design; empty if not requested
+  std::optional<ProvenRanges> certified;  ///< theta without contact; empty if not requested
+  bool stopped = false;                   ///< whether it is the best so far, after a stop request
+  std::string prints_unknown;             ///< why the print tolerance of a goal is not known; empty if it is
   std::vector<Fidelity> fidelity;
   Timings timings;
 
   bool met() const { return violations.empty(); }
-  /// What the settled physics run lacks of the goal.
+  /// Returns the violations of the goal by the settled simulation.
   std::vector<std::string> physics_violations() const {
     return by_physics ? by_physics->violations : std::vector<std::string>{};
   }
 };
 
-/// How far the state that results show is from the goal. @pre the run has been through its models
+/// Returns how far the state that results show is from the goal. @pre the run has been through its models
 inline const Measure& shown_measure(const Run& run) {
   return run.by_equilibrium ? *run.by_equilibrium : *run.by_model;
 }
@@ -204,13 +203,13 @@ template <class Kind>
 const Kind& measure_of(const Run& run) {
   return dynamic_cast<const Kind&>(shown_measure(run));
 }
-/// That of the settled physics run; null where there is none.
+/// Returns the measure of the settled simulation; null if there is none.
 template <class Kind>
 const Kind* physics_measure_of(const Run& run) {
   return dynamic_cast<const Kind*>(run.by_physics.get());
 }
 
-/// Returns what the physics run is compared with, in words: "model", or "closed state" of imported bodies.
+/// Returns what the simulation is compared with, in words: "model", or "closed state" of imported bodies.
 inline const char* model_words(const Run& run) { return run.way ? "closed state" : "model"; }
 
 /// Returns the end of a line of the summary. @param is_within whether the value of the line keeps its tolerance

@@ -18,42 +18,45 @@ namespace kinetix::app {
 struct BodyPieces;
 struct Design;
 
-/// The answer of `export` without options to a design.
+/// Answer of `export` without options to a design.
 struct PrintAnswer {
   bool is_taken = false;
-  std::string hinges;    ///< their kinds, which it would print or tried last
-  std::string why = {};  ///< it refuses the design, one sentence
+  std::string hinges;    ///< kinds of hinges that it would print, or tried last
+  std::string why = {};  ///< why it rejects the design, one sentence
 };
 
-/// What the command line adds to a file.
+/// Options of the command line.
 struct RunOptions {
   int threads = 0;  ///< 0 = all cores
   std::uint64_t seed = 0;
-  bool verify = true;  ///< run the physics engine
+  bool verify = true;  ///< whether to run the physics engine
   Progress progress = {};
-  int prints =
-      0;  ///< with errors, brought to their equilibrium to confirm what is said of them, 0 to 1000000
-  /// Where it asks to, searches end with the best so far, and what only judges or checks it is left out.
+  int prints = 0;  ///< number of sample prints that confirm the print tolerance, 0 to 1000000
+  /// Stop request: searches end with the best so far, and checks of it are left out.
   std::stop_token stop = {};
   std::mutex* engine =
-      nullptr;  ///< held while the physics engine runs, which one thread at a time may use; null: nobody else does
-  bool certify = true;  ///< prove how far it folds without contact
-  /// Computes states and the verdict alone, as sweeps need: no mobility, no sampled range of theta, no frames of exact motions.
+      nullptr;          ///< locked while the physics engine runs, which serves one thread; null: not shared
+  bool certify = true;  ///< whether to prove how far the sheet folds without contact
+
+  /// Whether to compute only states and the verdict, as sweeps need: no mobility, no sampled range of theta, no
+  /// frames of exact motions.
   bool brief = false;
-  bool fidelity = false;  ///< physics runs of coarser steps too, for the table of speed against error
-  /// Answer of `export` without options to a design (app/print/fit.hpp). Empty: not asked.
+  bool fidelity = false;  ///< whether to simulate with larger steps too, for the speed-against-error table
+  /// Returns the answer of `export` without options to a design (app/print/fit.hpp). Empty: not requested.
   std::function<PrintAnswer(const Design&)> printable = {};
-  std::shared_ptr<const BodyPieces> pieces = {};  ///< of a run before, to be used again where they fit
+  std::shared_ptr<const BodyPieces> pieces = {};  ///< of an earlier run, reused if they fit
 };
 
-/// A run was told to stop before there was anything to keep. The program says what() and ends with exit code 130.
+/// Error of a run that was stopped before there was anything to keep. The program prints what() and ends with exit
+/// code 130.
 class Interrupted : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Stop and progress of one search: at which evaluation it is, and how far off the best is so far.
-/// @param mm of |r| = 1
+/// Connects stop and progress of a run to a search. The progress gives the evaluation and the error of the best so
+/// far.
+/// @param mm error for |r| = 1
 void follow(const RunOptions& run, double mm, optim::SolverOptions& search);
 
 /// Returns a search from many starts with the seed and threads of the run, its stop and its progress.
@@ -61,7 +64,7 @@ void follow(const RunOptions& run, double mm, optim::SolverOptions& search);
 optim::MultiStartOptions followed(optim::MultiStartOptions search, const RunOptions& run,
                                   std::function<std::string(double least)> in_words);
 
-/// Wall-clock seconds since the last lap.
+/// Stopwatch of wall-clock seconds since the last lap.
 class Stopwatch {
  public:
   double lap() {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-// Boost.Asio of 1.74 forgets <utility>.
+// Boost.Asio of 1.74 lacks this include of <utility>.
 #include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -48,11 +48,11 @@ struct Server::Engine {
   std::string token;
   Visitors visitors;
   std::list<Connection*>
-      connections;  ///< before they are pages; the oldest first. Outlives those that io holds.
+      connections;  ///< without a page yet; oldest first. Must outlive the connections in io.
   asio::io_context io{1};
   tcp::acceptor acceptor{io};
   std::map<int, std::shared_ptr<Page>> pages;
-  std::set<std::string> hosts;  ///< that we go by
+  std::set<std::string> hosts;  ///< names of this server
   int next_client = 1;
   std::int64_t next_frame = 1;
   std::shared_ptr<const Frame> newest;
@@ -62,7 +62,7 @@ struct Server::Engine {
   void take(tcp::socket socket);
   bool has_room() const;
   void make_room_for_stranger();
-  /// Does something for a page, or for all of them (-1).
+  /// Calls `work` for a page, or for all of them (-1).
   void with_pages(int client, const std::function<void(Page&)>& work);
   bool knows_host(std::string_view host) const { return hosts.count(std::string(host)) > 0; }
   bool knows_origin(std::string_view origin) const {
@@ -75,7 +75,7 @@ namespace {
 
 using Engine = Server::Engine;
 
-/// A WebSocket with its page.
+/// WebSocket of a page.
 class Page : public std::enable_shared_from_this<Page> {
  public:
   /// @param invited whether the request had the token
@@ -84,7 +84,7 @@ class Page : public std::enable_shared_from_this<Page> {
 
   bool invited() const { return invited_; }
 
-  /// @param protocol to be named in the answer, or empty
+  /// @param protocol named in the answer; may be empty
   void start(const Request& request, const std::string& protocol) {
     socket_.read_message_max(largest_message);
     socket_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
@@ -101,7 +101,7 @@ class Page : public std::enable_shared_from_this<Page> {
     });
   }
 
-  /// What goes wrong, as where there is no memory, ends this page alone; it comes again.
+  /// Closes only this page after an error, such as lack of memory. The page connects again.
   void attempt(const std::function<void()>& work) {
     try {
       work();
@@ -185,7 +185,7 @@ class Page : public std::enable_shared_from_this<Page> {
     engine_.visitors.say(client_, text);
   }
 
-  /// Frames are acknowledged all the time: this alone is read here.
+  /// Handles acknowledgements of frames here, since they are frequent. @return whether the text is one
   bool acknowledges(const std::string& text) {
     if (text.size() > longest_ack) return false;
     const auto message = nlohmann::json::parse(text, nullptr, false);
@@ -233,19 +233,19 @@ class Page : public std::enable_shared_from_this<Page> {
   websocket::stream<tcp::socket> socket_;
   const int client_;
   asio::steady_timer timer_;
-  bool invited_;        ///< it said the token
-  bool known_ = false;  ///< and the handshake is through
+  bool invited_;        ///< has sent the token
+  bool known_ = false;  ///< has also completed the handshake
   bool closed_ = false, writing_ = false;
-  bool rests_ = false;                            ///< it is not read from, since many of its commands wait
-  std::size_t commands_ = 0, command_bytes_ = 0;  ///< that wait
+  bool rests_ = false;                            ///< is not read, because many of its commands wait
+  std::size_t commands_ = 0, command_bytes_ = 0;  ///< commands that wait
   beast::flat_buffer buffer_;
-  std::shared_ptr<const std::string> out_;  ///< that is being sent
+  std::shared_ptr<const std::string> out_;  ///< is being sent
   WaitingTexts texts_;
-  bool unseen_ = false;              ///< the newest frame
-  std::deque<std::int64_t> flying_;  ///< frames that were sent and not acknowledged
+  bool unseen_ = false;              ///< the newest frame waits
+  std::deque<std::int64_t> flying_;  ///< frames sent and not acknowledged
 };
 
-/// A connection before it is a WebSocket.
+/// Connection before it is a WebSocket.
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
   Connection(Engine& engine, tcp::socket socket)
@@ -362,7 +362,7 @@ void Server::Engine::accept() {
     try {
       if (!error) take(std::move(socket));
     } catch (const std::exception&) {
-      // Without memory for it, it is not taken.
+      // A connection that finds no memory is dropped.
     }
     accept();
   });
@@ -375,7 +375,7 @@ void Server::Engine::take(tcp::socket socket) {
   std::make_shared<Connection>(*this, std::move(socket))->read();
 }
 
-/// For one more that knows the token.
+/// Returns whether one more page with the token may connect.
 bool Server::Engine::has_room() const {
   return std::count_if(pages.begin(), pages.end(), [](const auto& page) { return page.second->invited(); }) <
          most_clients;
@@ -417,14 +417,14 @@ void Server::run() {
   asio::signal_set signals(engine_->io, SIGINT, SIGTERM);
   signals.async_wait([this, &signals](error_code error, int) {
     if (error) return;
-    signals.clear();  // the next one ends the program as it always did, whatever still runs
+    signals.clear();  // the next signal ends the program at once, even with work running
     engine_->io.stop();
   });
   engine_->accept();
   while (!engine_->io.stopped()) try {
       engine_->io.run();
     } catch (const std::exception&) {
-      // What was posted found no memory; the rest goes on.
+      // A posted task ran out of memory; the others continue.
     }
 }
 

@@ -13,48 +13,54 @@
 
 namespace kinetix::app::studio {
 
-/// A file that the server hands out: the only ones that there are.
+/// File that the server offers. It offers no others.
 struct WebFile {
-  std::string_view path;  ///< "/" and so on
-  std::string_view type;  ///< of its content
+  std::string_view path;  ///< starts with "/"
+  std::string_view type;  ///< MIME type of the content
   std::string_view content;
 };
 
-/// What the server tells of its clients; calls come from the thread of run(). Whoever hears a text says took() of it later.
+/// Callbacks for the server's clients, called on the thread of run(). The receiver of a text must call took()
+/// later.
 struct Visitors {
   std::function<void(int client)> come;
   std::function<void(int client, std::string text)> say;
   std::function<void(int client)> go;
 };
 
-/// What a server at that port of 127.0.0.1 may be called in requests; browsers leave out port 80.
+/// Returns the names that requests may give a server at this port of 127.0.0.1. Browsers omit port 80.
 std::set<std::string> host_names(std::uint16_t port);
 
-/// A web server for pages on this machine that know a secret: HTTP for the files, one WebSocket a page
-/// (docs/studio.md, "Protocol").
+/// Web server for pages on this machine that know a secret. It serves the files by HTTP, and one WebSocket
+/// per page (docs/studio.md, "Protocol").
 ///
-/// It listens on 127.0.0.1 alone. Every request must name the server as its Host by a literal address, a WebSocket's
-/// Origin, where there is one, likewise: a foreign page that had its own name resolved to this machine has neither.
-/// At most eight pages that know the secret, messages of at most 768 KiB; who says anything else is shown out, and the rest goes on.
-/// What waits is limited in bytes both ways: a page with many commands that wait is not read from until some were done, and is
-/// sent the newest alone of what describes the present. Of connections that have not said anything yet the oldest give way.
+/// It listens on 127.0.0.1 only. Every request must have one of host_names() as its Host. A WebSocket's
+/// Origin must also be one of them, if it has an Origin. This rejects a foreign page whose name resolves to
+/// this machine.
+/// At most eight pages with the secret are accepted, and messages of at most 768 KiB. Other clients are
+/// disconnected.
+/// Queues are limited in bytes. A page with many waiting commands is not read until some are done. It
+/// receives only the newest message of each type that describes the present. The oldest connections without a
+/// page are closed first.
 class Server {
  public:
-  /// Opens a port. @param port 0: any   @throws InvalidInput where it cannot
+  /// Opens a port. @param port 0: any   @throws InvalidInput on failure
   Server(std::span<const WebFile> files, std::string token, std::uint16_t port, Visitors visitors);
   ~Server();
 
   std::uint16_t port() const;
 
-  /// Until stop(), or an interrupt, which ends the program at once before and a second time.
+  /// Runs until stop() or an interrupt. A second interrupt ends the program at once, and so does one before
+  /// run().
   void run();
   void stop();  ///< from any thread
 
-  /// A text for a client, or for all of them (-1); from any thread.
+  /// Sends a text to a client, or to all of them (-1); from any thread.
   void tell(int client, Text text);
-  /// A text of the client, of so many bytes, no longer waits; from any thread.
+  /// Reports that a text of the client, with this size, no longer waits; from any thread.
   void took(int client, std::size_t bytes);
-  /// The newest frame, for all; a client that has two on the way gets the newest one later; from any thread.
+  /// Sends the newest frame to all clients, from any thread. A client with two unacknowledged frames gets the
+  /// newest one later.
   void show(std::shared_ptr<const Frame> frame);
 
   struct Engine;

@@ -25,9 +25,9 @@ namespace {
 namespace fs = std::filesystem;
 using studio::Opened;
 
-constexpr std::chrono::milliseconds patience{500};  // at the end, with what still runs
+constexpr std::chrono::milliseconds patience{500};  // at the end, for work that still runs
 
-/// It stays the same file wherever the program goes, and where its folder goes.
+/// Returns an absolute path, which stays valid if the working directory changes.
 std::string absolute(const std::string& file) {
   std::error_code failure;
   const fs::path path = fs::absolute(file, failure);
@@ -37,7 +37,7 @@ std::string absolute(const std::string& file) {
 Opened opened_file(const std::string& file) {
   const targets::Node root = targets::read_document(file, max_design_bytes);
   if (root.optional("target")) {
-    read_target(root);  // refuses a broken one before the page is there
+    read_target(root);  // rejects a broken target before the page opens
     return Opened{studio::template_design("panel"), "", absolute(file), 0, 0};
   }
   Design design = read_design(root);
@@ -50,7 +50,7 @@ Opened opened_source(const std::string& source) {
   return opened_file(design_at(source));
 }
 
-/// Null where nothing can be kept.
+/// Returns the store of unsaved designs; null if nothing can be kept.
 std::shared_ptr<studio::Autosave> autosave_of(const Opened& opened) {
   const fs::path place = studio::autosave_place();
   if (place.empty()) return nullptr;
@@ -74,7 +74,7 @@ std::unique_ptr<studio::Session> session_of(Opened opened, const CommandOptions&
   return std::make_unique<studio::Session>(std::move(opened), std::move(outlet));
 }
 
-/// 128 bits that nobody can guess, as hexadecimal digits.
+/// Returns 128 random bits as hexadecimal digits.
 std::string random_token() {
   std::random_device device;
   std::string token;
@@ -90,7 +90,7 @@ std::vector<studio::WebFile> web_files() {
   return files;
 }
 
-/// Whether the session ends in time. What still runs then ends with the program, which must end.
+/// Stops the session. @return whether it ended in time; work that still runs ends with the program
 bool ends_in_time(std::jthread worker, std::unique_ptr<studio::Session> session) {
   std::promise<void> ended;
   const std::future<void> end = ended.get_future();
@@ -109,7 +109,7 @@ bool ends_in_time(std::jthread worker, std::unique_ptr<studio::Session> session)
   return in_time;
 }
 
-/// Of a design that was not saved: it is not what the next studio opens, but it is not lost.
+/// Moves an unsaved design aside and prints its path. The next studio does not open it.
 void put_aside(studio::Autosave* autosave) {
   const std::string file = autosave ? autosave->put_aside() : "";
   if (!file.empty()) std::cerr << "The design was not saved. `kinetix-opt view " << file << "` opens it.\n";

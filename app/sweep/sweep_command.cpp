@@ -27,7 +27,7 @@
 namespace kinetix::app {
 namespace {
 
-/// Which samples need not be computed here.
+/// Marks the samples that are done already, or belong to other shares.
 std::vector<bool> done_or_others(const SweepTable& table, const Share& share) {
   std::vector<bool> done = table.done();
   for (std::size_t k = 0; k < done.size(); ++k)
@@ -35,7 +35,7 @@ std::vector<bool> done_or_others(const SweepTable& table, const Share& share) {
   return done;
 }
 
-/// The queue and the table as a source for the threads and for the other ranks.
+/// Locked queue and table, as a source of samples for the threads and for the other ranks.
 class Office {
  public:
   Office(SweepTable& table, const Share& share, const std::function<void()>& added)
@@ -69,7 +69,7 @@ class Office {
   std::mutex mutex_;
 };
 
-/// Rank 0 works beside serving the others: MPI stays with main's thread.
+/// Computes samples on rank 0 while serving the other ranks. MPI calls stay on main's thread.
 void work_and_serve(const SweepPlan& plan, const Ranks& ranks, int threads, const WorkSource& source,
                     const std::function<void(const std::string&)>& notice) {
   std::exception_ptr own, others;
@@ -90,7 +90,7 @@ void work_and_serve(const SweepPlan& plan, const Ranks& ranks, int threads, cons
   if (others) std::rethrow_exception(others);
 }
 
-/// What ranks that gave up had taken with them.
+/// Computes the samples that were lost with ranks that left early.
 void compute_lost(const SweepPlan& plan, SweepTable& table, const Share& share, int threads,
                   const std::function<void()>& added) {
   if (table.count() >= share.size(plan.size())) return;
@@ -98,7 +98,7 @@ void compute_lost(const SweepPlan& plan, SweepTable& table, const Share& share, 
   run_on_threads(plan, threads, office.source());
 }
 
-/// How many threads a rank uses.
+/// Returns the number of threads for a rank.
 int threads_of(const SweepPlan& plan, const Ranks& ranks, int asked) {
   if (!plan.is_thread_safe() && ranks.size() > 1) return 1;
   if (asked > 0) return asked;
@@ -106,11 +106,11 @@ int threads_of(const SweepPlan& plan, const Ranks& ranks, int asked) {
   return std::max(1, std::min(omp_get_max_threads(), cores) / ranks.on_this_machine());
 }
 
-/// Computes the samples of a share that the table has not: on threads, in processes of their own where the model keeps
-/// global state, and on the other ranks. The table is the same whatever does the work.
-/// @param threads of this process; 0: the machine's cores, shared among its ranks
-/// @param added hears after each batch that is on the disk
-/// @throws what the table throws; the other ranks have left then
+/// Computes the missing samples of a share: on threads, on the other ranks, or in separate processes if the
+/// model keeps global state. The table does not depend on the workers.
+/// @param threads of this process; 0: the machine's cores, divided among its ranks.
+/// @param added called after each batch that is on the disk.
+/// @throws exceptions of the table, after the other ranks have left
 void run_sweep(const SweepPlan& plan, SweepTable& table, const Share& share, const Ranks& ranks, int threads,
                const std::function<void()>& added, const std::function<void(const std::string&)>& notice) {
   Office office(table, share, added);
@@ -124,13 +124,13 @@ void run_sweep(const SweepPlan& plan, SweepTable& table, const Share& share, con
   run_in_processes(plan, used, source);
 }
 
-/// The bar of a sweep: share done, samples a second, time left.
+/// Progress bar of a sweep: fraction done, samples per second, time left.
 class SweepProgress {
  public:
-  /// @param total samples of the sweep; @param before those that were there already
+  /// @param total samples of the sweep; @param before samples that the table had at the start
   SweepProgress(Console& console, std::int64_t total, std::int64_t before);
 
-  /// @param count samples that are in the table now
+  /// @param count samples in the table now
   void show(std::int64_t count);
 
  private:
@@ -141,7 +141,7 @@ class SweepProgress {
   double seconds_ = 0, next_ = 0;
 };
 
-constexpr double between_shows_s = 0.2;  // s: looks continuous, and drawing costs next to nothing
+constexpr double between_shows_s = 0.2;  // s: looks continuous; drawing costs little
 
 SweepProgress::SweepProgress(Console& console, std::int64_t total, std::int64_t before)
     : console_(console), total_(total), before_(before) {
@@ -164,7 +164,7 @@ void SweepProgress::show(std::int64_t count) {
 
 using Json = nlohmann::ordered_json;
 
-/// How many samples ended how, and the first that failed.
+/// Number of samples per status, and the first that failed.
 struct Tally {
   std::int64_t ok = 0, missed = 0, disagrees = 0, failed = 0;
   std::int64_t first_failed = -1;
@@ -185,10 +185,10 @@ Tally tally(const SweepTable& table) {
   return counts;
 }
 
-/// What this call did, for its summary.
+/// Work of this call, for its summary.
 struct Work {
   std::int64_t before = 0, computed = 0;
-  std::int64_t damaged = 0;  ///< rows of the tables that were there
+  std::int64_t damaged = 0;  ///< rows of the tables that existed before
   double seconds = 0;
   int ranks = 1, threads = 1;
 };
@@ -256,7 +256,7 @@ std::string folder_of(const CommandOptions& options, const SweepPlan& plan, cons
   return part ? folder + "/" + part->folder() : folder;
 }
 
-/// Everything that can be wrong is found before the other ranks are told to start.
+/// Runs a sweep on rank 0. Its constructor finds all input errors before the other ranks start.
 class Lead {
  public:
   Lead(const CommandOptions& options, const std::string& share, const Ranks& ranks)
@@ -296,7 +296,7 @@ class Lead {
   }
 
  private:
-  /// @return how many rows are damaged, those of shares as well
+  /// @return number of damaged rows, including those of shares
   std::int64_t warn_of_damage() const {
     Console console(options_.quiet);
     std::int64_t all = 0;
@@ -342,7 +342,7 @@ class Lead {
   const CommandOptions& options_;
   const Ranks& ranks_;
   SweepPlan plan_;
-  const std::string& share_;  // as asked for; empty: all samples
+  const std::string& share_;  // as requested; empty: all samples
   Share part_;
   OutputFolder folder_;
   SweepIdentity identity_;
@@ -363,7 +363,7 @@ int lead(const CommandOptions& options, const std::string& share, const Ranks& r
   return leader->run();
 }
 
-/// Rank 0 tells what is wrong; the others keep silent.
+/// Runs a sweep on the other ranks. Only rank 0 prints errors.
 int follow(const CommandOptions& options, const Ranks& ranks) {
   const std::string wanted = ranks.from_first({});
   if (wanted.empty()) return done;

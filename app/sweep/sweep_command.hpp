@@ -6,9 +6,9 @@
 
 namespace kinetix::app {
 
-/// `kinetix-opt sweep DOE.yaml`: runs or resumes a design of experiments and writes DIR/sweep.sqlite and
-/// DIR/samples.csv. Under mpirun every rank calls this.
-/// @param share K/N: that part of the samples alone (shares.hpp); empty: all
+/// Runs or resumes a design of experiments (`kinetix-opt sweep DOE.yaml`). Writes DIR/sweep.sqlite and
+/// DIR/samples.csv. Every rank under mpirun calls this.
+/// @param share K/N: computes only this part of the samples (shares.hpp); empty: all
 int sweep_command(const CommandOptions& options, const std::string& share);
 
 }  // namespace kinetix::app

@@ -5,17 +5,18 @@
 
 namespace kinetix::app {
 
-/// A file that the studio's server gives out.
+/// File that the studio's server offers.
 struct Asset {
-  std::string_view path;  ///< as the browser asks for it, "/" for the page
+  std::string_view path;  ///< path in a browser's request; "/" for the page
   std::string_view type;  ///< content type
   std::string_view content;
 };
 
-/// The studio's page with its script and style; empty where the program was built without npm.
+/// Returns the studio's page with its script and style; empty if the program was built without npm.
 std::span<const Asset> studio_assets();
 
-/// The script of the three-dimensional view, which defines `KinetixScene`; empty where the program was built without npm.
+/// Returns the script of the three-dimensional view, which defines `KinetixScene`; empty if the program was
+/// built without npm.
 std::string_view scene_script();
 
 }  // namespace kinetix::app

@@ -3,9 +3,9 @@ import {build} from "esbuild";
 import path from "node:path";
 
 const [sources, output] = process.argv.slice(2);
-// Code of Debian 12's Chromium and of phones that are some years old.
+// Targets Debian 12's Chromium and phones that are some years old.
 const common = {bundle: true, minify: true, target: ["es2021"], legalComments: "none", nodePaths: [path.resolve("node_modules")]};
-// Licences ask for their notice in every copy.
+// The licence requires its notice in every copy.
 const notice = "/* @license three.js, Copyright 2010-2025 Three.js Authors, SPDX-License-Identifier: MIT */";
 
 await build({...common, entryPoints: [`${sources}/src/report_scene.js`], format: "iife", globalName: "KinetixScene", banner: {js: notice},

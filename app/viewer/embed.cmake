@@ -1,7 +1,8 @@
-# Writes a C++ source with the bundles as bytes, or with nothing where there is no studio.
+# Writes a C++ source with the bundles as bytes, or with empty lists if the studio is off.
 # cmake -DSTUDIO=ON|OFF -DBUNDLES=folder -DPAGE=studio.html -DOUTPUT=... -P embed.cmake
 
-# bytes_of(file variable): its bytes as decimal numbers, quick to compile and of any length.
+# bytes_of(file variable): sets the variable to the bytes of the file as hexadecimal numbers, which compile quickly and
+# have no length limit.
 function(bytes_of file variable)
   file(READ ${file} hex HEX)
   string(REGEX REPLACE "(..)" "0x\\1," bytes "${hex}")

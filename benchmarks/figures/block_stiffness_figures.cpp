@@ -10,7 +10,7 @@ namespace kinetix::bench {
 namespace {
 
 constexpr double allowed =
-    0.1;  // of CalculiX's stiffness: springs that are so near fold a sheet nearly alike
+    0.1;  // fraction of CalculiX's stiffness: springs within it fold a sheet almost equally
 constexpr double lengths[] = {1, 2, 3, 4}, heights[] = {5, 7.5, 10};  // over the thickness
 constexpr double nus[] = {0.3, 0.48};  // of what hardly yields at the ends, and of rubber
 

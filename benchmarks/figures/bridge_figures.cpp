@@ -14,7 +14,7 @@ namespace {
 
 using testing::Scratch;
 
-/// What a command says on stdout; empty where it fails.
+/// Returns the stdout of a command; empty if it fails.
 std::string output_of(const std::string& command) {
   const Scratch folder;
   const std::string out = folder / "out";
@@ -56,7 +56,7 @@ Figure blender_scene() {
 }
 
 #ifdef KINETIX_MUJOCO
-/// Positions of the bodies in the first state of a result, mm, a column each.
+/// Returns the positions of the bodies in the first state of a result, mm, one column each.
 Eigen::Matrix3Xd target_positions(const nlohmann::json& result) {
   const auto& poses = result["states"][0]["poses"];
   Eigen::Matrix3Xd out(3, poses.size());
@@ -65,7 +65,7 @@ Eigen::Matrix3Xd target_positions(const nlohmann::json& result) {
   return out;
 }
 
-/// The scene that is exported, folded in MuJoCo by its actuator, against the shape that it was made for.
+/// Compares the exported scene, folded in MuJoCo by its actuator, with the shape that it was made for.
 Figure mjcf_round_trip(const std::string& goal, const std::string& hinge) {
   Figure figure{fmt::format("MJCF there and back: {} with {}s, folded in MuJoCo", goal, hinge),
                 "<= 0.05 cell edges from the exact shape", "not exported", false};

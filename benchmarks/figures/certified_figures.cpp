@@ -34,7 +34,8 @@ Proven prove(const model::Lattice& sheet) {
   return out;
 }
 
-/// Between the proven end and an overlap beyond it, over theta; 1 where none was seen.
+/// Returns the gap between the certified end and an overlap beyond it, as a fraction of theta; 1 if no overlap was
+/// seen.
 double bracket(const model::ContactLimit& limit) {
   if (!limit.touches) return 0;
   return limit.contact ? 1 - limit.theta / *limit.contact : 1;
@@ -55,7 +56,7 @@ Figure basic_cells() {
           fmt::format("{:.1e} of it", most), most <= near_enough};
 }
 
-/// Of a file that ships: what the search for a target finds, or the design.
+/// Returns the sheet of a shipped file: the result of the search for a target, or the design.
 model::Lattice shipped_sheet(const std::string& file, bool is_design) {
   if (is_design) return app::read_design(file).structure;
   return run_goal(*app::read_target(file).goal, {.verify = false, .certify = false}).design.structure;
@@ -77,7 +78,7 @@ Figure shipped(const std::string& name, bool is_design = false) {
           proven.range && off <= near_enough};
 }
 
-/// Columns that bend and columns that shear in turns.
+/// Proves a strip with columns that bend and columns that shear in turns.
 Figure helix() {
   auto design = model::ExactDesign<double>::basic(24, 1);
   for (int c = 0; c < 24; c += 2) {

@@ -59,7 +59,7 @@ Figure physics(const PlanarStructure& s) {
           fmt::format("{:.1e} ({}, {:.0f} s)", rms, to_string(run.status), time), rms <= 1e-2};
 }
 
-/// Found by the search; folded by the closed form and by the physics run.
+/// Checks a solid found by the search and folded by the closed form and by the physics run.
 std::vector<Figure> solid(int index) {
   const std::string& name = targets::solid_names()[index];
   optim::SolidDesign design;
@@ -84,7 +84,7 @@ std::vector<Figure> solid(int index) {
            fmt::format("{:.1e} deg ({})", in_run, to_string(run.status)), in_run <= 0.1}};
 }
 
-/// By facets and creases that are found anew in the sheet.
+/// Checks a random pattern by the facets and creases that are found again in its sheet.
 Figure patterns(int columns, int rows) {
   std::mt19937 random(seed);
   model::QuadMesh mesh = testing::random_mesh(columns, rows, spread, random).mesh;

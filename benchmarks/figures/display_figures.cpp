@@ -33,7 +33,7 @@ targets::DisplayGoal letter(const std::string& text, int columns, int rows) {
   return glyph_goal(text, targets::find_font(targets::default_font), columns, rows);
 }
 
-/// From dark on the left to light on the right.
+/// Returns a ramp from dark on the left to light on the right.
 targets::DisplayGoal ramp(int columns, int rows) {
   std::vector<double> levels;
   for (int j = 0; j < rows; ++j)
@@ -41,7 +41,7 @@ targets::DisplayGoal ramp(int columns, int rows) {
   return targets::make_goal({columns, rows}, levels);
 }
 
-/// Of the paper's Fig. 22: as targets/shapes/circle.yaml.
+/// Returns the circle of the paper's Fig. 22, as targets/shapes/circle.yaml.
 targets::DisplayGoal circle(int side) {
   std::vector<double> levels;
   const double middle = (side - 1) / 2.0, radius = side / 2.0 - 1;
@@ -82,7 +82,7 @@ std::vector<Figure> letter_t() {
            run.timings.optimise <= 10}};
 }
 
-/// What a capital came to in the physics run, and what a text recogniser reads in its far views.
+/// Result of a capital in the physics run, and what a text recogniser reads in its far views.
 struct Capital {
   bool settled = false, restless = false;
   double auc = 0, stretch = 0;

@@ -26,13 +26,13 @@ Figure adjoint_error() {
           "<= 1e-6 relative", fmt::format("{:.1e}", worst), worst <= 1e-6};
 }
 
-/// The paper's display of a letter T, k = 0.1, at 16 % compression.
+/// Returns the equilibrium of the paper's display of a letter T, k = 0.1, at 16 % compression.
 testing::Equilibrium pressed_letter(int cells) {
   return testing::equilibrium(testing::letter_panel(0.1, cells), {}, model::Plates{.compression = 0.16},
                               true);
 }
 
-/// Seconds, medians.
+/// Median times, s.
 struct AdjointTimes {
   double gradient = 0, newton_step = 0;
 };

@@ -29,7 +29,7 @@ std::vector<ExactScene> exact_scenes() {
            testing::hinge_drive(testing::bending_sheet(), {{0, 0}, model::Axis::y}, 25 * degree)}};
 }
 
-/// Cell edges, rms; infinite where the path does not end at its goal.
+/// Returns the distance from the closed form, cell edges, rms; infinite if the path does not end at its goal.
 double from_closed_form(const ExactScene& scene, double ratio) {
   const model::Structure& s = scene.structure;
   model::Elasticity elasticity;
@@ -68,7 +68,7 @@ struct TimeIsOver {
   double theta;
 };
 
-/// Medians. A path that takes six times what is allowed is given up.
+/// Follows a path and returns median times. A path that takes six times the allowed time is given up.
 Followed followed(const model::Structure& s, const model::Drive& drive, int repeats, double allowed) {
   Followed run;
   run.bodies = static_cast<int>(s.bodies.size());

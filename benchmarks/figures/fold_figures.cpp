@@ -69,7 +69,7 @@ std::vector<Figure> boxes() {
           {scene + ": slowest design", "<= 1 s", fmt::format("{:.2g} s", slowest), slowest <= 1}};
 }
 
-/// Every way to cut the cube open, by itself.
+/// Folds every way to cut the cube open, each by itself.
 Figure unfoldings() {
   const targets::FoldGoal cube = targets::box_goal({4, 4, 4});
   int folding = 0;

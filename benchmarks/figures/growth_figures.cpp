@@ -22,11 +22,11 @@ constexpr double telling = 32 << 20;  // bytes: of less, most is no scene, and s
 constexpr int most_seconds = 60;      // of a run: eight scenes of it stay within a quarter of an hour
 constexpr double short_way = 0.02;    // rad of theta, in few steps: large sheets take a minute for each
 
-/// A scene of growing size and what one run of it took, each in a process of its own.
+/// Scene of growing size, with the cost of one run per size, each in a separate process.
 struct Growth {
   std::vector<double> cells, seconds, bytes;
   bool right = true;    ///< every run ended as it should
-  double given_up = 0;  ///< cells of the first that took more time or memory than there was; 0 where none did
+  double given_up = 0;  ///< cells of the first run beyond the time or memory; 0 if there is none
 };
 
 /// Slope of the least-squares line through the logarithms.
@@ -40,12 +40,12 @@ double exponent(const std::vector<double>& x, const std::vector<double>& y) {
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-/// Without the first: what small scenes take is the start of a run.
+/// Returns the slope without the first size: the time of small scenes is the start of a run.
 double slope(const Growth& growth, const std::vector<double>& of) {
   return exponent({growth.cells.begin() + 1, growth.cells.end()}, {of.begin() + 1, of.end()});
 }
 
-/// Cells of which one more would need more than `bytes`, as memory grows at the end.
+/// Returns the number of cells whose run needs `bytes`, as memory grows at the end.
 double most_cells(const Growth& growth, double bytes) {
   return growth.cells.back() * std::pow(bytes / growth.bytes.back(), 1 / slope(growth, growth.bytes));
 }
@@ -81,7 +81,7 @@ Growth over(const std::vector<int>& cells, const std::function<Cost(int)>& run) 
   return growth;
 }
 
-/// Columns and rows.
+/// Columns and rows of a scene.
 using Shape = std::pair<int, int>;
 Shape a_strip(int cells) { return {cells, 1}; }
 Shape a_sheet(int cells) {
@@ -121,7 +121,7 @@ Cost equilibrium(const Shape& shape) {
   return {time, path.stop == model::EquilibriumPath::Stop::reached};
 }
 
-/// A step of it.
+/// Measures a step of the physics run.
 Cost physics_run(const Shape& shape) {
   model::ExactDesign<double> design;
   const model::Structure structure = arc(shape.first, shape.second, design);

@@ -48,7 +48,7 @@ std::vector<SoftShape> soft_shapes() {
           {strip_solid(evenly(1.2, 24), fillet, 6), 1.2}};
 }
 
-/// Degrees by which the axis of a soft part between two walls is off, all of it moved.
+/// Returns the error of the axis of a soft part between two walls, all of it moved, degrees.
 double axis_off(const SoftShape& shape, const Isometry3d& motion) {
   const model::Assembly found =
       model::make_assembly({{"left", false, moved(box_solid(-shape.half - 6, -shape.half, 3, 9), motion)},
@@ -77,7 +77,7 @@ Figure hinge_axes() {
       "within 1 degree", fmt::format("{:.1e} degrees", worst), worst <= 1};
 }
 
-/// Tubes of a thousand triangles, each with walls of another thickness.
+/// Returns tubes of a thousand triangles, each with walls of another thickness.
 std::vector<Polyhedron> hundred_parts() {
   std::vector<Polyhedron> out;
   for (int k = 0; k < 100; ++k)
@@ -106,7 +106,7 @@ std::vector<Figure> pieces() {
            covered >= 0.999 && out <= 0.12 && most <= 32}};
 }
 
-/// Squares that turn until they are furthest apart: closed states all the way, and the physics run with contact.
+/// Turns squares until they are furthest apart: by closed states all along, and by the physics run with contact.
 std::vector<Figure> squares(int side) {
   const model::TileMake make{.scale_mm = 20, .thickness_mm = 1, .kerf_mm = 0.6};
   const model::TileSheet sheet = testing::rotating_squares(side, side, pi / 4);

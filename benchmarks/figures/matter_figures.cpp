@@ -12,7 +12,7 @@
 namespace kinetix::bench {
 namespace {
 
-// That confirm what first order says: an rms of so many is known to 3 %, where 10 % are asked.
+// Number of prints that confirm the first-order forecast. Their rms is known to 3 %, and 10 % are required.
 constexpr int prints = 1000;
 
 const std::string springs = "drive: {kind: shape_memory, k_turn: 5}\n",
@@ -40,7 +40,7 @@ const std::string
         "structure: {cells: [10, 10], cell_mm: 20, wall_mm: {thickness: 2, height: 8}}\n"
         "hinge: {kind: block, material: tango, gap_mm: 2, thickness_mm: 1.2}\n";
 
-/// What first order says of prints over what they come to, less 1.
+/// Returns the relative difference of the first-order forecast from the result of the prints.
 double off_by(double said, double seen) { return std::abs(said / seen - 1); }
 
 Figure confirmed(const std::string& what, const std::string& text) {
@@ -87,7 +87,7 @@ std::vector<Figure> first_order() {
   return figures;
 }
 
-/// Of the time of a whole run with its twenty prints.
+/// Returns the share of the tolerance analysis in the time of a whole run with its twenty prints.
 double share_of_time(const app::Run& run) {
   const app::Timings& t = run.timings;
   return t.as_made / (t.plan + t.optimise + t.equilibrium + t.matter + t.as_made + t.verify);

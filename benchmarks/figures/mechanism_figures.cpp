@@ -12,7 +12,7 @@ using testing::MechanismRun;
 
 constexpr double step_ratio = 10;  // times: each list of steps below goes from a step to a tenth of it
 
-/// Of a quantity in the step, from the last two steps.
+/// Computes the order of a quantity in the step, from the last two steps.
 double order(const std::vector<double>& values) {
   return std::log(values[values.size() - 2] / values.back()) / std::log(step_ratio);
 }

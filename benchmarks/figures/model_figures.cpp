@@ -90,7 +90,7 @@ model::ExactDesign<model::Lanes> in_lanes(const model::ExactDesign<double>& desi
   return out;
 }
 
-/// Of a thousand designs as a batch has them, on one core: state, then the pass back, a design a lane.
+/// Times a thousand designs as a batch has them, on one core: state, then the pass back, one design per lane.
 Figure gradient_time() {
   constexpr int designs = 1000;
   std::vector<model::ExactDesign<model::Lanes>> batch(designs / model::Lanes::count,
@@ -112,7 +112,7 @@ Figure gradient_time() {
           "<= 2.5 us", fmt::format("{:.2f} us", 1e6 * t), t <= 2.5e-6};
 }
 
-/// The same Jacobian (tilts, gamma and theta) from dual numbers, for the ratio.
+/// Compares the Jacobian (tilts, gamma and theta) from dual numbers with the analytic one, as a ratio of times.
 Figure dual_number_ratio() {
   using Jet = ceres::Jet<double, 42>;
   const auto design = strip(40);

@@ -104,7 +104,7 @@ Figure disc(double offset_mm, double most) {
       words(run), design.error.rms <= most && design.clear && run.verification->agrees};
 }
 
-/// The best of all lattices, each cut to shape.
+/// Reports the best of all lattices, each cut to shape.
 Figure shape(const std::string& name, const Points& goal) {
   std::string all;
   constexpr double least_iou = 0.95;

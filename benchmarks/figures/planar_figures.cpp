@@ -82,7 +82,7 @@ std::vector<Figure> time_figures() {
        state <= 2e-3}};
 }
 
-/// A letter T, bits at random, or a ramp of greys under a ripple.
+/// Returns the level of a letter T, of random bits, or of a ramp of greys under a ripple.
 double level(const std::string& kind, double x, double y, std::mt19937& random) {
   if (kind == "letter T") {
     const bool bar = y > 0.67 && y < 0.92 && x > 0.08 && x < 0.92;

@@ -63,7 +63,7 @@ std::string axes() {
          label(right, bottom + 42, "end", "play of the pins, mm a side; dashed: as printed in the paper");
 }
 
-/// To where the barrier is gone.
+/// Draws a curve to the clearance at which the barrier is gone.
 std::string curve(const Curve& c) {
   const double alpha = c.alpha * radians_per_degree, needed = testing::flip_play(alpha).upper;
   std::string path;

@@ -30,7 +30,7 @@ Design searched(const std::string& name) {
   return design;
 }
 
-/// What became of every target with each hinge and process.
+/// Outcomes over all targets, each with every hinge and process.
 struct Tally {
   int exported = 0, refused = 0, without_size = 0, crossing = 0;
   double least_left = 1e3;  ///< of what is left over what was asked less enough_mm, mm
@@ -61,7 +61,7 @@ Figure timed(const std::string& what, const app::PrintJob& job, const std::vecto
   return {what, fmt::format("{:g} s", asked_s), fmt::format("{:.2f} s", took), took <= asked_s};
 }
 
-/// With cells so large that it can be made, from an edge on in whole mm.
+/// Prepares a print with the least cells that can be made, from an edge on in whole mm.
 app::PreparedPrint prepared_larger(Design design, double edge_mm, model::HingeKind kind) {
   constexpr double largest_mm = 60;  // mm: beyond it something else is wrong
   for (;; edge_mm += 1) try {

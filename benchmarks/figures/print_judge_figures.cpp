@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 const char* const shapes = KINETIX_SHAPES;
 
-/// What a command prints, both streams.
+/// Output of a command, both streams, and its exit code.
 struct Said {
   int code = 0;
   std::string text;
@@ -42,7 +42,7 @@ double number_after(const std::string& text, const std::string& pattern) {
   return std::stod(match[1]);
 }
 
-/// Every shipped target, with each hinge and process, in cells as large as the program itself says they must be.
+/// Verdicts on every shipped target, with each hinge and process. Cells are as large as the program requires.
 struct Verdicts {
   int exported = 0, larger = 0, refused = 0, unclean = 0, crossing = 0, misread = 0;
   double volume = 0;  ///< largest difference of a file's volume from print.json's, over that
@@ -96,7 +96,7 @@ void judge(const fs::path& folder, const std::string& name, Verdicts& verdicts) 
           std::max(verdicts.volume, std::abs(volume_mm3(folder / (std::string(part) + ".stl")) / own - 1));
 }
 
-/// At the design's size, else at the one that the refusal names.
+/// Whether a design exports at its size, or at the one that the refusal names.
 bool exports(const std::string& command, Verdicts& verdicts) {
   Said run = said_by(command);
   if (run.code == 0) return true;

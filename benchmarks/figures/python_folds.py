@@ -1,7 +1,9 @@
-"""python_folds.py PROGRAM: strips of 40 columns folded by one call of kinetix.fold_strips on one thread; a line of JSON.
+"""python_folds.py PROGRAM: folds strips of 40 columns by kinetix.fold_strips on one thread; prints a line of JSON.
 
-first, fresh, own: folds a second of the first call, of later ones, each into memory that it takes itself, and into an array of the
-caller; equal: whether strips that the program folds as well are the same to the last bit.
+first: folds per second of the first call.
+fresh: folds per second of later calls, each into memory that it takes itself.
+own: folds per second into an array of the caller.
+equal: whether strips that the program also folds are the same to the last bit.
 """
 import json
 import pathlib

@@ -64,7 +64,7 @@ Reading read(const std::string& text, int cells_a_module, bool in_equilibrium) {
 std::vector<Figure> qr_code_figures() {
   constexpr int codes = std::size(texts);
   std::vector<Reading> each(2 * codes);
-  each[0] = read(texts[0], 4, true);  // alone, since it tells its time
+  each[0] = read(texts[0], 4, true);  // alone, since its time is measured
   model::run_in_parallel(2 * codes - 1, 0, [&](int k) {
     each[k + 1] = k + 1 < codes ? read(texts[k + 1], 4, true) : read(texts[k + 1 - codes], 3, false);
   });

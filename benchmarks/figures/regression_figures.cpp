@@ -11,8 +11,8 @@
 namespace kinetix::bench {
 namespace {
 
-/// What the times of prototypes are held against: work that no change of the project touches, of about half a
-/// second. Cholesky factors of a dense matrix of 700 rows.
+/// Runs the reference for the times of prototypes: work of about half a second that no change of the project touches.
+/// It computes Cholesky factors of a dense matrix of 700 rows.
 double reference_workload() {
   constexpr int rows = 700, repeats = 40;
   const Eigen::MatrixXd half = Eigen::MatrixXd::NullaryExpr(
@@ -25,7 +25,7 @@ double reference_workload() {
   return sum;
 }
 
-/// Median over three runs, each over the workload just before and after it.
+/// Returns the median time over three runs, each over the workload just before and after it.
 double time_ratio(const testing::Prototype& prototype) {
   const testing::Scratch scratch;
   const std::string arguments =

@@ -50,7 +50,7 @@ const app::DisplayOutcome& display_of(const app::Run& run) {
   return app::outcome_of<app::DisplayOutcome>(run);
 }
 
-/// Auc of the settled physics run; 0 where it did not settle.
+/// Returns the Auc of the settled physics run; 0 if it did not settle.
 double physics_auc(const app::Run& run) {
   const auto* physics = app::physics_measure_of<app::DisplayMeasure>(run);
   return physics ? physics->reading.score.auc : 0;
@@ -62,7 +62,7 @@ double physics_contrast(const app::Run& run) {
 
 double load_of(const app::Run& run) { return std::abs(run.equilibrium->path.steps.back().load); }
 
-/// What the letters that kinematics.md names come to.
+/// Results over the letters that kinematics.md names.
 struct Letters {
   double exact_gap = 0, light = 1, area = 1, ratio = INFINITY, free = INFINITY;
   double physics_light = 1, load = 0, stretch_mm = 0, seconds = 0;
@@ -88,7 +88,7 @@ void add(const app::Run& run, Letters& all) {
 
 constexpr const char* letter_texts[] = {"T", "B", "E", "S", "R", "Q"};
 
-/// Of each letter, side by side: of rows that tell no time.
+/// Runs each letter in parallel, for rows that report no time.
 std::vector<app::Run> letter_runs(const std::function<app::Run(targets::DisplayGoal)>& run) {
   std::vector<app::Run> runs(std::size(letter_texts));
   model::run_in_parallel(static_cast<int>(runs.size()), 0,
@@ -119,7 +119,7 @@ std::vector<Figure> letters() {
           {scene + "longest search", "<= 0.2 s", fmt::format("{:.3f} s", all.seconds), all.seconds <= 0.2}};
 }
 
-/// A start of the letters in turn, the first motion of each part thrown off by up to half its spin.
+/// Runs a start of the letters in turn, with the first motion of each part disturbed by up to half its spin.
 app::Run disturbed_run(int start) {
   const std::string texts = "TBESRQ";
   app::PhysicsSection physics;
@@ -147,7 +147,7 @@ Figure disturbed() {
           right == starts && light >= 0.97};
 }
 
-/// Displays whose rows no plates hold straight: one hinge moves all.
+/// Measures displays whose rows no plates keep straight: one hinge moves all.
 Figure free_rows() {
   Letters all;
   double farthest = 0;
@@ -164,7 +164,7 @@ Figure free_rows() {
           all.ratio > 1.25 && all.physics_light >= 0.97 && farthest <= 1e-3};
 }
 
-/// Displays designed with straight rows, between plates that push the rows' vertices and let them go.
+/// Measures displays designed with straight rows, between plates that push the rows' vertices and let them go.
 Figure pressed() {
   Letters all;
   int agree = 0, let_go = 0;
@@ -186,7 +186,7 @@ Figure pressed() {
       agree == 6 && all.physics_light >= 0.97};
 }
 
-/// What a little strain on purpose buys.
+/// Compares a display with a small intended strain with one without.
 Figure strained() {
   const auto letter_t = [](double strain) {
     app::DisplayFile file;
@@ -262,7 +262,7 @@ Figure greys(const std::string& name, int cells, double most_seconds, double lea
           found.view.rank >= least_rank && time <= most_seconds};
 }
 
-/// Smooth, with detail of a tenth of the picture: what a photograph has.
+/// Returns a smooth level with detail of a tenth of the picture, as a photograph has.
 double photograph(double x, double y) {
   return std::clamp(0.5 * (x + y) + 0.3 * std::sin(15 * x) * std::sin(15 * y), 0.0, 1.0);
 }

@@ -59,8 +59,8 @@ Figure fit_time(const Scene& scene) {
           fmt::format("{:.1f} ms", 1e3 * t), t <= 0.1};
 }
 
-/// Both searches from the same starts; each derivative-free one stops as soon as it is within 1 % of the
-/// error that Ceres reached from the same start, or at its evaluation limit.
+/// Times both searches from the same starts. Each derivative-free one stops within 1 % of the error that Ceres reached
+/// from the same start, or at its evaluation limit.
 Figure derivative_free_ratio(const Scene& scene, optim::SolverName name) {
   const optim::CurveVariables v = strip(scene, 40);
   const optim::CurveFit fit(scene.goal, make_bend_ties(v.columns, v.per, v.symmetry, v.beta), v.cell_mm,

@@ -54,7 +54,7 @@ Figure within(const std::string& what, double most, double measured, const char*
           measured <= most};
 }
 
-/// A page at the socket, in the live physics.
+/// Page at the socket, in the live physics.
 struct Page {
   explicit Page(const app::Design& design) : studio(design), client(studio.port()) {
     client.open(studio.token);
@@ -83,7 +83,7 @@ struct Page {
   Received last;
 };
 
-/// Frames and simulated seconds a second while a body is dragged to and fro.
+/// Returns frames and simulated seconds per second while a body is dragged to and fro.
 std::array<double, 2> pace(Page& page, int body) {
   const Eigen::Vector3d from = page.place(body);
   page.drag(body, from + Eigen::Vector3d(0, 5, 10));
@@ -109,7 +109,7 @@ void add_drags(std::vector<Figure>& figures, Page& page) {
   figures.push_back(within("likewise, 95 of 100", 100, share(waits, 0.95), "ms"));
 }
 
-/// A column gets a tilt.
+/// Measures edits that give a column a tilt.
 void add_edits(std::vector<Figure>& figures, Page& page, const model::Lattice& sheet) {
   const model::Structure& structure = *sheet.squares();
   const model::Wall front{{9, 0}, model::Axis::x}, back{{9, 1}, model::Axis::x};
@@ -124,7 +124,7 @@ void add_edits(std::vector<Figure>& figures, Page& page, const model::Lattice& s
   figures.push_back(within("edited tilt, 40 columns: new motion, 95 of 100", 100, share(waits, 0.95), "ms"));
 }
 
-/// Simulated seconds by which the first frame after a sleep lags behind the clock.
+/// Returns the simulated seconds by which the first frame after a sleep lags behind the clock.
 double age_after_sleep(Page& page) {
   page.drag(40, page.place(40) + Eigen::Vector3d(0, 0, 5));
   const double start = now_s(), simulated = page.frame().head(4);
@@ -138,7 +138,7 @@ double age_after_sleep(Page& page) {
   return (now_s() - start) - (first.head(4) - simulated);
 }
 
-/// What random drags of a curled strip lead to.
+/// Result of random drags of a curled strip.
 struct Drags {
   bool is_finite = true, grows = false;
   double off_family = 0;  ///< distance from the family two seconds after the last drag, cell edges
@@ -192,7 +192,7 @@ void add_random_drags(std::vector<Figure>& figures) {
       within("likewise: off the family 2 s after the last drag, largest", 1e-3, off_family, "cell edges"));
 }
 
-/// What a script of tests/viewer writes, in a browser with software rendering.
+/// Returns the output of a script of tests/viewer, in a browser with software rendering.
 std::string in_browser(const std::string& script) {
   const testing::TemporaryFolder folder;
   const std::string command =
@@ -207,14 +207,14 @@ std::string in_browser(const std::string& script) {
   return out;
 }
 
-/// The number after a word that a script wrote; nothing: it did not come so far.
+/// Returns the number after a word in a script's output; empty if the script did not reach it.
 std::optional<double> number_after(const std::string& word, const std::string& said) {
   const auto at = said.find(word);
   if (at == std::string::npos) return std::nullopt;
   return std::stod(said.substr(at + word.size()));
 }
 
-/// A row whose number did not come says why.
+/// Returns the figure; without a number it reports the reason instead.
 Figure unless_missing(Figure figure, const std::optional<double>& measured, const std::string& said) {
   if (!measured) figure.measured = "not measured: " + said.substr(0, said.find('\n')), figure.met = false;
   return figure;

@@ -42,7 +42,7 @@ SurfaceOptions options_of(int facets, std::array<double, 2> edge) {
   return options;
 }
 
-/// With tilts beyond the usual 75 degrees: a sheet that curves both ways on a small radius takes a little more.
+/// Allows tilts beyond the usual 75 degrees: a sheet that curves both ways on a small radius needs a little more.
 SurfaceOptions steep(SurfaceOptions options) {
   options.tilt = 80 * radians_per_degree;
   return options;
@@ -81,7 +81,7 @@ Figure real(const std::string& name, const targets::SurfacePatch& patch, Surface
           design.within && height >= plate_height};
 }
 
-/// What ribs may be off, over the diagonal: a fifth of what sheets may.
+/// Largest error of ribs, over the diagonal: a fifth of the limit for sheets.
 constexpr double most_of_ribs = 1e-3;
 
 Figure by_ribs(const std::string& name, const targets::RibbedSurface& surface, int ribs) {
@@ -107,7 +107,7 @@ Figure by_ribs(const std::string& name, const targets::RibbedSurface& surface, i
           loose.rms <= most_of_ribs * surface.diagonal};
 }
 
-/// A Miura sheet whose march starts from data that differ by up to some percent.
+/// Checks Miura sheets whose march starts from data that differ by up to some percent.
 Figure random_meshes() {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -136,7 +136,7 @@ Figure random_meshes() {
           meshes > 20 && free == meshes && std::max(gap, hinges) <= 1e-11};
 }
 
-/// A regular Miura sheet with high plates, looked at in steps in which no wall's end moves by a hundredth of it.
+/// Checks a regular Miura sheet with high plates, in steps in which no wall's end moves by a hundredth of it.
 Figure miura_with_plates() {
   constexpr double multiplier = 2.4, height = 0.3, asked = 0.5;  // the figure's own: ratio, mean walls, rad
   constexpr double sector = 80 * radians_per_degree;  // near to 90 deg facets fold least over each other

@@ -32,7 +32,7 @@ std::string strip() {
   return text;
 }
 
-/// Of fold angle and all tilts at once, by Latin hypercube.
+/// Returns a sweep of fold angle and all tilts at once, by Latin hypercube.
 std::string sweep(int samples, const std::string& model) {
   return fmt::format(
       "kinetix: 1\nname: swept\nbase: strip.yaml\nmodel: {}\nmethod: {{kind: lhs, samples: {}}}\nfactors:\n"
@@ -69,7 +69,7 @@ Figure states_a_second() {
       samples / time >= 1e5 && failed == 0};
 }
 
-/// Samples a second that the program stores; 0 where it fails.
+/// Returns the samples per second that the program stores; 0 if it fails.
 double stored_a_second(const Sweep& files, const std::string& launcher, int threads) {
   const std::string out = files.out("out"), log = files.out("log");
   const int status =
@@ -82,7 +82,7 @@ double stored_a_second(const Sweep& files, const std::string& launcher, int thre
   return summary["computed"].get<double>() / summary["seconds"].get<double>();
 }
 
-/// One core: the program may use no other, whatever it would like.
+/// Launcher that restricts the program to one core.
 const std::string on_one_core = "taskset -c 0";
 
 Figure stored() {
@@ -94,7 +94,7 @@ Figure stored() {
           ">= 20 000 samples a second", fmt::format("{:.0f} a second", rate), rate >= 2e4};
 }
 
-/// Two workers against one.
+/// Sweep that compares two workers with one.
 struct Scaling {
   const char* what;
   const char* model;
@@ -102,7 +102,7 @@ struct Scaling {
   double least;  ///< ratio asked for
 };
 
-// Samples: so many that a run takes seconds, beside which starting workers does not count.
+// Samples: a run takes seconds with these, so that the start of the workers is negligible.
 constexpr Scaling scalings[] = {{"exact model", "exact", 500000, 1.8},
                                 {"equilibrium model", "equilibrium", 150, 1.9}};
 
@@ -136,8 +136,8 @@ std::vector<Figure> two_against_one() {
   return figures;
 }
 
-/// Kills the program at a random moment, resumes it to the end, and compares tables; 20 times over. Then
-/// kills one sweep 20 times on its way.
+/// Kills the program at a random moment, resumes it to the end, and compares tables; 20 times over. Then kills one
+/// sweep 20 times during its run.
 Figure kills() {
   constexpr int count = 20;
   const Sweep files(60000);

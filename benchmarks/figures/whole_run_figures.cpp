@@ -27,7 +27,7 @@ double run_seconds(const std::string& target, const Scratch& folder) {
   return time;
 }
 
-/// What a person waits for, from the command to the last file.
+/// Times a whole run, from the command to the last file.
 Figure whole_run(const std::string& name, double asked_s) {
   const Scratch folder;
   std::vector<double> times;
@@ -37,7 +37,8 @@ Figure whole_run(const std::string& name, double asked_s) {
           fmt::format("{:.2f} s", time), time <= asked_s};
 }
 
-/// A part of a run as its result times it. @param target what the file says beside its name   @param stage of timing_s
+/// Reports a part of a run as its result times it. @param target text of the file except its name.   @param stage of
+/// timing_s
 Figure stage_of_run(const std::string& what, const std::string& target, const std::string& stage,
                     double asked_s) {
   const Scratch folder;
@@ -54,7 +55,7 @@ Figure stage_of_run(const std::string& what, const std::string& target, const st
   return {what, fmt::format("<= {:.3g} s", asked_s), fmt::format("{:.2f} s", time), time <= asked_s};
 }
 
-/// What `check` takes for squares of cells, in a process of its own.
+/// Measures `check` of squares of cells, in a separate process.
 Figure check_of(int cells, double asked_s, double asked_bytes) {
   const Scratch folder;
   const std::string file = folder.write(
@@ -73,7 +74,7 @@ Figure check_of(int cells, double asked_s, double asked_bytes) {
           alone && alone->cost.right && alone->cost.seconds <= asked_s && alone->bytes <= asked_bytes};
 }
 
-/// The shipped half circle of 40 columns by 9 mm in other cells, its walls in the same proportions.
+/// Returns the shipped half circle of 40 columns by 9 mm in other cells, its walls in the same proportions.
 std::string half_circle(int columns, int rows, double cell_mm) {
   return fmt::format(
       "target: {{kind: curve, points: {}/half_circle.csv}}\n"

@@ -4,7 +4,7 @@
 
 namespace kinetix::bench {
 
-/// A least-squares problem whose Jacobian is not known: found by differences, one evaluation a variable
+/// Least-squares problem whose Jacobian is not known. It is found by differences, with one evaluation per variable
 /// (forward, backward at an upper bound) or two (central).
 class DifferencedProblem final : public optim::LeastSquaresProblem {
  public:

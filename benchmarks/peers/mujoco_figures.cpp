@@ -66,7 +66,7 @@ PeerScene sheet(int side) {
   return scene_of(fmt::format("sheet that bends, {0} x {0} cells", side), design, structure);
 }
 
-/// Median of five runs; a long one runs once.
+/// Returns the median of five runs; a long one runs once.
 template <class Runner>
 PeerRun timed(const PeerScene& scene, const std::string& settings, const Runner& run) {
   auto result = run();
@@ -79,7 +79,7 @@ PeerRun timed(const PeerScene& scene, const std::string& settings, const Runner&
 
 bool meets(const PeerRun& run, double level) { return run.settled && run.gap <= level && run.error <= level; }
 
-/// The fastest whose hinges are closed and whose bodies are in place within `level`.
+/// Returns the fastest run whose hinges are closed and whose bodies are in place within `level`.
 std::optional<PeerRun> fastest(const std::vector<PeerRun>& runs, double level) {
   std::optional<PeerRun> best;
   for (const PeerRun& run : runs)

@@ -9,9 +9,9 @@ namespace kinetix::bench {
 
 /// Settings of a MuJoCo run. The cell edge is 1, as in PhysicsOptions, whose masses and course it shares.
 struct MujocoSettings {
-  /// How the scene is told to MuJoCo.
+  /// Form of the scene in MuJoCo.
   enum class Bodies {
-    free,  ///< every vertex floats; two `connect` equalities a hinge, at +- reach on its axis
+    free,  ///< every vertex floats; two `connect` equalities per hinge, at +- reach on its axis
     tree   ///< hinge joints along a tree of fewest walls from the driven hinge; the other hinges as above
   };
   enum class Integrator { euler, implicit };
@@ -48,11 +48,11 @@ struct MujocoResult {
 std::string to_string(MujocoResult::Status status);
 bool has_mujoco();
 
-/// The run of sim/compression_run.hpp in MuJoCo: from flat, along the first-order motion of
-/// sim/start_motion.hpp, theta to its goal along tau (2 - tau), then damped until nothing turns. No contact,
-/// no gravity.
-/// @throws InvalidInput for a drive that is not a driven hinge of the structure; std::runtime_error for a
-/// scene that MuJoCo refuses
+/// Makes the run of sim/compression_run.hpp in MuJoCo. It starts flat, along the first-order motion of
+/// sim/start_motion.hpp. Theta moves to its goal along tau (2 - tau); then the motion is damped until nothing turns.
+/// There is no contact and no gravity.
+/// @throws InvalidInput for a drive that is not a driven hinge of the structure; std::runtime_error for a scene that
+/// MuJoCo refuses
 MujocoResult run_mujoco(const model::Structure& structure, const model::LinkageDrive& drive,
                         const MujocoSettings& settings = {});
 

@@ -19,7 +19,8 @@ optim::CurveFit curve_fit(const Scene& scene, const optim::CurveVariables& v) {
                          v.theta);
 }
 
-/// All starts of a search; both stop within 1 % of the error that exact derivatives come to from each.
+/// Times all starts of a search. Both searches stop within 1 % of the error that exact derivatives reach from each
+/// start.
 Figure finite_differences(const Scene& scene, Differences differences) {
   const optim::CurveFit fit = curve_fit(scene, strip(scene, 40));
   const DifferencedProblem peer(fit, differences, differences == Differences::central ? 1e-5 : 1e-7);
@@ -56,7 +57,7 @@ sim::PhysicsOptions quick_runs() {
   return options;
 }
 
-/// What a search with a simulation in its loop came to.
+/// Result of a search with a simulation in its loop.
 struct Looped {
   double seconds = 0, best = 0;
   int runs = 0;

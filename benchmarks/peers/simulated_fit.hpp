@@ -5,10 +5,10 @@
 
 namespace kinetix::bench {
 
-/// Simulation in the loop: the fit of a strip to a curve where every evaluation folds it in the engine and
-/// measures the midline of the state that comes out. Residuals: signed distances of the goal's samples from
-/// that midline, aligned: one side of the shape_rms, and about as large; 1 each where a run does not
-/// settle. x = (bends, theta) of a CurveFit. Not thread-safe: the engine has global state.
+/// Fit of a strip to a curve with a simulation in the loop. Every evaluation folds the strip in the engine and
+/// measures the midline of the resulting state. Residuals are signed distances of the goal's samples from that
+/// midline, aligned. They are one side of the shape_rms, and about as large; each is 1 if a run does not settle. x =
+/// (bends, theta) of a CurveFit. Not thread-safe: the engine has global state.
 class SimulatedFit final : public optim::LeastSquaresProblem {
  public:
   /// @param fit is kept by reference

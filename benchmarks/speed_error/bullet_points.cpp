@@ -36,7 +36,7 @@ std::vector<GridLine> rigid_grid(std::size_t bodies) {
   return lines;
 }
 
-/// Elastic hinges have stiffnesses of their own, and a run ends by the equilibrium of forces.
+/// Returns the grid for elastic hinges: their stiffnesses are given, and a run ends by the equilibrium of forces.
 std::vector<GridLine> elastic_grid() { return {{0, 10, {0}}}; }
 
 // Name of the series in plot and table (series_style.cpp), and how a run ended.
@@ -90,8 +90,8 @@ MeasuredPoint measured(const SpeedErrorScene& scene, const GridLine& line, int s
   return point;
 }
 
-/// One number of steps, over how near to rest the run ends: once it does not come to rest, a stricter end
-/// changes nothing.
+/// Measures one number of steps for several thresholds of rest. Once a run does not settle, stricter thresholds change
+/// nothing.
 void add_points(const SpeedErrorScene& scene, const GridLine& line, int steps, MeasuredPoints& points) {
   for (const double rest : line.rests) {
     points.push_back(measured(scene, line, steps, rest));
@@ -99,7 +99,7 @@ void add_points(const SpeedErrorScene& scene, const GridLine& line, int steps, M
   }
 }
 
-/// From few steps to many, until the next runs would take the line past its budget.
+/// Adds points from few steps to many, until the next runs would exceed the budget of the line.
 void add_line(const SpeedErrorScene& scene, const GridLine& line, MeasuredPoints& points) {
   double spent = 0, a_step = 0;
   for (const int steps : drive_steps) {

@@ -5,8 +5,8 @@
 
 namespace kinetix::bench {
 
-/// The physics run over stiffnesses of joints and time steps, in the precision of the engine that the program is
-/// linked with. Times are those of the steps alone, without what is prepared before the first of them.
+/// Measures the physics run over stiffnesses of joints and time steps, in the precision of the engine that the program
+/// is linked with. Times are those of the steps alone, without the preparation before the first of them.
 MeasuredPoints bullet_points(const SpeedErrorScene& scene);
 
 }  // namespace kinetix::bench

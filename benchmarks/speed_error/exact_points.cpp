@@ -36,7 +36,7 @@ model::State folded_from_the_last_body(const SpeedErrorScene& scene) {
                   drive_on(scene.structure, scene.drive).theta());
 }
 
-/// As a search computes it, over and over for one structure.
+/// Times a state as a search computes it, repeatedly for one structure, s.
 double seconds_a_state(const SpeedErrorScene& scene) {
   const int calls = std::max(1, bodies_a_repeat / static_cast<int>(scene.structure.bodies.size()));
   const double theta = drive_on(scene.structure, scene.drive).theta(), edge_mm = scene.structure.size.edge_mm;

@@ -5,11 +5,11 @@
 
 namespace kinetix::bench {
 
-/// The closed form: one point, with the error of its rounding. Empty for a scene that has none.
+/// Measures the closed form: one point, with the error of its rounding. Empty for a scene that has none.
 MeasuredPoints exact_points(const SpeedErrorScene& scene);
 
-/// Rms distance of the closed form from itself in other arithmetic, cell edges: sheets (F1 to F3) in the
-/// numbers of long double, nets (F4) along another tree of walls, from the last body. @pre scene.is_exact()
+/// Computes the rms distance of the closed form from itself in other arithmetic, cell edges. Sheets (F1 to F3) use
+/// numbers of long double. Nets (F4) use another tree of walls, from the last body. @pre scene.is_exact()
 double rounding_error(const SpeedErrorScene& scene);
 
 }  // namespace kinetix::bench

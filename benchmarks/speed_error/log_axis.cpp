@@ -10,7 +10,7 @@ namespace {
 
 constexpr double slack = 1e-9;  // of a decade: an end that is a power of ten is a tick in spite of rounding
 
-/// Two significant digits and no exponent.
+/// Formats a number with two significant digits and no exponent.
 std::string short_number(double value) {
   return value < 9.95 ? fmt::format("{:.1f}", value) : fmt::format("{:.0f}", value);
 }

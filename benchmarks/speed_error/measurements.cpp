@@ -25,7 +25,7 @@ MeasuredScene measured(const SpeedErrorScene& scene) {
   return result;
 }
 
-/// The engine in single precision, by a program of its own.
+/// Adds the engine in single precision, measured by a separate program.
 void add_single_precision(std::vector<MeasuredScene>& scenes) {
   for (const std::string& line : lines_printed_by(KINETIX_SPEED_ERROR_SINGLE)) {
     SceneAndPoint found = from_line(line);

@@ -4,7 +4,7 @@
 
 namespace kinetix::bench {
 
-/// Every method on every scene, measured at the first call: minutes.
+/// Returns every method on every scene, measured at the first call, which takes minutes.
 const std::vector<MeasuredScene>& speed_error_measurements();
 
 }  // namespace kinetix::bench

@@ -7,11 +7,11 @@
 
 namespace kinetix::bench {
 
-/// The points that no other point beats or equals in time and error at once, from fast to accurate: error
-/// falls as time grows. Points without a finite, positive time and a finite error take no part.
+/// Returns the points that no other point beats or equals in time and error at once, from fast to accurate: error
+/// falls as time grows. Points without a finite, positive time and a finite error are left out.
 MeasuredPoints pareto_front(const MeasuredPoints& points);
 
-/// The fastest of the points whose error is at most `error`; nothing where there is none.
+/// Returns the fastest of the points whose error is at most `error`; empty if there is none.
 std::optional<MeasuredPoint> fastest_at(const MeasuredPoints& points, double error);
 
 /// The points of one legend entry.

@@ -12,13 +12,13 @@
 namespace kinetix::bench {
 namespace {
 
-constexpr int panels_a_row = 3;  // panels: what a page shows side by side at a legible size
-// px: a panel, and the gaps between two: between rows there is room for a title and tick labels.
+constexpr int panels_a_row = 3;  // panels: what a page shows side by side at a legible size.
+// px: a panel, and the gaps between two. Between rows there is room for a title and tick labels.
 constexpr double panel_width = 288, panel_height = 232, gap_x = 22, gap_y = 44;
 // px around the panels: labels of the axes to the left and below, title and legend above.
 constexpr double left = 70, top = 116, bottom = 56, right = 18;
-// Ends of the axes, s and cell edges, beyond all points that are measured (others are drawn at the end);
-// and the error at which times are compared, 0.1 % of a cell edge.
+// Ends of the axes, s and cell edges, beyond all measured points; others are drawn at the end. The error at which
+// times are compared is 0.1 % of a cell edge.
 constexpr double fastest = 3e-7, slowest = 60, finest = 1e-17, coarsest = 20, shown_error = 1e-3;
 // Colours of text and of grid lines.
 constexpr const char* grey = "#57606a";

@@ -4,9 +4,9 @@
 
 namespace kinetix::bench {
 
-/// SVG picture: error against time, both logarithmic, a panel a scene on common axes, a colour a method; the
-/// front of the best settings of each is drawn as a line. Points that their method does not call a result are
-/// pale.
+/// Draws an SVG picture of error against time, both logarithmic. It has one panel per scene on common axes, and one
+/// colour per method. A line joins the front of each method's best settings. Points that their method does not call a
+/// result are pale.
 std::string speed_error_plot(const std::vector<MeasuredScene>& scenes);
 
 }  // namespace kinetix::bench

@@ -16,8 +16,8 @@
 namespace kinetix::bench {
 namespace {
 
-// Of the cells that scale, as the search for displays starts with (optim::DisplayOptions::rule_k); and the
-// fraction by which plates come closer, a little more than displays do by default, so that hinges turn far.
+// Scale of the cells of the picture, k, with which the search for displays starts (optim::DisplayOptions::rule_k). The
+// second number is the compression by the plates, a little more than the default of displays, so that hinges turn far.
 constexpr double display_k = 0.15, display_compression = 0.14;
 
 SpeedErrorScene exact_scene(const std::string& name, const model::Structure& structure, double theta) {
@@ -51,14 +51,14 @@ SpeedErrorScene helmet() {
                      design.shape.theta);
 }
 
-/// Bends into half a cylinder, whatever its size.
+/// Makes a sheet that bends into half a cylinder at any size.
 SpeedErrorScene sheet(int cells) {
   model::ExactDesign<double> design;
   const model::Structure structure = arc(cells, cells, design);
   return exact_scene(fmt::format("sheet, {0} x {0} cells", cells), structure, design.theta);
 }
 
-/// The cells of a disc that fills a panel but for a rim of one cell.
+/// Returns the cells of a disc that fills a panel except a boundary of one cell.
 model::Structure circle_panel(int cells) {
   return testing::rule_panel(display_k, cells, [=](int i, int j) {
     return std::hypot(i + 0.5 - cells / 2.0, j + 0.5 - cells / 2.0) <= cells / 2.0 - 1;

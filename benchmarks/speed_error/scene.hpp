@@ -22,9 +22,9 @@ struct SpeedErrorScene {
   bool is_exact() const { return family.family != model::Family::none; }
 };
 
-/// Helmet rib and half circle in 40 columns, cube, helmet, letter T and circle, sheets of 10 x 10, 20 x 20
-/// and 50 x 50 cells. Strips are fitted to the curves of targets/shapes; displays follow the paper's rule
-/// without a search: cells of the picture scale (k = 0.15), the others are basic, 14 % compression, at which
+/// Returns all scenes: helmet rib and half circle in 40 columns, cube, helmet, letter T and circle, sheets of 10 x 10,
+/// 20 x 20 and 50 x 50 cells. Strips are fitted to the curves of targets/shapes. Displays follow the paper's rule
+/// without a search: cells of the picture scale (k = 0.15), the others are basic. Their compression is 14 %, at which
 /// a few walls touch.
 std::vector<SpeedErrorScene> speed_error_scenes();
 

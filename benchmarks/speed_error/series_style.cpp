@@ -11,7 +11,7 @@ namespace {
 constexpr const char* green = "#1a7f37";
 constexpr const char* blue = "#0969da";
 
-// By the name of the series; others get a style of their own below.
+// Styles by the name of the series; other series get a default style below.
 const std::map<std::string, SeriesStyle> styles = {
     {"exact", {"#1f2328", Marker::diamond}},
     {"equilibrium", {green, Marker::triangle}},

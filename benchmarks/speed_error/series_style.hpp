@@ -6,18 +6,18 @@ namespace kinetix::bench {
 
 enum class Marker { diamond, circle, ring, triangle };
 
-/// How a legend entry is drawn.
+/// Style of a legend entry.
 struct SeriesStyle {
   std::string colour;
   Marker marker = Marker::circle;
   bool is_dashed = false;  ///< its line
 };
 
-/// Single precision has the colour of double, hollow markers and a dashed line. Methods without a style of
-/// their own are purple triangles.
+/// Returns the style of a series. Single precision has the colour of double, hollow markers and a dashed line. Methods
+/// without an entry are purple triangles.
 SeriesStyle style_of(const std::string& series);
 
-/// One marker, about 7 wide. @param opacity in [0, 1]
+/// Draws one marker, about 7 wide. @param opacity in [0, 1]
 std::string svg_marker(const SeriesStyle& style, double x, double y, double opacity);
 
 }  // namespace kinetix::bench

@@ -12,8 +12,8 @@ inline constexpr int most_repeats = 5;  ///< runs: a median that one disturbed r
 /// s of all runs together: long runs vary less, and one suffices.
 inline constexpr double enough_seconds = 0.3;
 
-/// Repeats a run up to five times, fewer where that would take longer than 0.3 s, and takes the median of
-/// what the runs say they took. @param run returns its seconds
+/// Repeats a run up to five times, fewer if that would take longer than 0.3 s. Takes the median of the times that the
+/// runs report. @param run returns its seconds
 template <class Run>
 void time_runs(const Run& run, MeasuredPoint& point) {
   std::vector<double> samples;

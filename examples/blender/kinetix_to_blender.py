@@ -31,7 +31,7 @@ def mesh_of(body, material):
 
 
 def animate(thing, poses, frames):
-    """Straight keyframes through poses, `frames` apart, from frame 0. Blender keeps 32-bit numbers."""
+    """Adds linear keyframes through poses, `frames` apart, from frame 0. Blender keeps 32-bit numbers."""
     thing.rotation_mode = "QUATERNION"
     thing.location, thing.rotation_quaternion = poses[-1].position, poses[-1].quaternion
     action = bpy.data.actions.new(thing.name)
@@ -45,7 +45,7 @@ def animate(thing, poses, frames):
 
 
 def build(path, model=None, frames=10):
-    """The objects of a result, in its order of bodies, in a collection of its name."""
+    """Makes the objects of a result, in its order of bodies, in a collection of its name."""
     result = kinetix_reader.Result(path)
     steps = list(result.steps)
     if model is not None:

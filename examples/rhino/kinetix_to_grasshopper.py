@@ -1,20 +1,20 @@
-"""For a GHPython component of Grasshopper in Rhino: the bodies of a result.json, folded as far as a slider says.
+"""Script of a GHPython component of Grasshopper in Rhino: the bodies of a result.json, folded by a slider.
 
-Inputs   file    text: the path of a result.json
-         folder  text: where kinetix_reader.py is (the folder above this file)
-         part    number: 0 (flat) to 1 (folded)
-Outputs  meshes  a mesh a body, closed, in mm
-         names   their names, in the same order
-         axes    a line along each hinge
-         groups  one of "class A" or "class B" a body, for layers: which way it turns
+Inputs   file    text: the path of a result.json.
+         folder  text: the folder of kinetix_reader.py, which is above this file.
+         part    number: 0 (flat) to 1 (folded).
+Outputs  meshes  a closed mesh per body, in mm.
+         names   their names, in the same order.
+         axes    a line along each hinge.
+         groups  "class A" or "class B" per body, for layers: its sense of rotation.
 
-Rhino itself was not at hand: what is tested is everything up to the last function, which alone speaks Rhino.
+Not tested in Rhino itself: the tests cover everything except in_rhino(), the only function that uses Rhino.
 """
 import sys
 
 
 def shapes(reader, result, part):
-    """Corners and sides of each body where it stands at a part of the motion."""
+    """Returns the corners and sides of each body at a part of the motion."""
     poses = result.poses_at(part)
     out = []
     for body, pose in zip(result.bodies, poses):
@@ -27,7 +27,7 @@ def shapes(reader, result, part):
 
 
 def hinge_lines(reader, result, part):
-    """Both ends of each hinge, as its first body carries it."""
+    """Returns both ends of each hinge, moved with its first body."""
     poses, lines = result.poses_at(part), []
     for hinge in result.hinges:
         body = hinge["bodies"][0]
@@ -38,7 +38,7 @@ def hinge_lines(reader, result, part):
 
 
 def classes(result):
-    """Neighbours turn opposite ways: which of the two classes each body is of, from the first on."""
+    """Returns the class of each body, starting with the first. Neighbours turn in opposite directions."""
     neighbours = [[] for _ in result.bodies]
     for hinge in result.hinges:
         a, b = hinge["bodies"]

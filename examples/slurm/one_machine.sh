@@ -1,6 +1,8 @@
 #!/bin/bash
-# one_machine.sh FOLDER: a Slurm of its own on this machine alone, all of its files in FOLDER, for tries and tests. To be
-# sourced, as root; `start_slurm` starts it, `stop_slurm` ends what it started. Wants the Debian packages slurm-wlm and munge.
+
+# one_machine.sh FOLDER: a separate Slurm on this machine only, with all of its files in FOLDER, for trials and tests.
+# Source it as root. `start_slurm` starts it, `stop_slurm` ends what it started. Needs the Debian packages slurm-wlm
+# and munge.
 slurm_folder=$(realpath -m "$1")
 
 write_configuration() {
@@ -56,7 +58,7 @@ wait_for_node() {
 
 start_slurm() { write_configuration && start_munge && start_controller && slurmd && wait_for_node; }
 
-# end_of PIDFILE: ends that process and waits for it.
+# end_of PIDFILE: ends its process and waits for it.
 end_of() {
   local pid
   pid=$(cat "$1" 2>/dev/null) || return 0

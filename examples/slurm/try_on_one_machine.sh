@@ -1,7 +1,9 @@
 #!/bin/bash
-# try_on_one_machine.sh KINETIX_OPT FOLDER: runs ranks.sh, array.sh and collect.sh under a Slurm of its own on this machine, kills a
-# rank, a task and the controller on the way, and compares every table with that of a plain run. As root, with the Debian packages
-# slurm-wlm and munge; leaves nothing running. Says what it found; ends with 1 where a table differs.
+
+# try_on_one_machine.sh KINETIX_OPT FOLDER: runs ranks.sh, array.sh and collect.sh under a separate Slurm on this
+# machine. It kills a rank, a task and the controller during the runs, and compares every table with that of a plain
+# run. Run it as root, with the Debian packages slurm-wlm and munge. It leaves nothing running, reports its findings,
+# and exits with 1 if a table differs.
 set -u
 here=$(dirname "$(realpath "$0")")
 export KINETIX_OPT=$(realpath "$1")
@@ -25,7 +27,8 @@ factors:
 responses: [end_mm, turn_deg]
 END
 
-# process_of WORDS NAME=VALUE: the process of a sweep whose command line has these words and whose environment has that.
+# process_of WORDS NAME=VALUE: prints the process of a sweep with these words in its command line and this variable in
+# its environment.
 process_of() {
   local pid
   for pid in $(pgrep -f -- "$1"); do
@@ -33,7 +36,7 @@ process_of() {
   done
   return 1
 }
-# kill_once_it_works WORDS NAME=VALUE TABLE: kills that process as soon as rows of its table are on the disk.
+# kill_once_it_works WORDS NAME=VALUE TABLE: kills this process as soon as rows of its table are on the disk.
 kill_once_it_works() {
   local pid
   for _ in $(seq 600); do
@@ -44,13 +47,13 @@ kill_once_it_works() {
   done
   echo "  found nothing to kill: $1 $2"
 }
-# compare NAME FOLDER
+# compare NAME FOLDER: compares the table of FOLDER with that of the plain run.
 compare() {
   if cmp -s plain/samples.csv "$2/samples.csv"; then echo "$1: the table of the plain run, byte for byte"; return; fi
   echo "$1: ANOTHER TABLE"
   faults=1
 }
-# wait_for JOB: until no part of the job is left in the queue.
+# wait_for JOB: waits until no part of the job is in the queue.
 wait_for() {
   for _ in $(seq 1200); do
     [ -z "$(squeue -h -j "$1" 2>/dev/null)" ] && squeue -h >/dev/null 2>&1 && return
@@ -88,7 +91,7 @@ compare "an array job, one of its tasks killed" shares
 job=$(submit --array=1-4 "$here/array.sh" doe.yaml lost_controller)
 collect=$(submit --dependency=afterany:"$job" "$here/collect.sh" doe.yaml lost_controller)
 for _ in $(seq 600); do [ -e lost_controller/share-1-of-4/sweep.sqlite ] && break; sleep 0.02; done
-sleep 6 # it writes down what it has started a few seconds later
+sleep 6 # the controller saves its list of started jobs after a few seconds
 kill -9 "$(cat "$slurm_folder/slurmctld.pid")" && echo "    the controller is killed, and started again after 5 s"
 sleep 5
 start_controller

@@ -22,14 +22,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double crossing_mm = 0.02;  // mm: less is the rounding of a drawing, and no printer sees it
-constexpr double least_patch =
-    0.02;  // of the largest patch of a soft part: less is an edge that grazes a wall
-constexpr double near_axis =
-    0.1;  // sine of the angle between an axis that is asked for and the part's length: less has no meaning
+constexpr double crossing_mm = 0.02;  // mm: below it is rounding of a drawing, invisible to printers.
+// Ratio to the largest patch of a soft part: a smaller one is an edge that grazes a wall
+constexpr double least_patch = 0.02;
+// Sine of the angle between a requested axis and the part's length: a smaller one has no meaning
+constexpr double near_axis = 0.1;
 constexpr double stocky = 0.5;    // length over thickness, below which the formulas of blocks are not fitted
-constexpr double rod_mpa = 2000;  // MPa, of a pin where nothing is said: usual printing plastics
-constexpr double rod_nu = 0.35;   // likewise, Poisson's ratio
+constexpr double rod_mpa = 2000;  // MPa, default of a pin: usual printing plastics
+constexpr double rod_nu = 0.35;   // Poisson's ratio, default of a pin: usual printing plastics
 
 std::string text(const Vector3d& v) {
   char out[96];
@@ -37,7 +37,7 @@ std::string text(const Vector3d& v) {
   return out;
 }
 
-/// Of small components what is left of rounding reads badly.
+/// Sets components of the size of rounding to 0, for messages.
 Vector3d tidy(Vector3d v) {
   for (double& x : v)
     if (std::abs(x) < 5e-5) x = 0;
@@ -191,7 +191,7 @@ class Builder {
     return stiffness(shape, material);
   }
 
-  /// Marks what it finds as used.
+  /// Returns the axis chosen for a hinge, if any, and marks the choice as used.
   const Vector3d* chosen(const std::string& name, const std::string& a, const std::string& b) {
     for (const std::string& key : {name, a + "/" + b, b + "/" + a})
       if (const auto found = choices_.axes.find(key); found != choices_.axes.end()) {
@@ -222,7 +222,7 @@ class Builder {
     return out;
   }
 
-  /// One for all bearings on one axis, in the middle of the outermost ones.
+  /// Merges all bearings on one axis into one, in the middle of the outermost ones.
   static std::vector<PinFit> on_axes_of_their_own(const std::vector<PinFit>& fits) {
     std::vector<PinFit> out;
     for (const PinFit& fit : fits) {
@@ -275,7 +275,7 @@ class Builder {
     }
   }
 
-  /// To the side of the direction that most of them are nearest to, whichever of its two that is by its largest component.
+  /// Turns all axes to one side of their main direction, whose largest component is positive.
   void order_axes() {
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
     for (const AssemblyHinge& h : out_.hinges) spread += h.axis * h.axis.transpose();
@@ -295,7 +295,7 @@ class Builder {
   int pins_ = 0;
 };
 
-/// 1 and -1 by turns from body 0 on, over hinges.
+/// Returns 1 and -1 alternately from body 0 on, across hinges.
 std::vector<int> alternating(const Assembly& assembly) {
   std::vector<int> sense(assembly.bodies.size(), 0);
   for (std::size_t first = 0; first < sense.size(); ++first) {

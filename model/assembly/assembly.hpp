@@ -19,7 +19,7 @@ struct ModelPart {
   Polyhedron solid;
 };
 
-/// Parts of which none is soft, nor a rod in the bore of another.
+/// Error for parts without any soft part or rod in the bore of another.
 class NoHinges : public InvalidInput {
  public:
   using InvalidInput::InvalidInput;
@@ -28,59 +28,59 @@ class NoHinges : public InvalidInput {
 /// A rigid body of an assembly.
 struct AssemblyBody {
   std::string name;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< the center of its volume at rest, mm
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< center of its volume at rest, mm
   Polyhedron solid;                                    ///< at rest, mm
 };
 
-/// A hinge between two of its bodies.
+/// A hinge between two bodies of an assembly.
 struct AssemblyHinge {
   std::string name;
   int lower = 0, upper = 0;                         ///< bodies, lower < upper
-  HingeKind kind = HingeKind::block;                ///< block: of a soft part; pin: a rod in a bore
+  HingeKind kind = HingeKind::block;                ///< block: soft part; pin: rod in a bore
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< mm
-  Eigen::Vector3d axis =
-      Eigen::Vector3d::UnitZ();  ///< unit vector; those of an assembly point to one side as far as they can
-  Eigen::Vector3d along =
-      Eigen::Vector3d::UnitX();  ///< unit vector, square to the axis, from the lower body to the upper one
-  double confidence = 1;         ///< in the axis, 0 to 1
-  double reach_mm = 1;           ///< half distance of the two points on the axis that hold it, > 0
+  /// Axis as a unit vector; the axes of an assembly point to one side where possible
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+  /// Direction as a unit vector, normal to the axis, from the lower body to the upper one
+  Eigen::Vector3d along = Eigen::Vector3d::UnitX();
+  double confidence = 1;  ///< in the axis, 0 to 1
+  double reach_mm = 1;    ///< half distance of the two points on the axis that support it, > 0
   HingeStiffness k = {};
   double rod_mm = 0;        ///< diameter of a pin's rod
-  double clearance_mm = 0;  ///< of a pin, a side
-  Polyhedron soft = {};     ///< of a block: its part at rest, mm
-  bool ball = false;        ///< holds its point alone and turns every way; kind and axis then say nothing
+  double clearance_mm = 0;  ///< clearance of a pin, per side
+  Polyhedron soft = {};     ///< soft part of a block at rest, mm
+  bool ball = false;  ///< holds only its point and turns in every direction; kind and axis are then unused
 };
 
-/// Rigid bodies of any shape and the hinges that join them, at rest: what an import finds in a model.
+/// Rigid bodies of any shape and the hinges that join them, at rest: the result of an import.
 struct Assembly {
-  double edge_mm =
-      10;  ///< the length that plays the part of a cell edge: the median distance of two bodies that share a hinge
+  double edge_mm = 10;  ///< length used as the cell edge: hinge_distance()
   std::vector<AssemblyBody> bodies;
   std::vector<AssemblyHinge> hinges;
-  std::vector<std::string> notes = {};  ///< what its user should know
+  std::vector<std::string> notes = {};  ///< remarks for the user
 };
 
-/// The median distance of two bodies that share a hinge, mm. @pre a hinge
+/// Returns the median distance of two bodies that share a hinge, mm. @pre a hinge
 double hinge_distance(const Assembly& assembly);
-/// The first body that hangs on no chain of hinges with body 0; nothing where all do.
+/// Returns the first body without a chain of hinges to body 0; empty if all have one.
 std::optional<int> first_apart(const Assembly& assembly);
 
-/// What a person says of hinges that their shape leaves open.
+/// Choices of the user for hinges that their shape leaves open.
 struct HingeChoices {
   std::map<std::string, Eigen::Vector3d> axes = {};  ///< by the hinge's name, or "BODY/BODY"; unit vectors
-  std::optional<Eigen::Vector3d> towards =
-      {};  ///< unit vector; of ambiguous hinges: whichever of their two axes is nearer to it
-  std::optional<Material> material = {};  ///< of soft parts; else tango
+  /// Direction (unit vector) that selects the nearer one of the two axes of ambiguous hinges
+  std::optional<Eigen::Vector3d> towards = {};
+  std::optional<Material> material = {};  ///< material of soft parts; default: tango
 };
 
-/// Bodies are the hard parts, a hinge is a soft part that touches two of them, or the rod of one in the bore of another.
-/// @throws InvalidInput, naming part and reason: a part that is no solid, crosses itself or another hard one; a soft part that touches
-/// another number of hard parts than two; an ambiguous axis that no choice settles; a choice of a hinge that is not there; no hinge at all; a
-/// body that hangs on no hinge
+/// Creates an assembly. Bodies are the hard parts. A hinge is a soft part that touches two of them, or the rod of one
+/// in the bore of another.
+/// @throws InvalidInput, naming part and reason. Parts must be solids that cross neither themselves nor another hard
+/// part. A soft part must touch exactly two hard parts. Each ambiguous axis needs a choice, and each choice an
+/// existing hinge. There must be a hinge, and each body needs a chain of hinges to the others.
 Assembly make_assembly(const std::vector<ModelPart>& parts, const HingeChoices& choices = {});
 
-/// Its hinges between the centers of its bodies, without plates and cells. Neighbours turn against each other, as
-/// far as loops are even: that is the first motion that is looked for.
+/// Creates a linkage of the hinges between the centers of the bodies, without plates and cells. Neighbours turn in
+/// opposite directions as far as loops are even: this is the initial guess of the first motion.
 Linkage linkage_of(const Assembly& assembly);
 
 }  // namespace kinetix::model

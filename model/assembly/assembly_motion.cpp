@@ -14,10 +14,10 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Squared singular value at which the wanted turns and closure weigh alike: far below the proper ones of structures (1e-4), far above what
-// points and axes rounded to float leave of a mechanism's zero (1e-11).
+// Squared singular value at which the wanted turns and closure have equal weight. It is far below the proper ones of
+// structures (1e-4), and far above those that rounding to float leaves of a mechanism's zero (1e-11).
 constexpr double wanted_weight = 1e-8;
-constexpr int most_bodies = 150;  // for a dense decomposition: about a second
+constexpr int most_bodies = 150;  // bodies, for a dense decomposition: about a second
 
 double turn_rate(const Linkage& s, const VectorXd& twists, std::size_t k) {
   const RestHinge& h = s.hinges[k];
@@ -30,7 +30,7 @@ VectorXd wanted_turns(const Linkage& s) {
   return wanted;
 }
 
-/// Shifts count little: bodies have to go where their turns take them.
+/// Returns the weights of turns and shifts. Shifts have little weight, because bodies must follow their turns.
 VectorXd turn_weights(const Linkage& s) {
   VectorXd weights = VectorXd::Constant(6 * static_cast<Eigen::Index>(s.bodies.size()), 1e-3 * wanted_weight);
   for (std::size_t b = 0; b < s.bodies.size(); ++b) weights.segment<3>(6 * b).setConstant(wanted_weight);
@@ -43,7 +43,7 @@ Linkage with_first_hinges(const Linkage& linkage, std::size_t count) {
   return out;
 }
 
-/// Continues the last step where there are two states, else takes the first motion.
+/// Returns the last state if there is one after rest, otherwise a step along the first motion.
 State start_of(const Linkage& linkage, const AssemblyMotion& way, const FirstMotion& first, int hinge,
                double step) {
   const std::size_t n = way.states.size();

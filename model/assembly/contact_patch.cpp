@@ -40,7 +40,7 @@ Eigen::AlignedBox3d grown(Eigen::AlignedBox3d box, double by) {
   return box;
 }
 
-/// What of a polygon lies where inward . (p - on) >= 0.
+/// Returns the part of a polygon with inward . (p - on) >= 0.
 std::vector<Vector3d> cut(const std::vector<Vector3d>& polygon, const Vector3d& on, const Vector3d& inward) {
   std::vector<Vector3d> out;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
@@ -52,7 +52,7 @@ std::vector<Vector3d> cut(const std::vector<Vector3d>& polygon, const Vector3d& 
   return out;
 }
 
-/// Of the first facet, where the second one lies on it.
+/// Returns the part of the first facet inside the edges of the second one, seen along the second one's normal.
 std::vector<Vector3d> common(const Facet& a, const Facet& b) {
   std::vector<Vector3d> polygon(a.corners.begin(), a.corners.end());
   for (int k = 0; k < 3 && !polygon.empty(); ++k) {

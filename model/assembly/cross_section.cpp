@@ -20,7 +20,8 @@ struct Segment {
 
 Vector2d in_plane(const PlaneFrame& frame, const Vector3d& p) { return {frame.u.dot(p), frame.v.dot(p)}; }
 
-/// Counter-clockwise about d with the solid on the left. Corners in the plane count as above it, so that loops close.
+/// Computes the segment in which the plane cuts a triangle, counter-clockwise about d with the solid on the left.
+/// Corners in the plane count as above it, so that loops close. Returns false if there is no cut.
 bool cuts(const std::array<Vector3d, 3>& corners, const PlaneFrame& frame, double at, Segment& out) {
   std::array<Vector2d, 2> ends;
   int found = 0;
@@ -31,7 +32,7 @@ bool cuts(const std::array<Vector3d, 3>& corners, const PlaneFrame& frame, doubl
     ends[(a >= 0) ? 0 : 1] = in_plane(frame, p + a / (a - b) * (q - p));
     ++found;
   }
-  // A triangle that runs counter-clockwise from outside goes down through the plane where its segment starts.
+  // A triangle that is counter-clockwise from outside crosses the plane downwards at the start of its segment.
   out = {ends[0], ends[1]};
   return found == 2;
 }

@@ -10,7 +10,7 @@ namespace kinetix::model {
 struct PlaneFrame {
   Eigen::Vector3d u, v, d;
 
-  /// u and v are any two square to d. @param d unit vector
+  /// Returns a frame with any two u and v normal to d. @param d unit vector
   static PlaneFrame across(const Eigen::Vector3d& d);
 };
 
@@ -19,12 +19,14 @@ struct CrossSection {
   double area_mm2 = 0;                               ///< mm^2
   Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< in u and v, mm
   Eigen::Matrix2d second = Eigen::Matrix2d::Zero();  ///< integral of r r^T about the center, mm^4
-  double edge_angle =
-      0;  ///< mean direction of its edges modulo a quarter turn, by length, in u and v, rad, [0, pi/2)
-  double edge_order = 0;  ///< how far they agree, dimensionless, 0 (a circle) to 1 (a rectangle)
+  /// Length-weighted mean direction of edges in u and v, modulo pi / 2, rad, [0, pi/2)
+  double edge_angle = 0;
+  /// Agreement of the edge directions, dimensionless, 0 (a circle) to 1 (a rectangle)
+  double edge_order = 0;
 };
 
-/// By Green's theorem over the segments in which the plane d . p = at cuts the triangles: exact for the triangles as they are.
+/// Computes the moments by Green's theorem over the segments in which the plane d . p = at cuts the triangles: exact
+/// for the triangles.
 /// @param at mm   @pre closed
 CrossSection cross_section(const Polyhedron& solid, const PlaneFrame& frame, double at);
 

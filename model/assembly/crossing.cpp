@@ -37,7 +37,7 @@ bool share_a_point(const Tile& a, const Tile& b) {
   return false;
 }
 
-/// Distance from the nearest side, inwards, mm.
+/// Returns the distance of a point from the nearest side, inwards, mm.
 double inside_by(const Tile& t, const Vector3d& p) {
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {
@@ -100,7 +100,8 @@ std::optional<Vector3d> self_crossing(const Polyhedron& shell, double depth) {
 }
 
 bool is_inside(const Polyhedron& solid, const Vector3d& p) {
-  const Vector3d ray = Vector3d(0.5773, 0.2113, 0.7887).normalized();  // along no face that a person draws
+  // Direction of no face in usual drawings
+  const Vector3d ray = Vector3d(0.5773, 0.2113, 0.7887).normalized();
   bool inside = false;
   for (const auto& t : solid.triangles) {
     const Vector3d &a = solid.points[t[0]], e = solid.points[t[1]] - a, f = solid.points[t[2]] - a;

@@ -18,25 +18,26 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double most_bend =
-    35 * radians_per_degree;  // rad: a circle of twelve sides bends by 30 degrees an edge
-constexpr double flat =
-    0.2 *
-    radians_per_degree;  // rad: below, two triangles are one facet: rounding to float bends 1 mm by less
-constexpr double least_turn =
-    200 * radians_per_degree;    // rad: a rod comes out of a bore that goes round by half and little more
-constexpr int least_facets = 6;  // of twelve sides what 200 degrees have, less one
-constexpr double round = 2e-3;   // of the radius, by which corners may leave the circle
-constexpr int fits = 4;          // rounds until only corners are left: two are usual
-constexpr double flattest =
-    0.95;  // of the radius, cos(pi / 12) = 0.966: facets of twelve sides are no nearer to the axis
-constexpr double parallel = 1 * radians_per_degree;  // rad, of two axes of one hinge: more binds
-constexpr double most_play = 0.5;                    // of the rod's radius: looser ones are no bearing
-constexpr double least_overlap =
-    0.25;  // of the rod's diameter along the axis: shorter, it is a touch and no bearing
+// Rad: a circle of twelve sides bends by 30 degrees per edge
+constexpr double most_bend = 35 * radians_per_degree;
+// Rad: two triangles below it are one facet; float rounding bends 1 mm by less
+constexpr double flat = 0.2 * radians_per_degree;
+// Rad: a bore of little more than half a turn does not retain a rod
+constexpr double least_turn = 200 * radians_per_degree;
+constexpr int least_facets = 6;  // facets in 200 degrees of twelve sides, minus one
+constexpr double round = 2e-3;   // tolerance of corners on the circle, ratio to the radius
+constexpr int fits = 4;          // repetitions of the fit until only corners remain: two are usual
+// Ratio to the radius, below cos(pi / 12) = 0.966 of facets of twelve sides
+constexpr double flattest = 0.95;
+// Rad, between two axes of one hinge: a larger angle jams
+constexpr double parallel = 1 * radians_per_degree;
+// Largest clearance, ratio to the rod's radius: looser pairs are not a bearing
+constexpr double most_play = 0.5;
+// Ratio to the rod's diameter along the axis: a shorter overlap is only a touch
+constexpr double least_overlap = 0.25;
 
 struct Facets {
-  std::vector<Vector3d> normals;  // unit; zero of triangles without area
+  std::vector<Vector3d> normals;  // unit vectors; zero for triangles without area
   std::vector<Vector3d> centers;
 };
 
@@ -68,14 +69,14 @@ std::vector<Edge> inner_edges(const Polyhedron& solid) {
   return out;
 }
 
-/// Signed bend of the surface across an edge, rad: positive where it is convex.
+/// Returns the signed bend of the surface across an edge, rad: positive if it is convex.
 double bend(const Polyhedron& solid, const Facets& facets, const Edge& e) {
   const Vector3d along = (solid.points[e.b] - solid.points[e.a]).stableNormalized();
   const Vector3d &left = facets.normals[e.left], &right = facets.normals[e.right];
   return std::atan2(left.cross(right).dot(along), left.dot(right));
 }
 
-/// Sets of triangles that hang together by edges with a bend of one sign, or none.
+/// Returns the sets of triangles that are connected by edges with a bend of one sign, or none.
 std::vector<std::vector<int>> bent_regions(const Polyhedron& solid, const Facets& facets, double sign) {
   UnionFind sets(solid.triangles.size());
   std::vector<char> is_bent(solid.triangles.size(), 0);
@@ -95,7 +96,7 @@ std::vector<std::vector<int>> bent_regions(const Polyhedron& solid, const Facets
   return out;
 }
 
-/// The direction to which all normals are square, and how little they lean along it.
+/// Direction normal to all facet normals, with the error of the fit.
 struct FoundAxis {
   Vector3d direction;
   double lean = 0;  // rms of normal . axis over that of the next direction
@@ -124,7 +125,8 @@ Eigen::Vector3d circle_through(const std::vector<Vector2d>& points) {
   return {fit.x(), fit.y(), std::sqrt(std::max(0.0, fit.z() + fit.x() * fit.x() + fit.y() * fit.y()))};
 }
 
-/// The same through those points alone that are on it in the end: others lie on facets, where these are cut off.
+/// Fits a circle only through the points that are on it in the end. Other points are on facets, where facets are cut
+/// off.
 Eigen::Vector3d circle_of_corners(std::vector<Vector2d> points) {
   Eigen::Vector3d circle = circle_through(points);
   for (int round_of_fit = 0; round_of_fit < fits; ++round_of_fit) {
@@ -139,7 +141,7 @@ Eigen::Vector3d circle_of_corners(std::vector<Vector2d> points) {
   return circle;
 }
 
-/// Angle that is covered round a center: all but the largest gap between neighbouring corners.
+/// Returns the angle covered about a center: 2 pi minus the largest gap between neighbouring corners.
 double covered(const std::vector<Vector2d>& points, const Vector2d& center) {
   std::vector<double> angles;
   for (const Vector2d& p : points) angles.push_back(std::atan2(p.y() - center.y(), p.x() - center.x()));

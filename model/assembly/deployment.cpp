@@ -16,16 +16,17 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-// Over the squared singular values of closure (1e-4 to 10): how soft the hinges are beside the pull before the multipliers hold
-// them. Much less would cost the factor its digits.
+// Weight of the pull relative to the squared singular values of closure (1e-4 to 10). It sets the softness of hinges
+// against the pull before the multipliers close them. A much smaller weight would cost the factor its digits.
 constexpr double pull_weight = 1e-6;
-constexpr double rest_weight = 1e-3;  // times it: of what nothing pulls, so that it stays where it is
-constexpr double longest_step =
-    0.3;  // rad, cell edges, of a body: further on, the linearisation tells nothing
-constexpr double least_step = 1e-11;  // likewise: no better state is near
-constexpr double most_damping = 1e3;  // times pull_weight: steps that are damped more lead nowhere
+// Times pull_weight: weight of turns without a pull, which keeps them in place
+constexpr double rest_weight = 1e-3;
+constexpr double longest_step = 0.3;  // rad, cell edges, of a body: beyond it the linearisation is not valid
+constexpr double least_step = 1e-11;  // rad, cell edges, of a body: no better state is near
+constexpr double most_damping = 1e3;  // times pull_weight: steps with more damping make no progress
 
-/// Of the tetrahedron's four points, on average: the square of a turn by this counts as that of a shift.
+/// Mean square arm of the tetrahedron's four points about an axis, cell edges^2: weight of a turn squared relative to
+/// a shift squared.
 constexpr double turn_square = 2.0 / 3.0 * pull_arm * pull_arm;
 
 Vector3d turn_to(const Eigen::Matrix3d& R, const Eigen::Matrix3d& to) {
@@ -34,19 +35,19 @@ Vector3d turn_to(const Eigen::Matrix3d& R, const Eigen::Matrix3d& to) {
   return 0.5 * sum;
 }
 
-/// Mean square distance of the pulled points of a body from where they are to be, cell edges squared.
+/// Returns the mean square distance of the pulled points of a body from their targets, cell edges squared.
 double off_square(const Pose& pose, const Pose& to, bool turns, double edge_mm) {
   const double shift = ((pose.p - to.p) / edge_mm).squaredNorm();
   return turns ? shift + 0.5 * turn_square * (pose.R - to.R).squaredNorm() : shift;
 }
 
-/// The nearest closed state to one pull.
+/// Search for the closed state nearest to a pull.
 class NearestClosed {
  public:
   NearestClosed(const Linkage& linkage, const DeploymentOptions& options)
       : s_(linkage), options_(options), multipliers_(VectorXd::Zero(6 * linkage.hinges.size())) {}
 
-  /// @return whether its hinges are closed
+  /// @return true if its hinges are closed
   bool find(const Pull& pull, State& state) {
     multipliers_.setZero();
     double damping = 0;
@@ -78,8 +79,8 @@ class NearestClosed {
   bool is_closed(const VectorXd& closure) const {
     return closure.lpNorm<Eigen::Infinity>() <= options_.closed;
   }
-  /// Where multipliers came near without end, the closed state beside it: where there are motions of the first order alone, and in
-  /// structures that only move because files round, whose hinges then stay open by a little.
+  /// Closes the state if the multipliers approached it without end. This happens for motions of the first order only.
+  /// It also happens for structures that move only due to rounding in files, whose hinges then stay slightly open.
   bool close(State& state) const {
     if (is_closed(closure_residual(s_, state))) return true;
     Closure closed = solve_closure(s_, state, {});
@@ -87,10 +88,10 @@ class NearestClosed {
     state = std::move(closed.state);
     return true;
   }
-  /// Far below what a person or a physics run tells apart.
+  /// Returns true if a step is far below the resolution of users and simulation.
   static bool still(const VectorXd& step) { return step.lpNorm<Eigen::Infinity>() < 1e-8; }
 
-  /// Of the multipliers' function: half the squared misfits with the multipliers added, and the pull.
+  /// Returns the multipliers' function: half the squared misfits with the multipliers added, plus the pull.
   double merit(const Pull& pull, const State& state) const {
     double off = 0;
     for (std::size_t b = 0; b < state.size(); ++b)
@@ -122,7 +123,7 @@ class NearestClosed {
 
   const Linkage& s_;
   const DeploymentOptions& options_;
-  VectorXd multipliers_;  ///< over pull_weight
+  VectorXd multipliers_;  ///< divided by pull_weight
   VectorXd gradient_, weights_;
   SparseMatrix normal_;
   SparseFactor factor_;
@@ -139,7 +140,7 @@ int steps_of(const Linkage& linkage, const Pull& pull, const DeploymentOptions& 
 }
 
 void measure(const Linkage& linkage, const Pull& pull, Deployment& out) {
-  constexpr double shown = 0.5 / pull_arm;  // of the arms of the pull: tiles are about a cell edge wide
+  constexpr double shown = 0.5 / pull_arm;  // ratio to the arms of the pull: tiles are about a cell edge wide
   const State& last = out.states.back();
   const std::vector<Vector3d> arms = pull_points(pull.turns);
   double sum = 0;
@@ -153,7 +154,7 @@ void measure(const Linkage& linkage, const Pull& pull, Deployment& out) {
   out.off_rms = std::sqrt(sum / static_cast<double>(last.size()));
 }
 
-/// mm.
+/// Returns the pulled points of all bodies, mm.
 Eigen::Matrix3Xd pulled_places(const State& state, bool turns, double edge_mm) {
   const std::vector<Vector3d> arms = pull_points(turns);
   Eigen::Matrix3Xd out(3, state.size() * arms.size());

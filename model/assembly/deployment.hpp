@@ -8,54 +8,58 @@
 
 namespace kinetix::model {
 
-/// Where the bodies of a structure are pulled to.
+/// Target poses of the bodies of a structure.
 struct Pull {
-  State to;           ///< mm; one pose a body
-  bool turns = true;  ///< also to the rotations of these poses; else only to their positions
+  State to;           ///< target poses, mm; one per body
+  bool turns = true;  ///< true: positions and rotations; false: only positions
 };
 
-/// Distance of the points at which a body is pulled from its center, cell edges. Turns count more than shifts by it: on their way
-/// from one closed tiling to another, tiles have to move apart and come back, and a pull that minds shifts more holds them there.
+/// Distance of the points at which a body is pulled from its center, cell edges. It weights turns more than shifts.
+/// Between two closed tilings, tiles must move apart and return, and a pull with more weight on shifts would block
+/// them.
 inline constexpr double pull_arm = 2;
-/// These points: the corners of a regular tetrahedron about the center, or the center alone. Cell edges, in the rest frame.
+/// Returns these points: the corners of a regular tetrahedron about the center, or the center alone. Cell edges, in
+/// the rest frame.
 std::vector<Eigen::Vector3d> pull_points(bool turns);
 
-/// A pull that moves the structure as little as it can as a whole: that of the same places and of the way to them.
+/// Returns the pull after a rigid motion that minimises its distance from rest. Relative target positions are
+/// unchanged.
 Pull aligned_pull(const Linkage& linkage, Pull pull);
 
-/// The pull on the way there: from rest, straight on and about one axis a body. @param share in [0, 1]
+/// Returns the pull at a share of the path from rest: each body moves straight and about one axis. @param share in
+/// [0, 1]
 Pull pull_at(const Linkage& linkage, const Pull& pull, double share);
 
 struct DeploymentOptions {
-  double turn = 0.17;    ///< rad, > 0: how far the pull may turn a body in a step: ten degrees
-  double shift = 0.25;   ///< cell edges, > 0: or move it
+  double turn = 0.17;    ///< largest turn of the pull on a body per step, rad, > 0: ten degrees
+  double shift = 0.25;   ///< largest shift of the pull on a body per step, cell edges, > 0
   double closed = 1e-9;  ///< cell edges and rad, > 0: misfit of a hinge up to which a state is closed
-  double limit =
-      2e-3;  ///< cell edges and rad, by which a hinge may be open where it cannot close: as in the physics run
-  int iterations = 100;             ///< in a step, >= 1
-  std::function<bool()> stop = {};  ///< asked between steps
+  /// Cell edges and rad, > 0: misfit allowed if a hinge cannot close; the simulation's limit
+  double limit = 2e-3;
+  int iterations = 100;             ///< per step, >= 1
+  std::function<bool()> stop = {};  ///< returns true to stop; called between steps
 };
 
-/// How a structure of rigid bodies follows a pull.
+/// Motion of a structure of rigid bodies under a pull.
 struct Deployment {
   std::vector<State> states;   ///< closed ones, rest first, mm
-  std::vector<double> shares;  ///< of the way, 0 to 1, of each
-  double gap = 0;              ///< largest mismatch of hinge points met, cell edges
-  double axis_gap = 0;         ///< and of hinge axes, rad
-  bool reached = false;        ///< the whole way, closed
-  double off_rms =
-      0;  ///< of the last state from the pull, at points half a cell edge from bodies' centers, cell edges
-  double off_max = 0;  ///< likewise the largest, cell edges
+  std::vector<double> shares;  ///< share of the path of each state, 0 to 1
+  double gap = 0;              ///< largest joint separation during the motion, cell edges
+  double axis_gap = 0;         ///< largest mismatch of hinge axes during the motion, rad
+  bool reached = false;        ///< true: the whole path is closed
+  /// Rms distance of the last state from the pull, at points half a cell edge from centers, cell edges
+  double off_rms = 0;
+  double off_max = 0;  ///< largest distance at these points, cell edges
 };
 
-/// States from rest on along the pull, closed within the limit: each the one nearest to the pull at its share of the way, in the sum of
-/// the squares of the pulled points' distances, under all hinges closed, found from the one before. By the method of
-/// multipliers with Gauss-Newton steps on the closure equations, which holds where hinges repeat each other. Of a
-/// structure with several motions that is one answer of many, and the one that springs at these points would give.
-/// @pre one pose a body in `pull`, all finite
+/// Computes states from rest along the pull, closed within the limit. Each state minimises the sum of squared
+/// distances of the pulled points at its share of the path, with all hinges closed. It is found from the one before.
+/// The method of multipliers uses Gauss-Newton steps on the closure equations, and allows redundant hinges. If a
+/// structure has several motions, the result is one of many: the one that springs at these points would give.
+/// @pre one pose per body in `pull`, all finite
 Deployment deploy(const Linkage& linkage, const Pull& pull, const DeploymentOptions& options = {});
 
-/// Half the mean turn of the hinges of a state, whichever way, rad, >= 0: what stands for theta where bodies are pulled.
+/// Returns half the mean turn of the hinges of a state, without sign, rad, >= 0. It replaces theta for pulled bodies.
 double mean_half_turn(const Linkage& linkage, const State& state);
 
 }  // namespace kinetix::model

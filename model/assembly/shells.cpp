@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Of the cube of a shell's extent: less is a sheet of paper that lies on itself, not a solid.
+// Volume relative to the cube of a shell's extent: a smaller one is a folded sheet of paper, not a solid.
 constexpr double least_filling = 1e-9;
 
 struct PointKey {
@@ -29,7 +29,7 @@ struct PointHash {
   }
 };
 
-/// -0 and 0 are one number.
+/// Returns the grid cell of a point. -0 and 0 are one number.
 PointKey key_of(const Vector3d& p, double tolerance) {
   PointKey key;
   for (int k = 0; k < 3; ++k) key.at[k] = (tolerance > 0 ? std::round(p[k] / tolerance) : p[k]) + 0.0;
@@ -55,7 +55,7 @@ std::vector<HalfEdge> sorted_edges(const Polyhedron& soup) {
   return edges;
 }
 
-/// Each run of half edges of one edge.
+/// Calls f for each run of half edges of one edge.
 template <class F>
 void for_each_edge(const std::vector<HalfEdge>& edges, const F& f) {
   for (std::size_t first = 0; first < edges.size();) {
@@ -67,7 +67,7 @@ void for_each_edge(const std::vector<HalfEdge>& edges, const F& f) {
   }
 }
 
-/// Of one edge: in the list's order, each with the next free one of the other direction.
+/// Pairs the half edges of one edge in the list's order, each with the next free one of the opposite direction.
 void unite_in_pairs(const std::vector<HalfEdge>& edges, std::size_t first, std::size_t end, UnionFind& sets) {
   std::vector<bool> taken(end - first);
   for (std::size_t a = first; a < end; ++a) {

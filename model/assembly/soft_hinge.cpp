@@ -16,20 +16,21 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// Sections on the way, each in the middle of its share: a fillet or a waist is resolved to a hundredth of the way.
+// Sections on the path, each in the middle of its share: this resolves a fillet or a waist to a hundredth of the
+// path.
 constexpr int sections = 128;
 // Length of the difference of two unit normals: above, the patches oppose each other by more than 60 degrees.
 constexpr double opposing = 1;
 
-/// Integrals over the way from patch to patch.
+/// Integrals over the path from patch to patch.
 struct Beam {
   PlaneFrame frame;
-  double from = 0, length = 0;             // of d . p, mm
+  double from = 0, length = 0;             // range of d . p, mm
   Matrix2d compliance = Matrix2d::Zero();  // C, 1/mm^3
-  Vector3d point = Vector3d::Zero();       // weighted by the trace of each section's share, mm
-  double pull = 0;                         // integral of dx / area, 1/mm
-  double waist = 0;                        // of d . p, where a section yields most
-  double edge_angle = 0;                   // of that section
+  Vector3d point = Vector3d::Zero();  // mean section center weighted by the trace of each section's share, mm
+  double pull = 0;                    // integral of dx / area, 1/mm
+  double waist = 0;                   // d . p of the most compliant section, mm
+  double edge_angle = 0;              // edge angle of that section, rad
 };
 
 Vector3d direction(const ContactPatch& first, const ContactPatch& second) {
@@ -39,7 +40,7 @@ Vector3d direction(const ContactPatch& first, const ContactPatch& second) {
   return apart.stableNormalized();
 }
 
-/// Of a patch along d, mm.
+/// Returns the extent of a patch along d, mm.
 std::pair<double, double> extent(const ContactPatch& patch, const Vector3d& d) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const auto& piece : patch.pieces)
@@ -50,7 +51,7 @@ std::pair<double, double> extent(const ContactPatch& patch, const Vector3d& d) {
   return {low, high};
 }
 
-/// Bending inertias about the directions of the plane: a moment about u bends over v.
+/// Returns the bending inertias about the directions of the plane: a moment about u bends over v.
 Matrix2d bending(const Matrix2d& second) {
   Matrix2d out;
   out << second(1, 1), -second(0, 1), -second(0, 1), second(0, 0);
@@ -101,7 +102,7 @@ Vector3d with_positive_lead(Vector3d axis) {
   return axis;
 }
 
-/// Of the solid's part between the patches, along a direction, at the waist.
+/// Returns the extent of the soft part along a direction, at the waist, mm.
 double height_at(const Polyhedron& soft, const Beam& beam, const Vector3d& axis) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const auto& t : soft.triangles)
@@ -116,14 +117,16 @@ double height_at(const Polyhedron& soft, const Beam& beam, const Vector3d& axis)
   return high - low;
 }
 
-/// In the plane, of the larger eigenvalue. @pre C is positive: the third direction's zero is the least
+/// Returns the direction in the plane with the larger eigenvalue. @pre C is positive: the third direction's zero is
+/// the least
 Vector2d most_compliant_direction(const Matrix2d& compliance) {
   Eigen::Matrix3d embedded = Eigen::Matrix3d::Zero();
   embedded.topLeftCorner<2, 2>() = compliance;
   return principal_axes(embedded).axes.col(2).head<2>();
 }
 
-/// A block of this length, height and inertia in bending, and of this area.
+/// Creates the equivalent block: its length, its height, and thicknesses with the same compliance in bending and in
+/// pull.
 SoftHinge about(const Beam& beam, const Polyhedron& soft, const Vector2d& axis) {
   const Vector2d across(-axis.y(), axis.x());
   const double yields = axis.dot(beam.compliance * axis), other = across.dot(beam.compliance * across);
@@ -150,7 +153,7 @@ std::optional<SoftHinge> soft_hinge(const Polyhedron& soft, const ContactPatch& 
   if (!beam) return std::nullopt;
   SoftHinge hinge = about(*beam, soft, most_compliant_direction(beam->compliance));
   if (!hinge.is_ambiguous()) return hinge;
-  // No direction stands out: those of the section's sides are what a person means.
+  // Without a preferred direction, the directions of the section's sides are the intended ones.
   const Vector2d side(std::cos(beam->edge_angle), std::sin(beam->edge_angle));
   return about(*beam, soft, side);
 }

@@ -17,14 +17,15 @@ namespace {
 using Eigen::Vector3d;
 using Corners = std::vector<Vector3d>;
 
-constexpr double flat_share = 0.01;    // of a tile's size: further off its plane, it is no tile
-constexpr double joined_share = 0.05;  // of the median edge: corners further apart are not one joint
-constexpr double one_plane =
-    1 * radians_per_degree;  // rad: between the normals of tiles that turn about them
-constexpr double reach_share =
-    0.18;  // of the distance of two bodies: half distance of the points that hold a hinge, as in sheets
+// Ratio to a tile's size: a corner farther off its plane is not part of a tile
+constexpr double flat_share = 0.01;
+constexpr double joined_share = 0.05;  // ratio to the median edge: corners farther apart are not one joint
+// Rad, between the normals of tiles that turn about them
+constexpr double one_plane = 1 * radians_per_degree;
+// Half distance of the points that support a hinge, ratio to the distance of two bodies, as in sheets
+constexpr double reach_share = 0.18;
 
-/// Newell's: twice the area along the normal.
+/// Returns twice the area along the normal, by Newell's method.
 Vector3d area_vector(const Corners& corners) {
   Vector3d sum = Vector3d::Zero();
   for (std::size_t k = 0; k < corners.size(); ++k) sum += corners[k].cross(corners[(k + 1) % corners.size()]);
@@ -49,7 +50,7 @@ std::string joint_words(std::size_t joint) { return "joint " + std::to_string(jo
   throw InvalidInput("tile " + std::to_string(tile + 1) + " " + why);
 }
 
-/// What of a convex polygon lies on the inner side of a line through `on`.
+/// Returns the part of a convex polygon on the inner side of a line through `on`.
 Corners cut_off(const Corners& corners, const Vector3d& on, const Vector3d& inwards) {
   Corners out;
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -62,7 +63,7 @@ Corners cut_off(const Corners& corners, const Vector3d& on, const Vector3d& inwa
   return out;
 }
 
-/// A tile of the sheet as it is cut.
+/// A tile of the sheet after the cut.
 class TileShape {
  public:
   TileShape(const Corners& corners, std::size_t tile, const TileMake& make) : tile_(tile), make_(make) {
@@ -117,7 +118,7 @@ class TileShape {
     }
   }
 
-  /// Half of each cut is this tile's. An edge that is shorter than the cuts beside it may vanish.
+  /// Removes half of each cut from this tile. An edge that is shorter than the cuts next to it may vanish.
   void cut() {
     const Corners whole = corners_;
     for (std::size_t k = 0; k < whole.size(); ++k) {

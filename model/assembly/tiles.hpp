@@ -12,43 +12,42 @@ namespace kinetix::model {
 /// Two tiles that share a corner.
 struct TileJoint {
   int first = 0, first_corner = 0;    ///< tile, and its corner
-  int second = 0, second_corner = 0;  ///< likewise
-  bool both_faces =
-      false;  ///< held at both faces of the sheet, so that it turns about the tiles' normal alone
+  int second = 0, second_corner = 0;  ///< tile, and its corner
+  bool both_faces = false;            ///< held at both faces of the sheet: turns only about the tiles' normal
 };
 
-/// Flat polygons joined at corners: how the literature on kirigami writes its sheets.
+/// Flat polygons joined at corners, as in the literature on kirigami.
 struct TileSheet {
-  std::vector<std::vector<Eigen::Vector3d>>
-      tiles;  ///< corners of each in their order, in the unit of its file
+  std::vector<std::vector<Eigen::Vector3d>> tiles;  ///< corners of each in order, in the unit of its file
   std::vector<TileJoint> joints;
-  std::vector<std::vector<Eigen::Vector3d>>
-      target;  ///< where the same corners are to go, in that unit; empty: nowhere
+  /// Target position of each corner, in that unit; empty: none
+  std::vector<std::vector<Eigen::Vector3d>> target;
 };
 
-/// How tiles become bodies.
+/// Parameters that convert tiles to bodies.
 struct TileMake {
-  double scale_mm = 1;      ///< mm of the sheet's unit, > 0
-  double thickness_mm = 1;  ///< of the sheet, half of it to each side of the corners, > 0
+  double scale_mm = 1;      ///< mm per unit of the sheet, > 0
+  double thickness_mm = 1;  ///< thickness of the sheet, half of it to each side of the corners, > 0
   double kerf_mm = 0.6;     ///< width of the cuts: half of it is taken off each edge, >= 0
 };
 
-/// The median edge of its tiles, in its own unit.
+/// Returns the median edge of the tiles, in the unit of the sheet.
 double median_edge(const TileSheet& sheet);
 
-/// Prisms joined where corners are: by balls, or, at both faces of tiles that lie in one plane to a degree, by hinges about
-/// their normal. Corners that a file has a little apart are joined half way. Named tile_1, joint_1 and on.
-/// @throws InvalidInput, naming the tile or joint, from 1: fewer than three corners, tiles that are not flat to a hundredth of
-/// their size, not convex or narrower than the kerf, corners or tiles that are not there, corners that are further apart than a
-/// twentieth of an edge, a tile that hangs on no chain of joints
+/// Creates prisms joined at corners by ball joints. Joints at both faces of tiles in one plane, within a degree, are
+/// hinges about the normal. Corners that are slightly apart in a file are joined half way. Names are tile_1, joint_1
+/// and so on.
+/// @throws InvalidInput, naming the tile or joint, counted from 1. Tiles need three corners, must be flat to a
+/// hundredth of their size, convex, and wider than the kerf. Joints need existing corners and tiles, with corners at
+/// most a twentieth of an edge apart. Each tile needs a chain of joints to the others.
 Assembly assembly_of_tiles(const TileSheet& sheet, const TileMake& make);
 
-/// The poses that carry each tile as near to its target as a rigid body goes, and by how much corners then miss it.
+/// Rigid poses of the tiles nearest to their targets, with the remaining error of their corners.
 struct TileTarget {
   State poses;         ///< mm
-  double off_max = 0;  ///< of a corner, over the median edge: what a target asks tiles to stretch
+  double off_max = 0;  ///< largest corner error over the median edge: the stretch that the target would need
 };
-/// @pre the sheet has a target with the same corners
+/// Fits each tile to its target. @pre the sheet has a target with the same corners
 TileTarget target_of_tiles(const TileSheet& sheet, const Assembly& assembly, double scale_mm);
 
 }  // namespace kinetix::model

@@ -6,7 +6,7 @@
 
 namespace kinetix::model {
 
-/// Adds the elements of one list to the end of another.
+/// Moves the elements of `more` to the end of `to`.
 template <class T>
 void append(std::vector<T> more, std::vector<T>& to) {
   std::move(more.begin(), more.end(), std::back_inserter(to));

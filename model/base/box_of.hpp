@@ -4,7 +4,7 @@
 
 namespace kinetix::model {
 
-/// The box along the axes round points, a list of Eigen::Vector2d or Vector3d.
+/// Computes the axis-aligned bounding box of points, a list of Eigen::Vector2d or Vector3d.
 template <class Points>
 auto box_of(const Points& points) {
   Eigen::AlignedBox<double, Points::value_type::RowsAtCompileTime> box;

@@ -5,19 +5,20 @@
 
 namespace kinetix {
 
-// Dense decompositions by Eigen, in one place because each takes a compiler seconds.
+// Dense decompositions by Eigen, in one file because each takes seconds to compile.
 
-/// The x that makes |A x - b| least, by a QR factor with column pivoting.
-/// @param A as many rows as b, at least as many as columns; of full column rank, or x is one of many
+/// Returns the x that minimises |A x - b|, by a QR factor with column pivoting.
+/// @param A one row per entry of b, at least as many rows as columns; x is unique only for full column rank
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 
-/// Orthonormal columns that span those of A; as many as its rank, to rounding.
+/// Returns an orthonormal basis of the column space of A. The number of columns is the numerical rank of A.
 Eigen::MatrixXd column_space(const Eigen::MatrixXd& A);
 
-/// Orthonormal columns that span those of A, as many as it has. @pre rows >= columns
+/// Returns orthonormal columns that span those of A, one per column of A. @pre rows >= columns
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& A);
 
-/// Right singular vectors, orthonormal columns, with their values, largest first; min(rows, columns) of each.
+/// Right singular vectors (orthonormal columns) and singular values, largest first: min(rows, columns) of
+/// each.
 struct SingularVectors {
   Eigen::MatrixXd vectors;  ///< dimensionless
   Eigen::VectorXd values;   ///< of the unit of A
@@ -32,23 +33,23 @@ struct Eigenvectors {
 };
 Eigenvectors symmetric_eigenvectors(const Eigen::MatrixXd& A);
 
-/// Those values alone, of the unit of A.
+/// Returns the eigenvalues of a symmetric matrix without their vectors, least first, in the unit of A.
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& A);
 
-/// The same in space: of a spread, an inertia, a stiffness.
+/// Eigenvalues and orthonormal eigenvectors of a symmetric 3 x 3 matrix, such as an inertia or a stiffness.
 struct PrincipalAxes {
   Eigen::Matrix3d axes;    ///< orthonormal columns, dimensionless
   Eigen::Vector3d values;  ///< of the unit of A, least first
 };
 PrincipalAxes principal_axes(const Eigen::Matrix3d& A);
 
-/// LDL^T factor of a symmetric positive matrix, its largest pivots first.
+/// LDL^T factor of a symmetric positive matrix, with the largest pivots first.
 class SymmetricFactor {
  public:
   explicit SymmetricFactor(const Eigen::MatrixXd& A);
   ~SymmetricFactor();
 
-  /// Of the unit of A; NaN where A is not finite.
+  /// Returns the smallest pivot, in the unit of A; NaN if A is not finite.
   double least_pivot() const;
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
   Eigen::VectorXd inverse_diagonal() const;

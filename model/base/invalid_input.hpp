@@ -5,7 +5,7 @@
 
 namespace kinetix {
 
-/// Where something stands in an input file.
+/// Position in an input file.
 struct Place {
   std::string file;      ///< as the user named it; empty when there is no file
   int line = 0;          ///< from 1; 0 = not known
@@ -13,11 +13,12 @@ struct Place {
   std::string key = {};  ///< dotted path, e.g. "variables.beta.range_deg"; empty when not inside a document
 };
 
-/// A number as messages write it.
+/// Formats a number as messages write it.
 std::string number_text(double number);
 
-/// The one exception for bad input. Its message reads `file:line:column: key.path: what is wrong, what is
-/// allowed`; parts that are not known are left out. The program maps it to exit code 2.
+/// The only exception type for bad input. Its message reads `file:line:column: key.path: what is wrong, what
+/// is
+/// allowed`, without the parts that are not known. The program maps it to exit code 2.
 class InvalidInput : public std::runtime_error {
  public:
   explicit InvalidInput(const std::string& what_is_wrong, Place place = {});
@@ -31,7 +32,8 @@ class InvalidInput : public std::runtime_error {
   std::string reason_;
 };
 
-/// @throws InvalidInput "FIELD is VALUE, must be ALLOWED" unless `fine`: ask so that NaN is not
+/// Checks an input field. NaN must fail, so write `fine` as a comparison that is false for NaN.
+/// @throws InvalidInput "FIELD is VALUE, must be ALLOWED" unless `fine`
 void require(const std::string& field, double value, bool fine, const std::string& allowed);
 
 }  // namespace kinetix

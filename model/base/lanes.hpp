@@ -5,11 +5,11 @@
 
 namespace kinetix::model {
 
-/// Two numbers side by side, for two designs that are computed at once by vector instructions: those that every 64-bit
-/// processor has, so that nothing is asked of the machine. Each lane has the bits that `double` gives.
+/// Two numbers for two designs that are computed at once with vector instructions. Every 64-bit processor has
+/// these 16-byte instructions. Each lane has exactly the bits that `double` gives.
 class Lanes {
  public:
-  static constexpr int count = 2;  ///< lanes: 16 bytes are what those instructions take
+  static constexpr int count = 2;  ///< lanes: two doubles fill the 16 bytes of such an instruction
 
   Lanes() = default;
   Lanes(double both) : v_{both, both} {}
@@ -40,7 +40,7 @@ class Lanes {
 
 }  // namespace kinetix::model
 
-/// Lets matrices have such entries.
+/// Makes Lanes usable as the entries of Eigen matrices.
 template <>
 struct Eigen::NumTraits<kinetix::model::Lanes> : Eigen::GenericNumTraits<double> {
   using Real = kinetix::model::Lanes;

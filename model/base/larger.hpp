@@ -4,7 +4,7 @@
 
 namespace kinetix {
 
-/// The larger of two numbers; NaN where either is, so that a running maximum keeps it.
+/// Returns the larger of two numbers; NaN if either is NaN, so that a running maximum keeps it.
 inline double larger(double a, double b) { return std::isnan(a) || a >= b ? a : b; }
 
 }  // namespace kinetix

@@ -11,7 +11,8 @@
 namespace kinetix::model {
 namespace {
 
-/// Folders in which the loader looks for modules: the run path of the program or library that this code is part of.
+/// Returns the folders in which the loader looks for modules: the run path of the program or library with
+/// this code.
 std::vector<std::string> module_folders() {
   Dl_info here;
   void* object = nullptr;
@@ -36,7 +37,7 @@ std::string module_file(const std::string& name) {
 }
 
 void* module_function(const std::string& module, const char* function) {
-  // Never closed: what it threw may still be held. A second call finds the one that is loaded.
+  // Never closed: exceptions that the module threw may still exist. A second call finds the loaded module.
   void* const loaded = dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (loaded == nullptr)
     throw std::runtime_error(module + ", a part of this program, cannot be loaded: " + dlerror());

@@ -9,15 +9,15 @@
 namespace kinetix {
 namespace {
 
-// Squared sine of the angle of two edges (1e-6 rad): below, their cross product is mostly rounding, and the
-// face normals cover what it would tell.
+// Squared sine of the angle between two edges (1e-6 rad). Below it their cross product is mostly rounding,
+// and the face normals cover that direction.
 constexpr double parallel_squared = 1e-12;
-// Ratio of lengths: below, a slant is the rounding of a right angle, whose cotangent is not quite 0.
+// Ratio of lengths. A smaller slant is rounding of a right angle, whose cotangent is not exactly 0.
 constexpr double least_slant = 1e-12;
 
-/// Projections of two boxes in the frame of the first.
+/// Projections of two boxes in the frame of the first one.
 struct Projections {
-  Eigen::Matrix3d turn, size;  ///< axes of b by axes of a, and its absolute values
+  Eigen::Matrix3d turn, size;  ///< axes of b in the frame of a, and its absolute values
   Eigen::Vector3d offset;
 
   Projections(const OrientedBox& a, const OrientedBox& b)
@@ -34,13 +34,13 @@ bool apart_along_faces(const Projections& p, const OrientedBox& a, const Oriente
   return false;
 }
 
-/// Distance of the centres along the cross product of edge i of a and edge j of b, times its length.
+/// Returns the distance of the centres along n = (edge i of a) x (edge j of b), times |n|.
 double edge_distance(const Projections& p, int i, int j) {
   const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
   return std::abs(p.offset[i2] * p.turn(i1, j) - p.offset[i1] * p.turn(i2, j));
 }
 
-/// Half extents of both boxes along it, likewise.
+/// Returns the sum of the half extents of both boxes along the same n, times |n|.
 double edge_reach(const Projections& p, const OrientedBox& a, const OrientedBox& b, int i, int j) {
   const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
   return a.half[i1] * p.size(i2, j) + a.half[i2] * p.size(i1, j) + b.half[j1] * p.size(i, j2) +
@@ -79,12 +79,12 @@ double gap_along_edges(const Projections& p, const OrientedBox& a, const Oriente
 
 bool is_slanted(const OrientedBox& box) { return std::abs(box.slant) > least_slant; }
 
-/// Three unit vectors, or four.
+/// Unit vectors of a box: three, or four for a slanted box.
 struct Directions {
   std::array<Eigen::Vector3d, 4> all;
   int count = 3;
 
-  /// @param fourth of a slanted box, of any length but 0
+  /// @param fourth extra direction of a slanted box, of any length but 0
   Directions(const OrientedBox& box, const Eigen::Vector3d& fourth)
       : all{box.axes.col(0), box.axes.col(1), box.axes.col(2)} {
     if (is_slanted(box)) all[count++] = fourth.normalized();
@@ -97,7 +97,7 @@ Directions normals_of(const OrientedBox& box) { return {box, box.axes.col(0) - b
 
 Directions edges_of(const OrientedBox& box) { return {box, box.axes.col(1) + box.slant * box.axes.col(0)}; }
 
-/// Largest gap over all directions, or the first that is more than enough.
+/// Returns the largest gap over all directions, or the first gap that is larger than `enough`.
 double gap_of_slanted(const OrientedBox& a, const OrientedBox& b, double enough) {
   const Eigen::Vector3d apart = b.center - a.center;
   double gap = -std::numeric_limits<double>::infinity();

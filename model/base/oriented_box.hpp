@@ -5,32 +5,33 @@
 
 namespace kinetix {
 
-/// A box at any attitude, one end of which may be slanted. All lengths in one unit, the caller's: mm for half_walls(), cell
-/// edges elsewhere.
+/// A box in any orientation, with an optional slant of one end. All lengths are in one unit that the caller
+/// chooses: mm for half_walls(), cell edges elsewhere.
 struct OrientedBox {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns: unit directions of its edges
-  Eigen::Vector3d half =
-      Eigen::Vector3d::Zero();  ///< half lengths along them, >= 0; of the first, halfway up the second
-  double slant =
-      0;  ///< by which its end to the positive side of the first axis is further out per length along the second
+  /// Half lengths along the axes, >= 0. The first one is measured halfway up the second axis.
+  Eigen::Vector3d half = Eigen::Vector3d::Zero();
+  double slant = 0;  ///< outward offset of the end at +axis 0, per length along axis 1
 };
 
-/// How far from its center a box reaches along a direction, times the length of that.
+/// Returns how far the box extends from its center along a direction, times the length of that direction.
 double support(const OrientedBox& box, const Eigen::Vector3d& direction);
-/// Nothing of a box is further from its center.
+/// Returns the radius of a ball about the center that contains the box.
 double radius(const OrientedBox& box);
-/// Unit normals of its faces, one of two that are parallel; and unit directions of its edges, likewise. Three, or four.
+/// Returns the unit face normals, one per pair of parallel faces: three, or four for a slanted box.
+/// Returns the unit directions of the edges: three, or four for a slanted box.
 std::vector<Eigen::Vector3d> face_normals(const OrientedBox& box);
 std::vector<Eigen::Vector3d> edge_directions(const OrientedBox& box);
 
-/// Whether two boxes overlap by more than `depth` in every direction (a negative depth: come closer than
-/// -depth), in the unit of the boxes. Separating-axis test over the 15 candidates, 24 of slanted ones: exact for depth 0. Cross
-/// products of edges that are parallel to within 1e-6 rad are left out, as the face normals then cover them.
+/// Returns whether two boxes overlap by more than `depth` in every direction, in the unit of the boxes. A
+/// negative depth tests whether they are closer than -depth. Separating-axis test over 15 candidate
+/// directions, 24 for slanted boxes; exact for depth 0. Cross products of edges within 1e-6 rad of parallel
+/// are left out, since the face normals cover them.
 bool overlap(const OrientedBox& a, const OrientedBox& b, double depth = 0);
 
-/// Largest gap of two boxes over the same directions: at most their distance, 0 where they overlap. In
-/// the unit of the boxes.
+/// Returns the largest gap of two boxes over the directions of overlap(), in the unit of the boxes. It is a
+/// lower bound of their distance, and 0 if they overlap.
 double separation(const OrientedBox& a, const OrientedBox& b);
 
 }  // namespace kinetix

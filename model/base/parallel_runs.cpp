@@ -14,9 +14,9 @@ namespace {
 
 constexpr int most_threads = 1024;  // more exhaust the memory for stacks, and OpenMP then ends the program
 
-// OpenMP orders what comes before, in and after a parallel region, but the thread sanitizer cannot see that:
-// the runtime is not instrumented. These say the same in the language's own terms, so that what it reports is
-// real.
+// OpenMP orders what runs before, in and after a parallel region. The thread sanitizer cannot see that,
+// because the OpenMP runtime is not instrumented. These counters repeat the ordering as C++ atomics, so that
+// its reports are real.
 std::atomic<int> entered{0}, left{0};
 
 void before_region() { entered.fetch_add(1, std::memory_order_release); }
@@ -24,7 +24,8 @@ void enter_region() { entered.load(std::memory_order_acquire); }
 void leave_region() { left.fetch_add(1, std::memory_order_release); }
 void after_region() { left.load(std::memory_order_acquire); }
 
-/// Not instrumented itself, for the variables that the compiler hands to the threads; all that it calls is.
+/// Runs the loop. Not instrumented itself, because of the variables that the compiler passes to the threads.
+/// Everything that it calls is instrumented.
 __attribute__((no_sanitize("thread"))) void fill(int count, int threads,
                                                  const std::function<void(int)>& run) {
   before_region();
@@ -38,7 +39,7 @@ __attribute__((no_sanitize("thread"))) void fill(int count, int threads,
   after_region();
 }
 
-/// The exception of the least run.
+/// The exception of the run with the least index.
 class Thrown {
  public:
   /// @pre an exception is being handled

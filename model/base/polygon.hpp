@@ -5,8 +5,10 @@
 
 namespace kinetix {
 
-/// Signed area of a closed polygon, in the square of its unit: positive where it runs counter-clockwise.
-/// @param count of its corners   @param corner the k-th, as an Eigen::Vector2d; from 0
+/// Returns the signed area of a closed polygon, in squared units of its corners. Counter-clockwise is
+/// positive.
+/// @param count number of corners
+/// @param corner function that returns corner k as an Eigen::Vector2d; k from 0
 template <class Corner>
 double signed_area(std::size_t count, const Corner& corner) {
   double twice = 0;
@@ -17,7 +19,7 @@ double signed_area(std::size_t count, const Corner& corner) {
   return twice / 2;
 }
 
-/// Likewise, of a list of corners.
+/// Returns the signed area of a closed polygon that is given as a list of corners.
 template <class Points>
 double signed_area(const Points& points) {
   return signed_area(points.size(), [&](std::size_t k) -> const Eigen::Vector2d& { return points[k]; });

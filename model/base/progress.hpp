@@ -7,8 +7,9 @@
 
 namespace kinetix {
 
-/// Hears how far something long has come: its stage, the share of it that is done, 0 to 1 (negative: not known), and in
-/// words what it has so far. Calls may come from any thread. Without a hearer, words fall away.
+/// Receiver of progress reports of a long task. A report has the stage, its completed share from 0 to 1
+/// (negative: unknown), and a text with the results so far. Calls may come from any thread. Without a
+/// function, reports are dropped.
 class Progress {
  public:
   using Hearer = std::function<void(const std::string& stage, double done, const std::string& so_far)>;

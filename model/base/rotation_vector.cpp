@@ -8,11 +8,11 @@
 namespace kinetix {
 namespace {
 
-constexpr double opposite = 1e-12;  // 1 + cosine: below, rounding chooses the axis
+constexpr double opposite = 1e-12;  // 1 + cosine: below it, rounding decides the axis
 
-/// (1 - cos a) / a^2
+/// (1 - cos a) / a^2, by its series for small a.
 double second(double a) { return a < 1e-4 ? 0.5 - a * a / 24 : (1 - std::cos(a)) / (a * a); }
-/// (a - sin a) / a^3
+/// (a - sin a) / a^3, by its series for small a.
 double third(double a) { return a < 1e-2 ? 1.0 / 6 - a * a / 120 : (a - std::sin(a)) / (a * a * a); }
 
 }  // namespace
@@ -24,7 +24,7 @@ Eigen::Matrix3d rotation_of(const Eigen::Vector3d& v) {
 }
 
 Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  // Eigen's own function for this brings a singular value decomposition along, which takes a compiler seconds.
+  // Eigen's function for this compiles a singular value decomposition, which takes seconds.
   const Eigen::Vector3d a = from.normalized(), b = to.normalized();
   const double whole = 1 + a.dot(b);
   if (!(whole > opposite)) return Eigen::AngleAxisd(pi, a.unitOrthogonal()).toRotationMatrix();

@@ -6,8 +6,8 @@
 
 namespace kinetix {
 
-/// LDL^T factor of a sparse symmetric matrix, by Eigen without supernodes; in one place because it takes a compiler
-/// seconds. Only the lower half of a matrix is read.
+/// LDL^T factor of a sparse symmetric matrix, by Eigen without supernodes. It is in one file because it takes
+/// seconds to compile. Only the lower half of a matrix is read.
 class SparseFactor {
  public:
   SparseFactor();
@@ -16,14 +16,14 @@ class SparseFactor {
   SparseFactor(SparseFactor&&) noexcept;
   SparseFactor& operator=(SparseFactor&&) noexcept;
 
-  /// Orders the unknowns by the pattern of A, for all matrices that `factorize` is then given.
+  /// Computes the ordering of the unknowns from the pattern of A, for all later calls of `factorize`.
   void analyze(const Eigen::SparseMatrix<double>& A);
-  /// @return whether A, of the pattern known, has a factor: no pivot is zero
+  /// Factorises A, whose pattern must be the analysed one. @return whether that succeeded: no pivot is zero
   bool factorize(const Eigen::SparseMatrix<double>& A);
-  /// Both of it.
+  /// Analyses the pattern of A and factorises it. @return as factorize()
   bool compute(const Eigen::SparseMatrix<double>& A);
 
-  /// @pre the last matrix had a factor
+  /// @pre the last factorisation succeeded
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
   Eigen::MatrixXd solve_all(const Eigen::MatrixXd& columns) const;
 

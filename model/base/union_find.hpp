@@ -7,24 +7,24 @@
 
 namespace kinetix {
 
-/// Sets of the numbers 0 to count - 1 that grow together.
+/// Disjoint sets of the numbers 0 to count - 1.
 class UnionFind {
  public:
   explicit UnionFind(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
 
-  /// One number that stands for the whole set of k.
+  /// Returns the representative of the set that contains k.
   int find(int k) {
     while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
     return k;
   }
-  /// The lowest number of a set stands for it.
+  /// Merges the sets of a and b. The lowest number of a set is its representative.
   void unite(int a, int b) {
     a = find(a);
     b = find(b);
     parent_[std::max(a, b)] = std::min(a, b);
   }
 
-  /// The numbers of the largest set, in order; of several the one with the lowest number.
+  /// Returns the members of the largest set in ascending order. Ties go to the set with the lowest number.
   std::vector<int> largest() {
     const int count = static_cast<int>(parent_.size());
     std::vector<int> sizes(parent_.size(), 0), out;

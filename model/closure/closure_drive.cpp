@@ -26,7 +26,7 @@ Vector3d turn_since(const Pose& from, const Pose& now) {
   return turn.angle() * turn.axis();
 }
 
-/// Transposed inverse of the left Jacobian of the exponential map at `turn`, applied to v.
+/// Returns the transposed inverse of the left Jacobian of the exponential map at `turn`, applied to v.
 Vector3d rate_of_logarithm(const Vector3d& turn, const Vector3d& v) {
   const double angle = turn.norm();
   const double c =

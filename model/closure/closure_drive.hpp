@@ -8,8 +8,8 @@
 
 namespace kinetix::model {
 
-/// The upper body of a hinge is turned about the hinge axis against the lower one. On the y-wall of body
-/// (0, 0) the fold parameter theta is the angle -2 theta.
+/// A drive that turns the upper body of a hinge about the hinge axis, relative to the lower body. On the
+/// y-wall of body (0, 0), the fold parameter theta is the angle -2 theta.
 struct HingeTurn {
   int hinge = 0;
   double angle = 0;  ///< rad, (-pi, pi)
@@ -17,27 +17,28 @@ struct HingeTurn {
   bool operator==(const HingeTurn&) const = default;
 };
 
-/// The motion of one body since `from`, projected on a direction:
+/// A drive that prescribes the motion of one body since `from` along one direction:
 /// direction.omega . (turn since from, rad) + direction.v . (shift since from, in cell edges) = amount.
 struct BodyPush {
   int body = 0;
   Pose from;
   Twist direction;    ///< v in cell edges; not zero
-  double amount = 0;  ///< rad and cell edges; the turn that it asks for must stay below pi
+  double amount = 0;  ///< rad and cell edges; the turn that results must stay below pi
 };
 
-/// One scalar condition that moves a structure along.
+/// Scalar condition that drives a structure.
 using ClosureDrive = std::variant<HingeTurn, BodyPush>;
 
 /// @throws InvalidInput for a body or hinge that does not exist, or numbers out of range
 void validate(const ClosureDrive& drive, const Linkage& structure);
 
-/// Turn of a hinge in a state, rad, (-pi, pi].
+/// Returns the turn of a hinge in a state, rad, (-pi, pi].
 double hinge_turn(const Linkage& structure, const State& state, int hinge);
-/// Largest difference of a hinge's turn between two states, rad: does not add up along chains.
+/// Returns the largest difference of a hinge's turn between two states, rad. The differences do not add up
+/// along chains.
 double turn_distance(const Linkage& structure, const State& a, const State& b);
 
-/// How far the state is from what the drive asks, rad or cell edges.
+/// Returns the deviation of the state from the drive's target, rad or cell edges.
 double drive_residual(const ClosureDrive& drive, const Linkage& structure, const State& state);
 
 /// Appends the derivative of drive_residual by the bodies' twists (rad, cell edges; columns as in

@@ -12,18 +12,19 @@ namespace {
 using Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-// Times the weight of a hinge: where hinges cannot close, they give way and the drive does not. The normal
-// equations hold its square, so a much larger one would cost them their digits.
+// Weight of a drive as a multiple of a hinge's: hinges that cannot close give way and the drive does not. The
+// normal equations contain its square, so a much larger weight would cost them their digits.
 constexpr double drive_weight = 1000;
-// Of a diagonal entry of about 1 of the normal equations, added to each: they are singular where the
-// structure moves freely beside its drive. More would slow the last steps.
+// Added to each diagonal entry of the normal equations, where entries are about 1. Without it they are
+// singular if the structure moves freely apart from its drive. A larger value would slow the last steps.
 constexpr double least_damping = 1e-13;
-// Likewise: steps that are damped more lead nowhere, and the search ends.
+// Largest value added to the diagonal entries of about 1. Steps with more damping make no progress, and the
+// search ends.
 constexpr double most_damping = 1e6;
-// Rad, cell edges, of a body: further on, the linearisation tells nothing.
+// Largest step of a body, rad or cell edges. Beyond it the linearisation is not valid.
 constexpr double longest_step = 0.5;
 
-/// NaN where an entry is not finite.
+/// Returns NaN if an entry is not finite.
 double largest(const VectorXd& v) {
   return v.allFinite() ? v.lpNorm<Eigen::Infinity>() : std::numeric_limits<double>::quiet_NaN();
 }
@@ -73,7 +74,7 @@ class DrivenSystem {
   const std::vector<ClosureDrive>& drives_;
 };
 
-/// One search from one start.
+/// A search from one start.
 class Search {
  public:
   Search(const DrivenSystem& system, const State& start, const ClosureOptions& options)
@@ -105,7 +106,7 @@ class Search {
     normal_ = jacobian.transpose() * (weights_.asDiagonal() * jacobian);
   }
 
-  /// False where the damping must grow.
+  /// Returns false if the damping must grow.
   bool step() {
     SparseMatrix damped = normal_;
     damped.diagonal().array() += damping_ + least_damping;

@@ -15,11 +15,11 @@ namespace {
 
 using Kind = LinkageDrive::Kind;
 
-constexpr int scan_steps = 900;             // of a tenth of a degree, to part close roots
+constexpr int scan_steps = 900;             // steps of a tenth of a degree, to separate close roots
 constexpr double widest = 89.9 * pi / 180;  // rad; at 90 deg every cell is closed
-constexpr int halvings = 80;                // of a step: down to the last bit of any theta
+constexpr int halvings = 80;                // halvings of a step: down to the last bit of any theta
 
-/// What the drive prescribes, as the linkage in a state has it, minus what is asked.
+/// Deviation of the drive's coordinate in the linkage's state from its target.
 class DriveMiss {
  public:
   DriveMiss(const LinkageDrive& drive, const Linkage& linkage, const std::function<State(double)>& fold)
@@ -40,21 +40,22 @@ class DriveMiss {
   const std::function<State(double)>& fold_;
 };
 
-constexpr int samples =
-    64;  // of theta up to where a straight cord is short enough: one between ends that curl up is so before
-constexpr double growth = 1.01;    // of theta from sample to sample beyond
-constexpr int golden_cuts = 60;    // of a dip, down to the last bits of theta
-constexpr double beyond = 1e-6;    // of theta: by so much past it, a straight cord is surely shorter
-constexpr int most_secants = 100;  // of a bracket: bisection alone needs 50
+// Samples of theta up to the target of a straight tendon; the root is earlier if the ends curl up
+constexpr int samples = 64;
+constexpr double growth = 1.01;  // ratio of theta from sample to sample beyond
+constexpr int golden_cuts = 60;  // cuts of a dip, down to the last bits of theta
+// Ratio to theta: this far past the target, a straight tendon is certainly shorter
+constexpr double beyond = 1e-6;
+constexpr int most_secants = 100;  // steps in a bracket: bisection alone needs 50
 
-/// How much longer a cord is than asked, cell edges, along one side of flat.
+/// Excess length of a tendon over its target, cell edges, on one side of flat.
 class CordMiss {
  public:
   CordMiss(const LinkageDrive& drive, const Linkage& linkage, const std::function<State(double)>& fold,
            int side)
       : drive_(drive), linkage_(linkage), fold_(fold), side_(side) {}
 
-  /// @param size of theta, rad
+  /// @param size absolute value of theta, rad
   double operator()(double size) const {
     const double length = cord_length(linkage_, drive_.through, fold_(side_ * size));
     return (length - drive_.rest_mm + drive_.shorten_mm) / linkage_.size.edge_mm;
@@ -67,7 +68,7 @@ class CordMiss {
   int side_;
 };
 
-/// Regula falsi with the Illinois rule between a (above 0) and b (not above).
+/// Returns the root between a (miss > 0) and b (miss <= 0) by regula falsi with the Illinois rule.
 double root_between(const CordMiss& miss, double a, double b) {
   double at_a = miss(a), at_b = miss(b);
   for (int k = 0; k < most_secants && at_b != 0; ++k) {
@@ -83,7 +84,8 @@ double root_between(const CordMiss& miss, double a, double b) {
   return b;
 }
 
-/// Where a cord is shortest between two thetas, between which its length has one dip.
+/// Returns the size of theta between a and b at which a tendon is shortest. @pre its length has one dip
+/// between them
 double lowest_between(const CordMiss& miss, double a, double b) {
   constexpr double share = 1 / std::numbers::phi;
   for (int k = 0; k < golden_cuts; ++k) {
@@ -93,8 +95,8 @@ double lowest_between(const CordMiss& miss, double a, double b) {
   return (a + b) / 2;
 }
 
-/// The smallest size of theta on one side, if any. A cord may be short enough for a moment only, and reach its length again
-/// much further on.
+/// Returns the smallest size of theta on one side, if any. A tendon may be short enough only briefly and
+/// reach its length again at a much larger theta.
 std::optional<double> cord_root(const CordMiss& miss, double straight) {
   struct Sample {
     double size, miss;

@@ -7,33 +7,37 @@
 
 namespace kinetix::model {
 
-/// theta, rad, within 90 deg on the drive's side of flat, at which a motion first has what the drive asks for:
-/// the distance of the first bodies that the plates grip, the turn of the driven hinge, or the length of the cord
-/// (theta_of_cord). Springs alone take a sheet to the theta at which they rest.
-/// @param fold state at theta, rad   @throws InvalidInput where there is none
+/// Returns the first theta, rad, at which a motion reaches the drive's target, within 89.9 deg of flat on the
+/// drive's side. The target is the distance of the first gripped bodies (plates), the turn of the driven
+/// hinge, or the length of the tendon (theta_of_cord). For springs the result is the theta at which they
+/// rest.
+/// @param fold state at theta, rad   @throws InvalidInput if there is no such theta
 double theta_of(const LinkageDrive& drive, const Linkage& linkage, const std::function<State(double)>& fold);
 
-/// theta, rad, within 89.9 deg of flat, at which a motion has the cord of a drive as short as is asked: on the side of flat
-/// where that is nearer, on the drive's where both are as near. Nothing where it never is.
+/// Returns the theta, rad, within 89.9 deg of flat, at which a motion has the drive's tendon at its target
+/// length. The nearer side of flat is used, and the drive's side if both are equally near. Empty if the
+/// tendon never reaches it.
 std::optional<double> theta_of_cord(const LinkageDrive& drive, const Linkage& linkage,
                                     const std::function<State(double)>& fold);
 
-/// theta, rad, of a motion where the drive has come to its own `theta`; nothing where it never does, and of springs, whose
-/// hinges say how far they fold a sheet.
+/// Returns the theta, rad, of a motion at which the drive reaches the value for its own `theta`. Empty if it
+/// never does, and for springs, since hinges determine how far springs fold a sheet.
 std::optional<double> folded_theta(const LinkageDrive& drive, double theta, const Linkage& linkage,
                                    const std::function<State(double)>& fold);
 
-/// The drive's coordinate in any state, held by the drive or not. Plates: by the middles of their rows; springs: by mean_theta.
+/// Returns the drive's coordinate in any state, prescribed by the drive or not. Plates use the mean positions
+/// of their rows, springs use mean_theta.
 double coordinate_of(const LinkageDrive& drive, const Linkage& linkage, const State& state);
-/// The coordinate that the load does work along, up to a constant. Plates: minus the distance of the first bodies that they grip, mm;
-/// a cord: minus its length, mm; a hinge: its turn, rad. @pre not springs
+/// Returns the coordinate along which the load does work, up to a constant. Plates: minus the distance of the
+/// first bodies that they grip, mm. Tendon: minus its length, mm. Hinge: its turn, rad. @pre not springs
 double way_of(const LinkageDrive& drive, const Linkage& linkage, const State& state);
-/// The LinkageDrive::theta(), rad, at which a drive would have a state as it is: of a hinge and a cord by their turn and
-/// length, of plates and springs as mean_theta. Of a cord with the sign of the drive's own; 0 where it is slack.
+/// Returns the LinkageDrive::theta(), rad, that corresponds to a state. A hinge uses its turn and a tendon
+/// its length, plates and springs use mean_theta. The sign for a tendon is that of the drive's branch; a
+/// slack tendon gives 0.
 double theta_in(const LinkageDrive& drive, const Linkage& linkage, const State& state);
 
-/// Mean fold parameter, rad, of the upright hinges of a state (of all where none is upright): half their turns, in the
-/// sense of the checkerboard.
+/// Returns the mean fold parameter, rad, of the upright hinges of a state, or of all hinges if none is
+/// upright: half their turns, signed by the checkerboard.
 double mean_theta(const Linkage& linkage, const State& state);
 
 }  // namespace kinetix::model

@@ -23,7 +23,7 @@ double largest_entry(const VectorXd& v) {
   return v.allFinite() ? v.lpNorm<Eigen::Infinity>() : std::numeric_limits<double>::infinity();
 }
 
-/// The hinge that turns fastest in a first-order motion from rest, and its rate.
+/// The hinge with the fastest turn in a first-order motion from rest, and its rate (rad per unit twist).
 struct FastestHinge {
   int hinge = 0;
   double rate = 0;
@@ -40,13 +40,13 @@ FastestHinge fastest_hinge(const Linkage& s, const VectorXd& twists) {
   return fastest;
 }
 
-/// States on the way from flat to a turn of the driven hinge.
+/// States along the motion from flat to a turn of the driven hinge.
 struct Motion {
   State end;
-  bool closed = false;    ///< all of them
-  bool converged = true;  ///< every search for one
+  bool closed = false;    ///< all states are closed
+  bool converged = true;  ///< every search converged
   double turn = 0;
-  double misfit = 0;  ///< the largest on the way
+  double misfit = 0;  ///< largest misfit during the motion
 };
 
 /// Drives the fastest hinge of a first-order motion from rest.
@@ -79,7 +79,7 @@ Motion follow_closed_form(const Linkage& s, const ExactMotion& exact, const Mobi
   return motion;
 }
 
-/// Directions to drive: each first-order motion and random mixtures, to both sides.
+/// Returns the directions to drive: each first-order motion and random mixtures, with both signs.
 std::vector<VectorXd> directions(const Eigen::MatrixXd& basis, const MobilityOptions& options) {
   std::vector<VectorXd> all;
   const auto add = [&](const VectorXd& direction) {
@@ -101,7 +101,7 @@ std::string number(double value) {
   return text;
 }
 
-/// One examination of one structure.
+/// Examination of one structure.
 class Examination {
  public:
   Examination(const Linkage& structure, const ExactMotion& exact, const MobilityOptions& options)
@@ -135,7 +135,8 @@ class Examination {
                    "the closed form of " + exact_.name + " closes all hinges");
   }
 
-  /// A closed end state that nothing leads on from is a second assembly, not a motion.
+  /// Returns true if the motion continues. A closed end state without a first-order motion is a second
+  /// assembly, not a motion.
   bool goes_on(const Motion& motion, const std::string& why) {
     const int dofs = motion.closed ? null_space(s_, motion.end).dofs() : 0;
     if (dofs == 0 && motion.misfit >= found_.misfit) return false;

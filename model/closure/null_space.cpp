@@ -16,13 +16,14 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 
 constexpr double zero = 1e-8;  // singular value, dimensionless: see null_space.hpp
 // Added to J^T J, whose entries are of the order of 1, so that it has a factor although J is singular. It
-// sets the pace: each iteration shrinks a direction of singular value s by 1e-12 / s^2 against those of 0.
+// sets the pace: each iteration shrinks a direction of singular value s by 1e-12 / s^2 relative to
+// those of 0.
 constexpr double shift = 1e-12;
 constexpr int iterations = 6;  // leave 1e-12 of a direction of singular value 1e-5
-constexpr double slow =
-    1e-5;  // singular value: directions below it are told apart only where a block holds them all
-constexpr std::size_t most_bodies_for_dense =
-    20;  // bodies: some 15 ms, and the time of the dense way grows with their cube
+// Singular value: directions below it are separated only in a block that contains all of them
+constexpr double slow = 1e-5;
+// Bodies: about 15 ms; the dense method's time grows with their cube
+constexpr std::size_t most_bodies_for_dense = 20;
 
 MatrixXd random_block(Eigen::Index rows, Eigen::Index columns) {
   std::mt19937 random(1);
@@ -30,7 +31,8 @@ MatrixXd random_block(Eigen::Index rows, Eigen::Index columns) {
   return MatrixXd::NullaryExpr(rows, columns, [&] { return unit(random); });
 }
 
-/// The smallest singular values of a Jacobian and their vectors, by iteration with (J^T J + shift)^-1.
+/// Inverse iteration with (J^T J + shift)^-1 for the smallest singular values of a Jacobian and their
+/// vectors.
 class InverseIteration {
  public:
   explicit InverseIteration(const SparseMatrix& jacobian) : jacobian_(jacobian) {

@@ -10,15 +10,15 @@
 namespace kinetix::model {
 namespace {
 
-constexpr double widest_interval =
-    0.1;  // rad, of an interval that is looked at as a whole: a sixteenth of a right angle
-constexpr double rounding =
-    1e-9;  // cell edges: of poses of thousands of bodies is below it, as in WallContact
-constexpr double wander =
-    1;  // cell edges, by which bodies may move in such an interval: keeps neighbours few
-constexpr double contact_near = 0.01;  // of theta: how far beyond the end an overlap is looked for
+// Rad, widest interval that is examined as a whole: about a sixteenth of a right angle
+constexpr double widest_interval = 0.1;
+// Cell edges: above the rounding of poses of thousands of bodies, as in WallContact
+constexpr double rounding = 1e-9;
+// Cell edges, largest motion of bodies in such an interval: keeps neighbours few
+constexpr double wander = 1;
+constexpr double contact_near = 0.01;  // ratio to theta: range beyond the end in which an overlap is searched
 
-/// The search to one side of flat.
+/// Search to one side of flat.
 class CertifiedSide {
  public:
   CertifiedSide(LinkagePlates& plates, const ExactMotion& exact, const CertifiedOptions& options, double sign,
@@ -56,7 +56,7 @@ class CertifiedSide {
     return {plates_, exact_, sign_, low, high};
   }
 
-  /// Whether the state turns its hinges as the laws say; measures what it leaves open.
+  /// Returns true if the state turns its hinges by their laws. Records the remaining misfit.
   bool is_lawful(const ThetaInterval& interval) {
     const LawDeviation there = interval.deviation();
     if (there.hinge >= 0) {
@@ -73,7 +73,7 @@ class CertifiedSide {
     return plates_.edge() * rounding + plates_.margin_mm(chain.size(), gap_, off_);
   }
 
-  /// How far each body's plates get from where they are, mm.
+  /// Returns a bound of the displacement of each body's plates over the interval, mm.
   std::vector<double> ways(const ThetaInterval& interval) const {
     std::vector<double> out;
     const std::vector<SweptMotion> motions = interval.motions();
@@ -82,7 +82,7 @@ class CertifiedSide {
     return out;
   }
 
-  /// Those that may meet within the interval; nothing where bodies move too far in it to tell neighbours.
+  /// Returns the pairs that may meet within the interval; empty if bodies move too far to find neighbours.
   std::optional<std::vector<PlatesOfPair>> near_pairs(const ThetaInterval& interval) {
     const std::vector<double> way = ways(interval);
     const double most = *std::max_element(way.begin(), way.end());
@@ -118,14 +118,14 @@ class CertifiedSide {
     }
   }
 
-  /// Leaves those pairs of plates that are not proven apart over the interval.
+  /// Removes the pairs of plates that are proven apart over the interval.
   void keep_unproven(const ThetaInterval& interval, PlatesOfPair& pair) const {
     SweptPair bodies(plates_, interval, pair, margin(pair.chain));
     if (bodies.is_apart()) return pair.walls.clear();
     std::erase_if(pair.walls, [&](const WallPair& walls) { return bodies.is_apart(walls); });
   }
 
-  /// @param suspects what the whole interval leaves unproven
+  /// @param suspects pairs that are unproven over the whole interval
   std::optional<ContactLimit> split(double low, double high, const std::vector<PlatesOfPair>& suspects) {
     if (suspects.empty()) return std::nullopt;
     if (high - low <= options_.precision || states_ >= options_.most_states) return end_at(low, suspects);
@@ -145,7 +145,7 @@ class CertifiedSide {
     return split(low, high, left);
   }
 
-  /// Looks for an overlap of these, the nearer the better.
+  /// Searches for an overlap of these pairs, as near to `low` as possible.
   ContactLimit end_at(double low, const std::vector<PlatesOfPair>& suspects) {
     std::vector<WallPair> pairs;
     for (const PlatesOfPair& s : suspects) pairs.insert(pairs.end(), s.walls.begin(), s.walls.end());
@@ -185,8 +185,8 @@ class CertifiedSide {
   double sign_;
   ContactRange& out_;
   int states_ = 0;
-  double gap_ = 0;  ///< cell edges, the largest that a state left open at a hinge
-  double off_ = 0;  ///< rad, likewise of axes and turns
+  double gap_ = 0;  ///< cell edges, largest joint separation of a state
+  double off_ = 0;  ///< rad, largest misfit of axes and turns of a state
   NearPairs near_;
 };
 

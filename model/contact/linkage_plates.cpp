@@ -13,7 +13,7 @@ LinkagePlates::LinkagePlates(const Linkage& structure, const std::vector<TurnLaw
       reach(structure.bodies.size()) {
   for (int k = 0; k < static_cast<int>(walls.size()); ++k) {
     HalfWall& wall = walls[k];
-    // A slanted end that moves out by this moves further along the edge.
+    // A slanted end that moves out by this distance moves farther along the edge.
     wall.box.half += growth_mm * Eigen::Vector3d(std::hypot(1, wall.box.slant), 1, 1);
     plates_of[wall.body].push_back(k);
     reach[wall.body] = std::max(reach[wall.body], wall.box.center.norm() + radius(wall.box));

@@ -7,18 +7,19 @@
 
 namespace kinetix::model {
 
-/// What of a linkage stays the same from state to state, for proofs that its plates stay apart.
+/// Data of a linkage common to all states, for proofs that its plates stay apart.
 struct LinkagePlates : LinkageMotion {
-  /// @param structure kept by reference   @param turns one a hinge   @param growth_mm of every plate, on all its sides
+  /// @param structure kept by reference   @param turns one per hinge   @param growth_mm growth of every plate on all
+  /// sides
   LinkagePlates(const Linkage& structure, const std::vector<TurnLaw>& turns, double growth_mm);
 
-  /// Whether they are to be looked at: not of one wall, and not touching at rest. @pre of two bodies
+  /// Returns true if a pair must be examined: not of one wall, and not touching at rest. @pre plates of two bodies
   bool can_touch(const WallPair& pair) const;
 
-  std::vector<HalfWall> walls;              ///< grown
-  WallContact at_rest;                      ///< not grown
-  std::vector<std::vector<int>> plates_of;  ///< each body
-  std::vector<double> reach;                ///< of each body's plates from its vertex, mm
+  std::vector<HalfWall> walls;              ///< with growth
+  WallContact at_rest;                      ///< without growth
+  std::vector<std::vector<int>> plates_of;  ///< plates of each body
+  std::vector<double> reach;                ///< largest distance of each body's plates from its vertex, mm
 };
 
 }  // namespace kinetix::model

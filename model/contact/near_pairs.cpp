@@ -8,7 +8,7 @@
 namespace kinetix::model {
 namespace {
 
-/// Axes by extent of the points, longest first.
+/// Returns the axes by extent of the points, longest first.
 std::array<int, 3> axes_by_extent(const Eigen::Matrix3Xd& points) {
   const Eigen::Vector3d extent = points.rowwise().maxCoeff() - points.rowwise().minCoeff();
   std::array<int, 3> axes = {0, 1, 2};
@@ -39,7 +39,7 @@ const std::vector<std::pair<int, int>>& NearPairs::find(const Eigen::Matrix3Xd& 
   return pairs_;
 }
 
-/// Pairs an entry with those of a stripe within reach; `partner` moves on to the first of these.
+/// Pairs an entry with the entries of a stripe within the distance; `partner` advances to the first of these.
 void NearPairs::pair_up(std::size_t first, std::size_t& partner, double stripe,
                         const Eigen::Matrix3Xd& points, double distance) {
   const Entry& entry = entries_[first];

@@ -6,13 +6,13 @@
 
 namespace kinetix::model {
 
-/// Pairs of points closer than a distance. The points are cut into stripes of that width along the longest
-/// side of their bounding box and sorted along the second longest: O(n log n) as long as few points share a
-/// stretch of a stripe. Buffers are reused from call to call.
+/// Pairs of points closer than a distance. The points are divided into stripes of that width along the longest side
+/// of their bounding box, and sorted along the second longest. The cost is O(n log n) if few points share a stretch
+/// of a stripe. Buffers are reused between calls.
 class NearPairs {
  public:
   /// @param points all finite   @param distance > 0, in the unit of the points
-  /// @return (lower index, higher index), each pair once, in an order that depends on the points alone
+  /// @return (lower index, higher index), each pair once, in an order that depends only on the points
   const std::vector<std::pair<int, int>>& find(const Eigen::Matrix3Xd& points, double distance);
 
  private:

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// How far a part reaches at least to the side against n, at tau.
+/// Returns a lower bound of n . p over the points of a part, at tau, mm.
 double lowest(const SweptHull& part, const Vector3d& n, double tau) {
   double least = std::numeric_limits<double>::infinity();
   for (const SweptPoints& p : part) {

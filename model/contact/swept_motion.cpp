@@ -7,7 +7,7 @@
 namespace kinetix::model {
 namespace {
 
-constexpr double still = 1e-12;  // rad per rad: below, a screw's axis is nowhere
+constexpr double still = 1e-12;  // rad per rad: below it a screw's axis is undefined
 
 }  // namespace
 

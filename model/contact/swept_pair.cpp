@@ -10,19 +10,20 @@
 namespace kinetix::model {
 namespace {
 
-/// A box at rest, and one that moves against it: both where they are in the middle of an interval of theta, in the frame of
-/// the first one's body, mm.
+/// A box at rest and a box that moves relative to it. Both are in the frame of the first one's body, in the middle of
+/// an interval of theta, mm.
 struct SweptBoxes {
   const OrientedBox& still;
   const OrientedBox& moving;
   const SweptMotion& motion;
   double half_width;  ///< of the interval, rad
-  double margin;      ///< how far apart they have to stay, mm
+  double margin;      ///< required distance, mm
 };
 
 using Eigen::Vector3d;
 
-constexpr double no_direction = 1e-6;  // of a cross product of unit vectors: below, it is mostly rounding
+// Length of a cross product of unit vectors: below it, rounding dominates
+constexpr double no_direction = 1e-6;
 
 class SweptGap {
  public:
@@ -47,14 +48,14 @@ class SweptGap {
  private:
   const SweptBoxes& boxes_;
   Vector3d apart_, speed_;
-  double lost_;  ///< mm: margin, and what the straight path leaves out
+  double lost_;  ///< mm: margin, and the deviation from the straight path
 };
 
-/// Whether the two are proven to stay apart over the whole interval by one direction that separates them, of the faces of
-/// the box at rest. Along a direction n the gap at theta = middle + tau is at least
-///   n . (c + tau c') - s(-(n + tau n x w)) - (that of the box at rest along n) - change half_width^2 / 2
-/// with s how far the moving box reaches from its center along a direction (convex),
-/// where change bounds the second derivative of every corner; concave in tau, so least at an end.
+/// Returns true if one face normal of the box at rest proves that the two boxes stay apart over the whole interval.
+/// Along a direction n the gap at theta = middle + tau is at least
+///   n . (c + tau c') - s(-(n + tau n x w)) - (that of the box at rest along n) - change half_width^2 / 2.
+/// The convex function s is the reach of the moving box from its center along a direction. The bound `change` is that
+/// of the second derivative of every corner. The gap is concave in tau, so its minimum is at an end.
 bool stay_apart_by_faces(const SweptBoxes& boxes) {
   const SweptGap gap(boxes);
   for (const Vector3d& normal : face_normals(boxes.still))
@@ -62,7 +63,7 @@ bool stay_apart_by_faces(const SweptBoxes& boxes) {
   return false;
 }
 
-/// Likewise by the directions across an edge of each.
+/// Returns true if a direction normal to an edge of each box proves that they stay apart over the interval.
 bool stay_apart_by_edges(const SweptBoxes& boxes) {
   const SweptGap gap(boxes);
   for (const Vector3d& still : edge_directions(boxes.still))

@@ -14,16 +14,17 @@ struct PlatesOfPair {
   std::vector<WallPair> walls;
 };
 
-/// Two bodies within an interval of theta, each as the other sees it.
+/// Two bodies within an interval of theta, each in the other's frame.
 class SweptPair {
  public:
-  /// @param plates, interval, pair kept by reference   @param margin_mm that plates have to keep
+  /// @param plates, interval, pair kept by reference   @param margin_mm required distance of the plates
   SweptPair(const LinkagePlates& plates, const ThetaInterval& interval, const PlatesOfPair& pair,
             double margin_mm);
 
-  /// Whether all plates are proven to stay apart over the interval, by the spheres round the bodies.
+  /// Returns true if all plates are proven to stay apart over the interval, by the spheres around the bodies.
   bool is_apart() const;
-  /// Whether two are, by the spheres round them or by a direction that separates them. @pre one of each body
+  /// Returns true if two plates are proven apart, by their spheres or by a separating direction. @pre one of each
+  /// body
   bool is_apart(const WallPair& walls);
 
  private:
@@ -33,9 +34,9 @@ class SweptPair {
   const ThetaInterval& interval_;
   const PlatesOfPair& pair_;
   double margin_mm_;
-  Pose second_;                      ///< as the first one sees it
-  SweptMotion there_;                ///< of the second one, likewise
-  std::optional<SweptMotion> back_;  ///< of the first one, as the second one sees it
+  Pose second_;                      ///< pose of the second body in the first one's frame
+  SweptMotion there_;                ///< motion of the second body in the first one's frame
+  std::optional<SweptMotion> back_;  ///< motion of the first body in the second one's frame
 };
 
 }  // namespace kinetix::model

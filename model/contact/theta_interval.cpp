@@ -7,8 +7,8 @@
 namespace kinetix::model {
 namespace {
 
-constexpr double lawful =
-    1e-6;  // rad, by which a state may turn a hinge otherwise: files have angles to 1e-9
+// Rad, largest deviation of a hinge's turn from its law: files have angles to 1e-9
+constexpr double lawful = 1e-6;
 
 }  // namespace
 
@@ -62,7 +62,7 @@ LawDeviation ThetaInterval::deviation() const {
   return out;
 }
 
-/// A hinge, in the frame of a pose.
+/// Passes a hinge in the frame of a pose.
 void ThetaInterval::pass(const ChainStep& step, const Pose& frame, SweptMotion& motion) const {
   const RestHinge& hinge = linkage_.structure.hinges[step.hinge];
   const Pose& lower = state_[hinge.lower];

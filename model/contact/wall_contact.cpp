@@ -8,9 +8,9 @@
 namespace kinetix::model {
 namespace {
 
-constexpr double depth_in_edges = 1e-9;  // cell edges: rounding is no overlap, anything that is meant is
+constexpr double depth_in_edges = 1e-9;  // cell edges: above rounding, far below any real overlap
 
-/// The motion to one side of flat.
+/// Motion to one side of flat.
 class Side {
  public:
   Side(WallContact& contact, const FoldFunction& fold, const ThetaRangeOptions& options, double sign)
@@ -34,7 +34,7 @@ class Side {
     return state_;
   }
 
-  /// Narrows down the pairs that overlap at `hit`, and starts again with any others that come before.
+  /// Bisects the pairs that overlap at `hit`, and starts again with any others that overlap earlier.
   ContactLimit bisect(double free, double hit, std::vector<WallPair> pairs) {
     double low = free;
     while (hit - low > options_.precision) {

@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Of each hinge, by axial, shear, along, turn, reach, rock and twist of its Stiffness.
+/// One column per hinge: derivatives by axial, shear, along, turn, reach, rock and twist of its Stiffness.
 using StiffnessGradients = Eigen::Matrix<double, 7, Eigen::Dynamic>;
 constexpr int turn_row = 3, reach_row = 4, rock_row = 5, twist_row = 6;  // of those seven
 
@@ -20,13 +20,13 @@ Eigen::Matrix<double, 7, 1> stacked(const HingeGradient& rate) {
   return out;
 }
 
-/// A body held about one axis and free about two: a small turn about both is not the sum of the two turns.
+/// Body that is held about one axis and free about two: its small turns about both do not commute.
 struct HalfHeld {
   int body = -1;
   std::array<int, 2> free = {-1, -1};  ///< of the turns 0, 1, 2
 };
 
-/// The only one, or none.
+/// Returns the only half-held body; none: body = -1.
 HalfHeld half_held(const DofMap& dofs) {
   for (std::size_t b = 0; b < dofs.unknown.size(); ++b) {
     const auto& turns = dofs.unknown[b];
@@ -39,12 +39,12 @@ HalfHeld half_held(const DofMap& dofs) {
 
 class Adjoint {
  public:
-  /// @param contacts of the state
+  /// @param contacts those of the state
   Adjoint(const ElasticSystem& system, const State& state, double theta, const TangentStiffness& tangent,
           const std::vector<Contact>& contacts)
       : system_(system), state_(state), theta_(theta), tangent_(tangent), contacts_(contacts) {}
 
-  /// @param load, energy  in the system's units
+  /// Solves for lambda. @param load, energy derivatives of f, in the system's units
   void solve(const VectorXd& by_state, double load, double energy) {
     energy_ = energy;
     if (system_.holds_coordinate())
@@ -71,7 +71,8 @@ class Adjoint {
     return derivatives;
   }
 
-  /// What the forces on a hinge's two bodies are, by its own design: a column a coordinate of the bodies.
+  /// Returns the derivatives of the forces on a hinge's two bodies by its design: one column per coordinate
+  /// of the bodies.
   Eigen::Matrix<double, 4, 12> forces_by_design(int h) const {
     const RestHinge& hinge = system_.hinges()[h];
     const double edge_mm = system_.structure().size.edge_mm;
@@ -83,7 +84,7 @@ class Adjoint {
     return out;
   }
 
-  /// Of its spring, likewise.
+  /// Returns the derivatives of the forces of a hinge's spring by its design, one column per coordinate.
   Eigen::Matrix<double, 4, 12> spring_forces_by_design(int h) const {
     const RestHinge& hinge = system_.hinges()[h];
     const Element turn = RelativeTurn(hinge, state_[hinge.lower], state_[hinge.upper]).element();
@@ -97,12 +98,13 @@ class Adjoint {
     return out;
   }
 
-  /// What `force` (by all coordinates), which a change of all hinges calls up, does to the state.
+  /// Returns the change of the state because of `force` (by all coordinates), the force of a change of all
+  /// hinges.
   VectorXd change(VectorXd force, const Eigen::Matrix4Xd& changes) const {
     const DofMap& dofs = system_.dofs();
     const int h = system_.driven_hinge();
     if (h < 0) return dofs.extend(-solve_by_rate(dofs.restrict(force), Side::plain));
-    // The turn of the driven hinge stays: a . x + (its own change by the hinge's parameters) = 0.
+    // The turn of the driven hinge stays: a . x + (its change by the hinge's parameters) = 0.
     const RestHinge& hinge = system_.hinges()[h];
     const auto rates = [&](const Vector12& twists) {
       return turn_gradients(hinge, state_[hinge.lower], state_[hinge.upper], twists);
@@ -129,7 +131,8 @@ class Adjoint {
     out.col(driven) -= force_ * derivatives.along + turn_ * derivatives.turn;
   }
 
-  /// @return f by the relative stiffness of the springs
+  /// Adds the derivatives by the hinges of the springs. @return derivative of f by the springs' relative
+  /// stiffness
   double add_springs(Eigen::Matrix4Xd& out) const {
     double sum = 0;
     const double k = system_.k_spring();
@@ -147,7 +150,8 @@ class Adjoint {
     return sum;
   }
 
-  /// @return f by the relative stiffness of contact
+  /// Adds the derivatives by the hinges in contact. @return derivative of f by the relative stiffness of
+  /// contact
   double add_contacts(Eigen::Matrix4Xd& out) const {
     const ContactModel& walls = system_.walls();
     const double k = system_.stiffness().contact;
@@ -174,7 +178,8 @@ class Adjoint {
     return turn_gradients(hinge, state_[hinge.lower], state_[hinge.upper], pair(hinge.lower, hinge.upper));
   }
 
-  /// Of what is held, the flat length times cos(theta) less the length: by t and offset of the hinges on the cord.
+  /// Adds the derivatives of the tendon constraint, flat length times cos(theta) minus length, by t and
+  /// offset of the hinges on the tendon.
   void add_cord(Eigen::Matrix4Xd& out) const {
     const Linkage& s = system_.structure();
     const std::vector<int>& through = system_.drive().through;
@@ -216,8 +221,9 @@ class Adjoint {
 
   enum class Side { transposed, plain };
 
-  /// By the derivative of the gradient, or its transpose. That is the Hessian, but for a half held body whose
-  /// held turn meets a moment: there half the moment's cross product comes in, which is antisymmetric.
+  /// Solves with the derivative of the gradient, or with its transpose. That derivative is the Hessian,
+  /// except for a half-held body with a moment about its held axis. There, half the cross product of the
+  /// moment is added, which is antisymmetric.
   VectorXd solve_by_rate(const VectorXd& rhs, Side side) const {
     const VectorXd plain = tangent_.solve(rhs);
     const HalfHeld held = half_held(system_.dofs());
@@ -234,7 +240,7 @@ class Adjoint {
     return plain + k * (both[0] * second - both[1] * first);
   }
 
-  /// The load is minus the sum of the gradient's entries at the coordinates of the last row.
+  /// Solves for lambda under plates. The load is minus the sum of the gradient's entries at the last row.
   void solve_plates(VectorXd by_state, double load) {
     const DofMap& dofs = system_.dofs();
     VectorXd pressed = VectorXd::Zero(dofs.coordinates());
@@ -251,7 +257,8 @@ class Adjoint {
     lambda_ += pressed;
   }
 
-  /// The load is the derivative of the energy by the drive's coordinate, twice theta.
+  /// Solves for lambda under springs. The load is the derivative of the energy by the drive's coordinate, 2
+  /// theta.
   void solve_springs(VectorXd by_state, double load) {
     const DofMap& dofs = system_.dofs();
     const VectorXd gradient = system_.spring_gradient(state_);
@@ -263,7 +270,8 @@ class Adjoint {
                 (own - lambda_.dot(gradient) + energy_ * system_.load(state_, theta_));
   }
 
-  /// Unknowns and the drive's force under the constraint that what it holds (a hinge's turn, a cord) is the drive's.
+  /// Solves for lambda and the drive's force, with the constraint on the driven coordinate (a hinge's turn, a
+  /// tendon).
   void solve_driven(const VectorXd& by_state, double load) {
     const DofMap& dofs = system_.dofs();
     const VectorXd along = dofs.restrict(system_.driven_gradient(state_)),
@@ -281,10 +289,10 @@ class Adjoint {
   const TangentStiffness& tangent_;
   const std::vector<Contact>& contacts_;
   double energy_ = 0;
-  VectorXd lambda_;   ///< over all coordinates
-  double turn_ = 0;   ///< the multiplier of what is held: the driven hinge's turn, or the cord
-  double force_ = 0;  ///< that holds it: less the load
-  double load_ = 0;   ///< springs: f by their load
+  VectorXd lambda_;   ///< by all coordinates
+  double turn_ = 0;   ///< the multiplier of the constraint: the driven hinge's turn, or the tendon
+  double force_ = 0;  ///< force of the constraint: minus the load
+  double load_ = 0;   ///< springs: derivative of f by their load
   double by_theta_ = 0;
 };
 

@@ -6,10 +6,10 @@ namespace {
 using Eigen::VectorXd;
 using Outcome = TruncatedStep::Outcome;
 
-// Share of the first residual, in the norm of the preconditioner: as good as a factor of the tangent for one
-// step of Newton's method. A smaller one costs iterations that the next step makes needless.
+// Ratio to the first residual, in the norm of the preconditioner. This is as accurate as a factor of the
+// tangent for one step of Newton's method. The next step makes further iterations unnecessary.
 constexpr double solved = 0.02;
-constexpr double good_enough = 0.3;  // the same after the last iteration: with more left, a new factor pays
+constexpr double good_enough = 0.3;  // after the last iteration; above it, a new factor is faster
 
 }  // namespace
 

@@ -4,7 +4,7 @@
 
 namespace kinetix::model {
 
-/// A step of a truncated Newton method: about the minimum of g . x + x . H x / 2.
+/// Step of a truncated Newton method: an approximate minimum of g . x + x . H x / 2.
 struct TruncatedStep {
   enum class Outcome {
     solved,    ///< its residual is small
@@ -15,9 +15,9 @@ struct TruncatedStep {
   Outcome outcome = Outcome::slow;
 };
 
-/// Preconditioned conjugate gradients after Steihaug (1983) with the tangent as it is now as H, and its last
-/// factor, that of a state nearby or of a shifted tangent, as preconditioner. `solved` is a residual of 2 %
-/// of the first in the norm of the preconditioner, or of 30 % after the last iteration.
+/// Computes a step by preconditioned conjugate gradients after Steihaug (1983). H is the present tangent. Its
+/// last factor, that of a nearby state or of a shifted tangent, is the preconditioner. `solved` means a
+/// residual of 2 % of the first one in the norm of the preconditioner, or of 30 % after the last iteration.
 /// @pre tangent.is_factorised()
 TruncatedStep conjugate_gradients(TangentStiffness& tangent, const Eigen::VectorXd& gradient, int most = 20);
 

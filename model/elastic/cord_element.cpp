@@ -13,9 +13,9 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Matrix36 = Eigen::Matrix<double, 3, 6>;
 
-constexpr double together = 1e-9;  // cell edges: points so near have no direction that means anything
+constexpr double together = 1e-9;  // cell edges: closer points have no meaningful direction
 
-/// A piece of a cord between two points, by its vector.
+/// Straight piece of a tendon between two points.
 struct Piece {
   Vector3d direction = Vector3d::Zero();
   Matrix3d curvature = Matrix3d::Zero();  ///< second derivative of its length by its vector, 1 / cell edges
@@ -37,7 +37,7 @@ std::vector<Piece> pieces_of(const Linkage& linkage, const std::vector<int>& thr
   return pieces;
 }
 
-/// Half a hinge point: what one of its two bodies has to do with it.
+/// Contribution of one body to a hinge point, which is the mean of two bodies' points.
 struct Carrier {
   int body;
   double weight;  ///< 0.5, with the sign of the point in the piece's vector
@@ -50,7 +50,7 @@ struct Carrier {
   }
 };
 
-/// Both ends of a piece, each on two bodies.
+/// Returns the carriers of both ends of a piece: two bodies per end.
 std::array<Carrier, 4> carriers_of(const Linkage& linkage, int from, int to, const State& state) {
   const RestHinge &a = linkage.hinges[from], &b = linkage.hinges[to];
   return {{{a.lower, -0.5, state[a.lower].R * a.lower_arm},
@@ -81,7 +81,7 @@ void add(const Piece& piece, const std::array<Carrier, 4>& carriers, CordElement
   }
 }
 
-/// How far a hinge point goes along twists of its two bodies, cell edges.
+/// Returns the shift of a hinge point along twists of its two bodies, cell edges.
 Vector3d point_along(const RestHinge& h, const State& state, const Eigen::VectorXd& twists) {
   const auto of = [&](int body, const Vector3d& arm) -> Vector3d {
     const Vector3d omega = twists.segment<3>(6 * body), shift = twists.segment<3>(6 * body + 3);
@@ -90,7 +90,7 @@ Vector3d point_along(const RestHinge& h, const State& state, const Eigen::Vector
   return (of(h.lower, h.lower_arm) + of(h.upper, h.upper_arm)) / 2;
 }
 
-/// How a hinge point moves where both arms change by `rest`, and how that turns along twists.
+/// Shift of a hinge point if both arms change by `rest`, and the derivative of that shift along twists.
 struct PointChange {
   Vector3d point, along;
 };

@@ -5,9 +5,10 @@
 
 namespace kinetix::model {
 
-/// The length of a cord through hinge points (model/linkage/actuators.hpp) with its derivatives by the twists of the bodies
-/// that carry them, ordered as in Element: six numbers a body, in the order of `bodies`. Lengths are in cell edges. Two
-/// neighbouring points less than 1e-9 cell edges apart have no direction, and count as a piece that does not change.
+/// Length of a tendon through hinge points (model/linkage/actuators.hpp) in cell edges, with its derivatives
+/// by the twists of the bodies that carry the points. Derivatives are ordered as in Element: six numbers per
+/// body, in the order of `bodies`. Neighbouring points closer than 1e-9 cell edges have no direction; the
+/// length of their piece counts as constant.
 struct CordElement {
   double length = 0;
   std::vector<int> bodies;  ///< ascending
@@ -17,13 +18,15 @@ struct CordElement {
 
 CordElement cord_element(const Linkage& linkage, const std::vector<int>& through, const State& state);
 
-/// The gradient by the coordinates of all bodies.
+/// Returns the gradient of the length by the coordinates of all bodies.
 Eigen::VectorXd cord_gradient(const Linkage& linkage, const std::vector<int>& through, const State& state);
 
-/// How a number changes with the place of the k-th hinge point on its wall: by t (fraction) and by the offset (cell edges).
+/// Derivatives by the position of each hinge point on its wall: column k by t (fraction) and offset (cell
+/// edges).
 using PointGradients = Eigen::Matrix2Xd;
 
-/// Of the length of a cord, and of its derivative along given twists of all bodies (rad, cell edges).
+/// Derivatives of the length of a tendon, and of its change along given twists of all bodies (rad, cell
+/// edges).
 struct CordGradients {
   PointGradients length, along;  ///< column k: hinge through[k]
 };

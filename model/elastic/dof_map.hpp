@@ -8,21 +8,23 @@
 
 namespace kinetix::model {
 
-/// Which of the six coordinates of each body (rad and cell edges, as model/closure/closure.hpp orders them)
-/// an equilibrium solves for.
+/// Unknowns of an equilibrium among the six coordinates of each body (rad and cell edges, ordered as in
+/// model/closure/closure.hpp).
 struct DofMap {
-  std::vector<std::array<int, 6>> unknown;  ///< of each body; -1 where the coordinate is held or driven
+  std::vector<std::array<int, 6>> unknown;  ///< of each body; -1 if the coordinate is held or driven
   int count = 0;
 
   Eigen::Index coordinates() const { return 6 * static_cast<Eigen::Index>(unknown.size()); }
-  /// The entries of a vector over all coordinates that are unknowns, and back (zero elsewhere).
+  /// Returns the entries of a vector over all coordinates that are unknowns.
   Eigen::VectorXd restrict(const Eigen::VectorXd& all) const;
+  /// Returns the vector over all coordinates with the given unknowns, zero elsewhere.
   Eigen::VectorXd extend(const Eigen::VectorXd& unknowns) const;
 };
 
-/// Planar: one turn and two shifts a body. Plates prescribe one coordinate of the bodies they grip, and the
-/// middle body of each is keyed to z = 0 as in the physics run; what rigid motion is left is held at the
-/// first of these two, where it meets no force. Any other drive, and none: LinkageDrive::held_body().
+/// Numbers the unknowns. Planar bodies have one turn and two shifts. Plates prescribe one coordinate of the
+/// bodies they grip. The middle body of each gripped row is keyed to z = 0, as in the simulation. The
+/// remaining rigid motion is held at the first of these two, without reaction force. For other drives, or
+/// none, it is held at LinkageDrive::held_body().
 DofMap make_dof_map(const Linkage& structure, const LinkageDrive& drive, bool planar);
 
 }  // namespace kinetix::model

@@ -13,7 +13,8 @@
 namespace kinetix::model {
 namespace {
 
-/// Bodies that turn about upright axes only keep them parallel: there is no mismatch to reach for.
+/// Returns the stiffness without tilt terms if bodies stay parallel because they turn about vertical axes
+/// only.
 Stiffness acting(const Elasticity& elasticity, const Linkage& structure, bool planar) {
   Stiffness stiffness = relative(elasticity, structure.size.edge_mm);
   stiffness.check_count(structure.hinges.size());

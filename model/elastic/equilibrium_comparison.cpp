@@ -11,7 +11,7 @@ namespace {
 
 using Outcome = EquilibriumComparison::Outcome;
 
-/// The stable equilibrium that a state runs down to, if any.
+/// Returns the stable equilibrium that minimisation from a state finds, if any.
 std::optional<State> nearest_equilibrium(ElasticSystem& system, double theta, State state) {
   system.place(theta, state);
   TangentStiffness tangent(system.dofs());

@@ -9,7 +9,7 @@
 
 namespace kinetix::model {
 
-/// A structure with elastic hinges at the end of its drive.
+/// Structure with elastic hinges at the end of its drive.
 struct EquilibriumScene {
   Linkage structure;
   Elasticity elasticity;
@@ -18,10 +18,10 @@ struct EquilibriumScene {
   bool contact = true;
 };
 
-/// How a state that some other method found compares with an equilibrium of the same structure and drive.
+/// Comparison of a state from another method with an equilibrium of the same structure and drive.
 ///
-/// Sheets that buckle, jam or snap have several equilibria. Where two states differ, the energy is minimised
-/// from the one in question: if that ends nearby, and not at the reference, both are equilibria.
+/// Sheets that buckle, jam or snap have several equilibria. If two states differ, the energy is minimised
+/// from the state in question. If this ends nearby, and not at the reference, both are equilibria.
 struct EquilibriumComparison {
   enum class Outcome {
     agrees,          ///< the states are within the tolerance
@@ -31,16 +31,16 @@ struct EquilibriumComparison {
 
   Outcome outcome = Outcome::disagrees;
   std::string why;         ///< the outcome in words, with its numbers
-  StateDistance distance;  ///< of state and reference
-  /// Of the state from the equilibrium that minimising it leads to; NaN where to none.
+  StateDistance distance;  ///< between state and reference
+  /// Distance of the state from the equilibrium that minimisation finds; NaN if it finds none.
   StateDistance from_equilibrium{std::nan(""), std::nan("")};
-  double energy = std::nan("");  ///< N mm, of that equilibrium; NaN where there is none
+  double energy = std::nan("");  ///< N mm, of that equilibrium; NaN if there is none
   double reference_energy = 0;   ///< N mm
 };
 
 std::string to_string(EquilibriumComparison::Outcome outcome);
 
-/// @param tolerance of rms distances, cell edges
+/// Compares two states. @param tolerance of rms distances, cell edges
 /// @pre both states are finite
 EquilibriumComparison compare_equilibria(const EquilibriumScene& scene, const State& state,
                                          const State& reference, double tolerance);

@@ -9,10 +9,10 @@
 namespace kinetix::model {
 namespace {
 
-constexpr int scan_steps = 100;             // from flat to where springs rest, to find the first minimum
-constexpr double widest = 89.9 * pi / 180;  // rad; at 90 deg every cell is closed
-constexpr double accuracy = 1e-8;           // rad: nearer to a minimum, energies differ by rounding alone
-const double golden = (std::sqrt(5.0) - 1) / 2;  // part of a bracket: leaves the same parts next time
+constexpr int scan_steps = 100;  // from flat to the rest angle of the springs, to bracket the first minimum
+constexpr double widest = 89.9 * pi / 180;       // rad; at 90 deg every cell is closed
+constexpr double accuracy = 1e-8;                // rad: closer to a minimum, energies differ only by rounding
+const double golden = (std::sqrt(5.0) - 1) / 2;  // golden section: the next bracket has the same proportions
 
 /// Energy of hinges and springs along the closed form, N mm.
 class FoldEnergy {
@@ -41,7 +41,7 @@ class FoldEnergy {
   const Elasticity& elasticity_;
 };
 
-/// By golden sections.
+/// Returns the minimum in a bracket by golden-section search.
 double minimum_between(const FoldEnergy& energy, double a, double b) {
   double low = b - golden * (b - a), high = a + golden * (b - a);
   double at_low = energy(low), at_high = energy(high);

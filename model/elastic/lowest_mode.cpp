@@ -9,10 +9,10 @@
 namespace kinetix::model {
 namespace {
 
-constexpr int dense_below = 60;  // unknowns: so few are solved densely at once; an iteration keeps 20 vectors
+constexpr int dense_below = 60;       // unknowns: dense is faster below; the iteration keeps 20 vectors
 constexpr double first_shift = 1e-7;  // k_point edge^2: below the turn stiffness of a usual hinge, 1e-6
 
-/// What Spectra iterates with: x to (H + shift)^-1 x of a tangent that is factorised so already.
+/// Operator for Spectra: maps x to (H + shift)^-1 x. The tangent is already factorised with the shift.
 class ShiftedInverse {
  public:
   using Scalar = double;
@@ -43,8 +43,9 @@ LowestMode dense(const TangentStiffness& tangent) {
   return s;
 }
 
-/// The first shift that makes the tangent positive definite; NaN for a tangent that is not finite. Twice its
-/// norm is enough.
+/// Factorises the tangent with the first shift that makes it positive definite. Twice its norm is always
+/// enough.
+/// @return the shift; NaN if the tangent is not finite
 double factorise_shifted(TangentStiffness& tangent) {
   double shift = first_shift;
   while (!tangent.factorise(shift)) {

@@ -4,16 +4,16 @@
 
 namespace kinetix::model {
 
-/// The direction in which a structure gives way most easily. Eigenvalues in k_point edge^2.
+/// Softest direction of a structure. Eigenvalues in k_point edge^2.
 struct LowestMode {
-  double value = 0;  ///< smallest eigenvalue of the tangent: negative where an equilibrium is no minimum
-  double next = 0;   ///< the one after it; NaN where there is none
-  Eigen::VectorXd direction;  ///< its eigenvector, by the unknowns (rad, cell edges), largest entry
-                              ///< 1 in magnitude
+  double value = 0;  ///< smallest eigenvalue of the tangent; negative if an equilibrium is not a minimum
+  double next = 0;   ///< second smallest eigenvalue; NaN if there is none
+  Eigen::VectorXd direction;  ///< by the unknowns (rad, cell edges); largest entry has magnitude 1
   bool converged = false;
 };
 
-/// By Lanczos iteration on the shifted inverse (dense below 60 unknowns). Same result on every call.
+/// Computes the lowest mode by Lanczos iteration on the shifted inverse (dense below 60 unknowns).
+/// Deterministic.
 LowestMode lowest_mode(TangentStiffness& tangent);
 
 }  // namespace kinetix::model

@@ -11,21 +11,22 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double first_shift = 1e-2;  // k_point edge^2: high, since a step that is too short is stretched
-// k_point edge^2, with which shifts begin at the least: one that is smaller still does nothing beside the
-// turning stiffness of a usual hinge, 1e-6.
+// k_point edge^2: smallest initial shift. A smaller one has no effect next to the turning stiffness of a
+// usual hinge, 1e-6.
 constexpr double least_shift = 1e-8;
-// Divisor of the last shift, with which the next step begins: one that is not needed any more is soon gone.
+// Divisor of the last shift, for the initial shift of the next step. An unnecessary shift vanishes within a
+// few steps.
 constexpr double shift_decay = 20;
-constexpr double tiny_step = 1e-5;  // rad, cell edges: the factor before it is still good behind it
-constexpr double most_shift = 1e6;  // k_point edge^2: steps have no length any more
-constexpr int most_shortened = 6;   // times a step is cut, to a half at most: then a shift is the better way
-// Rad, cell edges: energies of steps below drown in rounding, forces do not.
+constexpr double tiny_step = 1e-5;  // rad, cell edges: a factor from before such a step is accurate after it
+constexpr double most_shift = 1e6;  // k_point edge^2: with larger shifts, steps have practically no length
+constexpr int most_shortened = 6;   // cuts of a step, at least to half each: a shift is better after that
+// Rad, cell edges: energy differences of shorter steps are rounding; forces are still accurate.
 constexpr double too_short = 1e-4;
-constexpr double chord_gain = 0.4;  // of the step before: with less gain, a new factor is cheaper
-constexpr double polished = 1e-8;   // rad, cell edges: a step so short leaves its square, which is rounding
-constexpr double energy_noise = 1e-15;  // of the energy: a smaller gain may be rounding
+constexpr double chord_gain = 0.4;  // ratio of a step to the one before; above it, a new factor is cheaper
+constexpr double polished = 1e-8;   // rad, cell edges: the square of so short a step is rounding
+constexpr double energy_noise = 1e-15;  // fraction of the energy: a smaller gain may be rounding
 constexpr int iterative_from = 1500;    // unknowns: in smaller systems, a new factor costs less
-constexpr double rough = 1e-4;          // rad, cell edges: to finer tolerances, an old factor is no help
+constexpr double rough = 1e-4;          // rad, cell edges: at finer tolerances, an old factor does not help
 
 double largest(const VectorXd& v) {
   if (v.size() == 0) return 0;
@@ -69,7 +70,7 @@ class Newton {
 
   bool has_strayed() const { return shift_ > 0 && !(result_.moved <= options_.most_moved); }
 
-  /// False where no step lowers the energy.
+  /// Takes one step. @return false if no step lowers the energy
   bool step() {
     const bool only_convex = options_.starts_convex && result_.iterations == 1;
     if (is_iterative()) {
@@ -100,7 +101,8 @@ class Newton {
     return tangent_.factorise(shift) && try_step(-tangent_.solve(gradient_), shift > 0, shift == 0);
   }
 
-  /// @param held_back it is shorter than the energy asks for   @param exact by a factor of the tangent itself
+  /// Tries a step. @param held_back whether a shift or truncation shortens it   @param exact whether the
+  /// factor is of the tangent without a shift
   bool try_step(const VectorXd& reduced, bool held_back, bool exact) {
     const double decrement = -gradient_.dot(reduced) / 2;
     VectorXd step = system_.dofs().extend(reduced);
@@ -127,8 +129,9 @@ class Newton {
     return true;
   }
 
-  /// To where a parabola through the energies at both ends has its minimum, again and again. @param slope of
-  /// the energy along the step, times the step. @return whether that lowers the energy
+  /// Shortens the step repeatedly to the minimum of a parabola through the energies at both ends.
+  /// @param slope of the energy along the step, times the step
+  /// @return whether the energy is lower
   bool shorten(VectorXd& step, double& length, double slope, State& candidate, double& energy) const {
     for (int tries = 0; tries < most_shortened && length > too_short; ++tries) {
       const double parabola = -slope / (2 * (energy - energy_ - slope));
@@ -143,7 +146,7 @@ class Newton {
     return false;
   }
 
-  /// A shift holds back a step along negative curvature: it is doubled as long as that lowers the energy.
+  /// Doubles a step along negative curvature, which a shift makes too short, while that lowers the energy.
   void stretch(const VectorXd& step, double& length, State& candidate, double& energy) const {
     for (double by = 2; 2 * length <= options_.longest_step; by *= 2) {
       State further = system_.retract(state_, by * step);
@@ -155,7 +158,7 @@ class Newton {
     }
   }
 
-  /// Steps by the factor that there is, as long as each is much shorter than the one before.
+  /// Takes steps with the present factor, as long as each is much shorter than the one before.
   void follow_chord(double length) {
     while (length > std::min(options_.step_tolerance, polished)) {
       const VectorXd gradient = system_.dofs().restrict(system_.gradient(state_, theta_));
@@ -192,7 +195,7 @@ class Newton {
   VectorXd gradient_;
   double energy_ = 0, shift_ = 0;
   bool small_step_ = false;
-  bool factor_holds_ = false;  ///< of a state a tiny step before
+  bool factor_holds_ = false;  ///< is that of a state a tiny step before
 };
 
 }  // namespace

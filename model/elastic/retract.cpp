@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 // Rad: below, the next term of the series is less than 2e-15, and the formulas lose half their digits.
 constexpr double small_angle = 1e-3;
 
-/// Integral of exp(s omega) v over s from 0 to 1.
+/// Returns the integral of exp(s omega) v over s from 0 to 1.
 Vector3d along_arc(const Vector3d& omega, const Vector3d& v) {
   const double squared = omega.squaredNorm(), angle = std::sqrt(squared);
   const double a = angle < small_angle ? 0.5 - squared / 24 : (1 - std::cos(angle)) / squared;

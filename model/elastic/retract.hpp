@@ -4,10 +4,10 @@
 
 namespace kinetix::model {
 
-/// The state after every body has followed its twist (rows 6b.. of `twists` as in model/closure/closure.hpp:
-/// turn, rad, then shift of its position, cell edges) for one unit along the screw motion that starts so:
-/// positions go along arcs, not straight on. To first order the same as retract_straight() of model/closure/closure.hpp;
-/// long chains of bodies that turn together stay closed far better.
+/// Returns the state after every body has moved for one unit along the screw motion of its twist. Rows 6b..
+/// of `twists` have the turn, rad, and the shift of the position, cell edges, as in
+/// model/closure/closure.hpp. Positions move along arcs. To first order this equals retract_straight() of
+/// model/closure/closure.hpp, but long chains of bodies that turn together stay closed far better.
 State retract(const Linkage& structure, const State& state, const Eigen::VectorXd& twists);
 
 }  // namespace kinetix::model

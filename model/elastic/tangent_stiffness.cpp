@@ -9,7 +9,7 @@ namespace {
 
 using Cholesky = Eigen::CholmodDecomposition<Eigen::SparseMatrix<double>, Eigen::Lower>;
 
-// Unknowns: from here on, nested dissection saves more in each factor than it costs once.
+// Unknowns: from this size on, nested dissection saves more in each factor than it costs once.
 constexpr int dissected_from = 12000;
 
 }  // namespace
@@ -22,7 +22,8 @@ struct TangentStiffness::Factor : Cholesky {
     setMode(Eigen::CholmodSimplicialLLt);
   }
 
-  /// In the order found for the first pattern: a few more pairs of bodies do not change it much.
+  /// Analyses a pattern in the order of the first one: a few more pairs of bodies do not change that order
+  /// much.
   void analyse(const Eigen::SparseMatrix<double>& matrix) {
     if (!m_cholmodFactor) {
       analyzePattern(matrix);
@@ -39,7 +40,8 @@ struct TangentStiffness::Factor : Cholesky {
     m_factorizationIsOk = false;
   }
 
-  /// CHOLMOD alone would call a matrix indefinite whose factor did not fit, and leave what it did not solve as it was.
+  /// Throws std::bad_alloc if CHOLMOD is out of memory. CHOLMOD itself would report an indefinite matrix if
+  /// the factor does not fit, and leave the solution unset.
   void ask_for_memory() {
     if (cholmod().status == CHOLMOD_OUT_OF_MEMORY || !m_cholmodFactor) throw std::bad_alloc();
   }

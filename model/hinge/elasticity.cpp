@@ -7,7 +7,7 @@
 namespace kinetix::model {
 namespace {
 
-// N/mm, N mm/rad, mm: products and ratios of three such numbers are far from the ends of double.
+// N/mm, N mm/rad, mm: products and ratios of three such numbers stay far from the limits of double.
 constexpr double least = 1e-30, most = 1e30;
 
 void check_positive(const char* field, double value) {
@@ -69,7 +69,7 @@ void Stiffness::check_count(std::size_t hinges) const {
 
 namespace {
 
-/// One hinge in the units of another k_point.
+/// Converts one hinge to relative units, with the given k_point (N/mm) as the unit of stiffness.
 Stiffness relative_to(double k_point, const Elasticity& e, double edge_mm) {
   const double k = e.k_point / k_point, unit = k_point * edge_mm * edge_mm;
   const auto over_unit = [&](const std::optional<double>& tilt) -> std::optional<double> {

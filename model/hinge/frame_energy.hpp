@@ -5,34 +5,35 @@
 
 namespace kinetix::model {
 
-/// Unit direction of the hinge's wall, from its lower to its upper body, made perpendicular to the axis.
+/// Returns the unit direction of the hinge's wall, from lower to upper body, made perpendicular to the axis.
 Eigen::Vector3d wall_direction(const RestHinge& hinge);
-/// How that changes where the unit axis does by `axis_rate`.
+/// Returns the change of wall_direction() if the unit axis changes by `axis_rate`.
 Eigen::Vector3d wall_direction_rate(const RestHinge& hinge, const Eigen::Vector3d& axis_rate);
 
-/// First-order changes of a mismatch, of the direction w, and of both where what the bodies carry changes.
+/// First-order changes of a mismatch and of the direction w of DirectedSquare.
 struct DirectedChange {
-  Eigen::Vector3d gap = Eigen::Vector3d::Zero();  ///< cell edges or dimensionless, as the mismatch
+  Eigen::Vector3d gap = Eigen::Vector3d::Zero();  ///< in cell edges or dimensionless, as the mismatch
   Eigen::Vector3d w = Eigen::Vector3d::Zero();    ///< dimensionless
 };
 
-/// The square of a mismatch's part along a direction half way between what the two bodies carry of it,
-/// (g . w)^2 / |w|^2 with w = R_lower w0 + R_upper w0, and its derivatives. In cell edges squared or
-/// dimensionless, as the mismatch. NaN where the bodies carry w0 in opposite directions.
+/// Square of a mismatch's part along a direction half way between those that the two bodies carry: (g . w)^2
+/// / |w|^2 with w = R_lower w0 + R_upper w0, and its derivatives. In cell edges squared or dimensionless, as
+/// the mismatch. NaN if the bodies carry w0 in opposite directions.
 class DirectedSquare {
  public:
   /// @param w0 unit vector at rest
   DirectedSquare(const Mismatch& mismatch, const Eigen::Vector3d& w0, const Pose& lower, const Pose& upper);
 
   double value() const { return m_ * s_; }
-  /// By the twists, ordered as in Element. @param shifts whether the gap follows the shifts of the bodies
+  /// Returns the gradient by the twists, ordered as in Element. @param shifts whether the gap follows the
+  /// bodies' shifts
   Vector12 gradient(bool shifts) const;
-  /// Value, gradient and Hessian, times `weight`.
+  /// Adds value, gradient and Hessian, times `weight`.
   void add_to(Element& element, double weight, bool shifts) const;
 
-  /// The change of the value that a change brings.
+  /// Returns the first-order change of the value.
   double rate(const DirectedChange& change) const;
-  /// The change of rate(along) that a change `by` of what the bodies carry brings.
+  /// Returns the change of rate(along) if the vectors that the bodies carry change by `by`.
   /// @param mixed second-order change along both
   double rate(const DirectedChange& along, const DirectedChange& by, const DirectedChange& mixed) const;
   const Eigen::Vector3d& w() const { return w_; }
@@ -44,8 +45,8 @@ class DirectedSquare {
   void add_n_hessian(Matrix12& h, double weight) const;
 
   const Mismatch& g_;
-  Eigen::Vector3d lower_, upper_, w_;  ///< w0 as carried, and their sum
-  double s_, n_, m_;                   ///< g . w, |w|^2, their ratio
+  Eigen::Vector3d lower_, upper_, w_;  ///< w0 as each body carries it, and the sum of both
+  double s_, n_, m_;                   ///< g . w, |w|^2, and their ratio
 };
 
 }  // namespace kinetix::model

@@ -7,8 +7,8 @@
 
 namespace kinetix::model {
 
-/// How the mismatches and the frame of a hinge change: along twists of its two bodies, by what they carry, and
-/// by both.
+/// Changes of a hinge's mismatches and frame: along twists of its two bodies, by changes of the vectors that
+/// they carry, and by both.
 class HingeChanges {
  public:
   HingeChanges(const Pose& lower, const Pose& upper, const Vector12& along)
@@ -23,7 +23,7 @@ class HingeChanges {
     if (shifts) gap += shift_;
     return {gap, lower_turn_.cross(lower_ * w0) + upper_turn_.cross(upper_ * w0)};
   }
-  /// @param rest change of the vector between which the mismatch is, `w` that of w0
+  /// @param rest change of the vector whose mismatch is taken   @param w change of w0
   DirectedChange by(const Eigen::Vector3d& rest, const Eigen::Vector3d& w) const {
     return {lower_ * rest - upper_ * rest, lower_ * w + upper_ * w};
   }

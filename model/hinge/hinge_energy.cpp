@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// |gap|^2 and its derivative along twists, both by the rest vector that the two bodies carry.
+/// Derivatives of |gap|^2, and of its change along twists, by the rest vector that both bodies carry.
 struct Pull {
   Vector3d energy, along;
 };
@@ -27,8 +27,8 @@ Pull pull(const Mismatch& m, const Pose& lower, const Pose& upper, const Vector3
                upper.R.transpose() * (drift + m.gap.cross(upper_turn)))};
 }
 
-/// What a hinge has along the directions of its own frame besides springs of its shear stiffness in all of
-/// them. The axis has no mismatch along itself: both bodies carry a unit vector.
+/// Energy terms along the directions of the hinge's frame, in addition to springs of shear stiffness in all
+/// directions. The axis has no mismatch along itself, since both bodies carry a unit vector.
 class FrameTerms {
  public:
   FrameTerms(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
@@ -55,10 +55,10 @@ class FrameTerms {
     if (rock != 0) axis_axial.add_to(e, rock, false);
   }
 
-  const double axial, along;  ///< beyond shear, of PointRatios
-  const double rock;          ///< beyond twist, Stiffness::rock_beyond_twist
+  const double axial, along;  ///< ratios minus shear, see PointRatios
+  const double rock;          ///< Stiffness::rock_beyond_twist()
 
-  const Vector3d wall;  ///< at rest
+  const Vector3d wall;  ///< unit vector at rest
   const DirectedSquare point_axial, point_along, axis_axial;
 };
 
@@ -79,7 +79,7 @@ HingeEnergy hinge_energy(const RestHinge& hinge, const Stiffness& k, const Pose&
 
 namespace {
 
-/// Of a hinge without play.
+/// Adds the stretch energy of a hinge without clearance.
 void add_stretch(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
                  double edge_mm, Element& e) {
   const Mismatch point = point_mismatch(hinge, lower, upper, edge_mm);
@@ -129,13 +129,13 @@ Vector12 hinge_gradient(const RestHinge& hinge, const Stiffness& k, const Pose& 
 
 namespace {
 
-/// A DirectedSquare, its derivative along twists, and how both change by the design.
+/// Value of a DirectedSquare, its derivative along twists, and the derivatives of both by the design.
 struct SquareGradients {
   double value = 0, along = 0;
   DesignGradient value_design = DesignGradient::Zero(), along_design = DesignGradient::Zero();
 };
 
-/// @param rest, w changes by t, alpha, beta and offset of what the bodies carry: see HingeChanges::by
+/// @param rest, w changes of the carried vectors by t, alpha, beta and offset: see HingeChanges::by
 void add_design(const DirectedSquare& square, const DirectedChange& along, const HingeChanges& changes,
                 const std::array<Vector3d, 4>& rest, const std::array<Vector3d, 4>& w, SquareGradients& out) {
   for (int k = 0; k < 4; ++k) {
@@ -150,7 +150,8 @@ void add(double weight, const SquareGradients& square, HingeGradients& derivativ
   derivatives.along.design += weight * square.along_design;
 }
 
-/// What FrameTerms has of the derivatives. On entry, ratios.shear and twist are those of all directions alike.
+/// Adds the derivatives of FrameTerms. On entry, the derivatives by shear and by twist assume equal stiffness
+/// in all directions.
 void add_frame_gradients(const RestHinge& h, const Stiffness& k, const Pose& lower, const Pose& upper,
                          const Mismatch& point, const Mismatch& axis, const Vector12& along,
                          HingeGradients& derivatives) {
@@ -184,8 +185,8 @@ void add_frame_gradients(const RestHinge& h, const Stiffness& k, const Pose& low
   add_ratios(point_axial.along, point_along.along, tilt.along, derivatives.along);
 }
 
-/// From derivatives by rock and twist to those by what they are made of: by the reach and the stiffnesses of the
-/// points where the hinge has none of its own.
+/// Distributes the derivatives by rock and twist. If the hinge does not give one of them, it belongs to the
+/// reach and to the point stiffnesses that define it.
 void share_tilt(const Stiffness& k, HingeGradient& rate) {
   const double squared = k.reach * k.reach;
   if (!k.tilt.rock) {
@@ -204,7 +205,7 @@ void share_tilt(const Stiffness& k, HingeGradient& rate) {
 
 namespace {
 
-/// Those of the turning spring.
+/// Returns the derivatives of the turning spring.
 HingeGradients spring_gradients(const RestHinge& hinge, const Stiffness& k, const Pose& lower,
                                 const Pose& upper, const Vector12& along) {
   const Vector3d against = upper.R.transpose() * (along.segment<3>(6) - along.segment<3>(0));
@@ -220,7 +221,7 @@ HingeGradients spring_gradients(const RestHinge& hinge, const Stiffness& k, cons
   return derivatives;
 }
 
-/// Those of the stretch of a hinge without play.
+/// Adds the derivatives of the stretch of a hinge without clearance.
 void add_stretch_gradients(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
                            double edge_mm, const Vector12& along, HingeGradients& derivatives) {
   const Vector3d lower_turn = along.segment<3>(0), upper_turn = along.segment<3>(6),

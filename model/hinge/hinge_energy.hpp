@@ -7,30 +7,30 @@ namespace kinetix::model {
 
 /// The two parts of a hinge's energy, in units of k_point edge^2 (Elasticity).
 struct HingeEnergy {
-  double stretch = 0;  ///< of hinge point and axis
+  double stretch = 0;  ///< of the mismatches of hinge point and axis
   double turn = 0;
   double total() const { return stretch + turn; }
 };
 
+/// Returns the energy of a hinge in units of k_point edge^2.
 HingeEnergy hinge_energy(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower,
                          const Pose& upper, double edge_mm);
 
-/// @return energy, gradient and Hessian, likewise in units of k_point edge^2; a is the lower body, b the
-/// upper one
+/// Returns energy, gradient and Hessian in units of k_point edge^2. Body a is the lower one, b the upper one.
 Element hinge_element(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower,
                       const Pose& upper, double edge_mm);
 
-/// The gradient alone, in the same unit, for a third of the time.
+/// Returns the gradient without the Hessian, in a third of the time. Unit k_point edge^2.
 Vector12 hinge_gradient(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower,
                         const Pose& upper, double edge_mm);
 
-/// Derivatives of a number that belongs to a hinge by its design and stiffness.
+/// Derivatives of a quantity of a hinge by its design and stiffness.
 struct HingeGradient {
   DesignGradient design = DesignGradient::Zero();
   double turn = 0;                 ///< by Stiffness::turn, per k_point edge^2
   double reach = 0;                ///< by Stiffness::reach, per cell edge
   PointRatios ratios = {0, 0, 0};  ///< by Stiffness::ratios
-  double rock = 0, twist = 0;      ///< by Stiffness::tilt, per k_point edge^2; 0 of what that does not give
+  double rock = 0, twist = 0;      ///< by Stiffness::tilt, per k_point edge^2; 0 if tilt is empty
 };
 
 struct HingeGradients {
@@ -38,6 +38,7 @@ struct HingeGradients {
   HingeGradient along;   ///< of its derivative along given twists
 };
 
+/// Returns the derivatives of the hinge's energy by design and stiffness.
 /// @param along twists of the two bodies (rad, cell edges), ordered as in Element
 HingeGradients hinge_gradients(const RestHinge& hinge, const Stiffness& stiffness, const Pose& lower,
                                const Pose& upper, double edge_mm, const Vector12& along);

@@ -4,19 +4,20 @@
 
 namespace kinetix::model {
 
-/// The answer of a hinge to a turn.
+/// Response of a hinge to a turn.
 struct TurnResponse {
   double energy = 0;     ///< in the unit of k_turn
-  double stiffness = 0;  ///< of its moment by the turn, in the unit of k_turn; not 0 where the moment is not
-  double stretch = 0;    ///< its moment over that stiffness, rad: the turn itself where the law is linear
+  double stiffness = 0;  ///< of its moment by the turn, in the unit of k_turn; 0 only if the moment is 0
+  double stretch = 0;    ///< moment / stiffness, rad: the turn itself if the law is linear
   double energy_k = 0;   ///< derivative of the energy by k_turn, rad^2
-  double moment_k = 0;   ///< and of the moment, rad
+  double moment_k = 0;   ///< derivative of the moment by k_turn, rad
 
   double moment() const { return stiffness * stretch; }  ///< in the unit of k_turn
 };
 
-/// How a hinge resists its turn. All that elastic model and physics know of it: a law of one's own derives
-/// from this and goes into Elasticity::law. What a hinge point does is the same for all laws (Elasticity).
+/// Turning law of a hinge, the only description of it for the elastic model and the simulation. A custom law
+/// derives from this class and is set in Elasticity::law. The response of the hinge point does not depend on
+/// the law (Elasticity).
 class HingeLaw {
  public:
   virtual ~HingeLaw() = default;
@@ -24,7 +25,7 @@ class HingeLaw {
   virtual TurnResponse at(double turn, double k_turn) const = 0;
 };
 
-/// 1/2 k_turn turn^2.
+/// Law with the energy 1/2 k_turn turn^2.
 class LinearHinge final : public HingeLaw {
  public:
   TurnResponse at(double turn, double k_turn) const override {
@@ -32,7 +33,8 @@ class LinearHinge final : public HingeLaw {
   }
 };
 
-/// 1/2 k_turn (turn - set)^2: a hinge that was folded by `set` and keeps it, as plastic that was heated there does.
+/// Law with the energy 1/2 k_turn (turn - set)^2: a hinge with a permanent set, such as plastic that was
+/// heated while folded.
 class SetHinge final : public HingeLaw {
  public:
   /// @param set turn at which it rests, rad, in [-pi, pi]
@@ -43,7 +45,7 @@ class SetHinge final : public HingeLaw {
   double set_;
 };
 
-/// The one LinearHinge, which an Elasticity has unless told otherwise.
+/// Returns the shared LinearHinge, the default law of an Elasticity.
 const std::shared_ptr<const HingeLaw>& linear_hinge();
 
 }  // namespace kinetix::model

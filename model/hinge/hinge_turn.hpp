@@ -6,9 +6,9 @@
 
 namespace kinetix::model {
 
-/// The turn of a hinge's upper body against its lower one about the hinge axis (rad, from -pi to pi): the
-/// twist of the relative rotation, by its unit quaternion. Derivatives are by a turn of the upper body in the
-/// upper body's frame, rad.
+/// Turn of a hinge's upper body against its lower one about the hinge axis (rad, from -pi to pi). It is the
+/// twist part of the relative rotation, computed from its unit quaternion. Derivatives are by a turn of the
+/// upper body in the upper body's frame, rad.
 class RelativeTurn {
  public:
   RelativeTurn(const RestHinge& hinge, const Pose& lower, const Pose& upper);
@@ -16,12 +16,12 @@ class RelativeTurn {
   double angle() const;
   Eigen::Vector3d rate() const;
   Eigen::Matrix3d second() const;
-  /// Where the axis changes by `axis_rate`.
+  /// Change of angle() and of rate() if the axis changes by `axis_rate`.
   double angle_change(const Eigen::Vector3d& axis_rate) const;
   Eigen::Vector3d rate_change(const Eigen::Vector3d& axis_rate) const;
-  /// rate() in space.
+  /// Returns rate() in the global frame.
   Eigen::Vector3d rate_in_space() const { return upper_ * rate(); }
-  /// angle() with its derivatives by the twists of both bodies.
+  /// Returns angle() with its derivatives by the twists of both bodies.
   Element element() const;
 
  private:
@@ -32,8 +32,8 @@ class RelativeTurn {
   Eigen::Matrix3d upper_;
 };
 
-/// How that turn (rad), and its derivative along given twists, change with the hinge's parameters: with alpha
-/// and beta alone.
+/// Derivatives of that turn (rad), and of its change along given twists, by the hinge's parameters. Only
+/// alpha and beta have an effect.
 struct TurnGradients {
   DesignGradient turn = DesignGradient::Zero();
   DesignGradient along = DesignGradient::Zero();

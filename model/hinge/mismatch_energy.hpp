@@ -7,7 +7,7 @@ namespace kinetix::model {
 
 /// Adds |gap|^2 of a mismatch times `weight`, with its derivatives by the turns of the two bodies.
 void add_turning(const Mismatch& mismatch, double weight, Element& element);
-/// Adds what a point's mismatch has of derivatives by the shifts of the bodies.
+/// Adds the derivatives of a point's |gap|^2 that involve the shifts of the bodies.
 void add_shifts(const Mismatch& mismatch, double weight, Element& element);
 
 }  // namespace kinetix::model

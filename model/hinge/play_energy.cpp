@@ -11,10 +11,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Across the axis: axial and shear are alike.
+/// Returns the weight across the axis, where axial and shear are equal.
 double across_weight(const Stiffness& k) { return (k.ratios.axial + k.ratios.shear) / 2; }
 
-/// E_p by the square of the distance, with its first two derivatives.
+/// E_p as a function of the squared distance, with its first two derivatives.
 struct SquareResponse {
   double energy = 0, first = 0, second = 0;
 };
@@ -26,7 +26,7 @@ SquareResponse by_square(double square, double play) {
   return {r.energy, r.force / (2 * d), (r.stiffness - r.force / d) / (4 * d * d)};
 }
 
-/// One of the two points, with the squares of its gap and of that along the axis.
+/// One of the two points of a hinge, with the squares of its gap and of the gap's part along the axis.
 class PlayedPoint {
  public:
   PlayedPoint(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
@@ -61,8 +61,9 @@ class PlayedPoint {
                  (beyond_.second * part.gradient * part.gradient.transpose() + beyond_.first * part.hessian);
   }
 
-  /// @param along the change along the twists
-  /// @param by, mixed what a parameter brings, and both together
+  /// Adds the derivatives by one parameter of the energy and of its change along the twists.
+  /// @param along change along the twists
+  /// @param by, mixed change by the parameter, and by both
   void rate(const DirectedChange& along, const DirectedChange& by, const DirectedChange& mixed,
             double& by_energy, double& by_along) const {
     const double whole = 2 * gap_.gap.dot(by.gap), part = along_.rate(by);
@@ -77,7 +78,7 @@ class PlayedPoint {
         along_weight_ * (beyond_.second * part * part_along + beyond_.first * part_both);
   }
 
-  /// Derivatives of across_energy() and along_energy() along the twists.
+  /// Returns the derivative of across_energy() along the twists.
   double across_rate(const DirectedChange& along) const {
     const double whole = 2 * gap_.gap.dot(along.gap);
     return across_.first * (whole - along_.rate(along)) + 0.5 * played_loose * whole;
@@ -96,7 +97,7 @@ class PlayedPoint {
   }
 
   const Mismatch gap_;
-  const DirectedSquare along_;  ///< of gap_
+  const DirectedSquare along_;  ///< refers to gap_
   const double across_weight_, along_weight_;
   const SquareResponse across_, beyond_;
 };

@@ -10,9 +10,9 @@
 namespace kinetix::model {
 namespace {
 
-constexpr double one_column = 1e-9;  // cell edges: vertices of one column are as far from it by rounding
+constexpr double one_column = 1e-9;  // cell edges: rounding separates vertices of one column by as much
 
-/// One function for each lattice.
+/// Overload set with one function for each lattice.
 template <class... F>
 struct Each : F... {
   using F::operator()...;

@@ -13,18 +13,18 @@ namespace kinetix::model {
 
 struct Assembly;
 
-/// Imported bodies of any shape, at rest, with their linkage. There are no cells, and no parameters choose a hinge.
+/// Imported bodies of any shape, at rest, with their linkage. They have no cells, and no parameters set their hinges.
 struct ImportedBodies {
   std::shared_ptr<const Assembly> assembly;
   std::shared_ptr<const Linkage> linkage;
   CellSize size;
-  std::vector<HingeParameters> hinges;  ///< the basic ones, which say nothing of these hinges
+  std::vector<HingeParameters> hinges;  ///< basic ones, which do not describe these hinges
 
   operator Linkage() const { return *linkage; }
 };
 
-/// A flat sheet of any lattice, a block of one in space, with the parameters of its hinges, or imported bodies: what files, results and
-/// sweeps handle. Bodies, hinges and cells are counted from 0, in the order of the linkage that it makes.
+/// A flat sheet of any lattice, a spatial block, each with the parameters of its hinges, or imported bodies. Files,
+/// results and sweeps use this type. Bodies, hinges and cells are counted from 0, in the order of its linkage.
 class Lattice {
  public:
   Lattice() = default;
@@ -41,14 +41,14 @@ class Lattice {
   const HingeParameters& hinge(int index) const;
   HingeParameters& hinge(int index);
   HingedWall wall(int hinge) const;
-  /// Of a cell, counter-clockwise: bodies, and the hinges that join each to the next.
+  /// Returns the bodies of a cell, counter-clockwise, and the hinges that join each to the next.
   std::span<const int> cell_bodies(int cell) const;
   std::span<const int> cell_hinges(int cell) const;
   Eigen::Vector3d rest_position(int body) const;  ///< mm
 
   operator Linkage() const;
 
-  /// What only one lattice has; nothing of any other.
+  /// Returns the structure of one kind of lattice; null for any other kind.
   const Structure* squares() const { return std::get_if<Structure>(&of_); }
   Structure* squares() { return std::get_if<Structure>(&of_); }
   const PlanarStructure* planar() const { return std::get_if<PlanarStructure>(&of_); }
@@ -61,19 +61,19 @@ class Lattice {
   std::variant<Structure, PlanarStructure, SodaliteStructure, ImportedBodies> of_;
 };
 
-/// "square", the name of the lattice that it is drawn by, "graph" or "bodies".
+/// Returns "square", the name of the lattice from which it was drawn, "graph" or "bodies".
 std::string lattice_name(const Lattice& sheet);
 
-/// What results call a body and a cell: as many integers as the lattice needs.
+/// Returns the label of a body or cell in results: as many integers as the lattice needs.
 std::vector<int> body_label(const Lattice& sheet, int body);
 std::vector<int> cell_label(const Lattice& sheet, int cell);
-/// A wall by its two vertices, as files have it; of imported bodies the hinge by its name.
+/// Returns a wall by its two vertices, as in files; for imported bodies the name of the hinge.
 std::string wall_name(const Lattice& sheet, int hinge);
 
-/// Bodies that lie on one line along y at rest, from the left; in a line from below.
+/// Returns bodies on one line along y at rest, lines from the left; within a line from below.
 std::vector<std::vector<int>> body_columns(const Lattice& sheet);
 
-/// @throws InvalidInput, naming wall and value, for hinge parameters outside their ranges (NaN included)
+/// Checks the hinge parameters. @throws InvalidInput, naming wall and value, for one outside its range (NaN included)
 void validate_hinges(const Lattice& sheet);
 
 }  // namespace kinetix::model

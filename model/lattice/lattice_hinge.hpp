@@ -4,7 +4,7 @@
 
 namespace kinetix::model {
 
-/// A hinge of a sheet at rest, as its linkage has it.
+/// Returns a hinge of a sheet at rest, as in its linkage.
 RestHinge rest_hinge(const Lattice& sheet, int hinge);
 
 }  // namespace kinetix::model

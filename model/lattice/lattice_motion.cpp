@@ -14,7 +14,8 @@
 namespace kinetix::model {
 namespace {
 
-/// A hinge of imported bodies that is turned. @param hinge -1: that which turns most in the first motion
+/// Returns a drive that turns a hinge of imported bodies. @param hinge -1: the one with the largest turn in the first
+/// motion
 LinkageDrive turned(const Linkage& bodies, int hinge, double angle) {
   if (hinge < 0) hinge = first_motion(bodies).fastest;
   if (hinge < 0)
@@ -23,12 +24,12 @@ LinkageDrive turned(const Linkage& bodies, int hinge, double angle) {
   return turned_hinge(hinge, bodies.bodies[bodies.hinges[hinge].lower].sense, angle);
 }
 
-constexpr double probe =
-    0.01;  // rad: so near flat, a cord that pulls to a side is shorter by a hundredth of a cell
-constexpr double as_short = 1e-9;  // of the cord: both sides are alike, but for rounding
+// Rad: near flat, where a one-sided tendon is already shorter by a hundredth of a cell
+constexpr double probe = 0.01;
+constexpr double as_short = 1e-9;  // relative to the tendon: rounding, both sides are equal.
 
-/// The side of flat to which a cord pulls from the first where the sheet moves exactly; else, and where both are alike, the
-/// drive's own.
+/// Returns the side of flat to which a tendon pulls initially, if the sheet moves exactly. Otherwise, or if both
+/// sides are equal, it returns the drive's side.
 int side_of(const Lattice& sheet, const LinkageDrive& cord) {
   const ExactMotion exact = exact_motion(sheet);
   if (!exact) return cord.branch;
@@ -38,10 +39,10 @@ int side_of(const Lattice& sheet, const LinkageDrive& cord) {
   return forth < back ? 1 : -1;
 }
 
-/// Makes the drive by bodies and hinges of what a file says.
+/// Converts the drive of a file to bodies and hinges.
 struct OnSheet {
   const Lattice& sheet;
-  int side;  ///< of flat, where the drive names none
+  int side;  ///< side of flat if the drive has no branch
 
   LinkageDrive operator()(const Plates& plates) const {
     LinkageDrive out = plates_on(plates, plates.branch.value_or(side));
@@ -80,7 +81,7 @@ struct OnSheet {
   }
 };
 
-/// Sets how far a drive goes to where `shown` goes.
+/// Copies the end point of `shown` to a drive.
 struct EndAt {
   const LinkageDrive& shown;
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double same = 1e-12;  // rad or cell edges: less is no change
 
-/// One of them, so that as few as can be have to change.
+/// Returns one of the values, so that as few hinges as possible change.
 double upper_median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values[values.size() / 2];
@@ -36,7 +36,7 @@ double distance(const Lattice& a, const Lattice& b) {
   return sum;
 }
 
-/// The walls across one crease, all with the same tilt; upright ones with the hinge at the same place.
+/// Gives the walls across one crease one tilt; upright walls get one hinge position.
 void align(Structure& structure, const Crease& crease, bool tilted) {
   Hinge first = structure.hinges[crease.hinges.front()];
   std::vector<double> tilts, places;
@@ -55,7 +55,7 @@ void align(Structure& structure, const Crease& crease, bool tilted) {
 
 enum class Tilted { both, along_x, along_y };
 
-/// @param centred where the walls that do not tilt have their hinges in the middle
+/// @param centred true: walls without tilt have their hinges in the middle
 Structure aligned(Structure structure, Tilted which, bool centred) {
   for (const Crease& crease : find_creases(structure).list) {
     const bool along_x = crease.axis == Axis::x;

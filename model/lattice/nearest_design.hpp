@@ -7,17 +7,20 @@
 
 namespace kinetix::model {
 
-/// A design of the same cells that moves exactly, and what it changes.
+/// A design of the same cells that moves exactly, and its changes.
 struct NearestDesign {
   Lattice sheet;
-  std::vector<int> changed;  ///< hinges, ascending: they break the rule
+  std::vector<int> changed;  ///< hinges that break the rule, ascending
 };
 
-/// Of some exact designs that are near the one that changes hinges least (sum of squares, of tilts and angles in rad, of
-/// t and offsets in cell edges): every crease with one tilt, the middle one of its walls; the creases along x alone, or
-/// along y alone; on upright hinges the places that close every cell; on other lattices than squares those that close every
-/// cell and keep every crease straight. The sheet itself where it moves exactly.
-/// @return nothing where none of these does
+/// Returns the nearest of several exact designs, by the sum of squared changes of the hinges. Tilts and angles are in
+/// rad, t and offsets in cell edges. The candidates are:
+/// - Every crease of squares has one tilt, the median of its walls. Creases along x, along y or both are tilted.
+/// - All hinges are upright, at the positions that close every cell.
+/// - On lattices other than squares, hinges are at positions that close every cell and keep every crease straight.
+///
+/// A sheet that moves exactly is returned unchanged.
+/// @return empty if no candidate moves exactly
 std::optional<NearestDesign> nearest_design(const Lattice& sheet);
 
 }  // namespace kinetix::model

@@ -64,7 +64,8 @@ class Trials {
     return drive_on(sheet_, HingeTurn{h, angle});
   }
 
-  /// Of the upright ones, of all where there is none: nearest to and farthest from the middle of the sheet.
+  /// Returns the upright hinges nearest to and farthest from the middle of the sheet; of all hinges if none is
+  /// upright.
   std::pair<int, int> extreme_hinges() const {
     std::vector<std::pair<double, int>> by_distance;
     for (const bool any : {false, true}) {
@@ -83,7 +84,7 @@ class Trials {
     return sum / static_cast<double>(rest_.size());
   }
 
-  /// Through the walls across the middle row (axis y) or column (axis x) of cells.
+  /// Returns a tendon through the walls across the middle row (axis y) or column (axis x) of cells.
   LinkageDrive cord(Axis walls) const {
     const Structure* squares = sheet_.squares();
     if (!squares) throw InvalidInput("only a sheet of squares has rows and columns");

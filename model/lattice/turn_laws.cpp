@@ -5,8 +5,9 @@
 namespace kinetix::model {
 namespace {
 
-/// Creases that bend and cross have fold angles of their own (model/lattice/square/family/fold_angles.hpp). In a net theta is
-/// what stands in for them; in the other families it is half the turn of a crease by which it is defined.
+/// Adds the shifts of creases that bend and cross, whose fold angles differ
+/// (model/lattice/square/family/fold_angles.hpp). In a net they replace theta; in the other families theta is half
+/// the turn of the crease that defines it.
 void add_shifts(const Structure& squares, std::vector<TurnLaw>& laws) {
   const Classification kind = classify(squares);
   const Creases creases = find_creases(squares);

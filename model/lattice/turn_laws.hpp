@@ -5,7 +5,7 @@
 
 namespace kinetix::model {
 
-/// How every hinge of a sheet turns along its exact motion. @pre exact_motion(sheet) has one
+/// Returns the turn law of every hinge along the sheet's exact motion. @pre exact_motion(sheet) has one
 std::vector<TurnLaw> turn_laws(const Lattice& sheet);
 
 }  // namespace kinetix::model

@@ -9,19 +9,19 @@
 
 namespace kinetix::model {
 
-/// The closed form of a linkage that moves exactly, from the lattice that knows one.
+/// Closed form of a linkage that moves exactly, from its lattice.
 struct ExactMotion {
-  std::function<State(double theta)> at;  ///< state, mm, at fold parameter theta, rad; empty: none is known
-  std::string name;                       ///< of the family
-  std::string why;                        ///< in a sentence: the family's rule, or why there is none
-  /// theta, rad, at which it has what a drive asks for, the first one from flat. Set where `at` is.
-  /// @throws InvalidInput for a drive that the motion never meets, or that would hold it back on the way
+  std::function<State(double theta)> at;  ///< state, mm, at fold parameter theta, rad; empty if none is known
+  std::string name;                       ///< name of the family
+  std::string why;  ///< one sentence: the family's rule, or the reason why there is no closed form
+  /// First theta from flat, rad, at which the motion reaches a drive's target. Set if `at` is set.
+  /// @throws InvalidInput for a drive that the motion never meets, or that would block it earlier
   std::function<double(const LinkageDrive& drive)> theta_of = {};
 
   explicit operator bool() const { return static_cast<bool>(at); }
 };
 
-/// A linkage under a drive, with its closed form where there is one.
+/// A linkage under a drive, with its closed form if there is one.
 struct DrivenLinkage {
   Linkage linkage;
   LinkageDrive drive;

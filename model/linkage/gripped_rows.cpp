@@ -20,7 +20,7 @@ Vector3d centre(const std::vector<int>& row, const State& state) {
   return sum / static_cast<double>(row.size());
 }
 
-/// Of both rows, each from its centre, one a column.
+/// Returns the offsets of the bodies in both rows from the centre of their row, one body per column.
 Eigen::Matrix3Xd offsets(const GrippedRows& rows, const State& state) {
   Eigen::Matrix3Xd out(3, rows[0].size() + rows[1].size());
   Eigen::Index k = 0;
@@ -31,8 +31,8 @@ Eigen::Matrix3Xd offsets(const GrippedRows& rows, const State& state) {
   return out;
 }
 
-/// The direction n with the least |points' n| over n . across; where several have none, that nearest to
-/// across.
+/// Returns the direction n with the least |points' n| / (n . across). If several have none, the result is the
+/// one nearest to `across`.
 Vector3d flattest(const Eigen::Matrix3Xd& points, const Vector3d& across) {
   const auto [axes, values] = principal_axes(points * points.transpose());
   const double least = straight * values.sum();

@@ -5,7 +5,7 @@
 namespace kinetix::model {
 namespace {
 
-/// Plate from the vertex along `edge` (unit) over `length`.
+/// Returns the plate from the vertex along `edge` (unit) over `length`.
 OrientedBox plate(const Eigen::Vector3d& edge, const Eigen::Vector3d& up, double length, double slant,
                   const CellSize& size) {
   OrientedBox box;

@@ -5,14 +5,14 @@
 
 namespace kinetix::model {
 
-/// Two vectors of one length at rest, as the two bodies of a hinge carry them, and how far they are apart. In
-/// cell edges, or of unit axes: see point_mismatch() and axis_mismatch().
+/// Two vectors that are equal at rest, carried by the two bodies of a hinge, and their difference. Lengths
+/// are in cell edges for point_mismatch() and dimensionless for axis_mismatch().
 struct Mismatch {
-  Eigen::Vector3d gap;           ///< of the lower body's less the upper one's
+  Eigen::Vector3d gap;           ///< lower body's vector minus the upper body's
   Eigen::Vector3d lower, upper;  ///< turned with the bodies: arms to the hinge point, or the hinge axis
 };
 
-/// Of the hinge point, cell edges.
+/// Computes the mismatch of the hinge point, cell edges.
 inline Mismatch point_mismatch(const RestHinge& h, const Pose& lower, const Pose& upper, double edge_mm) {
   Mismatch m;
   m.lower = lower.R * h.lower_arm;
@@ -21,7 +21,8 @@ inline Mismatch point_mismatch(const RestHinge& h, const Pose& lower, const Pose
   return m;
 }
 
-/// Of the unit hinge axis, dimensionless: nearly rad where small. All zero of a ball, which has none.
+/// Computes the mismatch of the unit hinge axis, dimensionless; small values are nearly rad. A ball joint has
+/// no axis and gives zero.
 inline Mismatch axis_mismatch(const RestHinge& h, const Pose& lower, const Pose& upper) {
   Mismatch m;
   if (h.ball) return {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};

@@ -7,7 +7,8 @@ namespace {
 
 enum Coordinate { turn_x, turn_y, turn_z, shift_x, shift_y, shift_z };
 
-/// Gripped coordinates, each middle body keyed to z = 0, and the rest of rigid motion at the first of these.
+/// Returns the gripped coordinates, the z shift of each middle body, and the remaining rigid motion at the
+/// first middle body.
 std::vector<std::array<int, 2>> held_by_plates(const LinkageDrive& drive) {
   const bool along_y = drive.axis == Axis::y;
   std::vector<std::array<int, 2>> held;

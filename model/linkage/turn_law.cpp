@@ -8,7 +8,8 @@
 namespace kinetix::model {
 namespace {
 
-constexpr double outward = 1e-12;  // ratio: far above the rounding of these formulas, far below what matters
+// Ratio: far above the rounding of these formulas, far below any relevant change
+constexpr double outward = 1e-12;
 
 /// f = m + r cos(2 theta - phi), least = m - r.
 struct Wave {
@@ -23,7 +24,7 @@ struct Wave {
   }
 };
 
-/// Whether low <= offset + k period <= high for a whole k.
+/// Returns true if low <= offset + k period <= high for an integer k.
 bool meets(double low, double high, double offset, double period) {
   return std::floor((high - offset) / period) >= std::ceil((low - offset) / period);
 }

@@ -8,24 +8,24 @@
 
 namespace kinetix::model {
 
-/// What the upper or lower edge of a block or film, half its height from the middle, is pulled apart or pressed together by
-/// in a state, the larger of the two, mm.
+/// Returns the stretch of an elastomer or living hinge at its upper or lower edge, half its height from the
+/// middle, in mm. The larger of the two counts, in tension or compression.
 double edge_stretch_mm(const Linkage& linkage, const State& state, int hinge, double height_mm);
 
-/// Largest strain of a block or film as its two bodies hold it in a state: of its bending (strain()), and its
-/// edge_stretch_mm over its gap. 0 of a pin.
+/// Returns the largest strain of an elastomer or living hinge in a state: that of its bending, strain(), plus
+/// edge_stretch_mm() / gap. 0 for a pin.
 double hinge_strain(const MadeHinge& made, const Linkage& linkage, const State& state, int hinge);
 
-/// A hinge that is strained by more than its material bears.
+/// Hinge whose strain exceeds the limit of its material.
 struct StrainedHinge {
   int hinge = 0;
-  double strain = 0, borne = 0;  ///< dimensionless
+  double strain = 0, borne = 0;  ///< dimensionless; borne: the limit of the material
 
   double share() const { return strain / borne; }
 };
 
-/// The one that is strained farthest beyond what its material bears in a state; nothing where all bear theirs.
-/// @param made how a hinge is made; nullptr: not known, and left out
+/// Returns the hinge with the largest ratio of strain to material limit, if any exceeds its limit.
+/// @param made returns the dimensions of a hinge; nullptr: unknown, the hinge is skipped
 std::optional<StrainedHinge> most_strained(const Linkage& linkage, const State& state,
                                            const std::function<const MadeHinge*(int)>& made);
 

@@ -10,34 +10,37 @@ namespace kinetix::model {
 namespace {
 
 constexpr double pin_turn = 0.1;    // N mm/rad: friction 0.3 at a radius of 1.5 mm under 0.2 N
-constexpr double least_wall = 0.8;  // mm: of FDM, SLA and SLS alike (docs/hinges.md section 3)
-// Of gap over thickness: blocks that are shorter swell sideways, which no formula here has.
+constexpr double least_wall = 0.8;  // mm: for FDM, SLA and SLS (docs/hinges.md section 3)
+// Ratio of gap to thickness. Shorter elastomer hinges bulge sideways, which the formulas here neglect.
 constexpr double least_slenderness = 0.5;
 constexpr double rod_shear =
-    0.9;  // part of a round section that counts in shear (Cowper 1966, nu 0.3 to 0.5)
+    0.9;  // fraction of a round section that counts in shear (Cowper 1966, nu 0.3 to 0.5)
 
 double in_series(double a, double b) { return 1 / (1 / a + 1 / b); }
 
-/// What is left of E' beside the free edges at the top and bottom of a hinge. @param by of L / h, fitted
+/// Returns the factor on E' because of the free edges at the top and bottom. @param by factor on L / h,
+/// fitted
 double between_edges(const MadeHinge& b, double by) {
   return 1 - b.material.nu * b.material.nu * (1 - std::exp(-by * b.gap_mm / b.height_mm));
 }
 
-/// E' by the length that the held ends leave, MPa/mm. @param by of nu^3 t, fitted
+/// Returns E' over the length that the held ends leave, MPa/mm. @param by factor on nu^3 t, fitted
 double over_length(const MadeHinge& b, double by) {
   const double nu = b.material.nu;
   const double length = b.gap_mm / b.thickness_mm - by * nu * nu * nu;
   return b.material.E_mpa / (1 - nu * nu) / (length * b.thickness_mm);
 }
 
-/// Shear and, its ends held parallel, bending of stiffness k_turn. @param section part of it that counts
+/// Returns the stiffness of shear and bending in series, for bending stiffness k_turn with parallel ends.
+/// @param section fraction of the section that counts in shear
 double beam_shear(const MadeHinge& b, double section, double k_turn) {
   const double area = b.thickness_mm * b.height_mm;
   return in_series(section * shear_modulus(b.material) * area / b.gap_mm,
                    12 * k_turn / (b.gap_mm * b.gap_mm));
 }
 
-/// Of a thin rectangular section over a length that both ends keep flat, beyond what its shear does at a lever.
+/// Returns the stiffness in torsion of a thin rectangular section whose ends are held flat, N mm/rad. It adds
+/// to the twist by shear over the height.
 double torsion(const MadeHinge& b) {
   const double t = b.thickness_mm, h = b.height_mm;
   const double section = h * t * t * t / 3 * (1 - 0.63 * t / h);
@@ -83,7 +86,7 @@ void check_beam(const MadeHinge& b, const CellSize& size) {
           "at least half of the hinge's thickness, " + number_text(least) + " mm");
 }
 
-/// Diameter at which two of them in the middle of walls at a right angle meet, mm.
+/// Returns the diameter at which two knuckles in the middle of walls at a right angle meet, mm.
 double room_for_knuckles(const CellSize& size) { return size.edge_mm / std::sqrt(2.0); }
 
 void check_pin(const MadeHinge& p, const CellSize& size) {

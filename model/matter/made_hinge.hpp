@@ -8,92 +8,104 @@
 
 namespace kinetix::model {
 
-/// How a hinge is made.
+/// Kind of a manufactured hinge.
 enum class HingeKind {
-  pin,    ///< knuckles round a rod, with play
-  block,  ///< a block of soft material that fills the gap between two halves of a wall
-  film,   ///< a thin film that bridges the gap, a living hinge
+  pin,    ///< revolute joint: knuckles around a rod, with clearance
+  block,  ///< elastomer hinge: soft material that fills the gap between two halves of a wall
+  film,   ///< living hinge: a thin film that bridges the gap
 };
 
-/// "pin", "block" or "film", as files say it.
+/// Returns "pin", "block" or "film", as in files.
 std::string to_string(HingeKind kind);
 
-/// A hinge as made. Blocks and films span the gap L along the wall, with thickness t across it and height h along
-/// the hinge's axis; a pin is a rod of the wall's height.
+/// Dimensions and material of a manufactured hinge. Elastomer and living hinges span the gap L along the
+/// wall, with thickness t across it and height h along the hinge axis. A pin is a rod as high as the wall.
 struct MadeHinge {
   HingeKind kind = HingeKind::block;
   Material material = {};
   double gap_mm = 0;        ///< block, film: L, > 0
   double thickness_mm = 0;  ///< block, film: t, > 0
-  double height_mm = 0;     ///< h, > 0; of a pin the length that bears
-  double diameter_mm = 0;   ///< pin: of the rod, > 0
-  double clearance_mm = 0;  ///< pin: a side, between rod and bore, >= 0
-  bool with_play = false;   ///< pin: whether its equilibrium has that play
-  /// Pin: whether knuckles are round caps about the middle of their walls, as large as the furthest axis asks for.
+  double height_mm = 0;     ///< h, > 0; for a pin the bearing length
+  double diameter_mm = 0;   ///< pin: diameter of the rod, > 0
+  double clearance_mm = 0;  ///< pin: per side, between rod and bore, >= 0
+  bool with_play = false;   ///< pin: whether its energy includes the clearance
+  /// Pin: whether knuckles are round caps about the middle of their walls, as large as the outermost axis
+  /// needs.
   bool caps = false;
 
   bool operator==(const MadeHinge&) const = default;
 };
 
-/// What it resists with.
+/// Returns the stiffness of a hinge in its frame.
 ///
-/// Blocks and films are beams whose ends are held flat, with E' = E / (1 - nu^2), G = E / 2(1 + nu), A = t h, I =
-/// h t^3 / 12: k_turn = E' I / L, k_axial = E' A / L, across the wall shear and bending in series, and along the
-/// axis likewise. Three corrections make them hold for blocks no longer than thick as well:
-/// - the ends, where the material cannot contract, make a block shorter by 2 nu^3 t where it is pulled and by
-///   0.88 nu^3 t where it is bent;
-/// - its free edges take away the share nu^2 (1 - exp(-1.7 L / h)) of the pull and nu^2 (1 - exp(-0.75 L / h)) of
-///   the bending, which bring E' down to E where a block is long for its height;
-/// - shear across the wall counts 0.86 + 0.4 nu^2 of the section, along the axis 1 - 0.14 (1 - exp(-3.2 L / h)).
+/// Elastomer and living hinges are beams whose ends are held flat. With E' = E / (1 - nu^2), G = E / 2(1 +
+/// nu), A = t h and I = h t^3 / 12:
+/// - k_turn = E' I / L and k_axial = E' A / L;
+/// - across the wall and along the axis, shear and bending act in series.
 ///
-/// The numbers are fits to CalculiX, and within 2 % (axial, turn), 8 % (shear) and 4 % (along) of it for L / t from
-/// 1 to 4, h / t from 5 to 10 and nu to 0.48; down to L / t = 0.6, too. Rocking and twist have a correction each over
-/// what a pull and a shear with the lever of the height give:
-/// - rocking pulls most at the edges, and has three times the share of the edges in its section: 1 - exp(-5.1 L / h);
-/// - twist has besides the torsion of a thin rectangle, G h t^3 / 3 (1 - 0.63 t / h) / L, times 1.2 (1 - exp(-0.4 L /
-///   t)): 1.2 is the mean square of its rate over the squared mean where the ends do not warp and the rate follows a
-///   bent beam's slope; a short block hardly twists inside.
-/// They are within 8 % and 3 %.
+/// Three corrections extend the formulas to hinges that are no longer than thick:
+/// - At the ends the material cannot contract. This shortens the hinge by 2 nu^3 t in tension and by 0.88
+///   nu^3 t in bending.
+/// - The free edges reduce tension by the fraction nu^2 (1 - exp(-1.7 L / h)) and bending by nu^2 (1 -
+///   exp(-0.75 L / h)). So E' approaches E for long hinges of small height.
+/// - Shear counts 0.86 + 0.4 nu^2 of the section across the wall, and 1 - 0.14 (1 - exp(-3.2 L / h)) along
+///   the axis.
 ///
-/// A pin is a rod held in knuckles at both ends and pulled across in the middle, bending and shear in series; its
-/// shoulders are taken to hold along the axis as much. About the axis it has friction only: 0.1 N mm/rad, of a
-/// rod of 3 mm that is pulled by 0.2 N. Play is not in it: elasticity_of has it where the hinge is with_play.
+/// The numbers are fits to CalculiX. For L / t from 0.6 to 4, h / t from 5 to 10 and nu up to 0.48, errors
+/// are within 2 % (axial, turn), 8 % (shear) and 4 % (along). Rock and twist are tension and shear with the
+/// height as lever. Each has one more correction:
+/// - Rock loads the edges most, so the free edges reduce it by nu^2 (1 - exp(-5.1 L / h)).
+/// - Twist adds the torsion of a thin rectangle, G h t^3 / 3 (1 - 0.63 t / h) / L, times 1.2 (1 - exp(-0.4 L
+///   / t)). The 1.2 is the ratio of mean square to squared mean of the twist rate. It holds for ends that do
+///   not warp, where the rate follows the slope of a bent beam. A short hinge hardly twists inside.
+///
+/// Errors of rock and twist are within 8 % and 3 %.
+///
+/// A pin is a rod held in knuckles at both ends and loaded across in the middle: bending and shear in series.
+/// Its shoulders are assumed to be equally stiff along the axis. About the axis it has friction only: 0.1 N
+/// mm/rad, for a rod of 3 mm under 0.2 N. Clearance is not included: elasticity_of() adds it if the hinge is
+/// with_play.
 HingeStiffness stiffness(const MadeHinge& hinge);
 
-/// Half distance of two points on the axis that hold a tilted hinge as its whole height does: h / sqrt(12). Of a pin
-/// with play h / 2, where its rod leaves the bore: there it meets it when it tilts by tilt_play().
+/// Returns half the distance of two points on the axis that resist tilting as the whole height does: h /
+/// sqrt(12). For a pin with clearance it is h / 2, where the rod leaves the bore. The rod touches the bore
+/// there when it tilts by tilt_play(). mm
 double reach_mm(const MadeHinge& hinge);
 
-/// Largest strain where a block or film of even curvature has turned, t |turn| / (2 L); 0 of a pin. @param turn rad
+/// Returns the strain of an elastomer or living hinge of even curvature, t |turn| / (2 L); 0 for a pin.
+/// @param turn rad
 double strain(const MadeHinge& hinge, double turn);
-/// The turn at which that is what the material bears, rad, at most pi.
+/// Returns the turn at which strain() reaches the limit of the material, rad, at most pi.
 double largest_turn(const MadeHinge& hinge);
 
-/// The turn at which the corners of the two halves of a wall of thickness T meet over the gap, tan(phi / 2) =
-/// L / (T + 2 |offset|): of a block as thick as its wall that is L / t. pi of a pin, whose walls end round. Rad.
+/// Returns the turn, rad, at which the corners of the two halves of a wall of thickness T touch across the
+/// gap: tan(phi / 2) = L / (T + 2 |offset|). pi for a pin, whose walls have round ends.
 double contact_turn(const MadeHinge& hinge, double wall_thickness_mm, double offset_mm);
 
-/// How far the two halves of a wall can be moved against each other before a pin bears: its clearance. mm
+/// Returns the clearance of a pin per side, mm; 0 for other hinges.
 double play_mm(const MadeHinge& hinge);
-/// Likewise tilted: atan(2 clearance / height), rad.
+/// Returns the tilt that the clearance of a pin allows: atan(2 clearance / height), rad.
 double tilt_play(const MadeHinge& hinge);
 
-/// How far from the middle of its wall a hinge can be made, mm: a block or film up to the wall's face; a pin by an
-/// eccentric bore in the round end of a wall that is thicker than a knuckle must be, or in a cap, where two caps in the
-/// middle of walls at a right angle do not meet.
+/// Returns the largest offset of a hinge from the middle of its wall, mm. An elastomer or living hinge may
+/// reach the wall's face. A pin may have an eccentric bore in the round end of a wall that is thicker than
+/// its knuckle, or in a cap. Two caps in the middle of walls at a right angle must not meet.
 double largest_offset_mm(const MadeHinge& hinge, const CellSize& size);
 
-/// Diameter of the knuckle around a pin: rod, clearance and the least wall that every process prints. mm
+/// Returns the diameter of the knuckle around a pin, mm: rod, clearance and the least wall of all processes.
 double knuckle_mm(const MadeHinge& pin);
 
-/// The hinge for walls of another thickness and height: what was the wall's is the new wall's, and nothing is more.
+/// Returns the hinge for walls of another size. Dimensions equal to the old wall's follow the new wall;
+/// others are limited to it.
 MadeHinge fitted(MadeHinge hinge, const CellSize& before, const CellSize& now);
 
-/// The hinge in the elastic model and the physics run.
+/// Returns the elasticity of the hinge, for the elastic model and the simulation.
 Elasticity elasticity_of(const MadeHinge& hinge);
 
-/// @throws InvalidInput, naming the field as files do, its value and its range: also for a gap as long as a cell's
-/// edge, a hinge thicker or higher than its wall, a knuckle wider than edge / sqrt(2), where two in the middle of walls at a right angle meet
+/// Checks a hinge against its cell. The gap must be below the cell edge and at least half the hinge's
+/// thickness. The hinge must not be thicker or higher than its wall. A knuckle must not be wider than edge /
+/// sqrt(2), where two in the middle of walls at a right angle meet.
+/// @throws InvalidInput, naming the field as in files, its value and its range
 void validate(const MadeHinge& hinge, const CellSize& size);
 
 }  // namespace kinetix::model

@@ -10,7 +10,7 @@
 namespace kinetix::model {
 namespace {
 
-constexpr double plainly_less = 0.99;  // of the least: sizes that are nearer differ only beyond three digits
+constexpr double plainly_less = 0.99;  // ratio to the least size: three digits show a larger difference
 
 void check(const char* field, double value, double most) {
   require(field, value, value >= 0 && value <= most, "from 0 to " + number_text(most));

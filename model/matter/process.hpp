@@ -10,42 +10,41 @@
 
 namespace kinetix::model {
 
-/// By how much what a process prints differs from what was asked, as standard deviations from hinge to hinge. Those
-/// of processes() are estimates: half a line, layer or droplet, and what guides call the accuracy of small parts.
+/// Standard deviations of printed dimensions from their nominal values, from hinge to hinge. The values in
+/// processes() are estimates: half a line, layer or droplet, and what guides call the accuracy of small
+/// parts.
 struct PrintError {
-  double t_mm = 0.1;           ///< of the place of a hinge along its wall, >= 0
+  double t_mm = 0.1;           ///< of the position of a hinge along its wall, >= 0
   double tilt_deg = 0.5;       ///< of a wall, degrees, >= 0
   double clearance_mm = 0.05;  ///< of the clearance of a pin, >= 0
 
   bool operator==(const PrintError&) const = default;
 };
 
-/// What a nozzle lays down, mm.
+/// Cross-section of the line that a nozzle extrudes, mm.
 struct Filament {
   double line_mm = 0;   ///< width, > 0
   double layer_mm = 0;  ///< height, > 0
 };
 
-/// What a process can print, mm; clearances are a side. For guidance: printers, resins and settings differ.
+/// Limits of a print process, mm. Clearances are per side. For guidance only: printers, resins and settings
+/// differ.
 struct Process {
-  std::string name;                 ///< as files say it
-  double clearance_mm = 0;          ///< in the plane of the layers: less fuses
+  std::string name;                 ///< as in files
+  double clearance_mm = 0;          ///< in the plane of the layers; smaller ones fuse
   double upright_clearance_mm = 0;  ///< across the layers
   double least_wall_mm = 0;
   double least_pin_mm = 0;  ///< diameter
   PrintError sd = {};
   std::string source = {};
-  std::string rubber = {};            ///< name of the material that its soft parts are made of
-  std::array<double, 2> bed_mm = {};  ///< of a usual printer, x and y
-  double most_height_mm = 0;          ///< of a print on it
-  bool joins_two = false;  ///< hard and soft in one print; else soft parts are a print of their own
-  std::string film =
-      {};  ///< name of the material of walls and films in one; empty: films are strips of their own
-  bool spreads_on_bed =
-      false;  ///< first layers, as plastic is pressed and resin hardened for long against a bed
-  std::optional<Filament> filament = {};  ///< of processes that lay one down: their overhangs sag
-  std::string carries =
-      {};  ///< what holds up overhangs without supports that one has to plan; empty: nothing
+  std::string rubber = {};            ///< name of the material of soft parts
+  std::array<double, 2> bed_mm = {};  ///< of a common printer, x and y
+  double most_height_mm = 0;          ///< largest height of a print on that printer
+  bool joins_two = false;       ///< hard and soft material in one print; else soft parts are printed apart
+  std::string film = {};        ///< material of walls printed with living hinges; empty: separate strips
+  bool spreads_on_bed = false;  ///< first layers spread: plastic is pressed, resin is overcured
+  std::optional<Filament> filament = {};  ///< of extrusion processes, whose overhangs sag
+  std::string carries = {};               ///< support of overhangs that needs no planning; empty: none
 
   bool operator==(const Process& other) const {
     return name == other.name && clearance_mm == other.clearance_mm &&
@@ -54,40 +53,41 @@ struct Process {
   }
 };
 
-/// polyjet, fdm, sla, sls (docs/hinges.md section 3).
+/// Returns the processes polyjet, fdm, sla and sls (docs/hinges.md section 3).
 const std::vector<Process>& processes();
-/// @return null for a name that none has
+/// Finds a process by name. @return null for an unknown name
 const Process* find_process(std::string_view name);
 
 /// @throws InvalidInput, naming the field and its range
 void validate(const PrintError& sd);
 
-/// By how much the play of a pin moves its hinge, as standard deviations.
+/// Standard deviations of a hinge's position and tilt because of a pin's clearance.
 struct PlayScatter {
   double place_mm = 0;  ///< along the wall, and across it
   double tilt = 0;      ///< rad
 };
 
-/// A pin rests anywhere in its bore, evenly within its clearance c, which prints with the standard deviation s of the
-/// process: c' = sqrt(c^2 + s^2) is the root of its mean square, and the hinge sits off by c' / sqrt(3) and leans by
-/// atan(2 c' / h) / sqrt(3). Both at once, as if each had the play to itself. Nothing of blocks and films, and of pins
-/// whose equilibrium itself has the play.
+/// Returns the scatter of a hinge because of its pin's clearance c. The pin's position is uniform within c,
+/// which itself prints with the standard deviation s of the process. With the root mean square c' = sqrt(c^2
+/// + s^2), the deviations are c' / sqrt(3) in position and atan(2 c' / h) / sqrt(3) in tilt. Both use the
+/// whole clearance. Zero for other hinges, and for pins whose energy includes the clearance.
 PlayScatter play_scatter(const MadeHinge& hinge, const PrintError& sd);
 
-/// What of a sheet a process cannot print.
+/// Feature of a sheet that a process cannot print.
 struct PrintProblem {
-  std::string what;    ///< one sentence with the number asked and the least that can be
-  double cell_mm = 0;  ///< the cell edge at which this could be printed were all of the sheet larger; a
-                       ///< clearance grows with it
+  std::string what;  ///< one sentence with the requested and the least size
+  /// Cell edge, mm, at which it could be printed if the whole sheet, with its clearances, were scaled up.
+  double cell_mm = 0;
 };
 
-/// Walls, rods and clearances that are too small. Blocks and films are not judged: how thin they can be is up to
-/// the line or droplet of the printer. @param hinge none: of a sheet whose hinges have no made shape yet
+/// Finds walls, rods and clearances that are too small. Elastomer and living hinges are not checked: their
+/// least thickness depends on the line or droplet of the printer.
+/// @param hinge empty: for a sheet whose hinges have no dimensions yet
 std::vector<PrintProblem> print_problems(const Process& process, const CellSize& size,
                                          const std::optional<MadeHinge>& hinge);
 
-/// The least cell edge at which the sheet could be printed were all of it larger, mm: the edge itself where it can
-/// be as it is.
+/// Returns the least cell edge at which the sheet could be printed if all of it were scaled up, mm. It is the
+/// present edge if there is no problem.
 double least_cell_mm(const Process& process, const CellSize& size, const std::optional<MadeHinge>& hinge);
 
 }  // namespace kinetix::model

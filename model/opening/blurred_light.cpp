@@ -16,31 +16,32 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Standard deviations: the tail beyond is 2e-9.
+// Cut-off in standard deviations: the tail beyond is 2e-9.
 constexpr double most_deviations = 6;
 constexpr double far = most_deviations * BlurredLight::deviation;
-// Of the way from the middle of a cell of more than four walls to its bodies, where their parts of its area stand:
-// where hexagons, bricks and octagons cover their middles by 1.00, 1.03 and 1.03, squares between octagons by 0.99.
+// Position of a part of a cell's area, as a fraction of the distance from the cell's middle to a body. It is
+// for cells of more than four walls. Hexagons, bricks and octagons then cover their middles by 1.00, 1.03 and
+// 1.03, squares between octagons by 0.99.
 constexpr double way_out = 0.57;
 
-/// Density at x of a Gaussian of deviation 1 about 0.
+/// Returns the density at x of a Gaussian of deviation 1 about 0.
 double bell(double x) { return std::exp(-x * x / 2) / std::sqrt(2 * pi); }
 
-/// Part of that Gaussian that lies between two places.
+/// Returns the part of that Gaussian between two positions.
 double share(double from, double to) {
   constexpr double root_half = 1 / std::numbers::sqrt2;
   return 0.5 * (std::erf(to * root_half) - std::erf(from * root_half));
 }
 
-/// The blurred shadow of a rectangle, and its derivatives, per cell edge.
+/// The blurred shadow of a rectangle, dimensionless, and its derivatives, per cell edge.
 struct Shadow {
   double value = 0;
-  double by_along = 0, by_across = 0;  ///< by the place it is read at
+  double by_along = 0, by_across = 0;  ///< derivatives by the position at which it is read
   double by_length = 0;
 };
 
-/// @param along, across place in the rectangle's frame: from its start, and from its middle line; all lengths
-/// in cell edges
+/// Computes the shadow of a rectangle. All lengths are in cell edges.
+/// @param along, across position in the rectangle's frame: from its start, and from its middle line
 Shadow shadow_of(double along, double across, double length, double half_thickness) {
   constexpr double unit = 1 / BlurredLight::deviation;
   const double start = -along * unit, end = (length - along) * unit, low = (-half_thickness - across) * unit,
@@ -50,16 +51,16 @@ Shadow shadow_of(double along, double across, double length, double half_thickne
           lengthwise * (bell(low) - bell(high)) * unit, bell(end) * unit * crosswise};
 }
 
-/// What a blot of area 1 covers at a distance.
+/// Returns the cover by a blot of area 1 at a distance.
 double cover_of(const Vector2d& offset) {
   constexpr double square = BlurredLight::deviation * BlurredLight::deviation;
   return std::exp(-offset.squaredNorm() / (2 * square)) / (2 * pi * square);
 }
 
-/// Points by the squares of a grid that they lie in.
+/// Points sorted into the squares of a grid.
 class Bins {
  public:
-  /// @param width of a square, > 0
+  /// @param width side of a square, > 0
   Bins(const std::vector<Vector2d>& points, double width) : width_(width) {
     Vector2d high = low_ = points[0];
     for (const Vector2d& p : points) {
@@ -74,7 +75,7 @@ class Bins {
           static_cast<int>(k));
   }
 
-  /// Calls visit(index) for all points within the distance of a place, and some beyond.
+  /// Calls visit(index) for all points within the distance of a position, and for some beyond.
   template <class Visit>
   void near(const Vector2d& at, double distance, const Visit& visit) const {
     const int left = std::max(0, column(at.x() - distance)),
@@ -112,7 +113,7 @@ BlurredLight::BlurredLight(const Linkage& panel, const State& state)
     : BlurredLight(panel, state, Unscaled{}) {
   const State rest = rest_state(panel);
   const std::vector<Reading> flat = BlurredLight(panel, rest, Unscaled{}).readings_;
-  std::map<std::size_t, std::size_t> deepest;  // cells inside, by their walls
+  std::map<std::size_t, std::size_t> deepest;  // cell with the most cover, by number of walls
   for (std::size_t c = 0; c < flat.size(); ++c) {
     const auto [at, is_new] = deepest.try_emplace(panel.cells[c].bodies.size(), c);
     if (!is_new && flat[c].cover > flat[at->second].cover) at->second = c;

@@ -7,44 +7,46 @@
 
 namespace kinetix::model {
 
-/// Derivatives of a number that panels in the plane are read by.
+/// Derivatives of a function of a planar panel.
 struct PanelGradient {
-  Eigen::VectorXd state;  ///< 6 a body: turn about z (rad) at 2, shifts along x and y (cell edges) at 3 and 4
-  Eigen::VectorXd t;      ///< by t of each hinge (fraction of the wall), where the bodies stay
-  Eigen::VectorXd offset;  ///< likewise by its offset (cell edges), which moves no wall
+  /// 6 per body: turn about z (rad) at 2, shifts along x and y (cell edges) at 3 and 4
+  Eigen::VectorXd state;
+  Eigen::VectorXd t;       ///< by t of each hinge (fraction of the wall), with the bodies fixed
+  Eigen::VectorXd offset;  ///< by the offset of each hinge (cell edges), which moves no wall
 
   explicit PanelGradient(const Linkage& panel);
 };
 
-/// The light through a planar panel before a lamp as an eye sees it from a distance, at the middle of every
-/// cell: 1 less the shadow of its walls over what the panel covers, both blurred. Dimensionless, 1 where no
-/// wall stands near.
+/// Light through a planar panel in front of a lamp, as seen from a distance, at the middle of every cell. It
+/// is 1 minus the shadow of the walls over the cover of the panel, both blurred. Dimensionless, 1 if no wall
+/// is near.
 ///
-/// A half wall casts the shadow of a rectangle, whose Gaussian blur is a product of error functions. What the walls
-/// of a vertex cover twice counts once: it is taken off as if it were in its middle. The two half walls of a hinge
-/// that turns still count twice where one comes to lie over the other, the more the farther the hinge sits beside them;
-/// so do walls of other cells. Where walls are thick and cells nearly closed, that makes light negative, which then
-/// means no more than that walls lie over each other.
+/// A half wall casts the shadow of a rectangle, whose Gaussian blur is a product of error functions. The
+/// overlap of walls at a vertex counts once: it is subtracted as a point at its middle. The two half walls of
+/// a turned hinge still count twice where they overlap, and more so for a larger hinge offset. Overlaps with
+/// walls of other cells also count twice. If walls are thick and cells nearly closed, the light becomes
+/// negative, which only means that walls overlap.
 ///
-/// A cell covers as much as its area in one point does when it is blurred: even to 0.2 % inside panels whose cells are
-/// at most 0.85 cell edges apart. Cells of more than four walls are larger, and cover by a point for each of their bodies:
-/// even to 4 % on hexagons, bricks and octagons. Cells near the rim have nothing on one side: their shadow counts in
-/// proportion to what it is in the flat panel, of which all cells of as many walls are read alike.
+/// The cover of a cell is its area, blurred from one point. Inside panels whose cells are at most 0.85 cell
+/// edges apart it is uniform to 0.2 %. Larger cells, of more than four walls, use one point per body: uniform
+/// to 4 % on hexagons, bricks and octagons. Cells near the boundary have no neighbours on one side. Their
+/// shadow is scaled so that all cells with the same number of walls have equal light in the flat panel.
 class BlurredLight {
  public:
-  /// Cell edges, standard deviation of the blur.
+  /// Standard deviation of the blur, cell edges.
   static constexpr double deviation = 0.5;
 
-  /// Both are kept, and have to outlive this.
+  /// Keeps references to both arguments, which must outlive this object.
   BlurredLight(const Linkage& panel, const State& state);
 
-  /// Of each cell, in the order of panel.cells; all NaN where the state is not finite.
+  /// Returns the light of each cell, in the order of panel.cells; all NaN if the state is not finite.
   const std::vector<double>& values() const { return light_; }
-  /// Adds the derivatives of a function of the values. @param by_value its derivative by each of them
+  /// Adds the derivatives of a function of the values. @param by_value derivative of the function by each
+  /// value
   void add_gradient(const Eigen::VectorXd& by_value, PanelGradient& gradient) const;
 
  private:
-  struct Unscaled {};  ///< marks the constructor that leaves the rim as it is
+  struct Unscaled {};  ///< selects the constructor without the correction at the boundary
 
   /// A half wall in the plane.
   struct Strip {
@@ -55,40 +57,41 @@ class BlurredLight {
     Eigen::Vector2d middle;  ///< cell edges
     double area = 0;         ///< cell edges squared
   };
-  /// Of a cell's area.
+  /// Part of a cell's area, as a blot.
   struct Part {
-    int cell = 0, body = 0;  ///< it stands between the cell's middle and this body of it
-    double out = 0;          ///< where on the way to the body, of that way
-    double share = 1;        ///< of the cell's area
+    int cell = 0, body = 0;  ///< it is between the middle of the cell and this body of the cell
+    double out = 0;          ///< position between middle (0) and body (1), fraction
+    double share = 1;        ///< fraction of the cell's area
     Blot blot;
   };
   struct Reading {
     double shadow = 0, cover = 0;          ///< dimensionless
-    std::vector<int> strips, laps, parts;  ///< those that it comes from
+    std::vector<int> strips, laps, parts;  ///< indices of those that contribute
   };
 
-  /// Shadow and cover alone.
+  /// Computes shadow and cover without the scale for the boundary.
   BlurredLight(const Linkage& panel, const State& state, Unscaled);
-  /// Of a cell as it stands.
+  /// Adds the parts of a cell's area in the present state.
   void add_parts(int cell);
   void read();
   void add_strip_gradient(int cell, int strip, double by_shadow, PanelGradient& gradient) const;
   void add_lap_gradient(int cell, int lap, double by_shadow, PanelGradient& gradient) const;
-  /// All but what comes through the part's area. @return the derivative by that area, per cell edge squared
+  /// Adds all derivatives except those through the part's area. @return derivative by that area, per cell
+  /// edge squared
   double add_part_gradient(int cell, int part, double by_cover, PanelGradient& gradient) const;
   void add_area(int cell, double by_area, PanelGradient& gradient) const;
-  /// Of a function's derivative by the middle of a cell, per cell edge.
+  /// Adds a function's derivative by the middle of a cell, per cell edge.
   void add_middle(int cell, const Eigen::Vector2d& by_middle, PanelGradient& gradient) const;
 
   const Linkage& panel_;
   const State& state_;
   double half_thickness_ = 0;  ///< cell edges
   std::vector<Strip> strips_;
-  std::vector<Blot> laps_;                ///< of each body, what its walls cover twice
-  std::vector<Eigen::Vector2d> middles_;  ///< of each cell, cell edges
+  std::vector<Blot> laps_;                ///< overlap of the walls of each body
+  std::vector<Eigen::Vector2d> middles_;  ///< middle of each cell, cell edges
   std::vector<Part> parts_;
   std::vector<Reading> readings_;
-  std::vector<double> scale_;  ///< of each cell's shadow over its cover
+  std::vector<double> scale_;  ///< factor of each cell's shadow over its cover
   std::vector<double> light_;
 };
 

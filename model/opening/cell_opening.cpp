@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// A straight part of an outline; may be one point.
+/// A straight part of an outline, possibly one point.
 struct Line {
   Vector2d from, to;
 
@@ -23,7 +23,7 @@ struct Line {
   }
 };
 
-/// Half walls, then what closes the gap of each hinge. @param visit takes a Line
+/// Visits the half walls, then the lines that close the joint separations. @param visit takes a Line
 template <class Visit>
 void visit_lines(const Opening& opening, const Visit& visit) {
   for (const Opening::Side& side : opening.sides) visit(Line{side.vertex, side.wall_tip});
@@ -31,7 +31,8 @@ void visit_lines(const Opening& opening, const Visit& visit) {
     visit(Line{opening.sides[k].wall_tip, opening.sides[k + 1].wall_tip});
 }
 
-/// A square of the plane with the clearance of its middle, negative outside, and what no point of it exceeds.
+/// A square of the plane with the clearance of its middle, negative outside, and an upper bound for its
+/// points.
 struct Square {
   Vector2d middle;
   double half, clearance, most;
@@ -44,9 +45,9 @@ struct Square {
   bool operator<(const Square& other) const { return most < other.most; }
 };
 
-/// What no point of a square exceeds: the mean of its distances from the line that is nearest to the middle and from
-/// another one, which is convex and so largest at a corner. Between parallel walls this is the clearance itself; a bound
-/// by the size of the square alone would divide all of the middle line there.
+/// Returns an upper bound of the clearance in a square. It is the mean distance from the line nearest to the
+/// middle and from another line, which is convex and so largest at a corner. Between parallel walls the bound
+/// equals the clearance. A bound by the size of the square alone would subdivide the whole middle line there.
 double most_between(const std::vector<Line>& lines, const Square& square) {
   Eigen::Array<double, Eigen::Dynamic, 4> far(static_cast<Eigen::Index>(lines.size()), 4);
   std::size_t nearest = 0;

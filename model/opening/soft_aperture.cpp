@@ -12,18 +12,18 @@ namespace {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
-constexpr int most_steps = 40;     // a few of Newton's method end it; the rest are for the way uphill before
-constexpr double settled = 1e-12;  // slope of the clearance, and cell edges of a step: rounding
-constexpr double longest_climb = 0.1;  // cell edges: a longer one may leave the pocket that it climbs
+constexpr int most_steps = 40;         // Newton's method needs a few at the end; the rest climb uphill before
+constexpr double settled = 1e-12;      // slope of the clearance, and cell edges of a step: rounding
+constexpr double longest_climb = 0.1;  // cell edges: a longer step may leave the pocket that it climbs
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// A straight piece of the outline: a half wall from its vertex to its wall tip, or what closes the gap
-/// between the wall tips of a hinge.
+/// A straight piece of the outline: a half wall from its vertex to its wall tip, or the line that closes the
+/// separation of a hinge.
 struct Piece {
   Vector2d from, to;
   double weight = 1;
-  double by_length = 0;  ///< of the weight
+  double by_length = 0;  ///< derivative of the weight by the length, per cell edge
 };
 
 /// The half walls in the order of Opening::sides, then the gaps.
@@ -44,7 +44,7 @@ Pieces pieces_of(const Opening& opening, double sharpness) {
   return pieces;
 }
 
-/// Distance from a piece to a point, with the closest point on it and whether that is an end of it.
+/// Distance from a piece to a point, with the position of the closest point (0 to 1) and its direction.
 struct Distance {
   double value, at;
   Vector2d normal;
@@ -60,12 +60,12 @@ struct Distance {
   bool at_end() const { return at <= 0 || at >= 1; }
 };
 
-/// The soft minimum of the distances at a point, with gradient and Hessian by the point.
+/// Soft minimum of the distances at a point, with gradient and Hessian by the point.
 struct Clearance {
   double value = 0;
   Vector2d gradient = Vector2d::Zero();
   Matrix2d hessian = Matrix2d::Zero();
-  std::vector<double> shares;  ///< exp(-s d) over the sum, the weights aside
+  std::vector<double> shares;  ///< exp(-s d) over the weighted sum, without the weight
 
   Clearance(const Pieces& pieces, const Vector2d& point, double sharpness) {
     std::vector<Distance> distances;
@@ -98,7 +98,7 @@ struct Pocket {
   Clearance clearance;
 };
 
-/// Uphill where the Hessian does not curve down, else Newton's step.
+/// Returns Newton's step if the Hessian curves down, otherwise a step uphill.
 Vector2d step_from(const Clearance& c) {
   const bool curves_down = c.hessian.determinant() > 0 && c.hessian.trace() < 0;
   Vector2d step = c.gradient;
@@ -142,13 +142,13 @@ std::optional<Pocket> widest_pocket(const Opening& opening, const Pieces& pieces
   return widest;
 }
 
-/// Adds the derivatives of what pulls with `force` at a point that a side's body carries.
+/// Adds the derivatives due to a `force` at a point carried by a side's body.
 void add_carried(const Opening::Side& side, const Vector2d& point, const Vector2d& force,
                  CellReading& reading) {
   reading.bodies.col(side.body) += Eigen::Vector3d(cross(point - side.vertex, force), force.x(), force.y());
 }
 
-/// The same at its wall tip, which moves with t as well.
+/// Adds the derivatives due to a `force` at a side's wall tip, which also moves with t.
 void add_wall_tip(const Opening::Side& side, const Vector2d& force, CellReading& reading) {
   add_carried(side, side.wall_tip, force, reading);
   reading.t[side.hinge] += side.sign * force.dot((side.wall_tip - side.vertex).normalized());
@@ -160,7 +160,7 @@ void add_wall(const Opening::Side& side, const Distance& d, double share, CellRe
   add_carried(side, side.vertex + d.at * (side.wall_tip - side.vertex), force, reading);
 }
 
-/// By where the closest point is, and by the gap's length, which weighs it.
+/// Adds the derivatives by the closest point and by the length of the separation, which sets its weight.
 void add_gap(const Opening::Side& from, const Opening::Side& to, const Piece& gap, const Distance& d,
              double share, double sharpness, CellReading& reading) {
   const Vector2d along = gap.to - gap.from;

@@ -8,8 +8,8 @@
 namespace kinetix::model {
 namespace {
 
-/// Of walls that leave a vertex at these angles, rad. Between two neighbours it is what each has beyond the line half-way
-/// between them: a triangle.
+/// Returns the overlap of walls that leave a vertex at these angles, rad. Between two neighbours it is the
+/// part of each beyond the line half-way between them: a triangle.
 WallOverlap overlap_of_walls(std::vector<double> angles, double half_thickness) {
   std::sort(angles.begin(), angles.end());
   WallOverlap all;
@@ -18,7 +18,7 @@ WallOverlap overlap_of_walls(std::vector<double> angles, double half_thickness) 
     const double half = (next - angles[k]) / 2;
     if (half >= pi / 2) continue;
     const double area = half_thickness * half_thickness / std::tan(half);
-    // Of both triangles, along the line: a third of the sum of their corners.
+    // Centroid of both triangles along the line: a third of the sum of their corners.
     const double out = half_thickness * (2 * std::sin(half) + std::cos(half) / std::tan(half)) / 3;
     all.area += area;
     all.middle += area * out * Eigen::Vector2d(std::cos(angles[k] + half), std::sin(angles[k] + half));

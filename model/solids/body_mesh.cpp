@@ -13,7 +13,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Indices = std::vector<int>;
 
-/// Heights at which something begins or ends, upwards.
+/// Returns the heights at which a lug or the wall begins or ends, upwards.
 std::vector<double> levels_of(const ArmSolid& arm) {
   std::vector<double> levels{-arm.size.height_mm / 2, arm.size.height_mm / 2};
   for (const HingeEnd::Lug& lug : arm.end.lugs) {
@@ -30,7 +30,7 @@ Indices reversed(Indices face) {
   return face;
 }
 
-/// An arm's surface from the corners where it leaves the junction.
+/// Surface of an arm, from the corners where it leaves the junction.
 class ArmMesh {
  public:
   ArmMesh(const ArmSolid& arm, const Indices& start, Polyhedron& mesh)
@@ -67,8 +67,8 @@ class ArmMesh {
     add_side(high);
   }
 
-  /// Starts the triangles at the junction's corner that is farther behind the plane of the plate's end: the other may lie beyond it
-  /// where the hinge leans, and they would turn over.
+  /// Starts the triangles at the junction's corner that is farther behind the plane of the plate's end. The other
+  /// corner may be beyond it if the hinge leans, and the triangles would turn over.
   void add_side(Indices side) {
     if (ahead(side[0]) > ahead(side[1])) std::rotate(side.begin(), side.begin() + 1, side.end());
     mesh_.add_face(side);
@@ -105,7 +105,7 @@ class ArmMesh {
     if (!end_.bore.empty()) add_sides(rings_[rings_.size() - 2], rings_.back());
   }
 
-  /// A lug's face, with a cone where the end has them. @return the ring of rod or bore; empty: none
+  /// Adds a lug's face, with a cone if the end has cones. @return the ring of rod or bore, or empty
   Indices add_end(const Indices& section, bool holed, double s, bool upwards) {
     const auto& inner = end_.rod.empty() ? end_.bore : end_.rod;
     if (!holed || end_.rim.empty()) {
@@ -123,7 +123,7 @@ class ArmMesh {
     return ring;
   }
 
-  /// The wall of a hole whose two rims run counter-clockwise seen from above.
+  /// Adds the wall of a hole whose two edges are counter-clockwise seen from above.
   void add_sides(const Indices& below, const Indices& above) {
     const std::size_t n = below.size();
     for (std::size_t k = 0; k < n; ++k)
@@ -155,7 +155,7 @@ class ArmMesh {
     return std::atan2(arm_.normal.dot(d) - end_.axis_across, arm_.towards_axis.dot(d));
   }
 
-  /// A line about the axis, from -pi on.
+  /// Rotates a line about the axis so that it starts at -pi.
   Indices by_angle(const Indices& line) const {
     Indices out(line);
     const auto first =
@@ -164,8 +164,8 @@ class ArmMesh {
     return out;
   }
 
-  /// The strip from a ring to the section about it. Both are seen whole from the axis, so taking their corners in the order of
-  /// their angles leaves no two triangles on each other.
+  /// Returns the strip between a ring and the section around it. Both are fully visible from the axis, so triangles
+  /// in the order of the corners' angles do not overlap.
   std::vector<std::array<int, 3>> between(const Indices& section, const Indices& ring) const {
     const Indices out = by_angle(section), in = by_angle(ring);
     const std::size_t n = out.size(), m = in.size();
@@ -187,11 +187,11 @@ class ArmMesh {
   const Indices& start_;
   Polyhedron& mesh_;
   const std::vector<double> levels_;
-  Indices low_, high_;          // of the plate's end, a corner a level
-  std::vector<Indices> rings_;  // below and above each lug; empty where there is none
+  Indices low_, high_;          // corners of the plate's end, one per level
+  std::vector<Indices> rings_;  // below and above each lug; may be empty
 };
 
-/// The junction's corner at a point.
+/// Returns the index of the junction's corner at a point.
 int corner_at(const std::vector<Vector3d>& corners, const Vector3d& point) {
   const auto nearer = [&](const Vector3d& a, const Vector3d& b) {
     return (a - point).squaredNorm() < (b - point).squaredNorm();

@@ -15,11 +15,12 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double rounding_mm = 1e-9;  // mm: rounding of corners that are meant to be one
-constexpr double touching_mm =
-    1e-6;  // mm: sections that near to each other's corners would be one face of the junction
-constexpr double free_share = 0.05;  // of a wall's thickness: between sections that share no corners
-constexpr double least_plate = 0.1;  // of a wall's thickness: shorter plates are none
-constexpr int rounds = 60;           // at most, of finding where plates leave: each halves what is left
+// Mm: sections this near to each other's corners would be one face of the junction
+constexpr double touching_mm = 1e-6;
+// Ratio to a wall's thickness: distance of sections without shared corners
+constexpr double free_share = 0.05;
+constexpr double least_plate = 0.1;  // ratio to a wall's thickness: shorter plates are rejected
+constexpr int rounds = 60;           // most iterations that place sections: each halves the remaining motion
 
 ArmSolid arm_of(const Linkage& linkage, const Plate& plate, const HingePrint& print) {
   const RestHinge& hinge = linkage.hinges[plate.hinge];
@@ -42,7 +43,7 @@ ArmSolid arm_of(const Linkage& linkage, const Plate& plate, const HingePrint& pr
   return arm;
 }
 
-/// How far the others' sections reach along an arm's edge.
+/// Returns the extent of the other sections along an arm's edge.
 double reached(const std::vector<ArmSolid>& arms, std::size_t along, double free) {
   double most = arms[along].size.thickness_mm / 2;
   for (std::size_t k = 0; k < arms.size(); ++k)
@@ -63,7 +64,7 @@ void move_starts(std::vector<ArmSolid>& arms, double free) {
   }
 }
 
-/// Whether a corner of another section is in the plane of an arm's own, and none of its corners.
+/// Returns true if a corner of another section is in the plane of an arm's section, but not one of its corners.
 bool is_touched(const ArmSolid& arm, const ArmSolid& other) {
   const std::vector<Vector3d> own = arm.start_corners(), others = other.start_corners();
   return std::any_of(others.begin(), others.end(), [&](const Vector3d& corner) {
@@ -80,14 +81,14 @@ bool any_touched(const std::vector<ArmSolid>& arms) {
   return false;
 }
 
-/// Moves the sections out until each is the outermost along its own edge: as near as they may be where they share
-/// corners, as upright walls at equal angles do, else a little apart.
+/// Moves the sections out until each is the outermost along its edge. They are as near as possible if they share
+/// corners, as for upright walls at equal angles, otherwise slightly apart.
 void find_starts(std::vector<ArmSolid>& arms) {
   move_starts(arms, 0);
   if (any_touched(arms)) move_starts(arms, free_share * arms.front().size.thickness_mm);
 }
 
-/// Where the plate's end at the hinge is nearest to the vertex, along the edge.
+/// Returns the position of the plate's end at the hinge nearest to the vertex, along the edge, mm.
 double nearest_end(const ArmSolid& arm) {
   const double half = arm.size.height_mm / 2;
   return std::min(arm.edge.dot(arm.point({-arm.end.wall_end, 0}, -half)),

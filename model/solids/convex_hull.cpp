@@ -21,7 +21,7 @@ std::vector<Vector3d> distinct(const std::vector<Vector3d>& points) {
   return out;
 }
 
-/// Points in the plane, where all others are below it; else nothing.
+/// Returns the points in the plane if all others are below it, otherwise nothing.
 std::vector<int> points_of_face(const std::vector<Vector3d>& points, const Vector3d& at,
                                 const Vector3d& normal) {
   std::vector<int> in;
@@ -33,7 +33,8 @@ std::vector<int> points_of_face(const std::vector<Vector3d>& points, const Vecto
   return in;
 }
 
-/// Those that are corners of their hull in the plane, counter-clockwise round the normal (Andrew's monotone chain).
+/// Returns the corners of the points' hull in the plane, counter-clockwise around the normal (Andrew's monotone
+/// chain).
 std::vector<int> corners_of_face(const std::vector<Vector3d>& points, std::vector<int> in,
                                  const Vector3d& normal) {
   const Vector3d u = (points[in[1]] - points[in[0]]).normalized(), v = normal.cross(u);
@@ -58,7 +59,7 @@ std::vector<int> corners_of_face(const std::vector<Vector3d>& points, std::vecto
   return out;
 }
 
-/// Faces with the same corners are one.
+/// Returns true if a face with the same corners exists.
 bool is_known(const std::vector<std::vector<int>>& faces, std::vector<int> face) {
   std::sort(face.begin(), face.end());
   return std::any_of(faces.begin(), faces.end(), [&](std::vector<int> other) {

@@ -22,7 +22,7 @@ Points plate(const ArmSolid& arm) {
   return points;
 }
 
-/// From a lug's rim to the rod.
+/// Returns the cone from a lug's rim to the rod.
 Points cone(const ArmSolid& arm, double from, double to) {
   Points points;
   for (const Vector2d& p : arm.end.rim) points.push_back(arm.point(p, from));

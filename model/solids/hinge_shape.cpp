@@ -11,13 +11,13 @@ namespace {
 using Eigen::Vector2d;
 using Outline = std::vector<Vector2d>;
 
-constexpr int least_sides = 12;         // of a circle: fewer look like none
+constexpr int least_sides = 12;         // sides of a circle: fewer do not look round
 constexpr double one_corner_mm = 1e-6;  // mm: corners nearer than that are one
-constexpr double step_mm = 1e-3;        // mm: lower steps are none: files hold places in floats
-// Of a pin's height that its eye takes: the fork's two knuckles share the rest, so that each end of the rod bears as
+constexpr double step_mm = 1e-3;  // mm: lower steps are ignored, because files store positions as floats.
+// Share of the eye in a pin's height. The fork's two knuckles share the rest, so that each end of the rod supports as
 // much as half of the middle.
 constexpr double eye_share = 0.5;
-constexpr double sink_share = 0.5;  // of half an eye, that a cone may sink into it: as much bore stays
+constexpr double sink_share = 0.5;  // depth of a cone over half the eye's height: as much bore remains
 
 Outline circle(const Vector2d& center, double radius, int sides) {
   Outline points;
@@ -30,7 +30,7 @@ Outline circle(const Vector2d& center, double radius, int sides) {
 
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Counter-clockwise (Andrew's monotone chain).
+/// Returns the hull of points, counter-clockwise (Andrew's monotone chain).
 Outline hull(Outline points) {
   std::sort(points.begin(), points.end(), [](const Vector2d& a, const Vector2d& b) {
     return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
@@ -48,7 +48,7 @@ Outline hull(Outline points) {
   return out;
 }
 
-/// Where a ray from inside leaves a convex polygon.
+/// Returns the point where a ray from inside leaves a convex polygon.
 Vector2d leaves(const Outline& polygon, const Vector2d& from, const Vector2d& towards) {
   double nearest = INFINITY;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
@@ -59,7 +59,7 @@ Vector2d leaves(const Outline& polygon, const Vector2d& from, const Vector2d& to
   return from + nearest * towards;
 }
 
-/// The hull of knuckle and wall end, with a corner at each angle about the axis that rod and bore have one at.
+/// Returns the hull of knuckle and wall end, with a corner at each angle about the axis where rod and bore have one.
 Outline knuckle_section(double wall_end, double half_wall, double axis_across, double knuckle_across,
                         double radius, int sides) {
   const Vector2d axis(0, axis_across), low(-wall_end, -half_wall), high(-wall_end, half_wall);
@@ -72,7 +72,7 @@ Outline knuckle_section(double wall_end, double half_wall, double axis_across, d
     const Vector2d d = p - axis;
     return std::atan2(d.y(), d.x());
   };
-  // The wall's end is to the left of the axis; above or below it both its corners are to one side.
+  // The wall's end is to the left of the axis. If the axis is beyond the wall's face, both corners are on one side.
   double first = angle_of(low), last = angle_of(high);
   if (first > 0) first -= 2 * pi;
   if (last < 0) last += 2 * pi;
@@ -86,7 +86,8 @@ Outline knuckle_section(double wall_end, double half_wall, double axis_across, d
   return out;
 }
 
-/// Of rod and bore, and of the knuckle as seen from an axis beside its middle: there corners are further apart.
+/// Returns the sides of rod and bore, and of the knuckle seen from an axis off its middle, where corners are farther
+/// apart.
 int pin_sides(const HingePrint& hinge) {
   const double radius = hinge.made.diameter_mm / 2 + hinge.made.clearance_mm + hinge.knuckle_wall_mm +
                         hinge.cap_across_mm,
@@ -94,7 +95,7 @@ int pin_sides(const HingePrint& hinge) {
   return circle_sides(furthest * furthest / radius, hinge.tolerance_mm);
 }
 
-/// Where there is room for a cone beside the rim. @param eye half its height, mm
+/// Adds cones if there is room for them inside the rim. @param eye half its height, mm
 void add_cones(const HingePrint& hinge, bool fork, double eye, HingeEnd& end) {
   const double rod = hinge.made.diameter_mm / 2, bore = rod + hinge.made.clearance_mm,
                radius = bore + std::min(hinge.knuckle_wall_mm - hinge.rim_mm, sink_share * eye / cone_rise);

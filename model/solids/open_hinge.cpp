@@ -8,15 +8,14 @@
 namespace kinetix::model {
 namespace {
 
-constexpr double slender =
-    1.25;  // length of a block over its thickness: below it no formula of its stiffness holds
-constexpr double more_room = 1.1;  // of the length at which the corners of a wall would meet
-constexpr double film_mm =
-    0.4;  // thickness of a film: one line of a nozzle, and a strain of 0.1 over 3 mm and 90 degrees
-constexpr double widest_turn = 2.8;           // rad: at half a turn corners meet however long the gap
+// Length of a block over its thickness: below it no stiffness formula is valid
+constexpr double slender = 1.25;
+constexpr double more_room = 1.1;  // ratio to the length at which the corners of a wall would meet
+constexpr double film_mm = 0.4;  // thickness of a film: one nozzle line; strain 0.1 over 3 mm and 90 degrees
+constexpr double widest_turn = 2.8;           // rad: at half a turn corners meet for any gap
 constexpr double tenth = 10;                  // gaps are whole tenths of a mm
-constexpr const char* rod_material = "pa12";  // names of materials: of rods of pins
-constexpr const char* strip_material = "pp";  // and of films that are a print of their own
+constexpr const char* rod_material = "pa12";  // material of rods of pins
+constexpr const char* strip_material = "pp";  // material of films that are separate prints
 
 }  // namespace
 

@@ -43,7 +43,7 @@ void append(const Polyhedron& part, Polyhedron& whole) {
 MassProperties mass_properties(const Polyhedron& solid) {
   MassProperties out;
   if (solid.points.empty()) return out;
-  const Vector3d origin = solid.points.front();  // near the solid: less is lost to rounding
+  const Vector3d origin = solid.points.front();  // near the solid: reduces rounding errors
   Vector3d first = Vector3d::Zero();
   Matrix3d second = Matrix3d::Zero();
   for (const auto& t : solid.triangles) {

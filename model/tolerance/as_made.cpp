@@ -10,7 +10,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// All points by themselves, or random mixtures of them with entries +-1.
+/// Returns the unit vectors of all points, or random mixtures of the points with entries +-1.
 std::vector<VectorXd> mixtures(Eigen::Index points, const AsMadeOptions& options) {
   std::vector<VectorXd> out;
   if (points <= options.probes) {
@@ -26,17 +26,18 @@ std::vector<VectorXd> mixtures(Eigen::Index points, const AsMadeOptions& options
   return out;
 }
 
-/// Traces of the covariance C of all points' deviations, mm^2 and mm^4.
+/// Traces of the covariance C of all points' deviations, and of its square: mm^2 and mm^4.
 struct Moments {
   double trace = 0, trace_of_square = 0;
 };
 
-/// @param rows of the points themselves, C = rows rows^T
+/// Returns the traces exactly. @param rows one per point, C = rows rows^T
 Moments moments_of_points(const MatrixXd& rows) {
   return {rows.squaredNorm(), (rows * rows.transpose()).squaredNorm()};
 }
 
-/// @param rows of random mixtures: z C z is the trace on average, (z C z')^2 that of the square
+/// Estimates the traces. @param rows one per random mixture z: z C z has the trace as its mean, (z C z')^2
+/// that of the square
 Moments moments_of_mixtures(const MatrixXd& rows) {
   const MatrixXd products = rows * rows.transpose();
   const auto count = static_cast<double>(rows.rows());
@@ -44,7 +45,7 @@ Moments moments_of_mixtures(const MatrixXd& rows) {
           (products.squaredNorm() - products.diagonal().squaredNorm()) / (count * (count - 1))};
 }
 
-/// Of a gamma distribution.
+/// Returns the 95 % quantile of a gamma distribution.
 double quantile(double mean, double variance) {
   if (!(variance > 0)) return mean;
   const double ninth = variance / (9 * mean * mean);
@@ -78,7 +79,7 @@ AsMade as_made(const ElasticSystem& system, const State& state, double theta, co
   const double edge_mm = system.structure().size.edge_mm;
   const Eigen::Matrix4Xd spread = scatter.by_hinge(hinges);
   const DesignSensitivities by_design(system, state, theta, tangent);
-  // What a mixture of deviations does by every hinge's parameters, one standard deviation each.
+  // Returns the derivatives of a mixture of deviations by every hinge's parameters, per standard deviation.
   const auto row = [&](const VectorXd& mixture) -> VectorXd {
     const Eigen::Matrix4Xd by = by_design.of(points.by_state(mixture, state.size(), edge_mm)).hinges;
     return by.cwiseProduct(spread).reshaped();

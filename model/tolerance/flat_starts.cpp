@@ -11,14 +11,14 @@
 namespace kinetix::model {
 namespace {
 
-/// Theta where the path of a print ends, rad; NaN where it does not come to the end of the drive.
+/// Returns the theta at which the path of a print ends, rad; NaN if it does not reach the end of the drive.
 double pressed_theta(const Linkage& print, const Elasticity& elasticity, const LinkageDrive& drive,
                      const EquilibriumPathOptions& options) {
   const EquilibriumPath path = trace_equilibrium({print, drive, {}}, elasticity, options);
   return path.stop == EquilibriumPath::Stop::reached ? mean_theta(print, path.state) : std::nan("");
 }
 
-/// Where a print ends that is asked to fold to a side, and to the other one, times the sign of the first, rad.
+/// Final theta of a print that is driven to either side, times the sign of the requested side, rad.
 struct Ends {
   double there = NAN, back = NAN;
 };

@@ -30,10 +30,10 @@ struct PrintEquilibria::Workers {
   std::deque<Rest> rests = {};  // one for each thread
 };
 
-/// Finds one print after the other.
+/// Solver of one thread: finds the equilibria of prints one after the other.
 class PrintEquilibria::Workers::Rest {
  public:
-  /// @param scene, design kept by reference, the latter in equilibrium, with the drive's multiplier
+  /// @param scene, design kept by reference; the design is in equilibrium with the drive's multiplier
   Rest(const PrintScene& scene, const State& design, double multiplier)
       : scene_(scene), design_(design), system_(scene.system({})) {
     system_.set_multiplier(multiplier);
@@ -63,7 +63,8 @@ class PrintEquilibria::Workers::Rest {
 
   void restore() {
     if (is_of_design_) return;
-    // Contacts of the print before are left in the pattern of its tangent, which the next must not depend on.
+    // The pattern of the tangent contains the contacts of the previous print. The next print must not depend
+    // on it.
     if (!tangent_ || scene_.contact) tangent_.emplace(system_.dofs());
     system_.linearise(design_, scene_.drive.theta(), *tangent_);
     tangent_->factorise(0);
@@ -73,8 +74,8 @@ class PrintEquilibria::Workers::Rest {
   const PrintScene& scene_;
   const State& design_;
   ElasticSystem system_;
-  std::optional<TangentStiffness>
-      tangent_;  ///< of the bodies of any print: what is held and which hinges there are is the same
+  /// Tangent of any print: all have the same held coordinates and hinges.
+  std::optional<TangentStiffness> tangent_;
   bool is_of_design_ = false;
 };
 

@@ -9,11 +9,11 @@
 
 namespace kinetix::model {
 
-/// A structure with its hinges off by so much: a column a hinge, t (fraction), alpha, beta (rad), offset (cell edges). No
-/// columns: the design itself.
+/// Function that returns the structure with hinge errors: one column per hinge with t (fraction), alpha, beta
+/// (rad) and offset (cell edges). Without columns it is the design itself.
 using PrintedLinkage = std::function<Linkage(const Eigen::Matrix4Xd& errors)>;
 
-/// A structure under its drive, of which prints are made.
+/// Structure under its drive, of which prints are made.
 struct PrintScene {
   PrintedLinkage printed;  ///< called from any thread
   Elasticity elasticity;
@@ -25,30 +25,33 @@ struct PrintScene {
   }
 };
 
-/// Rad, cell edges: a last step that is good for distances, which errors move by a hundredth at the least.
+/// Rad, cell edges: last Newton step. Errors move distances by at least a hundredth, so it is small enough.
 inline constexpr double at_rest = 1e-7;
 
-/// Finds equilibria of prints, each from that of the design and by its factor first: where prints differ little, most of them
-/// come to rest without one of their own. The state of a print depends on no other print and not on the number of threads.
+/// Solver for equilibria of prints. Each search starts from the equilibrium of the design with the factor of
+/// the design. If prints differ little, most of them converge without a factor of their own matrix. The state
+/// of a print does not depend on other prints or on the number of threads.
 class PrintEquilibria {
  public:
   struct Print {
     bool tried = false;
-    /// Nothing where no stable equilibrium is found, and where walls that press on each other overlap as built.
+    /// Empty if no stable equilibrium is found, or if walls in contact overlap as built.
     std::optional<State> state = {};
   };
 
-  /// @param state of the design, in equilibrium or nearly so   @param most prints that are found at once, > 0
-  /// @param options threads and stop have an effect
+  /// @param state of the design, in equilibrium or nearly so
+  /// @param most largest number of prints per call of of(), > 0
+  /// @param options only threads and stop have an effect
   PrintEquilibria(PrintScene scene, const State& state, int most, const AsMadeOptions& options);
   ~PrintEquilibria();
   PrintEquilibria(const PrintEquilibria&) = delete;
   PrintEquilibria& operator=(const PrintEquilibria&) = delete;
 
   Eigen::Index hinges() const;
-  /// The equilibrium of the design.
+  /// Returns the equilibrium of the design.
   const State& design() const;
-  /// One for each; not tried once the options say stop.
+  /// Finds the equilibria of several prints, in their order. Prints are not tried after options.stop returns
+  /// true.
   std::vector<Print> of(const std::vector<Eigen::Matrix4Xd>& errors);
 
  private:

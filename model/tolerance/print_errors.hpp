@@ -8,8 +8,9 @@
 
 namespace kinetix::model {
 
-/// Errors of print after print: a column per hinge, t (fraction), alpha, beta (rad), offset (cell edges). Normal by Box and
-/// Muller: the standard's distributions differ between libraries.
+/// Generator of errors of one print after the other: one column per hinge with t (fraction), alpha, beta
+/// (rad) and offset (cell edges). Normally distributed, by Box and Muller: the distributions of the standard
+/// library differ between implementations.
 class PrintErrors {
  public:
   PrintErrors(const HingeScatter& scatter, Eigen::Index hinges, unsigned seed)

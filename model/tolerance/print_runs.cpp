@@ -21,7 +21,8 @@ Vector3d mean_place(const ObservedPoint& point, const State& state) {
   return sum / static_cast<double>(point.bodies.size());
 }
 
-/// Rms distance of a print's points from the goal, after the best small rigid motion of what errors moved. mm
+/// Rms distance of a print's points from the goal, mm, after the best small rigid motion of the shifts by
+/// errors.
 class Distance {
  public:
   Distance(const std::vector<ObservedPoint>& points, bool aligned)
@@ -31,7 +32,8 @@ class Distance {
     return rms(
         [&](const ObservedPoint& p) { return p.normal.dot(mean_place(p, print) - mean_place(p, design)); });
   }
-  /// Of a print that differs from the design by a small change of its coordinates (DesignSensitivities::change).
+  /// Returns the distance of a print that differs from the design by a small change of coordinates, as from
+  /// DesignSensitivities::change.
   double operator()(const VectorXd& change, double edge_mm) const {
     return rms([&](const ObservedPoint& p) {
       double sum = 0;
@@ -41,7 +43,7 @@ class Distance {
   }
 
  private:
-  /// @param shift of a point along its normal, mm
+  /// Returns the rms distance. @param shift of a point along its normal, mm
   template <class Shift>
   double rms(const Shift& shift) const {
     VectorXd moved(observed_.size());
@@ -54,7 +56,8 @@ class Distance {
   VectorXd designed_;
 };
 
-/// Both have the same errors, so that their ratio is better known than either. @pre rms_mm
+/// Compares the distances in equilibrium and to first order. Both have the same errors, so their ratio is
+/// more accurate than either. @pre rms_mm
 void compare(const std::vector<std::pair<double, double>>& squares, PrintRuns& out) {
   const auto count = static_cast<double>(squares.size());
   double first = 0, apart = 0;
@@ -63,7 +66,7 @@ void compare(const std::vector<std::pair<double, double>>& squares, PrintRuns& o
   const double ratio = out.rms_mm / out.first_order_rms_mm;
   for (const auto& [settled, to_first_order] : squares)
     apart += std::pow(settled - ratio * ratio * to_first_order, 2);
-  // Of the ratio's square, which has twice its relative error.
+  // Standard error of the squared ratio, divided by 2: a square has twice the relative error.
   out.ratio_error = std::sqrt(apart / (count * std::max(count - 1, 1.0))) / (2 * ratio * first);
 }
 
@@ -97,7 +100,7 @@ PrintRuns print_runs(const PrintedLinkage& printed, const SettledDesign& design,
   const Distance distance(points, options.aligned);
   const double edge_mm = design.system().structure().size.edge_mm;
   std::vector<double> distances;
-  std::vector<std::pair<double, double>> squares_of_both;  // in its equilibrium, to first order
+  std::vector<std::pair<double, double>> squares_of_both;  // in equilibrium, to first order
   PrintRuns out;
   out.failed =
       visit_prints(printed, design.elasticity(), design.drive(), design.state(), scatter, count, options,

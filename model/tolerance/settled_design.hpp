@@ -6,22 +6,23 @@
 
 namespace kinetix::model {
 
-/// A state of a design, and what holds it there.
+/// State of a design with the elasticity and drive that hold it in equilibrium.
 struct HeldState {
   State state;  ///< in equilibrium or nearly so
   Elasticity elasticity;
   LinkageDrive drive;
 };
 
-/// A design brought to its equilibrium under what holds it, without contact, and how its prints differ from it to first order.
+/// A design brought to equilibrium under its drive, without contact, with the first-order changes of its
+/// prints.
 class SettledDesign {
  public:
-  /// @param planar it moves in the plane z = 0 only
+  /// @param planar the design moves in the plane z = 0 only
   SettledDesign(Linkage linkage, HeldState held, bool planar);
   SettledDesign(const SettledDesign&) = delete;
   SettledDesign& operator=(const SettledDesign&) = delete;
 
-  /// Whether a stable equilibrium was found: else there is nothing to first order.
+  /// Returns whether a stable equilibrium was found. Only then first-order changes exist.
   bool is_stable() const { return by_hinges_.has_value(); }
   const State& state() const { return held_.state; }
   const Elasticity& elasticity() const { return held_.elasticity; }
@@ -29,7 +30,7 @@ class SettledDesign {
   double theta() const { return held_.drive.theta(); }
   const ElasticSystem& system() const { return system_; }
   const TangentStiffness& tangent() const { return tangent_; }
-  /// DesignSensitivities::change. @pre is_stable()
+  /// Returns the first-order change of the state, as DesignSensitivities::change. @pre is_stable()
   Eigen::VectorXd change(const Eigen::Matrix4Xd& errors) const { return by_hinges_->change(errors); }
 
  private:

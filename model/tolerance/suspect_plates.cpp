@@ -9,18 +9,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Rms of the scatter in all directions: of plates further apart about one in 1000 prints touches, also where the prints by which
-// it is estimated show a fifth too little.
+// Multiple of the rms scatter over all directions. Of plates further apart, about one in 1000 prints touches.
+// This includes the case that the sample prints show a fifth too little scatter.
 constexpr double suspect_deviations = 4;
 constexpr double overlap_in_edges = 1e-9;  // cell edges, as in WallContact
 
-/// How far errors of its hinge move the rim of a plate on its body, mm, rms.
+/// Returns the rms shift of the rim of a plate because of the errors of its hinge, mm.
 double plate_scatter(const CellSize& size, const Eigen::Vector4d& sd) {
   const double length = size.edge_mm, half_height = size.height_mm / 2;
   return sd.cwiseProduct(Eigen::Vector4d(length, half_height, half_height, length)).norm();
 }
 
-/// Calls `look` with the boxes of those pairs that are nearer to each other than `within` of the pair, until it says true.
+/// Calls `look` with the boxes of those pairs that are closer than `within` of the pair, until it returns
+/// true.
 /// @return whether it did
 template <class Within, class Look>
 bool any_pair(const State& print, const std::vector<HalfWall>& walls,

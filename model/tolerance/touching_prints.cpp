@@ -18,25 +18,25 @@ namespace {
 using Eigen::Matrix4Xd;
 using Eigen::VectorXd;
 
-constexpr int scatter_prints = 16;  // by which the scatter of two bodies against each other is estimated
-// Of how near two plates come in the fold: a state before it counts only where they come this much nearer.
+constexpr int scatter_prints = 16;  // sample for the scatter of two bodies
+// Ratio to the nearness of two plates in the fold: a state before it counts only if they are this much
+// nearer.
 constexpr double much_nearer = 0.8;
-// Of that distance: plates that stay further apart by two deviations than the nearest ones touch in few prints in which these
-// do not.
+// In units of nearness. Plates that are further apart than the nearest pair by two deviations are left out.
+// They touch in few prints in which the nearest pair does not.
 constexpr double less_near = 0.5;
-// Of the distance that scatter allows, to first order: only between, the equilibrium of a print decides. In 700 prints of a ring
-// and a disc it did from 0 to -0.06.
+// Fraction of the distance that scatter allows. Within it the first-order result is uncertain, and the
+// equilibrium of a print decides. In 700 prints of a ring and a disc the equilibrium decided from 0 to -0.06.
 constexpr double unsure = 0.1;
-constexpr double worth_a_look = 0.2;  // likewise with the walls of the design, with whose errors they move
+constexpr double worth_a_look = 0.2;  // the same, with the design's walls, which move with errors
 constexpr int prints_at_once = 50, most_prints = 1000;
 constexpr double largest_share_error = 0.016;
-constexpr double largest_relative_error = 0.05, of_large_sheets = 0.1;  // of the share
-// Hinges of all prints that are brought to their equilibrium: each takes some 0.05 ms.
+constexpr double largest_relative_error = 0.05, of_large_sheets = 0.1;  // relative, of the share
+// Total of hinges over all prints that are brought to equilibrium: each takes about 0.05 ms.
 constexpr Eigen::Index most_hinges = 15000;
-constexpr Eigen::Index least_equilibria =
-    20;  // fewer tell nothing: prints of large sheets are looked at to first order alone
+constexpr Eigen::Index least_equilibria = 20;  // fewer mean little: large sheets use first order only
 
-/// A state of the design in equilibrium, and its prints.
+/// State of the design in equilibrium, with its prints.
 class PrintedStage {
  public:
   /// @param printed, design kept by reference
@@ -52,7 +52,8 @@ class PrintedStage {
 
   const std::vector<SuspectPair>& suspects() const { return suspects_; }
 
-  /// Places the bodies of the suspects as a print with these errors has them to first order; all others stay.
+  /// Returns the state with the bodies of the suspects moved as in a print with these errors, to first order.
+  /// All other bodies stay.
   State first_order(const Matrix4Xd& errors) const {
     const VectorXd all = design_.change(errors);
     State looked_at;
@@ -83,16 +84,16 @@ class PrintedStage {
   std::optional<PrintEquilibria> equilibria_;
 };
 
-/// In which state of the way two plates come closest, against their scatter.
+/// State of the path in which two plates are closest, relative to their scatter.
 struct Closest {
   int state = 0;
   SuspectPair pair;
 };
 
-/// States of the way whose prints may touch, the fold first.
+/// States of the path whose prints may touch, the fold first.
 class WayOfPrints {
  public:
-  /// All but scatter kept by reference.
+  /// Keeps all parameters but `scatter` by reference.
   WayOfPrints(const PrintedLinkage& printed, const SettledDesign& fold, const WayToFold& way,
               const HingeScatter& scatter, const AsMadeOptions& options)
       : printed_(printed), fold_(fold), way_(way), options_(options) {
@@ -103,12 +104,12 @@ class WayOfPrints {
     is_found_ = find_closest() && find_stages();
   }
 
-  /// False where it was stopped.
+  /// Returns false if the search was stopped.
   bool is_found() const { return is_found_; }
   bool stops() const { return options_.stop && options_.stop(); }
   Eigen::Index hinges() const { return static_cast<Eigen::Index>(fold_.system().hinges().size()); }
 
-  /// Looks at these prints. @param most equilibria that may be looked for: the first prints have them
+  /// Counts prints that touch. @param most limit of equilibria to search: the first prints have them
   void count(const std::vector<Matrix4Xd>& errors, int most, TouchingPrints& counted) {
     std::vector<Look> looks;
     for (const Matrix4Xd& of_print : errors) looks.push_back(first_order(of_print));
@@ -124,15 +125,15 @@ class WayOfPrints {
     }
   }
 
-  /// Number of equilibria looked for so far.
+  /// Returns the number of equilibria searched so far.
   int equilibria() const { return equilibria_; }
 
  private:
-  /// Result of a print to first order.
+  /// First-order result of a print.
   struct Look {
     bool touches = false;
     std::vector<std::size_t> near =
-        {};  ///< stages whose equilibrium decides, in order; none where it touches for sure
+        {};  ///< stages whose equilibrium decides, in order; empty if it surely touches
   };
 
   bool find_closest() {
@@ -186,8 +187,8 @@ class WayOfPrints {
     return out;
   }
 
-  /// Whether the first of these prints touch in their equilibrium, as many as so many equilibria decide. Where there is none, a
-  /// print stays as it is to first order.
+  /// Returns whether the first of these prints touch in equilibrium, for as many prints as `most` equilibria
+  /// can decide. If a print has no equilibrium, its first-order result counts.
   std::vector<bool> settle(const std::vector<Matrix4Xd>& errors, int most, const std::vector<Look>& looks) {
     std::vector<bool> out;
     for (const Look& look : looks) {
@@ -226,13 +227,13 @@ class WayOfPrints {
   bool is_found_ = false;
 };
 
-/// As if two more prints had been counted, one of which does.
+/// Returns the variance of a share, estimated as if two more prints had been counted and one of them counts.
 double share_variance(double some, double all) {
   const double share = (some + 1) / (all + 2);
   return share * (1 - share);
 }
 
-/// Whether the share to first order is known well enough.
+/// Returns whether the first-order share is accurate enough.
 bool are_enough(const TouchingPrints& counted, double relative_error) {
   const double error = std::sqrt(share_variance(counted.touching, counted.prints) / (counted.prints + 2));
   return error <= std::max(largest_share_error, relative_error * counted.share());

@@ -8,39 +8,43 @@
 
 namespace kinetix::model {
 
-/// What a design passes on its way from flat to its fold.
+/// Path of a design from flat to its fold.
 struct WayToFold {
   int states = 0;                                   ///< before the fold
-  std::function<std::optional<HeldState>(int)> at;  ///< 0 the first; nothing: left out
+  std::function<std::optional<HeldState>(int)> at;  ///< first is 0; empty: skipped
 };
 
-/// Sample prints, and those of them whose walls touch.
+/// Counts of sample prints whose walls touch.
 struct TouchingPrints {
-  int prints = 0;    ///< looked at to first order
+  int prints = 0;    ///< checked to first order
   int touching = 0;  ///< that touch to first order
-  int settled = 0;   ///< the first of them, of which is known what they do in their equilibrium
-  int gained = 0;    ///< of those, that touch in their equilibrium alone
-  int lost = 0;      ///< that do so to first order alone
+  int settled = 0;   ///< number of first prints that are also checked in equilibrium
+  int gained = 0;    ///< of those, that touch in equilibrium only
+  int lost = 0;      ///< of those, that touch to first order only
 
-  /// That touch in their equilibrium: as to first order, and what equilibria change in those of which it is known. @pre prints > 0
+  /// Returns the share of prints that touch in equilibrium: the first-order share, corrected by gained and
+  /// lost. @pre prints > 0
   double share() const;
-  /// Standard error of it.
+  /// Returns the standard error of share().
   double error() const;
 };
 
-/// Counts prints with errors whose walls touch in any of the states that a design passes. Errors add up along the sheet: two
-/// bodies that no hinge joins miss each other by the scatter of one against the other, which may be many times the error of a
-/// hinge. Each print has its own walls and its own equilibrium; plates of two bodies touch where their boxes overlap, and what
-/// WallContact leaves out is left out here. To first order alone too many touch: ends of a long strip move so far that it is wrong
-/// about one in three of those that it lets touch.
+/// Counts prints with errors whose walls touch in any state on the path of a design. Errors add up along the
+/// sheet. Two bodies without a common hinge are displaced by their relative scatter, which may be many times
+/// the error of a hinge. Each print has its own walls and its own equilibrium. Plates of two bodies touch if
+/// their boxes overlap; pairs that WallContact leaves out are left out here.
 ///
-/// Only plates that come closer in the design than their scatter allows are looked at, each two in the state in which they come
-/// closest against that scatter. All prints are looked at to first order; the first of them also in their equilibrium where that
-/// is needed, up to a limit of work. Prints are counted until the standard error of the share to first order is below 0.016 or
-/// 5 % of it (10 % on large sheets), 1000 at most. The same seed gives the same prints.
+/// First order alone counts too many prints. Ends of a long strip move so far that it is wrong about one in
+/// three prints that it counts as touching. So the first prints are also checked in equilibrium if needed, up
+/// to a limit of work.
 ///
-/// @param options planar, seed, threads and stop have an effect
-/// @return nothing where the fold is not stable, and where it is told to stop before the first prints
+/// Only plates that are closer in the design than their scatter allows are checked. Each pair is checked in
+/// the state in which it is closest relative to its scatter. Prints are counted until the standard error of
+/// the first-order share is below 0.016 or 5 % of it (10 % for large sheets), 1000 at most. The same seed
+/// gives the same prints.
+///
+/// @param options only planar, seed, threads and stop have an effect
+/// @return empty if the fold is not stable, or if options.stop ends the run before the first prints
 std::optional<TouchingPrints> touching_prints(const PrintedLinkage& printed, const SettledDesign& fold,
                                               const WayToFold& way, const HingeScatter& scatter,
                                               const AsMadeOptions& options = {});

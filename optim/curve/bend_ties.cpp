@@ -18,7 +18,7 @@ int group(int column, int columns, Per per, Symmetry symmetry) {
   return mirrored ? std::min(column, columns - 1 - column) : column;
 }
 
-/// What the size of a column's tilt may become. Tilts change sign from row to row, and ranges are of the first.
+/// Returns the range of a column's tilt in its first row. Tilts change sign from row to row.
 AngleRange range_of_size(const model::Structure& strip, const BendTies& ties, int column) {
   const int first = strip.hinge_at({{column, 0}, model::Axis::x}).value();
   const AngleRange& bends = ties.range[ties.variable[column]];
@@ -39,7 +39,7 @@ BendTies make_bend_ties(int columns, Per per, Symmetry symmetry, AngleRange beta
   BendTies ties;
   for (int c = 0; c < columns; ++c) {
     ties.variable.push_back(group(c, columns, per, symmetry));
-    // A turn from +x towards +z asks for a negative tilt of the even columns.
+    // A turn from +x towards +z needs a negative tilt in the even columns.
     ties.sign.push_back(-model::column_sign(c));
   }
   const int variables = 1 + *std::max_element(ties.variable.begin(), ties.variable.end());
@@ -57,7 +57,7 @@ BendTies make_bend_ties(int columns, Per per, Symmetry symmetry, AngleRange beta
 
 std::vector<TiltTie> tied_tilts(const model::Structure& strip, const BendTies& ties) {
   std::vector<TiltTie> out;
-  std::map<int, std::size_t> at;  // of variables
+  std::map<int, std::size_t> at;  // variable to its index in `out`
   for (TiltTie& line : tilt_ties(strip)) {
     const int column = line_of(strip.hinges[line.hinges.front()].wall);
     const auto [place, is_new] = at.try_emplace(ties.variable[column], out.size());

@@ -38,7 +38,7 @@ CurveFit::CurveFit(const targets::Curve& goal, BendTies ties, double cell_mm, An
 }
 
 model::ExactDesign<double> CurveFit::design(const Eigen::VectorXd& x, int rows) const {
-  // Not basic(), which refuses the chain without rows that the search folds.
+  // basic() refuses the chain without rows that the search folds.
   const auto columns = static_cast<std::size_t>(ties_.columns());
   model::ExactDesign<double> design{std::vector<double>(columns, 0.0), std::vector<double>(columns, 0.5),
                                     std::vector<double>(static_cast<std::size_t>(rows), 0.5), 0, 0};
@@ -70,7 +70,7 @@ Eigen::VectorXd CurveFit::pack(const std::vector<double>& bends, double theta) c
   return x;
 }
 
-/// The folded midline in the goal's plane, with the derivatives of its points.
+/// Folded midline in the goal's plane, with the derivatives of its points.
 class CurveFit::Frame {
  public:
   Frame(const CurveFit& fit, const Eigen::VectorXd& x, bool with_jacobian) : fit_(fit), x_(x) {
@@ -91,14 +91,14 @@ class CurveFit::Frame {
   int chords() const { return static_cast<int>(points_.size()) - 1; }
   Vector2d place(int chord, double f) const { return (1 - f) * points_[chord] + f * points_[chord + 1]; }
 
-  /// The closest point on the goal, sought from the place's own fraction of the arc length.
+  /// Returns the closest point on the goal, sought from the place's fraction of the arc length.
   targets::ClosestPoint closest(int chord, double f) const {
     const targets::Curve& goal = fit_.goal_;
     const double fraction = ((1 - f) * arc_[chord] + f * arc_[chord + 1]) / arc_.back();
     return targets::closest_near(goal.points(), goal.segment_at(fraction * goal.length()), place(chord, f));
   }
 
-  /// Adds to a row of the Jacobian the rate of direction . place, times weight.
+  /// Adds weight times the rate of direction . place to a row of the Jacobian.
   template <class Row>
   void add_derivatives(int chord, double f, const Vector2d& direction, double weight, Row row) const {
     const BendTies& ties = fit_.ties_;

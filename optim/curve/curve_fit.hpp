@@ -10,10 +10,11 @@ namespace kinetix::optim {
 /// Fit of a strip's folded midline (family F2) to a curve.
 ///
 /// x = (tangents of the bends of optim/curve/bend_ties.hpp, theta, heading of the strip's frame, its x, its
-/// z); angles in rad, lengths in units of the goal's bounding-box diagonal. Residuals: signed distance to the
-/// goal of four places on each chord of the midline, and both components of both end points' misfit, over the
-/// diagonal and the square root of their number, so that |r| is close to the shape_rms of the state. The
-/// closest point of a place is sought downhill from its own fraction of the arc length.
+/// z). Angles are in rad, lengths in units of the goal's bounding-box diagonal. The residuals are the signed
+/// distances to the goal of four places on each chord of the midline, then both components of the misfit of
+/// both end points. All are divided by the diagonal and by the square root of their number, which makes |r|
+/// close to the shape_rms of the state. The closest point is sought downhill from the place's fraction of the
+/// arc length.
 class CurveFit final : public LeastSquaresProblem {
  public:
   /// @param cell_mm cell edge; @param theta bounds, rad, within (0, pi/2). The goal is kept by reference.
@@ -29,14 +30,14 @@ class CurveFit final : public LeastSquaresProblem {
   const targets::Curve& goal() const { return goal_; }
   double cell_mm() const { return cell_mm_; }
 
-  /// The strip's design, with `rows` rows of cells.
+  /// Returns the strip's design, with `rows` rows of cells.
   model::ExactDesign<double> design(const Eigen::VectorXd& x, int rows) const;
   double theta(const Eigen::VectorXd& x) const { return x[ties_.variables()]; }  ///< rad
-  /// x from column bends (rad, positive turns left), theta (rad) and the goal's own start; clamped to the
-  /// bounds.
+  /// Returns x for the given column bends (rad, positive turns left) and theta (rad), placed at the start of
+  /// the goal and clamped to the bounds.
   Eigen::VectorXd pack(const std::vector<double>& bends, double theta) const;
 
-  /// Of each chord: with fewer, a goal that bulges between two columns goes unseen; more cost time.
+  /// Number of sampled places per chord. Fewer miss a goal that bulges between two columns; more cost time.
   static constexpr int places_per_cell = 4;
 
  private:
@@ -48,8 +49,9 @@ class CurveFit final : public LeastSquaresProblem {
   Eigen::VectorXd lower_, upper_;
 };
 
-/// Midline of a folded strip: (x, z) of the bodies of each column in row 0, mm. For F2 with bending columns
-/// all bodies of a column have the same x and z. @pre poses of a lattice with `rows` rows
+/// Returns the midline of a folded strip: (x, z) of the bodies of each column in row 0, mm. In F2 with
+/// bending columns all bodies of a column have the same x and z.
+/// @pre poses of a lattice with `rows` rows
 std::vector<Eigen::Vector2d> midline(const model::State& lattice, int rows);
 
 }  // namespace kinetix::optim

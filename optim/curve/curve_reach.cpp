@@ -10,7 +10,8 @@
 namespace kinetix::optim {
 namespace {
 
-// Over the curve's length: a strip that is longer than this even when pressed most has to wind about the curve.
+// Longest strip over the curve's length. A strip that is longer even when fully pressed has to wind about the
+// curve.
 constexpr double most_slack = 1.02;
 
 void note_length(const CurveFit& fit, CurveReach& reach) {

@@ -10,13 +10,13 @@
 namespace kinetix::optim {
 namespace {
 
-// Of placing chord ends by their half turns and finding half turns from them: a start need not be exact.
+// Rounds of placing the chord ends and recomputing the half turns. A start need not be exact.
 constexpr int placement_rounds = 8;
-constexpr double zigzag_step = 0.05;  // rad a pair of starts: those by rule go to 0.35, random ones to 0.4
-constexpr int even_start = 1;         // the start that turns all columns alike where bounds cut the layout
-constexpr double steepest_psi = 1.2;  // rad: a chord has still a third of its length, and at pi/2 none
+constexpr double zigzag_step = 0.05;  // rad per pair of starts: those by rule reach 0.35, random ones 0.4
+constexpr int even_start = 1;         // equal turns in all columns, if the bounds cut the layout
+constexpr double steepest_psi = 1.2;  // rad: a chord still has a third of its length; at pi/2 its length is 0
 
-/// Half turns that give the chords their headings, smoothest first, then the zigzag.
+/// Returns the half turns that give the chords their headings: the smoothest ones plus the zigzag.
 std::vector<double> half_turns(const std::vector<double>& headings, double zigzag) {
   const int n = static_cast<int>(headings.size());
   std::vector<double> psi(n);
@@ -31,7 +31,7 @@ std::vector<double> half_turns(const std::vector<double>& headings, double zigza
   return psi;
 }
 
-/// Headings of the chords between places on the goal, unwrapped.
+/// Returns the headings of the chords between places on the goal, unwrapped.
 std::vector<double> chord_headings(const targets::Curve& goal, const std::vector<double>& arc) {
   std::vector<double> headings;
   for (std::size_t c = 0; c + 1 < arc.size(); ++c) {
@@ -79,7 +79,7 @@ std::vector<double> bends_of(const ChordLayout& layout, double theta) {
   return bends;
 }
 
-/// Whether the bounds cut the smoothest layout.
+/// Returns whether the bounds cut the smoothest layout.
 bool is_cut(const CurveFit& fit) {
   const ChordLayout layout = lay_chords(fit.goal(), fit.ties().columns(), 0);
   const BendTies& ties = fit.ties();

@@ -14,24 +14,26 @@
 namespace kinetix::optim {
 namespace {
 
-constexpr double as_good = 1.01;  // times the least |r|: up to here, the gentlest tilts decide
-constexpr double exact = 1e-9;    // of the goal's diagonal, added: a goal met exactly leaves rounding alone
-constexpr double gentler = 0.6;   // times the tilts before: few tries lead from 60 deg to gentle ones
-constexpr double gentle_growth = 1.3;  // times the error: what gentle tilts may cost
-constexpr int gentle_starts = 2;       // for each tighter limit: the smoothest layout and the even one
-constexpr double steep_tilt = 15 * radians_per_degree;  // rad: designs that tilt less are left as they are
-constexpr double narrowing = 0.8;    // times the limit at which walls collide, at the least, for the next
+constexpr double as_good = 1.01;  // times the least |r|: within this, the smallest tilts decide
+constexpr double exact = 1e-9;    // of the goal's diagonal, added: only rounding is left if the goal is met
+                                  // exactly
+constexpr double gentler = 0.6;   // times the last tilt limit: few tries lead from 60 deg to small ones
+constexpr double gentle_growth = 1.3;  // times the error: largest increase accepted for smaller tilts
+constexpr int gentle_starts = 2;       // per tighter limit: the smoothest layout and the even one
+constexpr double steep_tilt = 15 * radians_per_degree;  // rad: designs that tilt less are left unchanged
+constexpr double narrowing = 0.8;    // times the limit at which walls collide: the lowest next limit
 constexpr int most_narrowings = 10;  // searches: 0.8^10 is a tenth of the first tilts
-constexpr double worst_growth = 10;  // times the error: beyond, the design is no longer of the goal's shape
-// Designs of the whole range of tilts that are looked at where gentle ones miss the goal: two or three find what there is.
+constexpr double worst_growth = 10;  // times the error: beyond, the design no longer has the goal's shape
+// Designs of the whole range of tilts that are tried if gentle ones miss the goal. Two or three find all
+// there is.
 constexpr int most_thetas = 4;
-constexpr double less_theta = 0.9;  // times theta: out of the valley that the search has ended in
+constexpr double less_theta = 0.9;  // times theta, to leave the valley in which the search has ended
 
 void check_at_least(const char* field, int value, int least) {
   if (value < least) throw InvalidInput(fmt::format("{} is {}, must be at least {}", field, value, least));
 }
 
-/// Both limits excluded.
+/// Throws unless lowest < range.lower < range.upper < highest.
 void check_range(const char* field, const AngleRange& range, double lowest, double highest) {
   if (lowest < range.lower && range.lower < range.upper && range.upper < highest) return;
   throw InvalidInput(
@@ -50,7 +52,8 @@ int gentlest(const CurveFit& fit, const MultiStartResult& search) {
   return chosen;
 }
 
-/// Theta at which the walls of the design meet; the design's own theta or more where they do not.
+/// Returns the theta at which the walls of the design first meet, or at least the design's theta if none
+/// meet.
 model::ContactLimit first_contact(const model::ExactDesign<double>& design, const model::CellSize& size) {
   const model::Structure structure = sheet_of(design, size);
   return theta_range(structure, exact_motion(structure), {.limit = design.theta}).positive;
@@ -78,8 +81,9 @@ double largest_tilt(const model::ExactDesign<double>& design) {
   return largest;
 }
 
-/// Small tilts print better. Where the goal's coarseness makes the search tilt steeply for a little less
-/// error, tries tighter limits and keeps the tightest that costs next to nothing, and not the goal.
+/// Reduces the tilts, since small tilts print better. A coarse goal can make the search tilt steeply for a
+/// little less error. Tries tighter limits and keeps the tightest that costs little error. A design that
+/// meets the goal still meets it afterwards.
 void make_gentle(const targets::Curve& goal, const CurveVariables& v, MultiStartOptions options,
                  double enough, CurveDesign& design) {
   double acceptable = gentle_growth * design.error.rms;
@@ -100,13 +104,13 @@ std::string kept_within(double tilt) {
                      to_degrees(tilt));
 }
 
-/// The next tilt limit to try: below the least that still collides, above the largest that costs too much
-/// error.
+/// Returns the next tilt limit to try. It is between the least limit that collides and the largest that costs
+/// too much error.
 double next_limit(double collides, double costs_too_much) {
   return std::max(narrowing * collides, (collides + costs_too_much) / 2);
 }
 
-/// Narrows the tilts until the walls are free. @return false where no limit tried did it
+/// Narrows the tilts until the walls are free. @return whether a tried limit succeeded
 bool free_the_walls(const targets::Curve& goal, CurveVariables v, const model::CellSize& size,
                     const MultiStartOptions& options, FreeCurveDesign& result) {
   const double acceptable = worst_growth * result.design.error.rms + exact;
@@ -130,13 +134,16 @@ bool free_the_walls(const targets::Curve& goal, CurveVariables v, const model::C
   return false;
 }
 
-/// The next search: below where walls meet, or, out of a design that is not near enough, below its own theta.
+/// Returns the upper bound of theta for the next search: just below the first contact, or below the design's
+/// theta if walls are free.
 double next_theta(const CurveDesign& design, const model::ContactLimit& contact) {
   return contact.touches ? contact.theta - model::closing_margin : less_theta * design.design.theta;
 }
 
-/// Takes the whole range of tilts where it comes nearer to the goal than a design whose walls are free, or near enough where
-/// none is, at smaller and smaller theta. @param wide what was found in the whole range of `v`
+/// Searches the whole range of tilts at smaller and smaller theta. Keeps a result with free walls if it is
+/// nearer to the goal than the present design. If the present walls collide, a near enough result replaces it
+/// too.
+/// @param wide design found in the whole range of `v`
 void try_all_tilts(const targets::Curve& goal, CurveVariables v, const model::CellSize& size,
                    const MultiStartOptions& options, double enough, CurveDesign wide,
                    FreeCurveDesign& result) {

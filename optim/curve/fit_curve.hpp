@@ -9,10 +9,10 @@
 
 namespace kinetix::optim {
 
-/// What a curve search may vary.
+/// Variables of a curve search.
 struct CurveVariables {
   int columns = 40;    ///< >= 2
-  int rows = 1;        ///< >= 1; every row does the same
+  int rows = 1;        ///< >= 1; all rows fold in the same way
   double cell_mm = 8;  ///< cell edge, mm, > 0
   /// Tilts, rad, in (-pi/2, pi/2), lower < upper.
   AngleRange beta{-60 * radians_per_degree, 60 * radians_per_degree};
@@ -24,7 +24,7 @@ struct CurveVariables {
   void validate() const;
 };
 
-/// The design found, its error, and what stood in the way.
+/// Design found, its error, and the obstacles.
 struct CurveDesign {
   model::ExactDesign<double> design;
   targets::CurveError error;  ///< of the folded midline against the goal
@@ -35,25 +35,29 @@ struct CurveDesign {
 };
 
 /// Searches the tilts and theta that fold a strip into the goal. Of the runs within 1 % of the least |r| it
-/// takes the one with the smallest largest tilt: equally good, easier to print.
-/// @throws InvalidInput for variables or options that do not validate, and ties that leave nothing to vary
+/// picks the one with the smallest largest tilt, which is as good and easier to print.
+/// @throws InvalidInput for invalid variables or options, and for ties that leave nothing to vary
 CurveDesign fit_curve(const targets::Curve& goal, const CurveVariables& variables,
                       const MultiStartOptions& options);
 
-/// A design whose walls do not run into each other on the way to its theta, where one was found.
+/// Design whose walls do not collide up to its theta, if one was found.
 struct FreeCurveDesign {
   CurveDesign design;
-  model::ContactLimit contact;  ///< where walls meet on the way to its theta, if they do
-  /// In a sentence: the tilts or theta that walls free of contact leave of their range; empty where they leave all.
+  model::ContactLimit contact;  ///< first wall contact up to its theta, if any.
+  /// One sentence with the tilts or theta that remain when walls are free of contact; empty if all of the
+  /// range remains.
   std::string narrowed = {};
   std::vector<std::string> notes;  ///< one sentence per bound that was narrowed
 };
 
-/// As fit_curve, with tilts kept small where that costs at most a third more error, with theta kept below the
-/// angle at which basic cells of these walls close, and, where the walls of the design found still collide,
-/// with the tilts narrowed step by step until they do not or the error grows tenfold. Where that misses the goal, the whole
-/// range of tilts is searched again at smaller theta, and taken where it comes nearer with its walls free. What is in reach
-/// is said of the ranges of `variables`, whatever the search has narrowed.
+/// Searches a design whose walls do not collide. Works like fit_curve, with these changes:
+/// - Tilts stay small if that costs at most a third more error.
+/// - theta stays below the angle at which basic cells of these walls close.
+/// - If walls of the design found still collide, the tilts are narrowed step by step until the walls are free
+/// or the error has grown tenfold.
+/// - If the result misses the goal, the whole range of tilts is searched again at smaller theta. A design
+/// with free walls that is nearer to the goal then replaces it.
+/// The reach is reported for the ranges of `variables`, even if the search has narrowed them.
 /// @param enough largest error.rms that meets the goal
 FreeCurveDesign fit_free_curve(const targets::Curve& goal, const CurveVariables& variables,
                                const model::CellSize& size, const MultiStartOptions& options,

@@ -10,7 +10,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// The cells of the letter or the rest: their mean, and the variance about it.
+/// Cells of the letter or of the rest: their mean, and the variance about it.
 struct Group {
   std::vector<Eigen::Index> cells;
   double mean = 0;      ///< of the design
@@ -35,7 +35,7 @@ Group group(const std::vector<double>& readings, const std::vector<double>& leve
   g.mean_gradient = own.colwise().mean();
   own.rowwise() -= g.mean_gradient.transpose();
   values.array() -= g.mean;
-  // Of the quadratic form |values + own e|^2 / count in normal e.
+  // Variance of the quadratic form |values + own e|^2 / count in normal e.
   const MatrixXd covariance = own * own.transpose();
   g.variance = (values.squaredNorm() + covariance.trace()) / count;
   g.variance_of_variance =
@@ -43,7 +43,7 @@ Group group(const std::vector<double>& readings, const std::vector<double>& leve
   return g;
 }
 
-/// Mean over all pairs of the chance that the letter's cell reads more.
+/// Returns the mean over all pairs of the probability that the letter's cell reads more.
 double expected_auc(const std::vector<double>& readings, const Group& letter, const Group& rest,
                     const MatrixXd& derivatives) {
   double sum = 0;

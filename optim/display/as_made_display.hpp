@@ -5,18 +5,21 @@
 
 namespace kinetix::optim {
 
-/// What prints with errors show of a picture of two levels.
+/// Readability of a two-level picture on prints with errors.
 struct AsMadeDisplay {
-  double contrast = 0;      ///< d' of the mean square scatter of cells over prints, dimensionless
-  double contrast_p05 = 0;  ///< 5th percentile: what 95 of 100 prints exceed, dimensionless
-  double auc = 0;           ///< over prints, [0, 1]
+  double contrast = 0;      ///< d' with the mean square scatter of cells over prints, dimensionless
+  double contrast_p05 = 0;  ///< 5th percentile: 95 of 100 prints exceed it, dimensionless
+  double auc = 0;           ///< expected value over prints, [0, 1]
 };
 
-/// To first order in the errors: readings are normal, with the covariance R R^T about those of the design. Scatter
-/// widens the letter's readings and those of the rest, so that the expected contrast is below that of the design.
-/// @param readings of the design, one a cell   @param levels of the same cells, those of at least 0.5 the letter's
-/// @param derivatives R: a row a cell, its reading by each error, one standard deviation each. The unit of the readings
-/// @pre both kinds of cells, two of each or more
+/// Computes the readability to first order in the errors. Readings are normal with covariance R R^T about
+/// those of the design. The scatter widens the readings of the letter and of the rest, so the expected
+/// contrast is below the design's.
+/// @param readings of the design, one per cell.
+/// @param levels of the same cells; cells of at least 0.5 are the letter.
+/// @param derivatives R, in the unit of the readings: a row per cell with the derivatives by each error, per
+/// standard deviation.
+/// @pre at least two cells of each kind
 AsMadeDisplay as_made_display(const std::vector<double>& readings, const std::vector<double>& levels,
                               const Eigen::MatrixXd& derivatives);
 

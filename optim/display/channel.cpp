@@ -22,7 +22,7 @@ model::CellReading rotation_reading(const model::Linkage& structure, const model
   return reading;
 }
 
-/// Of a channel that comes from the cell alone.
+/// Returns the reading of a cell in a channel that depends on the cell alone.
 model::CellReading reading(Channel channel, const model::Linkage& panel, const model::State& state,
                            const model::LinkageCell& cell) {
   if (channel == Channel::rotation) return rotation_reading(panel, state, cell);

@@ -11,7 +11,7 @@ bool is_binary(const std::vector<double>& levels) {
   return std::all_of(levels.begin(), levels.end(), [](double l) { return l == 0 || l == 1; });
 }
 
-/// The least variance that counts, in the channel's unit squared: a picture of contrast 1e6 is perfect.
+/// Smallest variance that counts, in the channel's unit squared: a picture of contrast 1e6 is perfect.
 constexpr double perfect = 1e-12;
 
 }  // namespace

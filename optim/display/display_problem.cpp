@@ -11,8 +11,8 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Times the limit of stretch. The penalty begins a little below it: what is left of an excess at the end
-/// stays within.
+/// Times the limit of stretch. The penalty begins a little below the limit, so that the excess left at the
+/// end is within it.
 constexpr double begins = 0.92;
 
 }  // namespace

@@ -10,18 +10,18 @@
 
 namespace kinetix::optim {
 
-/// The search for a panel that shows a picture: a cost of the readings plus what hinges stretch beyond a
-/// limit.
+/// Search for a panel that shows a picture. The objective is a cost of the readings plus a penalty on hinge
+/// stretch beyond a limit.
 class DisplayProblem : public ScalarProblem {
  public:
   using Cost = std::function<WeighedReadings(const std::vector<double>&)>;
 
-  /// Where the equilibria of a search start. The best point so far leads the search quickly, but hinges may
-  /// end up in an equilibrium that the path from flat does not come to.
+  /// Start of the equilibria of a search. The best point so far leads the search quickly. Its equilibrium
+  /// may, however, be one that the path from flat does not reach.
   enum class Settling { from_best, from_flat };
 
-  /// @param stretch most that a hinge may stretch, cell edges
-  /// @param weight of what a hinge stretches beyond it, over it, squared
+  /// @param stretch largest allowed stretch of a hinge, cell edges
+  /// @param weight of the squared relative excess of a hinge's stretch over that limit
   DisplayProblem(PanelEquilibrium& equilibrium, const DisplayVariables& variables, Channel channel, Cost cost,
                  double stretch, double weight, Settling settling = Settling::from_best);
 
@@ -29,11 +29,11 @@ class DisplayProblem : public ScalarProblem {
   const Eigen::VectorXd& upper() const override { return upper_; }
   bool evaluate(const Eigen::VectorXd& x, double& f, Eigen::VectorXd* gradient) override;
 
-  /// Largest of a hinge in the equilibrium of least cost so far, cell edges.
+  /// Returns the largest stretch of a hinge in the equilibrium of least cost so far, cell edges.
   double stretch_of_best() const { return stretch_of_best_; }
 
  private:
-  /// Cost and gradient of the equilibrium found.
+  /// Computes cost and gradient at the equilibrium found.
   bool weigh(double& f, Eigen::VectorXd* gradient);
 
   double add_picture(model::PanelGradient& gradient) const;

@@ -14,16 +14,16 @@ namespace {
 using Eigen::VectorXd;
 using Settling = DisplayProblem::Settling;
 
-// Of (gap over limit - 0.92)^2 against squared readings. At twice the limit about as much as a picture that
-// does not show at all at the usual separation of 0.16, (0.16 / 2)^2.
+// Weight of (stretch over limit - 0.92)^2 against squared readings. At twice the limit it is about as much as
+// an invisible picture costs at the usual separation of 0.16, (0.16 / 2)^2.
 constexpr double stretch_weight_of_separation = 0.01;
-// The same against -2 log(contrast), and times as much each round: low at first, since the picture has to
-// lead.
+// Weight of the same penalty against -2 log(contrast), and its factor per round. It starts low, since the
+// picture has to lead.
 constexpr double first_stretch_weight = 0.5, weight_growth = 20;
-constexpr int most_rounds = 4;  // the last weighs stretch by 4000: what stretches then, no weight will help
-constexpr int starts_by_rule = 4;    // either choice of the checkerboard, at full and at half strength
-constexpr double half = 0.5;         // of the full strength, rule_k's distance from 0.5
-constexpr double most_shift = 0.08;  // of t, to either side: more would blur the picture that the rule shows
+constexpr int most_rounds = 4;     // the last weighs stretch by 4000: more weight does not reduce it further
+constexpr int starts_by_rule = 4;  // both choices of the checkerboard, at full and at half strength
+constexpr double half = 0.5;       // of the full strength, which is rule_k's distance from 0.5
+constexpr double most_shift = 0.08;  // of t, to either side: more would blur the picture of the rule
 
 model::Plates along(model::Plates plates, model::Axis axis) {
   plates.axis = axis;
@@ -34,14 +34,14 @@ HingeTies ties_of(const model::Lattice& panel, const DisplayOptions& options) {
   return options.offset > 0 ? untied(panel.hinges()) : hinge_ties(*panel.squares(), options.symmetry);
 }
 
-/// Of the uniform-scaling cells in start k.
+/// Returns the fraction of the uniform-scaling cells in start k.
 double rule_of_start(int k, double rule_k) {
   const double strength = k % starts_by_rule >= 2 && k < starts_by_rule ? half : 1;
   const double off = strength * (rule_k - 0.5);
   return 0.5 + (k % 2 == 0 ? off : -off);
 }
 
-/// Less is clearer.
+/// Returns the cost of contrast of a view; less is clearer.
 double haze(const DisplayView& view, const PictureCost& picture) {
   return picture.for_contrast(view.channel).cost;
 }

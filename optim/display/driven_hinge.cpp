@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double middle_half = 0.25;  // of the panel's extent, from its middle to either side
-constexpr double alike = 1e-6;        // of a wall's length: offsets that differ by less are the same
+constexpr double alike = 1e-6;        // of a wall's length: offsets that differ by less are equal
 
 struct Extent {
   Vector2d middle, size;  ///< cell edges

@@ -5,12 +5,13 @@
 
 namespace kinetix::optim {
 
-/// The hinge by which a panel is best turned as a whole: in its middle half, both across and up, where the way to
-/// every other hinge is short, the one with the least offset, whose wall is scaled least; of several the nearest to
-/// the middle. Where the middle half holds none, as in a strip, the nearest to the middle.
+/// Returns the hinge by which a panel is best turned as a whole. In the middle half, across and up, the path
+/// to every other hinge is short. Of its hinges the one with the least offset is chosen, whose wall scales
+/// least; ties go to the nearest to the middle. A strip has no hinge in its middle half: then the nearest to
+/// the middle is chosen.
 int middle_hinge(const model::PlanarStructure& panel, const model::Redrawing& y);
 
-/// How far that hinge turns where the panel comes to theta, rad.
+/// Returns the turn of that hinge at which the panel reaches theta, rad.
 model::HingeTurn turn_to(const model::PlanarStructure& panel, int hinge, double theta);
 
 }  // namespace kinetix::optim

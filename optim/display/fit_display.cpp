@@ -17,9 +17,9 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr int most_finalists = 2;  // starts that go on: each takes up to four searches more
+constexpr int most_finalists = 2;  // starts of the second stage: each takes up to four searches more
 
-/// Tells the share of the runs that are through.
+/// Reports the share of the runs that are done.
 class ProgressOfRuns {
  public:
   ProgressOfRuns(const Progress& progress, int runs) : progress_(progress), runs_(runs) {
@@ -37,7 +37,7 @@ class ProgressOfRuns {
   int runs_, done_ = 0;
 };
 
-/// One start and what became of it.
+/// One start and its results.
 struct Trail {
   Trail(model::Axis along, int number) : axis(along), start(number) {}
 
@@ -99,7 +99,7 @@ class PanelSearch {
     trail.paths += search.paths_from_flat();
   }
 
-  /// The best of the first stage, those that could not be evaluated left out.
+  /// Returns the best of the first stage, without those that could not be evaluated.
   std::vector<int> finalists() const {
     std::vector<int> order(trails_.size());
     std::iota(order.begin(), order.end(), 0);

@@ -15,15 +15,15 @@ namespace kinetix::optim {
 struct DisplayStart {
   std::string name;
   DisplayView view;  ///< before the search
-  double cost = 0;   ///< after its first stage: PictureCost::for_separation, in the channel's unit squared,
-                     ///< and the penalty on stretch
+  double cost = 0;   ///< after its first stage, stretch penalty included: PictureCost::for_separation, in the
+                     ///< channel's unit squared
   SolveStatus status = SolveStatus::failed;
-  bool sharpened = false;  ///< one of those that went on to the second stage
+  bool sharpened = false;  ///< whether it was one of those in the second stage
 };
 
 struct DisplayDesign {
-  DisplayView view;                  ///< of the best, its equilibrium found anew from flat
-  std::vector<DisplayStart> starts;  ///< all of the first axis, then of the second
+  DisplayView view;                  ///< of the best start, its equilibrium found anew from flat
+  std::vector<DisplayStart> starts;  ///< all starts of the first axis, then of the second
   SolveStatus status = SolveStatus::failed;
   std::string why;
   int evaluations = 0, paths_from_flat = 0;
@@ -31,33 +31,35 @@ struct DisplayDesign {
   bool refined = false;                      ///< whether its view strains hinges on purpose
 };
 
-/// One search by the scales of walls along each axis, of which the clearest is taken. The view's state is the
+/// Searches by the scales of walls along each axis and returns the clearest result. The view's state is the
 /// exact one: no hinge stretches.
-/// @param axes normals of the plates, at least one; that of the options has no effect. One where a hinge is driven
-/// @param panel, levels as for fit_display   @throws InvalidInput for options out of range
+/// @param axes normals of the plates, at least one, and exactly one if a hinge is driven. The axis of the
+/// options has no effect.
+/// @param panel, levels as for fit_display
+/// @throws InvalidInput for options out of range
 DisplayDesign fit_scaled_display(const model::Lattice& panel, const std::vector<double>& levels,
                                  Channel channel, const std::vector<model::Axis>& axes,
                                  const ScaledDisplayOptions& options);
 
-/// Strains a design of fit_scaled_display() on purpose: t, offsets and, where it has a range, the compression are
-/// led towards the highest contrast of the equilibrium between the plates, while no hinge stretches by more than
-/// options.stretch. What comes out takes the view's place where it is clearer than the equilibrium of the design as it
-/// was.
+/// Refines a design of fit_scaled_display() by straining hinges on purpose. It varies t, offsets and, if it
+/// has a range, the compression. The aim is the highest contrast of the equilibrium between the plates, with
+/// no hinge stretched by more than options.stretch. The result replaces the view if it is clearer than the
+/// equilibrium of the given design.
 /// @param options its offset is the largest of a hinge, above 0; start, axes and symmetry have no effect
 void refine_display(const model::Lattice& panel, const std::vector<double>& levels,
                     const DisplayOptions& options, DisplayDesign& design);
 
-/// The panel as it is: taken to its equilibrium from flat, and read.
+/// Reads the unchanged panel at its equilibrium along the path from flat.
 DisplayView view_display(const model::Structure& panel, const std::vector<double>& levels,
                          const DisplayOptions& options);
 
-/// From every start along every axis towards options.separation; the best two of them then towards the
-/// highest contrast. Of all that came out on the way the clearest that keeps the limit of stretch. In
-/// parallel; same options, same answer, for any number of threads.
-/// @param panel basic cells that fill a rectangle   @param levels of each of its cells, 0 to 1, not all the
-/// same
-/// @param progress words and the share done
-/// @throws InvalidInput for options or a panel that cannot be
+/// Searches a display in parallel. Every start along every axis first aims at options.separation; the best
+/// two then aim at the highest contrast. The result is the clearest of all views found that is within the
+/// limit of stretch. The same options give the same result for any number of threads.
+/// @param panel basic cells that fill a rectangle.
+/// @param levels of each of its cells, 0 to 1, not all the same.
+/// @param progress a short text and the share done.
+/// @throws InvalidInput for invalid options or an unsuitable panel
 DisplayDesign fit_display(const model::Structure& panel, const std::vector<double>& levels,
                           const DisplayOptions& options, const Progress& progress = {});
 

@@ -9,8 +9,8 @@
 namespace kinetix::optim {
 namespace {
 
-// How far hinges may go from where nothing strains, fractions of a wall and cell edges: hinges stretch by less, and
-// panels with soft ways to move find no equilibrium much further off.
+// Largest change of the hinges from the state without strain, in fractions of a wall and cell edges. Hinges
+// stretch by less than this. Panels with soft degrees of freedom find no equilibrium much further away.
 constexpr double reaches[] = {0.04, 0.01};
 
 DisplayView view_of(const model::Lattice& basic, const std::vector<double>& levels, Channel channel,

@@ -7,28 +7,29 @@
 
 namespace kinetix::optim {
 
-/// Which hinges of a rectangular panel share a variable for t, so that the flat panel looks the same after a
-/// motion of the plane: hinge h has t = x[variable[h]], or 1 - x[variable[h]] where the motion turns its wall
-/// end to end. A wall that it turns onto itself keeps t = 0.5: `centred`.
+/// Hinges of a rectangular panel that share a variable for t, which gives the flat panel the symmetry of a
+/// motion of the plane. Hinge h has t = x[variable[h]], or 1 - x[variable[h]] if the motion turns its wall
+/// end to end. A wall that it maps onto itself keeps t = 0.5: `centred`.
 struct HingeTies {
-  static constexpr int centred = -1;  ///< in place of an index: no variable has the number
+  static constexpr int centred = -1;  ///< in place of an index: the hinge has no variable
   std::vector<int> variable;
   std::vector<bool> reversed;
   int variables = 0;
 
   Eigen::VectorXd expand(const Eigen::VectorXd& x) const;
-  /// The gradient by x of a function whose gradient by t of all hinges is given.
+  /// Returns the gradient by x of a function with the given gradient by t of all hinges.
   Eigen::VectorXd gather(const Eigen::VectorXd& by_t) const;
-  /// t, but 1 - t of hinges that would be on the other side of the middle than the first that shares their variable: on
-  /// panels of odd sides a motion takes class A to class B, and what a picture asks of both would cancel.
+  /// Returns t with every hinge on the same side of the middle as the first hinge of its variable; other
+  /// hinges get 1 - t. On panels with an odd number of cells per side a motion swaps the sublattices. The
+  /// picture's demands on both would then cancel.
   Eigen::VectorXd to_one_side(Eigen::VectorXd t) const;
-  /// x of which expand() is nearest to t, least squares.
+  /// Returns the x for which expand() is nearest to t, least squares.
   Eigen::VectorXd nearest(const Eigen::VectorXd& t) const;
 };
 
-/// Each hinge by itself.
+/// Returns ties with a separate variable for each hinge.
 HingeTies untied(int hinges);
-/// @pre the cells fill a rectangle; a square for rotate_4
+/// Returns the ties of a symmetry. @pre the cells fill a rectangle; a square for rotate_4
 HingeTies hinge_ties(const model::Structure& panel, Symmetry symmetry);
 
 }  // namespace kinetix::optim

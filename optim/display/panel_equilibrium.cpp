@@ -8,10 +8,10 @@
 namespace kinetix::optim {
 namespace {
 
-// Rad of a hinge: a state further away is often on another branch. Of a hundred searches that left 0.3 behind, nine in ten
-// came to what the path from flat comes to up to here, and half of them beyond.
+// Rad of a hinge. A state further away is often on another branch. Of a hundred searches that left 0.3
+// behind, nine in ten up to here reached the equilibrium of the path from flat, and half of those beyond.
 constexpr double nearby = 0.8;
-constexpr int most_iterations = 40;  // of Newton's method: after more, the path from flat is the better way
+constexpr int most_iterations = 40;  // of Newton's method: beyond, the path from flat is faster
 
 }  // namespace
 

@@ -8,24 +8,26 @@
 
 namespace kinetix::optim {
 
-/// A planar panel with elastic hinges between plates, its walls in contact, that is in equilibrium again
-/// after each change of where its hinges sit and of how far the plates press: from the
-/// equilibrium before where that leads to one nearby, else along the path from flat.
+/// Equilibrium of a planar panel with elastic hinges between plates, its walls in contact. It is found again
+/// after each change of the hinges' places or of the compression. The search starts from the last equilibrium
+/// and falls back to the path from flat if no nearby one is found.
 class PanelEquilibrium {
  public:
-  /// @pre all hinges stand upright; elasticity and plates are valid
+  /// @pre all hinges are perpendicular to the plane; elasticity and plates are valid
   /// @throws InvalidInput for walls that overlap in the flat state
   PanelEquilibrium(model::Lattice panel, const model::Elasticity& elasticity, const model::Plates& plates);
 
-  /// @param t of every hinge, in (0, 1)   @param offset of every hinge, cell edges; empty: they stay   @return whether a stable equilibrium at the drive's goal was found;
-  /// the state stays as it was where not
+  /// Finds the equilibrium for these hinges. The state is unchanged on failure.
+  /// @param t of every hinge, in (0, 1)
+  /// @param offset of every hinge, cell edges; empty: unchanged
+  /// @return whether a stable equilibrium at the drive's goal was found
   bool settle(const Eigen::VectorXd& t, const Eigen::VectorXd& offset = {});
-  /// How far the plates are to press from the next settle() on, (0, 1).
+  /// Sets the compression of the plates from the next settle() on, (0, 1).
   void press(double compression) { drive_.compression = compression; }
-  /// The next settle() starts from the state as it is. What it comes to depends on the state kept, not on
-  /// others that were tried since. @pre settle() returned true
+  /// Makes the next settle() start from the present state. Its result then depends on this state only, not on
+  /// other states tried since. @pre settle() returned true
   void keep() { kept_ = state_; }
-  /// The next settle() starts from flat.
+  /// Makes the next settle() start from flat.
   void forget() { kept_.clear(); }
 
   const model::Lattice& panel() const { return panel_; }
@@ -34,13 +36,13 @@ class PanelEquilibrium {
   const model::State& state() const { return state_; }  ///< mm
 
   struct Gradient {
-    Eigen::VectorXd t;       ///< one entry a hinge, per unit of t (a fraction)
-    Eigen::VectorXd offset;  ///< one entry a hinge, per cell edge
+    Eigen::VectorXd t;       ///< one entry per hinge, per unit of t (a fraction)
+    Eigen::VectorXd offset;  ///< one entry per hinge, per cell edge
     double compression = 0;  ///< per unit of compression (a fraction)
   };
-  /// The derivatives of a function of the state, by the adjoint. @param by_state 6 a body, as
-  /// EquilibriumGradient::state   @return without what the function has of the hinges directly, which is the
-  /// caller's to add. Nothing where the equilibrium is singular
+  /// Returns the derivatives of a function of the state, by the adjoint. Direct derivatives of the function
+  /// by the hinges are not included; the caller adds them. Returns nullopt if the equilibrium is singular.
+  /// @param by_state 6 per body, as EquilibriumGradient::state
   std::optional<Gradient> gradient(const Eigen::VectorXd& by_state);
 
   int paths_from_flat() const { return paths_; }

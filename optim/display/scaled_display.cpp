@@ -11,15 +11,15 @@
 namespace kinetix::optim {
 namespace {
 
-// Part of the height: a larger drop would be seen in a small panel.
+// Fraction of the height: a larger drop would be visible in a small panel.
 constexpr double most_drop = 1.0 / 80;
-// Of the bound on turning, from round to round; seven of them leave a third of it.
+// Factor of the bound on turning per round; seven rounds leave a third of it.
 constexpr double less_turning = 0.85;
 constexpr int most_clearance_rounds = 7;
-// rad: walls shall stay apart a little further than the plates press.
+// rad: walls stay apart a little beyond the goal of the plates.
 constexpr double spare = 2 * radians_per_degree;
 
-constexpr double no_level = 0.5;  // a level, [0, 1], that asks walls neither to grow nor to shrink
+constexpr double no_level = 0.5;  // level, [0, 1], at which walls neither grow nor shrink
 
 double shift_of(const std::array<double, 2>& t) { return 2 * std::min(0.5 - t[0], t[1] - 0.5); }
 
@@ -34,26 +34,27 @@ void validate(const ScaledDisplayOptions& o) {
   if (o.free_to) require("free_to", *o.free_to, *o.free_to > 0 && *o.free_to < pi / 2, "in (0, pi/2) rad");
 }
 
-/// Of the last row, cell edges (WallScales::drop): a little less than asked, since bounds come first.
+/// Returns the drop of the last row, cell edges (WallScales::drop). It is a little less than requested, since
+/// bounds have priority.
 double drop_of(const model::Redrawing& y, const model::GrippedRows& rows, model::Axis axis) {
   const Eigen::Vector2d by = y[rows[1].front()] - y[rows[0].front()];
   return axis == model::Axis::x ? by.y() : -by.x();
 }
 
-/// Distance of the rows at rest, cell edges.
+/// Returns the distance of the rows at rest, cell edges.
 double height_of(const model::PlanarStructure& panel, const model::GrippedRows& rows, model::Axis axis) {
   const int along = axis == model::Axis::x ? 0 : 1;
   return panel.graph.vertices[rows[1].front()][along] - panel.graph.vertices[rows[0].front()][along];
 }
 
-/// theta at which walls first meet, looked for up to a little more than `theta`, rad.
+/// Returns the theta, rad, at which walls first meet, searched up to a little more than `theta`.
 model::ContactLimit clearance(model::PlanarStructure panel, const model::Redrawing& y, double theta) {
   place_hinges(y, panel);
   const auto fold_to = [&](double at, model::State& state) { state = fold(panel, y, at); };
   return theta_range(panel, fold_to, {.limit = theta + spare}).positive;
 }
 
-/// What is wanted of a panel, and its bounds, all rows free.
+/// Returns the wanted scales of a panel and its bounds, with all rows free.
 WallScales free_scales(const model::PlanarStructure& panel, std::vector<double> levels,
                        const ScaledDisplayOptions& options) {
   levels.resize(panel.faces.size(), no_level);
@@ -62,7 +63,8 @@ WallScales free_scales(const model::PlanarStructure& panel, std::vector<double> 
           .shift = shift_of(options.t)};
 }
 
-/// Once more, with less and less turning, until walls stay apart. @param goal theta, rad, of a redrawing
+/// Scales the walls with less and less turning until they stay apart.
+/// @param goal theta, rad, of a parallel drawing
 /// @return the goal of the last one
 template <class Goal>
 double scale_until_apart(const model::PlanarStructure& panel, WallScales scales, const Goal& goal,

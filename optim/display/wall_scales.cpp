@@ -19,14 +19,14 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 constexpr int most_splits = 20'000;  // ten times what pictures of 100 x 100 cells take
-constexpr double settled = 1e-6;     // of s and 2 o: a micron on a wall of a metre
+constexpr double settled = 1e-6;     // of s and 2 o: one micron on a wall of a metre
 // Over-relaxation of alternating directions: 1.5 to 1.8 is usual (Boyd et al. 2011, section 3.4.3).
 constexpr double relaxation = 1.6;
-// Of being apart from `near` against being apart from what is wanted, squared: of 1, 0.3, 0.1, 0.03 and 0.01 the one
-// that takes the fewest iterations on panels of 29 x 29 and 100 x 100 cells, an eighth of those of 1.
+// Weight of the squared distance from `near` against that from `wanted`. Of 1, 0.3, 0.1, 0.03 and 0.01 it
+// takes the fewest iterations on panels of 29 x 29 and 100 x 100 cells, an eighth of those of 1.
 constexpr double penalty = 0.1;
 
-/// One part of y, real or imaginary, where some vertices share a value but for a known difference.
+/// Real or imaginary part of y. Some vertices share a value up to a known difference.
 class Part {
  public:
   Part(int vertices, const std::vector<std::vector<int>>& equal, double drop)
@@ -53,7 +53,7 @@ class Part {
   void factorise(const model::PlanarGraph& graph, const VectorXd& weights) {
     std::vector<Eigen::Triplet<double>> entries, whole;
     entries.emplace_back(of_vertex_[0], of_vertex_[0],
-                         1.0);  // holds vertex 0, where no force acts on the whole
+                         1.0);  // fixes vertex 0, since no force acts on the whole
     for (std::size_t e = 0; e < graph.edges.size(); ++e) {
       const std::array<int, 2> ends = {graph.edges[e].from, graph.edges[e].to};
       for (const int a : ends)
@@ -80,14 +80,14 @@ class Part {
   }
 
  private:
-  std::vector<int> of_vertex_;  ///< its unknown
-  VectorXd ahead_;              ///< of its unknown's value
+  std::vector<int> of_vertex_;  ///< index of the unknown of each vertex
+  VectorXd ahead_;              ///< known difference of each vertex from its unknown
   int count_ = 0;
   SparseFactor factor_;
   VectorXd known_;
 };
 
-/// s + 2 i o of all walls from y, and the y that fits given ones best.
+/// Maps y to s + 2 i o of all walls, and finds the y that fits given ones best.
 class Walls {
  public:
   Walls(const model::PlanarStructure& s, const WallScales& scales)
@@ -138,7 +138,7 @@ class Walls {
   Part real_, imaginary_;
 };
 
-/// Each wall by itself: the change within bounds that is best for what is wanted and for `near`.
+/// Returns, for each wall separately, the change within bounds that is best for `wanted` and `near`.
 VectorXcd best_by_themselves(const VectorXcd& near, const WallScales& scales) {
   VectorXcd out(near.size());
   for (Eigen::Index e = 0; e < out.size(); ++e) {
@@ -152,7 +152,7 @@ VectorXcd best_by_themselves(const VectorXcd& near, const WallScales& scales) {
 
 double largest(const VectorXcd& v) { return v.size() == 0 ? 0 : v.cwiseAbs().maxCoeff(); }
 
-/// y within its bounds to the last bit, by making all of it a little smaller, and what it does.
+/// Shrinks y a little so that it is within its bounds to the last bit, and stores it with its changes.
 void finish(const Walls& walls, const WallScales& scales, VectorXcd y, ScaledWalls& found) {
   VectorXcd changes = walls.changes(y);
   const double shift = changes.real().cwiseAbs().maxCoeff(),

@@ -7,10 +7,10 @@
 
 #include "optim/doe/confidence.hpp"
 
-/// What a table of samples says about the factors. `samples` has a row for each sample and a column for each
-/// factor, in the factors' units and all finite; `responses` has one number for each row, and a sample that
-/// failed, or has no such response, has one there that is not finite (NaN). Such a row is left out of every
-/// figure that depends on it, and counted. All functions are pure: same arguments, same bits.
+/// Statistics of a table of samples. `samples` has a row per sample and a column per factor, in the factors'
+/// units and all finite. `responses` has one number per row; NaN (or another value that is not finite) marks
+/// a failed or missing response. Each figure that depends on such a row leaves it out and counts it. All
+/// functions are pure: the same arguments give the same bits.
 namespace kinetix::optim {
 
 using SampleMatrix = Eigen::Ref<const Eigen::MatrixXd>;
@@ -18,11 +18,12 @@ using SampleMatrix = Eigen::Ref<const Eigen::MatrixXd>;
 /// @name Main effects: any table of samples
 /// @{
 
-/// The rows where one factor has about one value.
+/// Rows in which one factor has about one value.
 struct EffectLevel {
   double lower, upper;  ///< least and greatest value of the factor in these rows, usable or not, in its unit
   double mean;          ///< of the response, in its unit; NaN without usable rows
-  /// Of the mean: sd / sqrt(used), in its unit; NaN below two usable rows, and where rows are related.
+  /// Standard error of the mean: sd / sqrt(used), in its unit; NaN below two usable rows and for related
+  /// rows.
   double standard_error;
   std::int64_t used, failed;  ///< rows
 };
@@ -30,52 +31,52 @@ struct EffectLevel {
 struct MainEffect {
   std::vector<EffectLevel> levels;  ///< by increasing value of the factor
   bool binned = false;              ///< levels are bins of about as many rows each, not single values
-  /// Share of the response's variance that goes with the level: an estimate of Sobol's first-order index from
-  /// any table whose rows are independent. The correlation ratio without its bias, (S_b - (k - 1) s^2) / S_t
-  /// with S_b and S_t the sums of squares between levels and in all, s^2 the variance within, k the levels
-  /// (Kelley, Proc. Natl. Acad. Sci. 21, 554, 1935); may fall a little below 0. Of a grid S_b / S_t, the index itself:
-  /// means of its levels hold nothing of the other factors; by all its levels, also where these are binned. NaN for a
-  /// constant response, where there are no more usable rows than levels, and where rows are related.
+  /// Share of the response's variance explained by the level. It estimates Sobol's first-order index from any
+  /// table of independent rows. It is the correlation ratio without its bias, (S_b - (k - 1) s^2) / S_t, and
+  /// may be a little below 0. S_b and S_t are the sums of squares between levels and in all, s^2 the variance
+  /// within, k the levels (Kelley, Proc. Natl. Acad. Sci. 21, 554, 1935). For a grid it is S_b / S_t, the
+  /// index itself, since means of its levels are free of the other factors. It uses all levels, even if these
+  /// are binned. NaN for a constant response, with no more usable rows than levels, and for related rows.
   double variance_share = 0;
-  /// The interval that holds it in about 95 of 100 tables, within 0 and 1: by the shares of the tables that lack one row
-  /// (jackknife). NaN of a grid, which has no chance in it, and where variance_share is.
+  /// Interval that contains the share in about 95 of 100 tables, within [0, 1]. It comes from the shares of
+  /// the tables that lack one row (jackknife). NaN for a grid, which is not random, and if variance_share is
+  /// NaN.
   double share_lower = 0, share_upper = 0;
 };
 
-/// How the rows of a table hang together.
+/// Dependence between the rows of a table.
 enum class TableRows {
   independent,  ///< lhs, sobol, monte_carlo
   grid,         ///< factorial: every combination of the levels once
-  related  ///< saltelli, morris: many rows differ in one factor alone, so that their number says too much
+  related       ///< saltelli, morris: many rows differ in one factor only, so their count overstates them
 };
 
 struct MainEffectOptions {
   int most_values = 12;  ///< 1 or more: a factor of more values than this is binned
-  int bins = 10;         ///< 1 or more; of as many rows each as equal values in one bin allow
+  int bins = 10;         ///< 1 or more; with equal numbers of rows as far as equal values in one bin allow
   TableRows rows = TableRows::independent;
 
   /// @throws InvalidInput naming field, value and rule
   void validate() const;
 };
 
-/// The mean response level by level of each factor, all else left to vary.
-/// @throws InvalidInput for sizes that do not fit, a factor value that is not finite, options that do not
-/// validate
+/// Computes the mean response level by level of each factor, while all other factors vary.
+/// @throws InvalidInput for sizes that do not fit, a factor value that is not finite, invalid options
 std::vector<MainEffect> main_effects(const SampleMatrix& samples, std::span<const double> responses,
                                      const MainEffectOptions& options = {});
 
-/// As main_effects for a table of SamplingMethod::one_at_a_time (row 0 the base): of each factor, the base
-/// and the rows where it alone differs from the base, one level for each value. variance_share is NaN: such a
-/// table has none. @throws InvalidInput as main_effects, without rows, and for a row that differs in more
-/// than one factor
+/// Computes the effects of a table of SamplingMethod::one_at_a_time (row 0 the base). The levels of a factor
+/// are the base and the rows in which only this factor differs from it, one level per value. variance_share
+/// is NaN, since such a table has none.
+/// @throws InvalidInput as main_effects, without rows, and for a row that differs in more than one factor
 std::vector<MainEffect> one_at_a_time_effects(const SampleMatrix& samples, std::span<const double> responses);
 
 /// @}
 /// @name Correlation and linear regression: any table of independent samples
 /// @{
 
-/// NaN for a factor that does not vary over the usable rows (the plane is then that of the others), and for a
-/// response that does not.
+/// Linear effect of a factor. All fields are NaN for a constant response and for a factor that is constant
+/// over the usable rows. The plane is then that of the other factors.
 struct LinearEffect {
   double correlation;       ///< Pearson's, -1 to 1
   double rank_correlation;  ///< Spearman's, equal values sharing their mean rank; -1 to 1
@@ -86,20 +87,22 @@ struct LinearEffect {
 
 struct LinearModel {
   std::vector<LinearEffect> factors;
-  /// Share of the variance that the plane explains, 0 to 1. It, the slopes and what follows from them are NaN
-  /// where the usable rows are not more than varying factors + 1, or these depend on each other linearly.
+  /// Share of the variance explained by the plane, 0 to 1. r_squared and all fields of the plane are NaN if
+  /// the usable rows are not more than varying factors + 1, or the factors depend on each other linearly.
   double r_squared;
   std::int64_t used, failed;  ///< rows
 };
 
-/// @throws InvalidInput as main_effects
+/// Fits the least-squares plane. @throws InvalidInput as main_effects
 LinearModel linear_effects(const SampleMatrix& samples, std::span<const double> responses);
 
-/// Share of the response's variance that goes with a family of factors together, in proportion to each: of as many
-/// as one likes, even more than rows. The sum of the squared correlations, each less the 1 / (n - 1) that it
-/// has by chance, right within 3 / n in the mean; factors must be independent. Its interval holds it in 95 of 100 tables or more, and is cut to 0 to 1;
-/// the value itself may fall a little below 0. NaN below three usable rows, and where no factor varies.
-/// @param correlations of the factors with the response; those that are not finite do not count   @param used rows
+/// Returns the share of the response's variance explained linearly by a family of factors together. There may
+/// be more factors than rows, but they must be independent. The share is the sum of the squared correlations,
+/// each minus 1 / (n - 1), its expected value by chance. Its bias is at most 3 / n, and it may be a little
+/// below 0. The interval contains the share in at least 95 of 100 tables and is cut to [0, 1]. NaN below
+/// three usable rows, and if no factor varies.
+/// @param correlations of the factors with the response; values that are not finite are ignored
+/// @param used rows
 Estimate linear_share(std::span<const double> correlations, std::int64_t used);
 
 /// @}
@@ -108,28 +111,30 @@ Estimate linear_share(std::span<const double> correlations, std::int64_t used);
 
 /// Shares of the response's variance.
 struct SobolIndex {
-  /// Of the factor by itself: mean of f(B) (f(A with factor of B) - f(A)) over the variance (Saltelli et al.,
-  /// Comput. Phys. Commun. 181, 259, 2010, table 2 (b)); f less its mean, which changes no expectation.
+  /// Index of the factor alone: mean of f(B) (f(A with factor of B) - f(A)) over the variance (Saltelli et
+  /// al., Comput. Phys. Commun. 181, 259, 2010, table 2 (b)). The mean of f is subtracted first, which
+  /// changes no expectation.
   Estimate first;
-  /// Of the factor with all its interactions: mean of (f(A) - f(A with factor of B))^2 / 2 over the variance
-  /// (Jansen, Comput. Phys. Commun. 117, 35, 1999; table 2 (f) there).
+  /// Index of the factor with all its interactions: mean of (f(A) - f(A with factor of B))^2 / 2 over the
+  /// variance (Jansen, Comput. Phys. Commun. 117, 35, 1999; table 2 (f) there).
   Estimate total;
-  std::int64_t used_first, used_total;  ///< bases whose rows that the index needs are all usable
+  std::int64_t used_first, used_total;  ///< bases with all rows usable that the index needs
 };
 
-/// All indices are NaN for a constant response, and one that has fewer than two usable bases is. Estimates
-/// may fall a little below 0 or above 1. The bootstrap draws bases as if independent, which points of Sobol's
-/// sequence are better than: intervals err on the wide side.
+/// Indices of all factors. All are NaN for a constant response; a single one is NaN with fewer than two
+/// usable bases. Estimates may be a little below 0 or above 1. The bootstrap draws bases as if independent.
+/// Points of Sobol's sequence are better than that, so intervals are rather too wide.
 struct SobolIndices {
   std::vector<SobolIndex> factors;
-  /// Of the response: mean over the usable rows A and B, variance over the bases where both are usable; in
-  /// the response's unit, and that squared.
+  /// Mean of the response over the usable rows A and B, in its unit. Its variance is over the bases with both
+  /// rows usable, in the unit squared.
   double mean, variance;
   std::int64_t bases, failed;  ///< bases; rows that failed
 };
 
+/// Computes the indices.
 /// @param responses of a table of SamplingMethod::saltelli in its order, a multiple of factors + 2
-/// @throws InvalidInput for another number of responses, no factors, options that do not validate
+/// @throws InvalidInput for another number of responses, no factors, invalid options
 SobolIndices sobol_indices(std::span<const double> responses, int factors,
                            const ConfidenceOptions& options = {});
 
@@ -137,20 +142,22 @@ SobolIndices sobol_indices(std::span<const double> responses, int factors,
 /// @name Elementary effects: tables of SamplingMethod::morris
 /// @{
 
-/// Of one factor's elementary effects: change of the response over change of the factor, times the factor's
-/// span, greatest less least value in the table. So effects are in the response's unit and comparable over
-/// factors. Exact for a linear response: mu = slope * span, sigma = 0.
+/// Statistics of one factor's elementary effects. An effect is the change of the response over the change of
+/// the factor, times the factor's span (greatest minus least value in the table). Effects are therefore in
+/// the response's unit and comparable between factors. Exact for a linear response: mu = slope * span, sigma
+/// = 0.
 struct MorrisEffect {
   Estimate mu;       ///< mean: direction and size (Morris, Technometrics 33, 161, 1991)
   Estimate mu_star;  ///< mean of the absolute effects: size (Campolongo, Cariboni, Saltelli, Environ. Model.
                      ///< Softw. 22, 1509, 2007)
   Estimate sigma;    ///< standard deviation: curvature and interaction; NaN below two effects
-  std::int64_t used, dropped;  ///< effects; dropped for a failed row at one of their ends
+  std::int64_t used, dropped;  ///< effects; dropped: with a failed row at either end
 };
 
-/// @param samples table of SamplingMethod::morris in its order, a multiple of factors + 1 rows
-/// @throws InvalidInput as main_effects, and for a table that is no such one: a step in which not exactly one
-/// factor changes, or a factor that a trajectory moves twice
+/// Computes the elementary effects.
+/// @param samples table of SamplingMethod::morris in its order, a multiple of factors + 1 rows.
+/// @throws InvalidInput as main_effects, and for any other table: a step that does not change exactly one
+/// factor, or a factor that a trajectory moves twice
 std::vector<MorrisEffect> morris_effects(const SampleMatrix& samples, std::span<const double> responses,
                                          const ConfidenceOptions& options = {});
 

@@ -12,7 +12,7 @@ namespace kinetix::optim {
 namespace {
 
 constexpr std::int64_t most_levels = 1'000'000'000;  // levels of one factor: more is a mistyped number
-constexpr double least_probability = 1e-300;         // of all: near 1e-308, doubles lose their digits
+constexpr double least_probability = 1e-300;         // of the whole: near 1e-308, doubles lose their digits
 const double root_2 = std::sqrt(2.0);                // standard deviations to a unit of erfc's argument
 
 /// Promotion to long double would make the bits depend on the machine.
@@ -28,8 +28,8 @@ Cases(F...) -> Cases<F...>;
 double standard_probability(double z) { return 0.5 * boost::math::erfc(-z / root_2, InDouble()); }
 double standard_quantile(double p) { return -root_2 * boost::math::erfc_inv(2 * p, InDouble()); }
 
-/// Of [a, b] in standard deviations, with the side of the longer tail below, where probabilities keep their
-/// digits.
+/// Cut [a, b] in standard deviations. It is mirrored so that the longer tail is below, where probabilities
+/// keep their digits.
 struct StandardCut {
   double a, b;
   bool mirrored;

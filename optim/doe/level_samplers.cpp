@@ -66,7 +66,7 @@ class OneAtATime final : public Sampler {
   std::vector<std::uint64_t> first_rows_;  ///< of each factor; then the number of rows
 };
 
-/// Half the levels up where there are as many above, else down.
+/// Moves a level up by half the levels if that many are above it, otherwise down.
 std::int64_t moved(std::int64_t level, std::int64_t levels) {
   const std::int64_t step = levels / 2;
   return level + step < levels ? level + step : level - step;
@@ -97,7 +97,7 @@ class Morris final : public Sampler {
   }
 
  private:
-  /// Where rounding leaves nothing of a step, its effect is not known. Lists hold no value twice.
+  /// Throws if rounding makes a step zero, which leaves its effect unknown. Lists have no value twice.
   static void check_steps(const Factor& factor) {
     const std::int64_t levels = level_count(factor), last = levels - 1;
     for (const std::int64_t level : {std::int64_t{0}, last})

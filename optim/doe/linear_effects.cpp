@@ -10,18 +10,18 @@
 namespace kinetix::optim {
 namespace {
 
-/// Least pivot of a correlation matrix that counts as not singular: the share of a factor's variance that the
-/// others do not explain. Less is rounding.
+/// Smallest pivot of a correlation matrix that counts as not singular: the share of a factor's variance that
+/// the others do not explain. Smaller ones are rounding.
 constexpr double least_pivot = 1e-10;
 
-/// Less the mean, over the length. NaN for a column that does not vary.
+/// Returns the column minus its mean, over its length. NaN for a column that does not vary.
 Eigen::VectorXd standardised(const Eigen::VectorXd& column) {
   if (column.maxCoeff() == column.minCoeff()) return Eigen::VectorXd::Constant(column.size(), nan);
   const Eigen::VectorXd centred = column.array() - column.mean();
   return centred / centred.norm();
 }
 
-/// From 0; equal values share their mean rank.
+/// Returns ranks from 0; equal values share their mean rank.
 Eigen::VectorXd ranks(const Eigen::VectorXd& column) {
   const Eigen::Index n = column.size();
   std::vector<Eigen::Index> order(n);
@@ -38,7 +38,7 @@ Eigen::VectorXd ranks(const Eigen::VectorXd& column) {
 
 double length(const Eigen::VectorXd& column) { return (column.array() - column.mean()).matrix().norm(); }
 
-/// Column by column: a matrix product would round as the number of threads has it.
+/// Computes correlations column by column: rounding in a matrix product depends on the number of threads.
 Eigen::MatrixXd correlations(const Eigen::MatrixXd& x) {
   Eigen::MatrixXd all(x.cols(), x.cols());
   for (Eigen::Index j = 0; j < x.cols(); ++j)
@@ -46,8 +46,8 @@ Eigen::MatrixXd correlations(const Eigen::MatrixXd& x) {
   return all;
 }
 
-/// Coefficients of the standardised factors by the normal equations, whose matrix is their correlation;
-/// inverse's diagonal for the errors. Empty where it is singular.
+/// Coefficients of the standardised factors by the normal equations, whose matrix is their correlation. The
+/// diagonal of its inverse gives the errors. Empty if the matrix is singular.
 struct Regression {
   Eigen::VectorXd coefficients, inverse_diagonal;
 };

@@ -33,7 +33,7 @@ double standard_error(const Moments& moments) {
   return moments.count < 2 ? nan : std::sqrt(moments.squares / (n - 1) / n);
 }
 
-/// Places in `sorted` where a new value of the factor begins, and their end.
+/// Returns the places in `sorted` where a new value of the factor begins, and their end.
 std::vector<std::size_t> value_starts(const SampleMatrix& samples, Eigen::Index j, const Rows& sorted) {
   std::vector<std::size_t> starts;
   for (std::size_t i = 0; i < sorted.size(); ++i)
@@ -42,7 +42,7 @@ std::vector<std::size_t> value_starts(const SampleMatrix& samples, Eigen::Index 
   return starts;
 }
 
-/// Of the starts, for each bin the first at or above its even share of the rows.
+/// Returns the starts of the bins. Each is the first start at or above the bin's even share of the rows.
 std::vector<std::size_t> bin_starts(const std::vector<std::size_t>& starts, int bins) {
   std::vector<std::size_t> chosen;
   for (int k = 0; k <= bins; ++k) {
@@ -101,13 +101,14 @@ Moments without(const Moments& moments, double x) {
   return {moments.count - 1, mean, std::max(moments.squares - (x - moments.mean) * (x - mean), 0.0)};
 }
 
-/// A response of a level.
+/// Response and its level.
 struct Placed {
   std::size_t level;
   double response;
 };
 
-/// Standard error of the share: of the tables that lack one row (Efron, Stein, Ann. Statist. 9, 586, 1981).
+/// Returns the standard error of the share, from the tables that lack one row (Efron, Stein, Ann. Statist. 9,
+/// 586, 1981).
 double share_error(std::vector<Moments> levels, const std::vector<Placed>& placed) {
   Moments shares;
   for (const auto& [level, response] : placed) {
@@ -137,7 +138,7 @@ Rows sorted_by_value(const SampleMatrix& samples, Eigen::Index j, Rows rows) {
   return rows;
 }
 
-/// Levels and what is left of the rows that the share needs.
+/// Levels, and the data of their rows that the share needs.
 struct Levels {
   std::vector<EffectLevel> said;
   std::vector<Moments> moments;
@@ -160,7 +161,8 @@ Levels levels_at(const std::vector<std::size_t>& starts, const Table& table, Eig
   return levels;
 }
 
-/// A grid's share is by all its levels, however many: bins lack what changes within them.
+/// Computes the effect of factor j. A grid's share uses all its levels, since bins lose the changes within
+/// them.
 MainEffect effect(const Table& table, Eigen::Index j, const Rows& rows, const MainEffectOptions& options) {
   const Rows sorted = sorted_by_value(table.samples, j, rows);
   const std::vector<std::size_t> starts = value_starts(table.samples, j, sorted);
@@ -175,7 +177,7 @@ MainEffect effect(const Table& table, Eigen::Index j, const Rows& rows, const Ma
   return effect;
 }
 
-/// The one factor in which row i differs from the base; -1 for none.
+/// Returns the one factor in which row i differs from the base, or -1 if there is none.
 Eigen::Index factor_off_base(const SampleMatrix& samples, Eigen::Index i) {
   Eigen::Index moved = -1;
   for (Eigen::Index j = 0; j < samples.cols(); ++j) {

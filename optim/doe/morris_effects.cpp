@@ -21,7 +21,7 @@ Eigen::Index factor_of_step(const SampleMatrix& samples, Eigen::Index row) {
       row + 1, count));
 }
 
-/// A row for each trajectory, a column for each factor; NaN where a row at its ends failed.
+/// Returns a row per trajectory and a column per factor; NaN if a row at either end failed.
 Eigen::MatrixXd elementary_effects(const SampleMatrix& samples, std::span<const double> responses) {
   const Eigen::Index d = samples.cols(), trajectories = samples.rows() / (d + 1);
   const Eigen::RowVectorXd span = samples.colwise().maxCoeff() - samples.colwise().minCoeff();
@@ -44,7 +44,7 @@ struct Figures {
   double mu, mu_star, sigma;
 };
 
-/// @param row the effect to take at place k
+/// @param row effect to use at place k
 template <class Row>
 Figures figures(const std::vector<double>& effects, const Row& row) {
   const double n = static_cast<double>(effects.size());

@@ -4,7 +4,7 @@
 
 namespace kinetix::optim {
 
-/// What is not known, of samples that failed and of statistics that need more of them. No unit.
+/// Unknown value: of failed samples, and of statistics with too few samples. No unit.
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace kinetix::optim

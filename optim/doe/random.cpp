@@ -7,7 +7,7 @@
 namespace kinetix::optim {
 namespace {
 
-constexpr int fewest_half_bits = 3;  // bits: halves of one or two mix too little; 64 places are walked fast
+constexpr int fewest_half_bits = 3;  // bits: halves of one or two mix too little; 64 places are fast to walk
 
 struct Product {
   std::uint32_t high, low;

@@ -6,10 +6,11 @@
 
 namespace kinetix::optim {
 
-/// @throws InvalidInput for as many responses as not rows, no factors, or a factor value that is not finite
+/// @throws InvalidInput if responses and rows differ in number, without factors, and for a value that is not
+/// finite
 void check_table(const SampleMatrix& samples, std::span<const double> responses);
 
-/// Rows whose response is finite, in order.
+/// Returns the rows whose response is finite, in order.
 std::vector<Eigen::Index> usable_rows(std::span<const double> responses);
 
 }  // namespace kinetix::optim

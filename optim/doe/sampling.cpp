@@ -11,7 +11,7 @@
 namespace kinetix::optim {
 namespace {
 
-// Samples: RandomOrder goes no further, and indices of rows stay well within 64 bits.
+// Limit of the samples: the range of RandomOrder. Indices of rows are then well within 64 bits.
 constexpr std::uint64_t most_samples = std::uint64_t{1} << 62;
 
 void check(const std::vector<Factor>& factors, const SamplingOptions& options) {

@@ -9,61 +9,63 @@
 
 namespace kinetix::optim {
 
-/// How samples are laid out. With d factors; "samples" is SamplingOptions::samples.
+/// Layout of the samples. d is the number of factors; `samples` is SamplingOptions::samples.
 enum class SamplingMethod {
   /// Every combination of the factors' levels once, in the order of nested loops, the last factor fastest.
   factorial,
-  /// Latin hypercube: `samples` rows; of as many strata of the same probability, each factor has one row in
-  /// each, at a random place inside; no other optimisation (McKay, Beckman, Conover, Technometrics 21, 239,
-  /// 1979).
+  /// Latin hypercube of `samples` rows. Each factor has one row in each of `samples` strata of equal
+  /// probability, at a random place inside. No further optimisation (McKay, Beckman, Conover, Technometrics
+  /// 21, 239, 1979).
   lhs,
-  /// The first `samples` points of Sobol's sequence, moved by a digital shift that the seed decides. Take a
+  /// First `samples` points of Sobol's sequence, moved by a digital shift that depends on the seed. Use a
   /// power of two. Up to 3667 factors.
   sobol,
   /// `samples` independent draws.
   monte_carlo,
-  /// Row 0 is the base point; then, factor by factor, one row for each of its levels, all else at the base
-  /// (also where the level is the base's value): 1 + sum of levels rows.
+  /// Row 0 is the base point. Then each factor in turn has one row per level, all others at the base: 1 + sum
+  /// of levels rows. The base's value has a row too if it is one of the levels.
   one_at_a_time,
   /// Elementary effects: `samples` trajectories of d + 1 rows. A trajectory starts at random levels and moves
-  /// one factor after the other, in random order, by half its levels (Morris, Technometrics 33, 161, 1991), all steps of a
-  /// factor of one size (even_level_value). Takes an even number of levels to visit all alike. 10 to 50 trajectories are usual.
+  /// one factor after the other, in random order, by half its levels (Morris, Technometrics 33, 161, 1991).
+  /// All steps of a factor have one size (even_level_value). Only an even number of levels visits all equally
+  /// often. 10 to 50 trajectories are usual.
   morris,
-  /// For Sobol's indices: `samples` is the base N, and there are N (d + 2) rows: for each n, row A, the d
-  /// rows A with one factor of B, and row B; A and B are two halves of one Sobol sequence in 2 d dimensions
-  /// with a digital shift (Saltelli et al., Comput. Phys. Commun. 181, 259, 2010). Take a power of two, 512
-  /// or more. Up to 1833 factors. Any first rows that are a multiple of d + 2 are the table of a smaller
-  /// base.
+  /// Table for Sobol's indices with base N = `samples`. It has N (d + 2) rows: for each n, row A, the d rows
+  /// A with one factor of B, and row B. A and B are the two halves of one Sobol sequence in 2 d dimensions
+  /// with a digital shift (Saltelli et al., Comput. Phys. Commun. 181, 259, 2010). Use a power of two, 512 or
+  /// more. Up to 1833 factors. Any first rows that are a multiple of d + 2 are the table of a smaller base.
   saltelli
 };
 
 struct SamplingOptions {
   SamplingMethod method = SamplingMethod::sobol;
-  std::uint64_t samples = 1024;  ///< 1 to 2^62; what it counts is said at each method
+  std::uint64_t samples = 1024;  ///< 1 to 2^62; counts the items given at each method
   std::uint64_t seed = 0;
-  /// For one_at_a_time: value of each factor in its unit, finite; empty = quantile 0.5 of each.
+  /// Base point of one_at_a_time: value of each factor in its unit, finite; empty: quantile 0.5 of each.
   std::vector<double> base;
 };
 
 class Sampler;
 
-/// The rows of a design of experiments, each made alone: row i depends on the factors, the options and i,
-/// never on which rows were asked for before or on the thread. Nothing is kept that grows with the number of
-/// rows. Safe to read from many threads.
+/// Rows of a design of experiments, each computed separately. Row i depends on the factors, the options and i
+/// only, not on earlier calls or the thread. Memory does not grow with the number of rows. Safe to read from
+/// many threads.
 class SamplePlan {
  public:
-  /// @throws InvalidInput without factors, for two of the same name, for a factor or options that do not
-  /// validate, and for more factors than the method can have
+  /// @throws InvalidInput without factors, for two of one name, for an invalid factor or invalid options, and
+  /// for more factors than the method allows
   SamplePlan(std::vector<Factor> factors, SamplingOptions options);
 
   const std::vector<Factor>& factors() const { return *factors_; }
   const SamplingOptions& options() const { return options_; }
 
-  /// Rows; the largest 64-bit number where there would be that many or more.
+  /// Returns the number of rows, at most the largest 64-bit number.
   std::uint64_t size() const;
 
-  /// Row i, in the factors' units; time in proportion to the factors. @param i below size()
-  /// @param values as many as factors; filled   @throws InvalidInput for other sizes, and for rows past the end
+  /// Computes row i in the factors' units; time in proportion to the factors.
+  /// @param i below size()
+  /// @param values output, as many as factors
+  /// @throws InvalidInput for other sizes, and for rows past the end
   void sample(std::uint64_t i, std::span<double> values) const;
   std::vector<double> sample(std::uint64_t i) const;
 

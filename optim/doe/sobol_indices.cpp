@@ -14,12 +14,12 @@ namespace {
 
 using Bases = Eigen::Map<const Eigen::MatrixXd>;  ///< a column for each base: A, A with each factor of B, B
 
-/// What the estimators are means of, a column for each base: of each factor the first-order term, then of
-/// each the total one, the mean of A and B, and the mean of their squares. A term that a failed row makes
+/// Terms whose means are the estimators, a column per base. The rows are the first-order term of each factor,
+/// the total term of each, the mean of A and B, and the mean of their squares. A term that a failed row makes
 /// unknown is a gap.
 class Terms {
  public:
-  /// @param centred bases less about the mean response
+  /// @param centred bases minus the approximate mean response
   explicit Terms(const Eigen::MatrixXd& centred)
       : factors_(centred.rows() - 2), terms_(2 * factors_ + 2, centred.cols()) {
     for (Eigen::Index n = 0; n < centred.cols(); ++n) {
@@ -33,14 +33,14 @@ class Terms {
   Eigen::Index factors() const { return factors_; }
   Eigen::Index bases() const { return terms_.cols(); }
 
-  /// How many bases each term is known for, with base n there weights[n] times.
+  /// Returns the number of bases for which each term is known, with base n counted weights[n] times.
   Eigen::ArrayXd counts(const Eigen::VectorXd& weights) const {
     Eigen::ArrayXd counts = Eigen::ArrayXd::Constant(terms_.rows(), weights.sum());
     for (const auto& [row, base] : gaps_) counts[row] -= weights[base];
     return counts;
   }
 
-  /// NaN where it is known for fewer than two.
+  /// Returns the means of the terms; NaN for a term that is known for fewer than two bases.
   Eigen::ArrayXd means(const Eigen::VectorXd& weights) const {
     Eigen::VectorXd sums = Eigen::VectorXd::Zero(terms_.rows());
     for (Eigen::Index n = 0; n < bases(); ++n)
@@ -75,8 +75,8 @@ Indices indices(const Terms& terms, const Eigen::VectorXd& weights) {
   return {means.head(rows) / (variance > 0 ? variance : nan), variance};
 }
 
-/// Mean of the finite rows A and B, found about one of them so that a constant response gives itself to the
-/// bit.
+/// Returns the mean of the finite rows A and B. It is computed about one of them, so that a constant response
+/// is reproduced to the bit.
 double centre(const Bases& bases) {
   double first = nan, sum = 0, count = 0;
   for (Eigen::Index n = 0; n < bases.cols(); ++n)
@@ -89,14 +89,14 @@ double centre(const Bases& bases) {
   return first + sum / count;
 }
 
-/// How often each base is drawn.
+/// Returns the number of times that each base is drawn.
 Eigen::VectorXd draw(std::uint64_t seed, int resample, Eigen::Index bases) {
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(bases);
   for (Eigen::Index n = 0; n < bases; ++n) ++weights[resampled_row(seed, resample, n, bases)];
   return weights;
 }
 
-/// A row for each resample.
+/// Returns a row per resample.
 Eigen::MatrixXd resampled_indices(const Terms& terms, const ConfidenceOptions& options) {
   Eigen::MatrixXd resampled(options.resamples, 2 * terms.factors());
   for (int k = 0; k < options.resamples; ++k)

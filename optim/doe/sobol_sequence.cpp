@@ -7,14 +7,14 @@
 namespace kinetix::optim {
 namespace {
 
-constexpr int bits = 64;                // of a coordinate, and as many directions a dimension
-constexpr int last_bit_of_engine = 62;  // direction up to which its points can be placed, see below
+constexpr int bits = 64;                // per coordinate, and as many directions per dimension
+constexpr int last_bit_of_engine = 62;  // last direction at which the engine can be placed, see below
 
 }  // namespace
 
 // Point n is the xor of the directions of the bits of n's Gray code, so point 2^(k+1) - 1 is direction k
-// alone. The engine leaves the origin out: its point n is our n + 1. The last direction it cannot be placed
-// at; no table has 2^63 rows.
+// alone. The engine omits the origin: its point n is our n + 1. It cannot be placed at the last direction; no
+// table has 2^63 rows.
 SobolSequence::SobolSequence(int dimensions) : dimensions_(dimensions), directions_(bits * dimensions, 0) {
   assert(dimensions >= 1 && dimensions <= most_dimensions);
   boost::random::sobol engine(dimensions);

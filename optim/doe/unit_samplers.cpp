@@ -27,7 +27,8 @@ class MonteCarlo final : public Sampler {
   std::uint64_t size_, seed_;
 };
 
-/// A random place in a stratum, of 24 bits: exact in double for up to 2^28 strata. Below 1 for any number.
+/// Returns a random place in a stratum, of 24 bits: exact in double for up to 2^28 strata. Below 1 for any
+/// number.
 double place_in_stratum(std::uint64_t stratum, std::uint64_t strata, std::uint64_t bits) {
   const double place = (static_cast<double>(bits >> 40) + 0.5) * 0x1p-24;
   return std::min((static_cast<double>(stratum) + place) / static_cast<double>(strata), 1 - 0x1p-53);

@@ -11,17 +11,17 @@
 namespace kinetix::optim {
 namespace {
 
-// Cell edges: steps shrink with the gap, and with 0 they never end.
+// Cell edges: steps shrink with the gap, and with a limit of 0 they would never end.
 constexpr double too_close_in_edges = 0.02;
-// Rad of theta: steps are safe at any length, but long ones have to look at more pairs of walls.
+// Rad of theta: steps are safe at any length, but long ones check more pairs of walls.
 constexpr double longest_turn = 2 * radians_per_degree;
 
-/// Upper bound of d(fold)/d(theta) of a crease from theta on: the rate falls with theta.
+/// Returns an upper bound of d(fold)/d(theta) of a crease from theta on: the rate falls with theta.
 double fold_rate(double tilt, int columns, double theta) {
   return columns * model::crease_derivatives(tilt, theta).by_theta;
 }
 
-/// Plates of one face, as they stand in a state.
+/// Plates of one face in a state.
 struct FaceWalls {
   std::vector<OrientedBox> boxes;
   std::vector<double> radii;
@@ -36,7 +36,7 @@ struct FaceWalls {
   }
 };
 
-/// Lower bound of the distance of two faces, no larger than `cap`.
+/// Returns a lower bound of the distance of two faces, at most `cap`.
 double clearance(const FaceWalls& a, const FaceWalls& b, double cap) {
   double least = cap;
   for (std::size_t k = 0; k < a.boxes.size(); ++k) {
@@ -76,7 +76,7 @@ class Watch {
   }
 
  private:
-  /// Two faces with the creases between them, and how much net lies beyond each.
+  /// Two faces with the creases between them, and the length of net beyond each crease.
   struct Way {
     int first, second;
     std::vector<int> creases;
@@ -87,7 +87,7 @@ class Watch {
   double edge() const { return folded_.structure.size.edge_mm; }
   double too_close() const { return too_close_in_edges * edge(); }
 
-  /// Longest way over a face, with the half walls that stand out of it.
+  /// Returns the longest path over a face, including the half walls that protrude from it.
   double across_face(int face) const {
     const model::CellRectangle& f = folded_.layout.faces[face];
     return edge() * (std::hypot(f.width, f.height) + 1);
@@ -135,7 +135,7 @@ class Watch {
     ways_.push_back(std::move(way));
   }
 
-  /// mm per rad, from theta to the end of the motion.
+  /// Returns a bound of the closing speed from theta to the end of the motion, mm per rad.
   double closing_speed(const Way& way, double theta) const {
     double speed = way.length * std::sin(folded_.theta) + edge() + 2 * folded_.structure.size.thickness_mm;
     for (std::size_t k = 0; k < way.creases.size(); ++k) {

@@ -14,16 +14,17 @@ namespace {
 
 using Lengths = std::array<double, 3>;
 
-constexpr int usual_columns = 2;  // of a right angle: one makes walls meet early
+constexpr int usual_columns = 2;  // of a right angle: with one, walls meet early
 constexpr double usual_theta =
-    26 * radians_per_degree;    // rad, until a search has found one: that of most boxes
-constexpr int fewest = 3;       // cells along the shortest edge: fewer are hardly a face
-constexpr double good = 0.019;  // a miss over the edge that more cells need not mend: 0.8 mm of 40
-constexpr int rounds = 6;       // cells and theta depend on each other: two or three settle
+    26 * radians_per_degree;    // rad, until a search has found one: typical of boxes
+constexpr int fewest = 3;       // cells along the shortest edge: fewer hardly form a face
+constexpr double good = 0.019;  // relative miss that needs no finer cells: 0.8 mm of 40
+constexpr int rounds = 6;       // cells and theta depend on each other: two or three rounds settle
 constexpr double settled_edge =
-    1e-9;  // change of the cell edge over itself: rounding, far below what a print shows
+    1e-9;  // change of the cell edge over itself: rounding, far below the resolution of a print
 
-/// Pitches that creases of so many columns add along x, y and z: one at either end, none at the end of a face left out.
+/// Returns the pitches that creases of `columns` columns add along x, y and z: one inset at either end, none
+/// at the end of an omitted face.
 Lengths insets(const std::optional<int>& open, int columns) {
   const double inset = targets::edge_inset(pi / 2, columns);
   Lengths out = {2 * inset, 2 * inset, 2 * inset};
@@ -31,14 +32,14 @@ Lengths insets(const std::optional<int>& open, int columns) {
   return out;
 }
 
-/// Lengths of the edges in pitches.
+/// Returns the lengths of the edges in pitches.
 Lengths pitches(const std::array<int, 3>& edges, const Lengths& insets) {
   Lengths out;
   for (int k = 0; k < 3; ++k) out[k] = edges[k] + insets[k];
   return out;
 }
 
-/// The pitch with which all edges miss alike.
+/// Returns the pitch at which the largest and the smallest edge have equal relative errors.
 double best_pitch(const Lengths& asked_mm, const Lengths& pitches) {
   double least = pitches[0] / asked_mm[0], largest = least;
   for (int k = 1; k < 3; ++k) {
@@ -48,7 +49,7 @@ double best_pitch(const Lengths& asked_mm, const Lengths& pitches) {
   return 2 / (least + largest);
 }
 
-/// Cells nearest to the edges, at a pitch in mm.
+/// Returns the cells nearest to the edges, at a pitch in mm.
 std::array<int, 3> cells_at(const Lengths& asked_mm, double pitch, const Lengths& insets) {
   std::array<int, 3> out;
   for (int k = 0; k < 3; ++k)
@@ -61,13 +62,13 @@ double miss_at(const Lengths& asked_mm, Lengths in_pitches, double pitch) {
   return size_miss(in_pitches, asked_mm);
 }
 
-/// With so many along the shortest edge.
+/// Returns the cells of a box with `count` cells along the shortest edge.
 std::array<int, 3> cells_with_shortest(const Lengths& asked_mm, int count, const Lengths& insets) {
   const auto shortest = std::min_element(asked_mm.begin(), asked_mm.end());
   return cells_at(asked_mm, *shortest / (count + insets[shortest - asked_mm.begin()]), insets);
 }
 
-/// Cells whose proportions come nearest, among few first.
+/// Returns the cells with the nearest proportions. Fewer cells win if they are good enough.
 std::array<int, 3> nearest_cells(const Lengths& asked_mm, const Lengths& insets) {
   std::array<int, 3> best = {};
   double least = std::numeric_limits<double>::infinity();
@@ -121,7 +122,7 @@ class BoxSearch {
     now_.folded_mm = folded_box(now_.edges, options_.open, now_.edge_mm, theta_, columns_);
   }
 
-  /// What theta and columns such cells fold with. @return false where they do not
+  /// Sets theta and the columns from the fold of a small box of such cells. @return whether it folds
   bool look() {
     std::array<int, 3> edges = now_.edges;
     for (int& edge : edges) edge = std::min(edge, telling_cells);
@@ -142,10 +143,11 @@ class BoxSearch {
   BoxInCells now_;
 };
 
-constexpr double told_parts = 100;      // of a mm: cell edges are proposed in whole ones
-constexpr double thickest_share = 0.5;  // of a cell edge: walls as thick leave no room between them
+constexpr double told_parts = 100;      // per mm: cell edges are proposed in whole parts
+constexpr double thickest_share = 0.5;  // of a cell edge: thicker walls leave no room between them
 
-/// Of any cell edge: how near so many cells along the shortest edge can come, whatever a search finds.
+/// Returns the smallest possible miss with `shortest` cells along the shortest edge, for any cell edge and
+/// theta.
 double least_miss(const BoxOptions& options, int shortest) {
   const int given = options.crease_columns;
   double least = std::numeric_limits<double>::infinity();
@@ -158,7 +160,8 @@ double least_miss(const BoxOptions& options, int shortest) {
   return least;
 }
 
-/// What a box of cells with the edge of the options folds to, as a search finds it; nothing where it misses its size by more.
+/// Returns the box with the cell edge of the options as a search folds it, or nullopt if its size misses by
+/// more than the tolerance.
 std::optional<BoxInCells> folded_within(const BoxOptions& options, double tolerance) {
   BoxInCells box = fit_box(options);
   FoldOptions fold = options.fold;
@@ -205,7 +208,7 @@ std::optional<BoxInCells> other_cells(const BoxOptions& options, double toleranc
     try {
       if (const auto box = folded_with(options, shortest, tolerance)) return box;
     } catch (const InvalidInput&) {
-      continue;  // walls that such cells have no room for
+      continue;  // such cells have no room for the walls
     }
   return std::nullopt;
 }

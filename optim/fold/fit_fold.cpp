@@ -15,15 +15,16 @@
 namespace kinetix::optim {
 namespace {
 
-// 22.5 deg a column: each finer choice makes the nets wider, and is one more search of all unfoldings.
+// 22.5 deg per column: each finer choice widens the nets and needs one more search of all unfoldings.
 constexpr int most_columns_a_right_angle = 4;
-// Rad to which the largest free theta is found: a finer end gains little theta, and each halving is a motion
-// more.
+// Rad, precision of the largest free theta. More precision gains little theta, and each halving needs one
+// more motion.
 constexpr double precision = 0.25 * radians_per_degree;
-// Rad: tan(turn / 2), and with it the tilt needed, has no value at 180 deg.
+// Rad: tan(turn / 2), and with it the needed tilt, has no value at 180 deg.
 constexpr double largest_turn_of_a_column = 179 * radians_per_degree;
 
-/// Columns that keep each column's turn to a right angle over `finer`, where the goal does not give them.
+/// Returns the columns of all creases. Unless the goal gives them, no column turns more than a right angle
+/// over `finer`.
 std::vector<int> columns_of(const targets::FoldNet& net, int finer) {
   std::vector<int> columns;
   for (const targets::FoldCrease& crease : net.creases) {
@@ -52,11 +53,11 @@ std::size_t steepest_crease(const targets::FoldNet& net, const std::vector<int>&
 
 constexpr const char* was_told_to_stop = "the search was told to stop";
 
-/// What stops a net with given columns.
+/// Reason why a net with given columns does not fold.
 struct Obstacle {
   std::string why;
-  bool everywhere = false;  ///< as near any crease: another unfolding would not help
-  double share = 0;         ///< of the way to theta that is free
+  bool everywhere = false;  ///< the same near any crease: another unfolding would not help
+  double share = 0;         ///< free share of the path to theta
 };
 
 class NetSearch {
@@ -137,7 +138,8 @@ class NetSearch {
     return fold_to(goal_.nets[index], columns, theta, options_.size, options_.tilt);
   }
 
-  /// The largest free theta: steep tilts at small theta are in the way as well as gentle ones at large theta.
+  /// Finds the largest free theta. Both steep tilts at small theta and gentle ones at large theta can
+  /// collide.
   std::optional<Obstacle> try_between(int index, const std::vector<int>& columns, double lower) {
     std::vector<Blocked> blocked;
     const int steps = static_cast<int>(std::ceil((upper_ - lower) / look_step));
@@ -151,14 +153,15 @@ class NetSearch {
     return farthest(index, columns, std::move(blocked));
   }
 
-  /// A motion that is not free, and a share of its way at which it is known not to be.
+  /// A blocked motion, and a share of its path at which it is known to be blocked.
   struct Blocked {
     double theta, share;
   };
 
-  /// What stops the one that is free for the largest share of its way.
+  /// Returns the obstacle of the motion that is free for the largest share of its path.
   Obstacle farthest(int index, const std::vector<int>& columns, std::vector<Blocked> blocked) const {
-    // Of those alike the least theta first: what stops all of them at one theta is the largest share of its way.
+    // Ties start with the least theta: an obstacle at one common theta is then at the largest share of the
+    // path.
     std::sort(blocked.begin(), blocked.end(), [](const Blocked& a, const Blocked& b) {
       return std::pair(-a.share, a.theta) < std::pair(-b.share, b.theta);
     });
@@ -170,7 +173,8 @@ class NetSearch {
     return out;
   }
 
-  /// Whether nothing is in the way up to that share of it. Looked at from there back: what stops a fold mostly stays in its way.
+  /// Returns whether the path is free up to this share. Checks backwards from there, since an obstacle mostly
+  /// stays in the way.
   bool is_free_to(const FoldedNet& net, double share) const {
     LooksOnTheWay looks = looks_at(net);
     if (!looks.touching_at_rest().empty()) return false;
@@ -180,7 +184,7 @@ class NetSearch {
     return !looks.first_overlap(thetas);
   }
 
-  /// A little more theta, as far as it is free.
+  /// Increases theta a little, as long as the motion is free.
   FoldedNet refined(int index, const std::vector<int>& columns, FoldedNet best, bool blocked_beyond) {
     double blocked = blocked_beyond ? best.theta + look_step : best.theta;
     while (blocked - best.theta > precision && !options_.stop.stop_requested()) {
@@ -210,7 +214,8 @@ class NetSearch {
             [&net](double theta) { return fold_net(net.tree, net.structure, theta); }, options_.threads};
   }
 
-  /// Nothing: free; else a share of the way at which it is not. Looked at from its end, where most walls meet.
+  /// Returns a share of the path at which walls overlap, or nullopt if it is free. Checks backwards from the
+  /// end, where most walls meet.
   std::optional<double> blocked_share(const FoldedNet& net) {
     ++design_.evaluations;
     LooksOnTheWay looks = looks_at(net);
@@ -222,7 +227,7 @@ class NetSearch {
     return thetas[overlap->look] / net.theta;
   }
 
-  /// @pre a motion that is blocked
+  /// Returns the first obstacle of a motion. @pre the motion is blocked
   Obstacle first_obstacle(const FoldedNet& net) const {
     LooksOnTheWay looks = looks_at(net);
     if (!looks.touching_at_rest().empty()) return described(net, looks.touching_at_rest().front(), 0);
@@ -265,7 +270,8 @@ class NetSearch {
     return a == b;
   }
 
-  /// Something to show: of the columns tried the most that lay the first unfolding out.
+  /// Keeps a design to show if none folds: the first unfolding, with the most columns with which it can be
+  /// laid out.
   void take_the_nearest(int finest) {
     for (int finer = finest; finer >= 1; --finer) try {
         design_.folded = folded(0, columns_of(goal_.nets[0], finer), upper_);

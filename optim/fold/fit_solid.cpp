@@ -16,7 +16,7 @@ class SolidSearch {
   SolidSearch(const targets::Solid& solid, int cells, const FoldOptions& options)
       : solid_(solid), cells_(cells), options_(options) {}
 
-  /// @return why it does not fold; empty where it does
+  /// Searches theta for this number of columns. @return why the net does not fold, or empty
   std::string try_columns(int columns) {
     design_.net = lay_out(solid_, cells_, columns, options_.size);
     double steepest = 0;
@@ -40,7 +40,7 @@ class SolidSearch {
   }
 
   SolidDesign& design() { return design_; }
-  double best_share() const { return best_share_; }  ///< of the way to theta that is free, [0, 1]
+  double best_share() const { return best_share_; }  ///< free share of the path to theta, [0, 1]
 
  private:
   static std::string in_words(int columns) {
@@ -69,7 +69,7 @@ class SolidSearch {
         in_words(columns), to_degrees(farthest), to_degrees(wanted));
   }
 
-  /// The last look at which no wall is in the way, up to theta.
+  /// Returns the last checked theta before walls overlap, or theta if none do.
   double free_to() {
     ++design_.evaluations;
     const model::ExactMotion motion = exact_motion(design_.net.structure);

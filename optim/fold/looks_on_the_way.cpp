@@ -34,7 +34,7 @@ LooksOnTheWay::LooksOnTheWay(model::Linkage structure, double clearance,
 
 std::optional<LooksOnTheWay::Overlap> LooksOnTheWay::first_overlap(const std::vector<double>& thetas) {
   const int count = static_cast<int>(thetas.size()), most = std::min(most_, count);
-  // One alone first: where walls are in the way, they mostly are there.
+  // The first state is checked alone: if walls collide, they mostly do there.
   for (int first = 0, now = 1; first < count; first += now, now = std::min(most, count - first)) {
     while (static_cast<int>(contacts_.size()) < now) contacts_.push_back(contacts_.front());
     std::vector<std::optional<model::WallPair>> found(now);

@@ -9,34 +9,36 @@
 
 namespace kinetix::optim {
 
-/// Rad of theta between looks: walls that meet and part again within one are missed.
+/// Rad of theta between checked states: contact that begins and ends within one step is missed.
 inline constexpr double look_step = 1 * radians_per_degree;
 
-/// Where to look on the way from flat to theta, rad, > 0: no further apart than that, the last at theta itself.
+/// Returns the theta values to check on the path from flat to theta, rad, > 0: at most look_step apart, the
+/// last at theta.
 std::vector<double> looks_up_to(double theta);
 
-/// Looks at states on the way of a fold for walls that overlap, some at once.
+/// Checks states on the path of a fold for overlapping walls, several in parallel.
 class LooksOnTheWay {
  public:
-  /// @param clearance by which walls are looked at thicker and higher than they are, cell edges   @param state at a theta, rad;
-  /// called from any of the threads   @param threads >= 0; 0 = all cores
+  /// @param clearance added to the thickness and height of walls for the checks, cell edges.
+  /// @param state at a theta, rad; called from any of the threads   @param threads >= 0; 0 = all cores
   LooksOnTheWay(model::Linkage structure, double clearance, std::function<model::State(double)> state,
                 int threads);
 
-  /// Pairs that overlap or touch in the flat state.
+  /// Returns the pairs that overlap or touch in the flat state.
   const std::vector<model::WallPair>& touching_at_rest() const { return contacts_[0].touching_at_rest(); }
 
   struct Overlap {
-    int look = 0;          ///< of those asked for
-    model::WallPair pair;  ///< the first that WallContact names there
+    int look = 0;          ///< index in the requested angles
+    model::WallPair pair;  ///< the first pair that WallContact reports there
   };
-  /// The first of these angles, rad, where walls overlap. Their order counts, the number of threads does not.
+  /// Returns the first of these angles, rad, in their order, at which walls overlap. Independent of the
+  /// number of threads.
   std::optional<Overlap> first_overlap(const std::vector<double>& thetas);
 
  private:
   std::function<model::State(double)> state_;
   const int most_;                            ///< threads
-  std::vector<model::WallContact> contacts_;  ///< one a thread that has been used
+  std::vector<model::WallContact> contacts_;  ///< one per thread used so far
 };
 
 }  // namespace kinetix::optim

@@ -12,19 +12,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double ray_step = 0.5 * radians_per_degree;  // rad: a point a millimetre on a head
-constexpr double touch_mm = 1e-6;  // mm: a ray comes ever nearer to the surface, and here it has arrived
+constexpr double ray_step = 0.5 * radians_per_degree;  // rad: about one point per millimetre on a head
+constexpr double touch_mm = 1e-6;  // mm: a ray approaches the surface step by step, and stops here
 constexpr double span_mm = 1;      // mm to either side for directions of curves, the spacing of their points
 constexpr double steepest_ray = 120 * radians_per_degree;  // rad from outward: well below any rim
 
-/// The surface that keeps the clearance, as seen from within.
+/// Surface at the clearance from the head, seen from within.
 class OffsetSurface {
  public:
   OffsetSurface(const targets::MeshDistance& head, double clearance)
       : head_(head), clearance_(clearance), far_(bounds(head.mesh()).diagonal().norm() + clearance) {}
 
-  /// From far outside towards `inside` until the clearance is reached: the outermost such place.
-  /// @throws InvalidInput where there is none
+  /// Returns the outermost point at the clearance, searched from far outside towards `inside`.
+  /// @throws InvalidInput if there is none
   Vector3d outermost(const Vector3d& inside, const Vector3d& direction) const {
     double radius = far_;
     while (radius > 0) {
@@ -44,7 +44,7 @@ class OffsetSurface {
   double clearance_, far_;
 };
 
-/// Middle of the surface at the rim, in the plane of the spine.
+/// Returns the middle of the surface at the rim, in the plane of the spine.
 Vector3d middle_at_rim(const OffsetSurface& surface, const Vector3d& crown, double rim_z) {
   const Vector3d below(crown.x(), crown.y(), rim_z);
   return (surface.outermost(below, -Vector3d::UnitY()) + surface.outermost(below, Vector3d::UnitY())) / 2;
@@ -62,13 +62,13 @@ targets::SpaceCurve spine_line(const OffsetSurface& surface, const Vector3d& mid
 
 class RibTracer {
  public:
-  /// @param lowest z that ribs may reach
+  /// @param lowest smallest z of ribs, mm
   RibTracer(const OffsetSurface& surface, const Vector3d& middle, double lowest)
       : surface_(surface), middle_(middle), lowest_(lowest) {}
 
   struct Line {
     targets::SpaceCurve curve;
-    bool at_neighbour = false;  ///< it ends before the rim, where it would meet its neighbour
+    bool at_neighbour = false;  ///< the line ends before the rim, where it would meet its neighbour
   };
   Line trace(const RibPlanes& planes, std::size_t rib, int side) const {
     const RibPlane& plane = planes.planes[rib];
@@ -98,7 +98,7 @@ RibsLayout plan_helmet(const targets::MeshDistance& head, const Vector3d& crown,
   const double rim_z = crown.z() - spec.coverage_mm, edge = spec.size.edge_mm;
   const Vector3d middle = middle_at_rim(surface, crown, rim_z);
   const RibTracer tracer(surface, middle, rim_z - edge);
-  std::vector<double> above;  // of each rib: how far it ends above the rim, mm
+  std::vector<double> above;  // height at which each rib ends above the rim, mm
   RibsLayout out = layout_along(spine_line(surface, middle), span_mm, spec,
                                 [&](const RibPlanes& planes, std::size_t rib, int side) {
                                   const RibTracer::Line line = tracer.trace(planes, rib, side);

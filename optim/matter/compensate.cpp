@@ -13,12 +13,12 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Over the largest entry of the normal equations' diagonal: the first step is nearly that of Gauss and Newton.
+// Over the largest diagonal entry of the normal equations: the first step is nearly a Gauss-Newton step.
 constexpr double first_damping = 1e-4, least_damping = 1e-12, most_damping = 1e6;
 constexpr double easier = 0.1,
-                 harder = 10;            // what damping is multiplied by after a step that helps or does not
-constexpr double longest_change = 0.08;  // rad, of any variable: derivatives mean little further off
-constexpr double least_gain = 0.02;      // part of the rms: a step that gains less ends the search
+                 harder = 10;            // factors of the damping after a step that helps, or does not
+constexpr double longest_change = 0.08;  // rad, of any variable: derivatives are inaccurate further away
+constexpr double least_gain = 0.02;      // fraction of the rms: a step that gains less ends the search
 
 /// Tilts of all ties, then theta. rad
 class Variables {
@@ -39,7 +39,7 @@ class Variables {
   }
   double theta(const VectorXd& x) const { return x[size() - 1]; }
 
-  /// The nearest that is allowed; theta keeps its sign.
+  /// Returns the nearest allowed x; theta keeps its sign.
   VectorXd within(VectorXd x, double theta) const {
     for (Eigen::Index k = 0; k + 1 < size(); ++k) {
       const AngleRange& range = ties_[static_cast<std::size_t>(k)].range;
@@ -57,7 +57,7 @@ class Variables {
   const CompensationOptions options_;
 };
 
-/// The derivative of a function of the state by the tilts of all ties and by theta.
+/// Returns the derivative of a function of the state by the tilts of all ties and by theta.
 VectorXd by_variables(const std::vector<TiltTie>& ties, const model::DesignSensitivity& by) {
   VectorXd out(static_cast<Eigen::Index>(ties.size()) + 1);
   for (std::size_t k = 0; k < ties.size(); ++k) {
@@ -102,7 +102,7 @@ class MatterSearch {
   }
 
  private:
-  /// Tries steps with more and more damping until one helps, or none does.
+  /// Tries steps with more and more damping until one helps or the limit of damping is reached.
   void step(InMatter& at, VectorXd& x, double& damping, Compensation& out) {
     const auto found = deviation_jacobian(at, variables_.ties(), elasticity_, goal_, options_.contact);
     if (!found) {
@@ -132,7 +132,7 @@ class MatterSearch {
     if (out.rounds < options_.rounds) out.why = "no step comes nearer";
   }
 
-  /// The equilibrium that a state turns into while tilts and theta change.
+  /// Returns the equilibrium that a state changes into while tilts and theta change.
   std::optional<InMatter> follow(const InMatter& at, const VectorXd& from, const VectorXd& to) const {
     const auto changed = [&](double part) {
       const VectorXd x = from + part * (to - from);

@@ -7,10 +7,10 @@
 namespace kinetix::optim {
 namespace {
 
-// Of numbers that rounding alone makes differ: cell edges, and rad.
+// Tolerance of numbers that differ by rounding: cell edges, and rad.
 constexpr double same = 1e-6;
 
-/// Direction of the wall, where its middle lies along it, and the size of its tilt, each to within rounding.
+/// Direction of the wall, place of its middle along that direction, and size of its tilt, each rounded.
 using Place = std::tuple<long, long, long, long>;
 
 long rounded(double value) { return std::lround(value / same); }

@@ -8,21 +8,21 @@
 
 namespace kinetix::optim {
 
-/// Hinges whose tilts are equal in size and belong together: a column of a strip, or a crease. What the exact
-/// families ask of tilts holds as long as these stay equal.
+/// Hinges with tilts of equal size that belong together: a column of a strip, or a crease. The conditions of
+/// the exact families on tilts hold as long as these stay equal.
 struct TiltTie {
   std::vector<int> hinges;
   std::vector<int> signs;  ///< of each hinge's tilt, 1 or -1
   double tilt = 0;         ///< its size, rad, > 0
-  /// What that may become, below 0 with all signs turned over, rad.
+  /// Allowed tilts, rad; below 0 all signs are reversed.
   AngleRange range = {-pi / 2, pi / 2};
 };
 
-/// Walls of one direction, with tilts of one size, whose middles lie on one line across them. Hinges that stand
-/// upright belong to none.
+/// Returns ties of walls with one direction and tilts of one size whose middles are on one line across them.
+/// Hinges without tilt belong to no tie.
 std::vector<TiltTie> tilt_ties(const model::Lattice& sheet);
 
-/// The sheet with other tilts, rad, one of each tie.
+/// Returns the sheet with other tilts, rad, one per tie.
 model::Lattice with_tilts(model::Lattice sheet, const std::vector<TiltTie>& ties,
                           const std::vector<double>& tilts);
 

@@ -19,19 +19,21 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double less_sliding =
-    0.8;  // of walls that met, from round to round: the most rounds bring it down to a seventh
-constexpr double less_scaling = 0.93;  // and of their offsets: cells that shrink close sooner
-constexpr double less_beside = 0.98;   // and of the offsets of the other walls round their cells
-constexpr double less_uneven = 0.8;  // and, where the flat panel is free, of the powers by which walls differ
-// Rounds: these leave an eighth of the turning. A free flat panel has more ways to give room.
+    0.8;  // factor per round of the turning of walls that met: the most rounds leave a seventh
+constexpr double less_scaling = 0.93;  // factor per round of their offsets: cells that shrink close sooner
+constexpr double less_beside = 0.98;   // factor of the offsets of the other walls round their cells
+constexpr double less_uneven = 0.8;    // exponent per round of the walls' length ratios, if the flat panel is
+                                       // free
+// Rounds: these leave an eighth of the turning. A free flat panel has more degrees of freedom to make room.
 constexpr int most_rounds_apart = 9, most_of_free_panels = 12;
-// Cell edges, of flat walls where they are free: beyond, cells have no room or plates are all wall.
+// Cell edges, of flat walls if they are free: beyond, cells have no room or plates are all wall.
 constexpr double longest = 1.4;
-constexpr double spare_turn = 0.3 * radians_per_degree;   // rad: walls stay apart a little further than asked
-constexpr double met_early[] = {0.4, 0.6, 0.75, 0.9, 1};  // of theta: where walls are looked at on the way
-constexpr int halvings = 2;        // of the way from the best theta to the next larger one that was tried
-constexpr double at_bound = 0.98;  // of it: as good as there
-// Cell edges: below, an offset is no more than what the search misses its bounds by (1e-6), times ten.
+constexpr double spare_turn = 0.3 * radians_per_degree;   // rad: walls stay apart a little beyond theta
+constexpr double met_early[] = {0.4, 0.6, 0.75, 0.9, 1};  // of theta: states at which walls are checked
+constexpr int halvings = 2;        // of the interval from the best theta to the next larger one that was
+                                   // tried
+constexpr double at_bound = 0.98;  // of the bound: counts as being at it
+// Cell edges: a smaller offset is within ten times the search's tolerance of its bounds (1e-6).
 constexpr double least_offset = 1e-5;
 
 void validate(const OutlineOptions& o) {
@@ -44,8 +46,8 @@ void validate(const OutlineOptions& o) {
   require("thetas", o.thetas, o.thetas >= 1, "at least 1");
 }
 
-/// Bounds of 0 are kept but nearly by the search, and cells close exactly or not at all: the nearest panel that moves with
-/// all hinges on their walls.
+/// Replaces the panel by the nearest one that moves with all hinges on their walls. The search satisfies
+/// bounds of 0 only approximately, but cells close exactly or not at all.
 void put_on_walls(OutlineDesign& found) {
   place_hinges(found.y, found.panel);
   for (model::HingeParameters& hinge : found.panel.hinges) hinge.offset = 0;
@@ -60,7 +62,7 @@ std::vector<Vector2d> corners(const std::vector<int>& rim, const std::vector<Vec
   return out;
 }
 
-/// The search at one theta.
+/// Search at one theta.
 class RimSearch {
  public:
   RimSearch(const model::PlanarStructure& panel, const targets::Outline& folded, const targets::Outline* flat,
@@ -109,7 +111,7 @@ class RimSearch {
     centre(shape_.folded, problem_.folded->middle() / shape_.scale);
   }
 
-  /// As large as its outline, and on it.
+  /// Scales the flat panel to the size of its outline and centres it there.
   void suit_flat() {
     const double size = signed_area(corners(problem_.rim, shape_.flat, problem_.flat_scale));
     const double factor = std::sqrt(problem_.flat->area() / size);
@@ -133,7 +135,7 @@ class RimSearch {
           limit_[problem_.bounds.offset.size()] / (shape_.flat[e.to] - shape_.flat[e.from]).norm(), 0.49));
   }
 
-  /// The panel as it stands, within its bounds to the last bit by making y a little smaller.
+  /// Stores the present panel. It makes y a little smaller, so that bounds are satisfied to the last bit.
   void take(OutlineDesign& found) {
     found.panel = panel_;
     found.panel.graph.vertices = shape_.flat;
@@ -162,7 +164,7 @@ class RimSearch {
       for (const model::WallPair& pair : pairs)
         for (const int plate : {pair.first, pair.second}) met.insert(plate / 2);
     };
-    // Sharp corners of a flat panel that is free have walls that touch where hinges are near them.
+    // A free flat panel has walls that touch at sharp corners with hinges near them.
     if (problem_.flat) add(contact.touching_at_rest());
     for (const double part : met_early) {
       const double theta = part == 1 ? problem_.theta + spare_turn : part * problem_.theta;
@@ -171,8 +173,8 @@ class RimSearch {
     return met;
   }
 
-  /// Narrow cells close soonest: beside the walls that met, those round their cells come nearer to one length, by
-  /// scaling less, and by the flat panel where it is free.
+  /// Relaxes the walls that met, since narrow cells close soonest. The walls round their cells also become
+  /// more equal in length: they scale less, and differ less in the flat panel if that is free.
   void tighten(const std::set<int>& met) {
     for (const int e : met) problem_.bounds.shift[e] *= less_sliding;
     const std::set<int> round = round_cells_of(met);
@@ -181,7 +183,7 @@ class RimSearch {
     for (const int e : round) problem_.bounds.stretch[e] = std::pow(problem_.bounds.stretch[e], less_uneven);
   }
 
-  /// The walls round the cells that these walls bound.
+  /// Returns the walls round the cells that these walls bound.
   std::set<int> round_cells_of(const std::set<int>& met) const {
     std::set<int> walls;
     for (const model::GraphFace& face : panel_.faces)
@@ -213,10 +215,10 @@ class RimSearch {
   }
 
   const model::PlanarStructure& panel_;
-  bool on_walls_;  ///< no hinge may sit off the middle of its wall
+  bool on_walls_;  ///< no hinge may be off its wall
   OutlineProblem problem_;
   OutlineShape shape_;
-  std::vector<double> limit_;  ///< of the offset of each wall, cell edges
+  std::vector<double> limit_;  ///< largest offset of each wall, cell edges
   BoxLeastSquaresMemory memory_;
 };
 
@@ -244,12 +246,13 @@ OutlineDesign fit_outline(const model::PlanarStructure& panel, const targets::Ou
              fmt::format("theta {} of at most {}, best {:.2g} of the diagonal off", tried.size(),
                          options.thetas + halvings, best.error.rms));
   };
-  // From the largest down: the further a panel is pressed the more a rim can change, until walls meet.
+  // Starts with the largest theta: the more a panel is folded the more its boundary can change, until walls
+  // meet.
   const auto theta_of = [&](int k) {
     const double part = options.thetas == 1 ? 0 : static_cast<double>(k) / (options.thetas - 1);
     return options.theta[1] + part * (options.theta[0] - options.theta[1]);
   };
-  // On several threads some are tried ahead, and left out of what is told where the search ends before them.
+  // Several threads try some thetas ahead. Their results are not reported if the search ends before them.
   bool ends = false;
   for (int first = 0, now; first < options.thetas && !ends; first += now) {
     now = std::min(model::threads_of(options.threads), options.thetas - first);

@@ -17,24 +17,24 @@ using Eigen::Index;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-constexpr int most_slides = 30;         // the rim then slides by hundredths of a cell
-constexpr int most_rounds_again = 8;    // where only some bounds have changed
-constexpr int rounds_of_spreading = 4;  // in which rim vertices go to their places along the outline
-constexpr double settled_rim = 5e-4;    // cell edges: a hundredth of what a print shows
-// Weights against 1 of the distance from the outline, each a length or a ratio of lengths.
-constexpr double first_slide = 0.5, least_slide = 0.02;  // of sliding along it, less from round to round
+constexpr int most_slides = 30;         // the boundary then slides by hundredths of a cell
+constexpr int most_rounds_again = 8;    // if only some bounds have changed
+constexpr int rounds_of_spreading = 4;  // in which boundary vertices move to their places along the outline
+constexpr double settled_rim = 5e-4;    // cell edges: a hundredth of what is visible on a print
+// Weights relative to 1 for the distance from the outline, each a length or a ratio of lengths.
+constexpr double first_slide = 0.5, least_slide = 0.02;  // of sliding along it, first and least
 constexpr double less_slide = 0.7;                       // its factor from round to round
-constexpr double plain_walls = 2e-3;                     // of walls that turn or scale
-constexpr double even_cells = 0.2;   // of flat vertices off the middle of their neighbours
-constexpr double small_step = 1e-3;  // of moving at all
-constexpr double sharp =
-    30 * pi / 180;                   // rad: a corner of an outline that a vertex of the rim is to stand on
-constexpr double corner_pull = 0.3;  // weight along the outline of a vertex that is to stand on a corner
-// Of two walls of a flat cell that follow each other: the sine of the turn between them, so that cells stay
-// convex and their corners open.
+constexpr double plain_walls = 2e-3;                     // of turning and scaling walls
+constexpr double even_cells = 0.2;   // of the distance of flat vertices from the middle of their neighbours
+constexpr double small_step = 1e-3;  // of any motion
+constexpr double sharp = 30 * pi / 180;  // rad: a corner of an outline that gets a vertex of the boundary
+constexpr double corner_pull = 0.3;      // weight along the outline of a vertex at a corner
+// Two consecutive walls of a flat cell: smallest sine of the turn between them. Cells then stay convex with
+// open corners.
 constexpr double least_turn = 0.5;
 
-// Of one convex problem: points on the outline move from round to round, so that only the last one is worth more.
+// For one convex problem. Points on the outline move from round to round, so only the last problem is solved
+// accurately.
 constexpr BoxLeastSquaresOptions on_the_way = {1e-4, 50}, at_the_end = {1e-6, 2000};
 
 Complex complex(const Vector2d& v) { return {v.x(), v.y()}; }
@@ -73,7 +73,7 @@ class Rows {
   Index count_ = 0;
 };
 
-/// Where unknowns stand: X, then x where it is free, then 1 / scale.
+/// Columns of the unknowns: X, then x if it is free, then 1 / scale.
 struct Columns {
   Index vertices = 0;
   bool flat_is_free = false;
@@ -84,7 +84,7 @@ struct Columns {
   Index count() const { return scale() + 1; }
 };
 
-/// One convex problem: targets on the outlines, and bounds by walls as they stand.
+/// One convex problem: targets on the outlines, and bounds linearised at the present walls.
 class Round {
  public:
   Round(const OutlineProblem& problem, const OutlineShape& shape, int number)
@@ -135,8 +135,8 @@ class Round {
     return u;
   }
 
-  /// A rim vertex to a point of an outline: across it in full, along it as far as `slide` says.
-  /// @param scale mm a cell edge
+  /// Pulls a boundary vertex to a point of an outline: with weight 1 across it, and `slide` along it.
+  /// @param scale mm per cell edge
   void add_target(Index column, const targets::Outline::Nearest& at, double slide, double scale, bool free) {
     const Vector2d along(-at.normal.y(), at.normal.x());
     for (const auto& [direction, weight] : {std::pair(at.normal, 1.0), std::pair(along, slide)}) {
@@ -148,7 +148,7 @@ class Round {
     }
   }
 
-  /// A vertex for each sharp corner of the outline, the nearest one: index in the rim, and the corner.
+  /// Returns the nearest vertex of each sharp corner of the outline: index in the boundary, and the corner.
   static std::map<int, Vector2d> held_corners(const targets::Outline& outline,
                                               const std::vector<Vector2d>& rim) {
     std::map<int, Vector2d> held;
@@ -187,7 +187,8 @@ class Round {
     return complex(places[to] - places[from]);
   }
 
-  /// The ratio r = X_e / x_e, to first order where x is free: (X_e - r x_e) / x_e + r as they stand.
+  /// Adds the ratio r = X_e / x_e. If x is free, it is linearised: (X_e - r x_e) / x_e + r at the present
+  /// shape.
   void add_ratio(Rows& rows, int e, double weight, bool real) {
     const auto [from, to] = p_.panel->graph.edges[e];
     const Complex inverse = weight / edge(shape_.flat, e);
@@ -229,7 +230,7 @@ class Round {
     add_even_cells();
   }
 
-  /// direction . (x_to - x_from)
+  /// Adds direction . (x_to - x_from).
   void add_difference(Rows& rows, int from, int to, const Vector2d& direction) {
     for (int k = 0; k < 2; ++k) {
       rows.add(columns_.flat(to) + k, direction[k]);
@@ -274,7 +275,7 @@ class Round {
   Rows costs_, bounds_;
 };
 
-/// Length of a polygon up to each corner, and of the whole.
+/// Returns the length of a polygon up to each corner, then of the whole.
 std::vector<double> lengths_along(const std::vector<Vector2d>& polygon) {
   std::vector<double> along = {0};
   for (std::size_t k = 0; k < polygon.size(); ++k)

@@ -10,53 +10,56 @@
 
 namespace kinetix::optim {
 
-/// How far the walls of a panel may turn and scale.
+/// Limits of turning and scaling of the walls of a panel.
 struct WallBounds {
   std::vector<double> shift;   ///< of each wall: largest |s| = |2 t - 1|, in (0, 1)
-  std::vector<double> offset;  ///< likewise largest |offset| over the wall's length, in [0, 0.5)
-  /// Where the flat panel is free: largest factor between its length and a cell edge, either way, above 1.
+  std::vector<double> offset;  ///< of each wall: largest |offset| over the wall's length, in [0, 0.5)
+  /// Largest factor between a wall's flat length and a cell edge, either way, above 1. Used if the flat panel
+  /// is free.
   std::vector<double> stretch;
 };
 
-/// A panel while its rim is fitted to an outline. At theta its vertices are at X = cos(theta) x + i sin(theta) y
-/// (kinematics.md section 5), so that any X is exact where every wall's ratio X_e / x_e keeps to its bounds.
+/// Panel during the fit of its boundary to an outline. At theta its vertices are at X = cos(theta) x + i
+/// sin(theta) y (kinematics.md section 5). Any X is therefore exact if every wall's ratio X_e / x_e is within
+/// its bounds.
 struct OutlineShape {
   std::vector<Eigen::Vector2d> flat;    ///< x, cell edges
   std::vector<Eigen::Vector2d> folded;  ///< X, cell edges
-  double scale = 1;                     ///< mm of the folded outline a cell edge
+  double scale = 1;                     ///< mm of the folded outline per cell edge
 };
 
-/// What is asked of a panel at theta.
+/// Requirements on a panel at theta.
 struct OutlineProblem {
-  const model::PlanarStructure* panel = nullptr;  ///< its walls, faces and rim
-  std::vector<int> rim;                           ///< vertices round the outside, counter-clockwise
-  const targets::Outline* folded = nullptr;       ///< of the rim at theta
-  const targets::Outline* flat = nullptr;         ///< of the rim at rest; nothing: x is as it is
-  double flat_scale = 1;                          ///< mm of it a cell edge
+  const model::PlanarStructure* panel = nullptr;  ///< its walls, faces and boundary
+  std::vector<int> rim;                           ///< vertices of the outer boundary, counter-clockwise
+  const targets::Outline* folded = nullptr;       ///< of the boundary at theta
+  const targets::Outline* flat = nullptr;         ///< of the boundary at rest; null: x is fixed
+  double flat_scale = 1;                          ///< mm of it per cell edge
   double theta = 0;                               ///< rad, in (0, pi/2)
   WallBounds bounds;
-  std::stop_token stop = {};  ///< where it asks to, nothing more is brought nearer
+  std::stop_token stop = {};  ///< on request, the iteration ends
 };
 
-/// Brings the rim nearer to the outlines: nearest points are taken anew, and a convex problem is solved, until
-/// nothing moves. Bounds hold at its end (to 1e-6), with x as it came where `flat` is nothing.
+/// Result of improve().
 struct OutlineProgress {
   int rounds = 0;        ///< convex problems solved
   int iterations = 0;    ///< in all
-  double moved = 0;      ///< largest of a vertex in the last round, cell edges
-  bool settled = false;  ///< nothing moved any more; else it took as many rounds as it may, or was stopped
+  double moved = 0;      ///< largest move of a vertex in the last round, cell edges
+  bool settled = false;  ///< nothing moved any more; otherwise stopped, or at the limit of rounds
 };
-/// @param spread first send the rim's vertices to their places along the outlines (spread_along)
-/// @param memory of the last time, or empty; kept for the next one
+/// Moves the boundary towards the outlines. Each round finds the nearest points again and solves a convex
+/// problem, until nothing moves. The result is within bounds (to 1e-6). x is unchanged if `flat` is null.
+/// @param spread first move the boundary's vertices to their places along the outlines (spread_along)
+/// @param memory from the last call, or empty; updated for the next one
 OutlineProgress improve(const OutlineProblem& problem, OutlineShape& shape, bool spread,
                         BoxLeastSquaresMemory& memory);
 
-/// Where each vertex of the rim belongs at first: along the outline in the rim's own proportions, from where it
-/// is nearest to the rim as it stands.
+/// Returns the first place of each vertex of the boundary. Places along the outline have the boundary's own
+/// proportions, shifted to be nearest to the present boundary.
 std::vector<Eigen::Vector2d> spread_along(const targets::Outline& outline,
                                           const std::vector<Eigen::Vector2d>& rim);
 
-/// The redrawing y of a shape. @param theta rad
+/// Returns the parallel drawing y of a shape. @param theta rad
 model::Redrawing redrawing_of(const OutlineShape& shape, double theta);
 
 }  // namespace kinetix::optim

@@ -12,8 +12,9 @@ namespace {
 using Eigen::Vector2d;
 using model::LatticeCell;
 
-constexpr std::size_t least_cells = 4;  // fewer are no shape
-// Of the outline that just fills the rectangle: pixels of a picture change most from one to the next.
+constexpr std::size_t least_cells = 4;  // fewer form no shape
+// Relative to the outline that just fills the rectangle. The pixels of a picture change most between these
+// sizes.
 constexpr double sizes[] = {1, 0.95, 1.05};
 constexpr double shifts[] = {0, 0.5};  // of a column and of a row
 
@@ -30,7 +31,7 @@ std::vector<std::vector<LatticeCell>> trimmed_cells(const model::PlanarLattice& 
   for (const double size : sizes)
     for (const double i_shift : shifts)
       for (const double j_shift : shifts) {
-        const double scale = ratio / size;  // of the outline a cell edge
+        const double scale = ratio / size;  // mm of the outline per cell edge
         const Vector2d at = rectangle.center() + i_shift * pitch.column + j_shift * pitch.row;
         auto cells = model::cut_cells(lattice, columns, rows, angle, [&](const Vector2d& middle) {
           return outline.contains(drawn.center() + scale * (middle - at));

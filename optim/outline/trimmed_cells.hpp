@@ -7,11 +7,11 @@
 
 namespace kinetix::optim {
 
-/// Cuts of a lattice that look like an outline already when flat: the cells whose middle lies inside it where it
-/// fills the rectangle of columns x rows, a little smaller and larger, and shifted by half a cell. Each hangs
-/// together by walls and holds at least four cells; none twice. Columns and rows are moved to start at 0 (rows by an
-/// even number, since odd ones may be shifted).
-/// @param angle rad, of lattices that take one
+/// Returns cuts of a lattice that resemble an outline when flat: the cells whose middle is inside it. The
+/// outline fills the rectangle of columns x rows, is a little smaller or larger, and is shifted by half a
+/// cell. Each cut is connected by walls and has at least four cells; no cut occurs twice. Columns and rows
+/// are moved to start at 0 (rows by an even number, since odd ones may be shifted).
+/// @param angle rad, of lattices with an angle
 std::vector<std::vector<model::LatticeCell>> trimmed_cells(const model::PlanarLattice& lattice, double angle,
                                                            int columns, int rows,
                                                            const targets::Outline& outline);

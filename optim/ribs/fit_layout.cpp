@@ -11,13 +11,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int most_trims = 30;  // fits with shortened ribs: whatever collides after so many is reported
-/// Parts of the limit of tilts that are tried in turn where walls meet with the whole of it.
+constexpr int most_trims = 30;  // fits with shortened ribs: remaining collisions are reported
+/// Fractions of the tilt limit, tried in turn if walls meet with the whole limit.
 constexpr double tilt_parts[] = {0.6, 0.4, 0.25};
 // Steps of Newton's method towards the curve, each of which about squares the error.
 constexpr int steps_in_plane = 6;
 
-/// Distance of p from the curve at the clearance in the plane through p normal to `along`.
+/// Returns the distance of p from the curve at the clearance, in the plane through p normal to `along`.
 double distance_in_plane(const targets::MeshDistance& surface, const Vector3d& p, const Vector3d& along,
                          double clearance) {
   Vector3d q = p;
@@ -41,7 +41,7 @@ double rib_error(const model::Fishbone& fishbone, const model::FishboneRib& rib,
   return std::sqrt(sum / static_cast<double>(columns.size()));
 }
 
-/// The shape on a fishbone whose ribs have been cut shorter.
+/// Returns the shape for a fishbone with shortened ribs.
 RibsShape cut_to(RibsShape shape, const model::FishboneLayout& spine_and_ribs) {
   for (std::size_t r = 0; r < spine_and_ribs.ribs.size(); ++r)
     for (const int side : {0, 1}) shape.ribs[r][side].resize(spine_and_ribs.ribs[r].cells[side]);

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Folded cells: ribs are followed in such steps to where they meet others, and have their directions over as much.
+// Folded cells: step along a rib to where it meets others, and span for its directions.
 constexpr double step_in_cells = 0.25;
 
 targets::SpaceCurve even(const std::vector<Vector3d>& line, double step) {
@@ -20,7 +20,7 @@ targets::SpaceCurve even(const std::vector<Vector3d>& line, double step) {
       curve.evenly(std::max(2, static_cast<int>(std::ceil(curve.length() / step)) + 1)));
 }
 
-/// A rib to one side, to where it meets its neighbour; a rib right at a rim has no length there.
+/// Returns a rib to one side, up to its neighbour. A rib right at a rim has no length there.
 targets::SpaceCurve trace_section(const targets::TriangleMesh& mesh, const RibPlanes& planes, std::size_t rib,
                                   int side) {
   const RibPlane& plane = planes.planes[rib];
@@ -38,7 +38,7 @@ targets::SpaceCurve trace_section(const targets::TriangleMesh& mesh, const RibPl
   return targets::SpaceCurve(line);
 }
 
-/// The surface as one rib sees it: x along it where it leaves the spine, y across, z outward.
+/// Returns the surface in a rib's frame: x along it where it leaves the spine, y across, z outward.
 targets::MeshDistance seen_from(const targets::RibbedSurface& surface, const RibPlane& plane) {
   Eigen::Matrix3d turn;
   turn << Vector3d::UnitX().transpose(), plane.along.transpose(), plane.outward().transpose();
@@ -47,7 +47,7 @@ targets::MeshDistance seen_from(const targets::RibbedSurface& surface, const Rib
   return {std::move(mesh), turn * (surface.surface.inside() - plane.p)};
 }
 
-/// One rib of a plan as a fishbone of one row, in its own frame.
+/// Returns one rib of a plan as a fishbone of one row, in its own frame.
 RibsLayout alone(const RibsLayout& all, std::size_t rib, double pitch) {
   RibsShape start;
   start.theta = all.start.theta;
@@ -84,7 +84,8 @@ LooseRibs fit_loose_ribs(const targets::RibbedSurface& surface, const RibsSpec& 
                          const SolverOptions& options) {
   const RibsLayout layout = plan_ribs(surface, spec);
   const double pitch = spec.size.edge_mm * std::cos(layout.start.theta);
-  // Folded further than planned, a rib would be too short for its section, and nearer to the surface for that alone.
+  // Folded further than planned, a rib would be too short for its section, and nearer to the surface only for
+  // that.
   RibsSpec as_planned = spec;
   as_planned.theta.upper = layout.start.theta;
   LooseRibs out;

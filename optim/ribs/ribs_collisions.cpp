@@ -8,8 +8,8 @@
 namespace kinetix::optim {
 namespace {
 
-constexpr int looks = 16;  // states from flat to theta: walls that brush past between two are missed
-constexpr std::size_t most_named = 3;  // pairs of walls: enough to find the place, not a page of them
+constexpr int looks = 16;              // states from flat to theta: a contact between two of them is missed
+constexpr std::size_t most_named = 3;  // pairs of walls: enough to find the place
 
 std::vector<model::WallPair> meeting(const model::Structure& structure, double theta) {
   const model::NetTree tree = make_net_tree(structure);

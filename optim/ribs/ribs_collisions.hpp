@@ -9,16 +9,16 @@
 
 namespace kinetix::optim {
 
-/// Walls of a fishbone that run into each other while it folds, looked at in sixteen states from flat to
-/// theta.
+/// Walls of a fishbone that collide while it folds, checked in sixteen states from flat to theta.
 class RibsCollisions {
  public:
   /// @param fishbone with its tilts   @param theta rad
   RibsCollisions(const model::Fishbone& fishbone, double theta);
 
-  /// Shortens one rib of each pair of walls that are not of the same side of one rib. @return cells taken
+  /// Shortens one rib of each pair of walls, unless both are on the same side of one rib.
+  /// @return number of removed cells
   int trim(model::FishboneLayout& spine_and_ribs) const;
-  /// The first three pairs by name, and how many more there are; empty where none meet.
+  /// Names the first three pairs and counts the others; empty if none collide.
   std::vector<std::string> in_words() const;
 
  private:

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double cover_points = 5000;  // over a whole surface: shares are then right to half a percent
+constexpr double cover_points = 5000;  // over a whole surface: shares are then accurate to half a percent
 
 targets::TriangleTree folded_cells(const model::Structure& structure, const model::State& state,
                                    const targets::MeshDistance& surface, double clearance_mm) {
@@ -27,7 +27,8 @@ targets::TriangleTree folded_cells(const model::Structure& structure, const mode
 
 using Corners = std::array<Vector3d, 3>;
 
-/// Halves a triangle across its longest side until no side is longer than `most`, and visits the middle of each part with its area.
+/// Halves a triangle across its longest side until no side is longer than `most`. Calls visit(middle, area)
+/// for each part.
 template <class Visit>
 void visit_parts(const Corners& corners, double most, const Visit& visit) {
   const auto& [a, b, c] = corners;
@@ -71,7 +72,7 @@ std::vector<std::vector<Vector3d>> bare_parts(const RibsReach& ribs, const std::
 RibsCover cover_by(const RibsReach& ribs, const targets::TriangleMesh& surface, double lowest_z) {
   RibsCover out;
   double area = 0, near = 0, squares = 0;
-  // A right triangle whose sides are at most this long has half the square of it at most.
+  // A right triangle with sides of at most this length has at most half its square as area.
   const double side = std::sqrt(2 * area_of(surface) / cover_points);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     visit_parts({surface.corner(t, 0), surface.corner(t, 1), surface.corner(t, 2)}, side,

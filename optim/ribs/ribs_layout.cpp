@@ -12,10 +12,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Cell edges between ribs side by side: more leaves more of the surface bare.
+// Cell edges between adjacent ribs: more leaves more of the surface bare.
 constexpr double gap_in_edges = 0.15;
 
-/// How many even spaces of a length come nearest to one that is asked for.
+/// Returns the number of even spaces of a length that are nearest to the requested spacing.
 int spaces_of(double length, double asked) {
   const double exact = length / asked;
   const int fewer = static_cast<int>(exact);
@@ -23,7 +23,7 @@ int spaces_of(double length, double asked) {
   return exact / fewer - 1 <= 1 - exact / (fewer + 1) ? fewer : fewer + 1;
 }
 
-/// @param length from the middle of the first to that of the last, mm
+/// Returns the number of ribs. @param length from the middle of the first rib to that of the last, mm
 int ribs_of(const RibsSpec& spec, double length, int rows) {
   if (!spec.spacing_mm) return spec.ribs;
   const int spaces = spaces_of(length, *spec.spacing_mm);
@@ -44,14 +44,14 @@ std::vector<int> rib_rows(const RibsSpec& spec, double length, double pitch, int
   return out;
 }
 
-/// Tilt of a crease whose far side is to turn `below` its near side.
+/// Returns the tilt of a crease whose far side turns `below` its near side.
 double tilt_for(const model::Structure& structure, const model::Crease& crease, double below,
                 const RibsSpec& spec, double theta) {
   const double tilt = turn_sense(structure.hinges[crease.hinges[0]].wall) * model::tilt_of_turn(below, theta);
   return std::clamp(tilt, -spec.tilt, spec.tilt);
 }
 
-/// Angle of a direction above the plane, in the plane spanned by `level` and `up`.
+/// Returns the angle of a direction above the plane, in the plane spanned by `level` and `up`.
 double slope(const Vector3d& direction, const Vector3d& level, const Vector3d& up) {
   return std::atan2(direction.dot(up), direction.dot(level));
 }
@@ -60,11 +60,11 @@ double slope_along_spine(const targets::SpaceCurve& spine, double arc, double sp
   return slope(spine.direction(arc, span_mm), Vector3d::UnitY(), Vector3d::UnitZ());
 }
 
-/// How much lower the second of two slopes is, the short way round.
+/// Returns the fall from the first to the second slope, in [-pi, pi].
 double fall(double from, double to) { return std::remainder(from - to, 2 * pi); }
 
-/// Tilts of the spine: each crease turns from the tangent in the middle of the flat piece before it to that
-/// of the piece behind it.
+/// Returns the tilts of the spine. Each crease turns from the tangent in the middle of the flat piece before
+/// it to that of the piece behind it.
 std::vector<double> spine_tilts(const model::Fishbone& fishbone, const targets::SpaceCurve& spine,
                                 double span_mm, double pitch, double theta, const RibsSpec& spec) {
   std::vector<int> rows;

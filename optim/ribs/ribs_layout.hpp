@@ -9,28 +9,28 @@
 
 namespace kinetix::optim {
 
-/// What a fishbone is to be, in a frame with z up, y along the spine.
+/// Specification of a fishbone, in a frame with z up, y along the spine.
 struct RibsSpec {
   model::CellSize size = {};
   int ribs = 8;                           ///< >= 1
-  std::optional<double> spacing_mm;       ///< along the spine between the middles of ribs, mm; goes before
-                                          ///< `ribs`, and is as near as even spaces come
+  std::optional<double> spacing_mm;       ///< between the middles of ribs along the spine, mm;
+                                          ///< overrides `ribs`, rounded to even spaces
   double clearance_mm = 5;                ///< from the surface, mm, >= 0
-  double coverage_mm = 90;                ///< how far below the crown the rim is, mm, > 0
+  double coverage_mm = 90;                ///< height of the crown above the rim, mm, > 0
   double tilt = 60 * radians_per_degree;  ///< limit of all tilts, rad, (0, pi/2)
   AngleRange theta = {2 * radians_per_degree, 40 * radians_per_degree};
-  double start_theta = 30 * radians_per_degree;  ///< that cells are counted at, rad
+  double start_theta = 30 * radians_per_degree;  ///< theta at which cells are counted, rad
 };
 
-/// A fishbone that suits a surface, folded as well as its curves alone tell.
+/// Fishbone that suits a surface, folded as its curves alone suggest.
 struct RibsLayout {
   model::FishboneLayout spine_and_ribs;
   RibsShape start;
   targets::SpaceCurve spine;  ///< at the clearance, from its end of least y over the crown, mm
   std::vector<std::array<targets::SpaceCurve, 2>>
-      sections;                    ///< likewise of each rib, from the spine to -x and to +x
+      sections;                    ///< curves of each rib, from the spine to -x and to +x
   double rim_z = 0;                ///< mm
-  std::vector<std::string> notes;  ///< which ribs end above the rim, and why
+  std::vector<std::string> notes;  ///< ribs that end above the rim, with the reason
 };
 
 /// Plane of a rib, normal to the spine.
@@ -40,24 +40,25 @@ struct RibPlane {
   Eigen::Vector3d outward() const { return Eigen::Vector3d::UnitX().cross(along); }
 };
 
-/// What a rib that runs in one of the planes needs to know.
+/// Planes of all ribs, with the room that a rib needs.
 struct RibPlanes {
   std::vector<RibPlane> planes;  ///< of all ribs
-  double width = 0;              ///< that a rib takes up to each side, mm
-  double pitch = 0;              ///< of folded cells, mm
+  double width = 0;              ///< least distance of a rib from the plane of its neighbour, mm
+  double pitch = 0;              ///< pitch of folded cells, mm
 
-  /// Every other rib ends beside its neighbours, so that those between run on to where they meet each other.
+  /// Returns whether the rib meets its neighbour at p. Every other rib ends next to its neighbours; those
+  /// between continue until they meet each other.
   bool meets_neighbour(std::size_t rib, const Eigen::Vector3d& p) const;
 };
 
-/// The line of a rib from the spine to where it ends, to -x (side -1) or +x (side 1).
+/// Returns the line of a rib from the spine to its end, to -x (side -1) or +x (side 1).
 using TraceRib = std::function<targets::SpaceCurve(const RibPlanes& planes, std::size_t rib, int side)>;
 
-/// Ribs evenly along a spine, as many cells on each as its line is long, and the tilts that follow from
+/// Lays out ribs evenly along a spine, with as many cells on each as its line is long. Tilts follow from the
 /// slopes.
-/// @param spine in a plane x = const, from its end of least y   @param span_mm to either side, for directions
-/// of curves, mm, > 0
-/// @return rim_z and notes are the caller's to fill in
+/// @param spine in a plane x = const, from its end of least y.
+/// @param span_mm to either side, for directions of curves, mm, > 0.
+/// @return rim_z and notes are left to the caller.
 /// @throws InvalidInput for a spine shorter than two cells, and ribs that overlap flat
 RibsLayout layout_along(const targets::SpaceCurve& spine, double span_mm, const RibsSpec& spec,
                         const TraceRib& trace);

@@ -12,13 +12,12 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Cell edges: an rms distance of this size gives |r| = 1. With a larger unit, tilts would weigh more beside
-// it.
+// Cell edges: an rms distance of this size gives |r| = 1. With a larger unit, tilts would have more weight.
 constexpr double unit_in_edges = 0.1;
-// Times distances: heights of the rim must not pull the spine off the surface.
+// Relative to distances: heights of the rim must not pull the spine off the surface.
 constexpr double weight_of_ends = 0.1;
-constexpr double weight_of_tilts = 1e-3;  // per rad: only tilts that no distance sees go by it
-constexpr int theta_index = 6;            // in x: behind turn (3) and place (3)
+constexpr double weight_of_tilts = 1e-3;  // per rad: it only decides tilts that affect no distance
+constexpr int theta_index = 6;            // in x: after turn (3) and place (3)
 
 }  // namespace
 
@@ -172,7 +171,7 @@ Vector3d RibsProblem::in_place(const model::NetMotion& motion, const VectorXd& x
          rotation_of(x.head<3>()) * (pose.p + pose.R * probe.arm - motion.state[tree_.root].p);
 }
 
-/// Derivative of direction . (place of the probe): shared variables, then those of its part.
+/// Returns the derivative of direction . (place of the probe): shared variables, then those of its part.
 VectorXd RibsProblem::derivatives_of(const model::NetMotion& motion, const VectorXd& x, const Probe& probe,
                                      const Vector3d& direction, int part) const {
   const bool is_part = part < static_cast<int>(parts_.size());

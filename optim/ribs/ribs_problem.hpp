@@ -8,41 +8,43 @@
 
 namespace kinetix::optim {
 
-/// What a fishbone is fitted to, in a frame with z up and y along the spine.
+/// Goal of a fishbone, in a frame with z up and y along the spine.
 struct RibsGoal {
   const targets::MeshDistance* surface = nullptr;
   double clearance_mm = 0;
-  double rim_z = 0;     ///< height that both ends of the spine are to reach, mm
+  double rim_z = 0;     ///< height of both ends of the spine, mm
   double middle_x = 0;  ///< of the spine, mm
 };
 
-/// The unknowns of a fishbone.
+/// Unknowns of a fishbone.
 struct RibsShape {
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();   ///< rotation vector of the root's panel, rad
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< of the root, mm
   double theta = 0;                                 ///< rad
   std::vector<double> spine;                        ///< tilts of the spine's creases, rad
-  /// Likewise of each rib and side, rad, from the spine outwards.
+  /// Tilts of each rib and side, rad, from the spine outwards.
   std::vector<std::array<std::vector<double>, 2>> ribs;
 };
 
-/// A folded net moved as a whole. @param root body that comes to `place`; @param turn rotation vector, rad
-/// @param place mm
+/// Returns a folded net moved as a whole.
+/// @param root body that is moved to `place`   @param turn rotation vector, rad   @param place mm
 model::State placed(model::State state, int root, const Eigen::Vector3d& turn, const Eigen::Vector3d& place);
 
-/// What |r| = 1 of a RibsProblem is, cell edges of the rms distance.
+/// Rms distance, in cell edges, at which |r| = 1 in a RibsProblem.
 inline constexpr double ribs_residual_in_cells = 0.1;
 
 /// Fit of a fishbone to a surface: all tilts, one theta and its place, by least squares.
 ///
-/// Residuals: distance to the surface less the clearance of every body and every hinge point, over the square
-/// root of their number and in units of a tenth of the cell edge, so that |r| is ten times the rms distance
-/// in cell edges; then, a tenth as heavy, the heights of the spine's ends above the rim and how far they are
-/// off the middle, and every tilt by a thousandth (what no distance sees stays small). The variables of a
-/// part are the tilts of one side of one rib; place is in units of the cell edge.
+/// Residuals, in this order:
+/// - Distance to the surface minus the clearance, for every body and every hinge point. It is over the square
+/// root of their number and in units of a tenth of the cell edge, so |r| is ten times the rms distance in
+/// cell edges.
+/// - Heights of the spine's ends above the rim and their distances from the middle, with a weight of 0.1.
+/// - Every tilt with a weight of 0.001, which keeps tilts small that affect no distance.
+/// The variables of a part are the tilts of one side of one rib. The place is in units of the cell edge.
 class RibsProblem final : public ArrowProblem {
  public:
-  /// @param fishbone its root is the middle of the spine; kept by reference, as is the surface
+  /// @param fishbone its root is the middle of the spine; references to it and the surface are kept.
   /// @param tilt limit of all tilts, rad   @param theta bounds, rad, within (0, pi/2)
   RibsProblem(const model::Fishbone& fishbone, const RibsGoal& goal, double tilt, const AngleRange& theta);
 
@@ -56,20 +58,20 @@ class RibsProblem final : public ArrowProblem {
 
   Eigen::VectorXd pack(const RibsShape& shape) const;
   RibsShape unpack(const Eigen::VectorXd& x) const;
-  /// Tilts of x written into a copy of the fishbone's structure.
+  /// Returns a copy of the fishbone's structure with the tilts of x.
   model::Structure structure(const Eigen::VectorXd& x) const;
-  /// State in the goal's frame, mm.
+  /// Returns the state in the goal's frame, mm.
   model::State state(const Eigen::VectorXd& x) const;
 
  private:
   static constexpr int fixed_shared = 7;  // variables before the tilts: turn (3), place (3), theta
 
-  /// A point of a body whose distance counts.
+  /// Point of a body whose distance counts.
   struct Probe {
     int body = 0;
     Eigen::Vector3d arm = Eigen::Vector3d::Zero();  ///< in the body, mm
   };
-  /// A crease on the way from the root to a body.
+  /// Crease on the path from the root to a body.
   struct Step {
     int link = 0;      ///< of the tree
     int variable = 0;  ///< index in x
@@ -94,9 +96,9 @@ class RibsProblem final : public ArrowProblem {
   const model::Fishbone& fishbone_;
   RibsGoal goal_;
   model::NetTree tree_;
-  std::vector<int> parts_, residuals_, first_;  // first_: of each part's variables in x
+  std::vector<int> parts_, residuals_, first_;  // first_: index in x of each part's first variable
   std::vector<int> variable_of_hinge_;          // index in x, or -1
-  std::vector<std::vector<Probe>> probes_;      // of each part, last those of the spine
+  std::vector<std::vector<Probe>> probes_;      // of each part; the last are those of the spine
   std::vector<std::vector<Step>> ways_;         // of each body
   std::array<std::array<int, 2>, 2> ends_;      // bodies of the spine's ends
   int count_ = 0;

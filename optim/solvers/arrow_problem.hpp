@@ -12,28 +12,29 @@ struct ResidualBlock {
   Eigen::MatrixXd by_own;     ///< r.size() x the variables of its part; no columns in the last block
 };
 
-/// Minimise |r(x)|^2 / 2 subject to lower <= x <= upper, where x = (shared variables, those of part 0, of
-/// part 1, ...) and no residual knows the variables of two parts: J^T J has the shape of an arrow.
+/// Least-squares problem: minimise |r(x)|^2 / 2 subject to lower <= x <= upper, where x = (shared variables,
+/// those of part 0, of part 1, ...). No residual depends on the variables of two parts: J^T J has the shape
+/// of an arrow.
 class ArrowProblem {
  public:
   virtual ~ArrowProblem() = default;
 
   virtual int shared() const = 0;
-  /// Number of variables of each part.
+  /// Returns the number of variables of each part.
   virtual const std::vector<int>& parts() const = 0;
-  /// Bounds of all variables; +-infinity where there is none.
+  /// Returns the bounds of all variables; +-infinity for none.
   virtual const Eigen::VectorXd& lower() const = 0;
   virtual const Eigen::VectorXd& upper() const = 0;
-  /// Number of residuals of each part, and last of those of the shared variables alone.
+  /// Returns the number of residuals of each part, then of those that depend on the shared variables alone.
   virtual const std::vector<int>& residuals() const = 0;
 
-  /// Fills one block a part and a last one for the shared variables alone.
-  /// @param with_derivatives whether the derivatives are asked for  @return false where it cannot be evaluated
+  /// Fills one block per part and a last one for the shared variables alone.
+  /// @param with_derivatives whether to compute the derivatives   @return false if it cannot be evaluated
   virtual bool evaluate(const Eigen::VectorXd& x, bool with_derivatives,
                         std::vector<ResidualBlock>& blocks) const = 0;
 };
 
-/// All residuals under each other, and their Jacobian as one matrix, in the units of the problem.
+/// All residuals stacked, and their Jacobian as one matrix, in the units of the problem.
 struct StackedResiduals {
   Eigen::VectorXd r;
   Eigen::MatrixXd J;

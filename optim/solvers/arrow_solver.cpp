@@ -11,7 +11,7 @@ namespace kinetix::optim {
 namespace {
 
 using Eigen::VectorXd;
-/// Of searches, each with other variables held on their bounds: what still changes after so many goes round.
+/// Number of searches, each with other variables held on their bounds: variables that still change are in a cycle.
 constexpr int most_dampings = 8;
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -22,7 +22,7 @@ double squared_norm(const std::vector<ResidualBlock>& blocks) {
   return sum;
 }
 
-/// Where each part's variables begin in x.
+/// Returns the index in x of each part's first variable.
 std::vector<int> offsets(const ArrowProblem& problem) {
   std::vector<int> out;
   int at = problem.shared();
@@ -33,7 +33,7 @@ std::vector<int> offsets(const ArrowProblem& problem) {
   return out;
 }
 
-/// Evaluates all blocks at once wherever Ceres moves to, and keeps the best feasible point.
+/// Evaluates all blocks together at each point of Ceres, and keeps the best feasible point.
 class Evaluation final : public ceres::EvaluationCallback {
  public:
   Evaluation(const ArrowProblem& problem, VectorXd& x, const SolverOptions& options)
@@ -167,7 +167,7 @@ void hold(ceres::Problem& ceres_problem, const Block& block, const std::set<int>
     ceres_problem.SetManifold(block.values, new ceres::SubsetManifold(block.size, mine));
 }
 
-/// Parts are group 0, eliminated first.
+/// Adds the parameter blocks. Parts are group 0, eliminated first.
 void add_blocks(ceres::Problem& ceres_problem, const ArrowProblem& problem, const Evaluation& evaluation,
                 VectorXd& x, const std::set<int>& held, ceres::ParameterBlockOrdering& order) {
   const std::vector<int> from = offsets(problem);
@@ -204,7 +204,7 @@ ceres::Solver::Options settings(const SolverOptions& options) {
   return out;
 }
 
-/// Variables on a bound that the cost falls beyond.
+/// Returns the variables on a bound beyond which the cost falls.
 std::set<int> pressed_on_bounds(const ArrowProblem& problem, const VectorXd& x) {
   std::vector<ResidualBlock> blocks;
   std::set<int> out;
@@ -237,7 +237,7 @@ SolveResult solve_holding(const ArrowProblem& problem, VectorXd x, const SolverO
   return evaluation.finish(converged ? SolveStatus::converged : SolveStatus::failed, summary.message);
 }
 
-/// Two searches in a row as one.
+/// Joins the results of two consecutive searches.
 SolveResult joined(SolveResult first, SolveResult second) {
   for (const auto& [evaluations, norm] : second.history)
     if (norm < first.residual_norm) first.history.emplace_back(first.evaluations + evaluations, norm);

@@ -5,11 +5,11 @@
 
 namespace kinetix::optim {
 
-/// Levenberg-Marquardt (Ceres), the parts eliminated first (Schur complement): the work grows in proportion
-/// to the parts. Ceres' steps stick where a bound is pressed on, so variables that press on theirs are held
-/// there and the search goes on from where it was, until no other do. The best feasible point evaluated is
-/// returned, by our own book.
-/// @param options max_evaluations and tolerance count; @throws InvalidInput where they do not validate
+/// Solves by Levenberg-Marquardt (Ceres). The parts are eliminated first (Schur complement), so the work is
+/// proportional to their number. Ceres' steps stall at active bounds. Variables pressed against their bounds
+/// are therefore held there, and the search continues until no others are. The result is the best feasible
+/// point evaluated, recorded here and not by Ceres.
+/// @param options only max_evaluations and tolerance are used   @throws InvalidInput for invalid options
 SolveResult solve(const ArrowProblem& problem, const Eigen::VectorXd& start, const SolverOptions& options);
 
 }  // namespace kinetix::optim

@@ -9,7 +9,7 @@
 
 namespace kinetix::optim {
 
-/// Counts evaluations and keeps the best feasible one. What the problem throws ends here: no exception
+/// Counts evaluations and keeps the best feasible one. Catches all exceptions of the problem, so that none
 /// reaches a solver.
 class BestSoFar {
  public:
@@ -19,7 +19,7 @@ class BestSoFar {
     result_.residual_norm = std::numeric_limits<double>::infinity();
   }
 
-  /// Evaluates the problem and notes the point. @return false where it cannot be evaluated
+  /// Evaluates the problem and records the point. @return false if it cannot be evaluated
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) {
     ++result_.evaluations;
     if (!evaluate_problem(x, r, J)) return false;
@@ -39,8 +39,10 @@ class BestSoFar {
   bool told_to_stop() const { return options_.stop.stop_requested(); }
   bool should_stop() const { return target_reached() || out_of_evaluations() || told_to_stop(); }
 
-  /// @param status, why as the solver has them; a stop, the target, an exception, and a search without a single
-  /// value go before @throws std::bad_alloc where the problem did: what the solver made of the rest is no answer
+  /// Returns the result of the search.
+  /// @param status, why as the solver reports them. A stop, the target, an exception, and a search without
+  /// any value override them.
+  /// @throws std::bad_alloc if the problem did: the rest of the search is then meaningless
   SolveResult finish(SolveStatus status, std::string why) {
     if (out_of_memory_) throw std::bad_alloc();
     result_.status = status;
@@ -85,8 +87,8 @@ class BestSoFar {
   const LeastSquaresProblem& problem_;
   const SolverOptions& options_;
   SolveResult result_;
-  bool out_of_memory_ = false;  ///< the problem was, at a point or more
-  std::string thrown_;          ///< what the problem threw last; empty where it did not
+  bool out_of_memory_ = false;  ///< whether the problem ran out of memory at any point
+  std::string thrown_;          ///< last exception of the problem; empty for none
 };
 
 SolveResult solve_with_ceres(const LeastSquaresProblem& problem, const Eigen::VectorXd& start,

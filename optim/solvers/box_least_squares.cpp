@@ -13,12 +13,12 @@ using Eigen::SparseMatrix;
 using Eigen::VectorXd;
 
 constexpr double over_relaxation = 1.6;  // 1.5 to 1.8 is usual (Boyd et al. 2011, section 3.4.3)
-constexpr double first_penalty = 1;  // ratio to the costs, where both have rows of about one size; adapted
-constexpr int between_looks = 25;  // iterations from one look at the penalty to the next: a factor costs some
-constexpr double out_of_balance = 5;  // ratio of the two misses that asks for another penalty
+constexpr double first_penalty = 1;  // ratio to the costs if both have rows of about one size; adapted later
+constexpr int between_looks = 25;    // iterations between checks of the penalty: a factorisation is expensive
+constexpr double out_of_balance = 5;  // ratio of the two misses that triggers another penalty
 
 bool is_finite(const SparseMatrix<double>& matrix) {
-  return std::isfinite(matrix.squaredNorm());  // NaN and infinity stay what they are in a sum of squares
+  return std::isfinite(matrix.squaredNorm());  // NaN and infinity survive in a sum of squares
 }
 
 void validate(const BoxLeastSquares& p) {
@@ -62,7 +62,7 @@ class Solver {
   }
 
  private:
-  /// @return largest change of C u within its bounds
+  /// Performs one iteration. @return largest change of C u within its bounds
   double step() {
     u_ = factor_.solve(pull_ + penalty_ * (Ct_ * (z_ - dual_)));
     value_ = p_.C * u_;

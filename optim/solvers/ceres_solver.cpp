@@ -68,7 +68,7 @@ SolveStatus status_of(const ceres::Solver::Summary& summary, const BestSoFar& be
   }
 }
 
-/// Ceres tells its reason only as a sentence about its own tolerances.
+/// Describes Ceres' reason to stop, which it reports only as a sentence about its own tolerances.
 std::string words(const ceres::Solver::Summary& summary, const BestSoFar& best) {
   if (best.out_of_evaluations()) return "evaluation limit";
   const auto says = [&](const char* text) { return summary.message.find(text) != std::string::npos; };

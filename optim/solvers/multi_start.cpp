@@ -25,7 +25,7 @@ SolveResult run_one(const LeastSquaresProblem& problem, const StartMaker& make_s
     solver.seed = options.seed + static_cast<unsigned long>(k);
     return solve(problem, make_start(k, options.seed), solver);
   } catch (const std::bad_alloc&) {
-    throw;  // the other starts alone would be another search, with another answer
+    throw;  // a search with fewer starts would give another result
   } catch (const std::exception& error) {
     return failure(error.what());
   } catch (...) {

@@ -4,7 +4,7 @@
 
 namespace kinetix::optim {
 
-/// NLopt's number of a method, an nlopt::algorithm. @pre not ceres, which is none of NLopt's
+/// Returns NLopt's number of a method, an nlopt::algorithm. @pre not ceres, which is not a method of NLopt
 int nlopt_algorithm(SolverName name);
 
 }  // namespace kinetix::optim

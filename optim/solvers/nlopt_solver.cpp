@@ -7,8 +7,8 @@
 namespace kinetix::optim {
 namespace {
 
-/// Cost |r|^2 / 2 for NLopt. Some of its methods ignore the evaluation limit and hang on NaN: we stop them
-/// ourselves.
+/// Cost |r|^2 / 2 for NLopt. Some of its methods ignore the evaluation limit and hang on NaN, so this
+/// function stops them.
 struct Objective {
   BestSoFar& best;
   nlopt::opt& solver;
@@ -34,13 +34,14 @@ struct Objective {
 
 std::vector<double> values(const Eigen::VectorXd& v) { return {v.data(), v.data() + v.size()}; }
 
-/// A first step that fits each variable's bounds: BOBYQA refuses one longer than half of them.
+/// Returns first steps that fit each variable's bounds: BOBYQA refuses steps longer than half of them.
 std::vector<double> first_steps(const LeastSquaresProblem& problem) {
   const Eigen::VectorXd width = problem.upper() - problem.lower();
   return values((width / 4).cwiseMin(0.05));
 }
 
-/// The global method needs a finite box: a unit around the start for the variables without bounds.
+/// Sets the bounds. The global method needs a finite box: one unit around the start for variables without
+/// bounds.
 void set_bounds(nlopt::opt& solver, const LeastSquaresProblem& problem, const Eigen::VectorXd& start,
                 bool is_global) {
   Eigen::VectorXd lower = problem.lower(), upper = problem.upper();
@@ -86,7 +87,7 @@ SolveResult solve_with_nlopt(const LeastSquaresProblem& problem, const Eigen::Ve
                     static_cast<unsigned>(start.size()));
   Objective objective{best, solver, {}, {}};
   try {
-    // Unseeded, NLopt takes the time of day. Its generator belongs to the thread.
+    // Unseeded, NLopt uses the time of day. Its generator belongs to the thread.
     nlopt::srand(options.seed);
     solver.set_min_objective(&Objective::call, &objective);
     set_bounds(solver, problem, start, options.name == SolverName::crs);

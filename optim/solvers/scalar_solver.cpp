@@ -14,10 +14,10 @@ namespace {
 
 using Eigen::VectorXd;
 
-// Points that cannot be evaluated: a method that has met so many will not find its way out.
+// Points that cannot be evaluated: after this many a method does not recover.
 constexpr int most_failures = 20;
 
-/// Of the methods that use gradients and bounds.
+/// Returns NLopt's method, if it uses gradients and bounds. @throws InvalidInput for other methods
 nlopt::algorithm algorithm(SolverName name) {
   if (name != SolverName::slsqp && name != SolverName::mma && name != SolverName::ccsa)
     throw InvalidInput("solver " + to_string(name) + " cannot minimise this cost; use mma, ccsa or slsqp");
@@ -51,8 +51,8 @@ struct NloptSearch {
     return f;
   }
 
-  /// Of a point that cannot be evaluated: higher than all others, so that the method turns back. Without any
-  /// other, or after many, the search ends.
+  /// Returns a cost for a point that cannot be evaluated: above all others, so that the method turns back.
+  /// Without any other point, or after many failures, the search ends.
   double barrier(std::vector<double>& gradient) {
     broke = !std::isfinite(result.cost) || ++failures > most_failures;
     if (broke) throw nlopt::forced_stop();
@@ -60,7 +60,7 @@ struct NloptSearch {
     return highest + 1 + std::abs(highest);
   }
 
-  /// Not before there is something to keep.
+  /// Returns whether to stop. The search needs at least one result first.
   bool told_to_stop() const { return options.stop.stop_requested() && std::isfinite(result.cost); }
 
   static double call(const std::vector<double>& x, std::vector<double>& gradient, void* self) {

@@ -16,12 +16,12 @@ namespace {
 struct NamedSolver {
   SolverName name;
   const char *word, *description;
-  int nlopt;  ///< its number there, an nlopt::algorithm
+  int nlopt;  ///< its nlopt::algorithm
 };
 
-constexpr int none_of_nlopt = -1;  // no number of a method
+constexpr int none_of_nlopt = -1;  // marks a solver that is not a method of NLopt
 
-// All that is known of a solver by its name, in the order of the enum.
+// Properties of all solvers, in the order of the enum.
 constexpr NamedSolver named_solvers[] = {
     {SolverName::ceres, "ceres", "Ceres Levenberg-Marquardt, exact derivatives", none_of_nlopt},
     {SolverName::slsqp, "slsqp", "NLopt SLSQP, sequential quadratic programming, exact gradient",

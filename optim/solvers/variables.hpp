@@ -2,7 +2,7 @@
 
 namespace kinetix::optim {
 
-/// Which hinges share one variable.
+/// Sharing of variables between hinges: one variable per column, row, ...
 enum class Per { column, row, cell, hinge, all };
 
 /// Symmetry of the folded shape under a motion of the flat sheet onto itself.

@@ -9,22 +9,23 @@ namespace kinetix::optim {
 namespace {
 
 constexpr double least_usual_gusset = 0.2;       // of an edge: room for two hinges and a wall between them
-constexpr double usual_edge_mm = 20;             // mm: walls of blocks then print on their own scale
+constexpr double usual_edge_mm = 20;             // mm: walls of blocks then print in their usual size
 constexpr int usual_cells = 2;                   // along each direction: the fewest with rotors inside
 constexpr int fewest_cells = 2, most_cells = 5;  // along the shortest side
-constexpr double one_side = 1e-9;  // cell edges: rotors of one side are as far from it by rounding
+constexpr double one_side = 1e-9;  // cell edges: rotors of one side differ by rounding in their distance from
+                                   // it
 
 double squared_sine(double theta) { return std::pow(std::sin(theta), 2); }
 
-/// By what share of their length edges in squares normal to x, y and z are to shrink: a direction shrinks by the mean of the
-/// two that lie along it.
+/// Returns the relative shrinkage of edges in squares normal to x, y and z. A direction shrinks by the mean
+/// of the two kinds of edges along it.
 Eigen::Vector3d shrinks_of(const Eigen::Vector3d& factors) {
   const Eigen::Vector3d by = Eigen::Vector3d::Ones() - factors;
   return Eigen::Vector3d::Constant(by.sum()) - 2 * by;
 }
 
-/// Theta for which the edges that shrink most have gussets of the usual length, or the nearest at which no gusset is out of its
-/// range; where there is none, the nearest in its own. rad
+/// Returns theta, rad. It gives the edges that shrink most gussets of the usual length, or is the nearest
+/// theta with all gussets in their range. If there is none, only the range of theta is respected.
 double theta_of(const Eigen::Vector3d& shrinks, const SpaceBlockVariables& v) {
   const double least = shrinks.maxCoeff() / (1 - v.gusset[0]), most = shrinks.minCoeff() / (1 - v.gusset[1]),
                usual = shrinks.maxCoeff() / (1 - least_usual_gusset);
@@ -51,8 +52,8 @@ double off(const Eigen::Vector3d& size, const Eigen::Vector3d& asked) {
   return (size - asked).cwiseQuotient(asked).cwiseAbs().maxCoeff();
 }
 
-/// Edge with which the cells come nearest to the lengths: the longest over what was asked is as much too long as the shortest is
-/// too short.
+/// Returns the edge at which the cells are nearest to the lengths. The longest is then relatively as much too
+/// long as the shortest is too short.
 double edge_of(const std::array<int, 3>& cells, const Eigen::Vector3d& asked) {
   const Eigen::Vector3d ratios = lengths(cells, 1).cwiseQuotient(asked);
   return 2 / (ratios.minCoeff() + ratios.maxCoeff());
@@ -119,7 +120,7 @@ model::SodaliteStructure block_of(const SpaceBlockDesign& design, const model::C
     const auto [a, b] = block.gussets[k];
     Eigen::Index normal = 0;
     (sodalite_place(block, b) - sodalite_place(block, a)).cwiseAbs().minCoeff(&normal);
-    // From the rotor, of the half edge that ends in the middle of the gusset.
+    // Fraction from the rotor along the half edge that ends in the middle of the gusset.
     block.hinges[2 * k].t = block.hinges[2 * k + 1].t = 1 - design.gusset[normal];
   }
   return block;

@@ -11,10 +11,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int directions = 2000;     // of half a sphere: some 3 degrees apart
-constexpr double first_step = 0.03;  // rad: as far apart as they are
-constexpr double last_step = 1e-7;   // rad: beyond what slopes are seen by
-constexpr double slow = 1e-3;        // of a step: one that lowers the slope by less crawls along an edge
+constexpr int directions = 2000;     // on half a sphere: about 3 degrees apart
+constexpr double first_step = 0.03;  // rad: about half their spacing
+constexpr double last_step = 1e-7;   // rad: below the accuracy of slopes
+constexpr double slow = 1e-3;        // of a step: one that lowers the slope by less moves along a ridge
 constexpr int most_stretches = 400;  // of a goal; slopes vary little from one to the next
 
 struct Stretches {
@@ -32,7 +32,8 @@ Stretches stretches_of(const targets::SpaceCurve& line, double stretch) {
   return out;
 }
 
-/// Largest part of a stretch along y, the sine of its slope; and which stretch.
+/// Returns the largest component of a stretch along y, the sine of its slope, and sets the index of that
+/// stretch.
 double steepest(const Stretches& all, const Vector3d& y, std::size_t& where) {
   double most = -1;
   for (std::size_t k = 0; k < all.along.size(); ++k)
@@ -43,7 +44,7 @@ double steepest(const Stretches& all, const Vector3d& y, std::size_t& where) {
   return most;
 }
 
-/// Whether it is below `least`, which it then becomes.
+/// Returns whether the largest component is below `least`, and then lowers `least` to it.
 bool lowers(const Stretches& all, const Vector3d& y, double& least) {
   double most = -1;
   for (const Vector3d& along : all.along) {
@@ -54,7 +55,7 @@ bool lowers(const Stretches& all, const Vector3d& y, double& least) {
   return true;
 }
 
-/// Evenly spread over half a sphere (Fibonacci's spiral).
+/// Returns point k, evenly spread over half a sphere (Fibonacci's spiral).
 Vector3d spread(int k) {
   const double z = (k + 0.5) / directions, turn = k * std::numbers::pi * (3 - std::sqrt(5.0));
   const double r = std::sqrt(1 - z * z);
@@ -70,7 +71,7 @@ Vector3d first_direction(const Stretches& all) {
   return best;
 }
 
-/// Steps to eight sides, halved where none is better by much.
+/// Refines a direction by steps to eight sides, halved when none is much better.
 Vector3d refined(const Stretches& all, Vector3d y) {
   double least = std::numeric_limits<double>::infinity();
   lowers(all, y, least);

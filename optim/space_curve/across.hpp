@@ -4,18 +4,19 @@
 
 namespace kinetix::optim {
 
-/// The direction across a strip, which stays where it is while the strip folds, and what it asks of the strip.
+/// Direction across a strip, which is constant during the fold, and the slope of the goal against it.
 struct Across {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitY();  ///< unit vector (dimensionless)
-  double slope = 0;  ///< largest |d across / d along the curve seen along it| of a stretch of the goal, ratio
-  double arc_mm = 0;  ///< along the goal, where that is
+  double slope = 0;   ///< largest |d across / d along the curve seen along it| of the goal, ratio
+  double arc_mm = 0;  ///< its position along the goal
 };
 
-/// The direction along which the goal climbs least: of all directions the one with the smallest largest slope.
-/// @param stretch mm over which slopes are taken, > 0: what is shorter than two columns does not count
+/// Returns the direction with the smallest largest slope of the goal.
+/// @param stretch mm over which slopes are averaged, > 0: features shorter than two columns do not count
 Across least_slope(const targets::SpaceGoal& goal, double stretch);
 
-/// The frame of a strip whose width is along `direction`: unit columns along the strip's plane, across, and up.
+/// Returns the frame of a strip with its width along `direction`. Unit columns: along the strip's plane,
+/// across, up.
 Eigen::Matrix3d frame_across(const targets::SpaceGoal& goal, const Eigen::Vector3d& direction);
 
 }  // namespace kinetix::optim

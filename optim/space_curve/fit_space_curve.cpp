@@ -15,15 +15,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double as_good_a_fit = 1.1;  // times the least error: up to here the room that is left decides
+constexpr double as_good_a_fit = 1.1;  // times the least error: within this, the remaining room decides
 
-/// What is possible at theta.
+/// Returns the limits of the columns at theta.
 SpaceLimits limits_at(const SpaceVariables& v, double theta) {
   const double lean = std::min(2 * v.t[1] - 1, 1 - 2 * v.t[0]);
   return {model::crease_turn(v.beta, theta), lean * std::tan(theta)};
 }
 
-/// The goal in the strip's frame: x and z in the plane of its turns, y across.
+/// Returns the goal in the strip's frame: x and z in the plane of its turns, y across.
 targets::SpaceCurve seen(const targets::SpaceGoal& goal, const Eigen::Matrix3d& frame) {
   std::vector<Vector3d> points;
   for (const Vector3d& p : goal.points()) points.push_back(frame.transpose() * p);
@@ -45,7 +45,7 @@ Across across_of(const targets::SpaceGoal& goal, int columns) {
   return least_slope(goal, 2 * goal.length() / columns);
 }
 
-/// Theta range below where cells close.
+/// Returns the range of theta below the angle at which cells close.
 AngleRange allowed_theta(const SpaceVariables& v) {
   const double closing = closing_theta(v.size) - model::closing_margin;
   if (!(v.theta.lower < closing))
@@ -55,13 +55,13 @@ AngleRange allowed_theta(const SpaceVariables& v) {
   return {v.theta.lower, std::min(v.theta.upper, closing)};
 }
 
-/// The lattice's design of a strip at theta, and the pose that carries its fold onto the strip's frame.
+/// Returns the lattice's design of a strip at theta.
 model::ExactDesign<double> design_of(const SpaceStrip& strip, double theta) {
   auto design = model::ExactDesign<double>::basic(strip.columns, 1);
   design.theta = theta;
   for (int k = 0; k < strip.columns; ++k)
     if (SpaceStrip::bends(
-            k))  // odd columns begin at a body of class B: its crease turns as the tilt's sign says
+            k))  // odd columns begin at a body of sublattice B: the crease turns with the sign of the tilt
       design.beta[k] = model::tilt_of_turn(strip.turn[k / 2], theta);
     else
       design.t[k] = (1 + strip.climb[k / 2] / std::tan(theta)) / 2;
@@ -79,7 +79,7 @@ model::CellSize with_edge(const SpaceVariables& v, double edge) {
   return size;
 }
 
-/// How much of the room for tilts, fractions and theta is used, [0, 1].
+/// Returns the share of the room for tilts, fractions and theta that is used, [0, 1].
 double use_of(const SpaceDesign& found, const SpaceVariables& v, double upper) {
   double use = found.design.theta / upper;
   for (const double beta : found.design.beta) use = std::max(use, std::abs(beta) / v.beta);
@@ -100,7 +100,8 @@ class StripSearch {
   SpaceDesign find() {
     const AngleRange range = allowed_theta(v_);
     if (!v_.free_edge) return of_given_cells(range);
-    // From the largest theta, which allows most: as long as bounds allow the same strip, it is the best.
+    // Starts with the largest theta, which allows most. The same strip stays the best as long as the bounds
+    // allow it.
     std::vector<SpaceDesign> all;
     for (int k = 0; k < v_.thetas && !(k > 0 && options_.stop.stop_requested()); ++k) {
       const double part = v_.thetas > 1 ? static_cast<double>(k) / (v_.thetas - 1) : 0;
@@ -119,8 +120,9 @@ class StripSearch {
     return largest(one.strip.turn, where) <= limits.turn && largest(one.strip.climb, where) <= limits.climb;
   }
 
-  /// Theta follows from how long the strip becomes. Longer than at first sight it is folded less, and the same turns and
-  /// climbs take more of tilts and fractions: where that is too much, it is searched anew, no longer than that.
+  /// Fits a strip of given cells, whose theta follows from its length. A strip longer than the first estimate
+  /// is folded less, so the same turns and climbs need more of tilts and fractions. If that exceeds their
+  /// bounds, it is searched again with this length as its limit.
   SpaceDesign of_given_cells(const AngleRange& range) const {
     SpaceDesign found = at(std::clamp(theta_of(first_.step), range.lower, range.upper), range);
     const double theta = found.design.theta;
@@ -131,7 +133,7 @@ class StripSearch {
     return found;
   }
 
-  /// The same midline, folded less or more: distances stay as they are.
+  /// Returns the same midline, folded less or more; distances are unchanged.
   SpaceDesign same_at(SpaceDesign one, double theta) const {
     one.design = design_of(one.strip, theta);
     one.size = with_edge(v_, one.strip.step / std::cos(theta));
@@ -220,7 +222,7 @@ std::optional<SpaceObstacle> obstacle(const targets::SpaceGoal& goal, const Spac
   v.validate();
   const Across across = across_of(goal, v.columns);
   const SpaceLimits most = limits_at(v, allowed_theta(v).upper);
-  // Every second column climbs: over both the slope is half of it.
+  // Every second column climbs, so the slope over two columns is half of it.
   if (!(across.slope <= most.climb / 2))
     return SpaceObstacle{
         across.arc_mm,

@@ -12,31 +12,32 @@
 
 namespace kinetix::optim {
 
-/// What a search for a strip in space may vary.
+/// Variables of a search for a strip in space.
 struct SpaceVariables {
-  int columns = 96;           ///< >= 4
-  model::CellSize size = {};  ///< of the cells
-  bool free_edge = true;      ///< the cell edge follows from the goal's length
-  bool free_walls = true;     ///< where the edge is free: thickness and height scale with the edge found
-  double beta = 60 * radians_per_degree;                               ///< largest |tilt|, rad, (0, pi/2)
-  std::array<double, 2> t = {0.12, 0.88};                              ///< of shearing columns, within (0, 1)
+  int columns = 96;                        ///< >= 4
+  model::CellSize size = {};               ///< of the cells
+  bool free_edge = true;                   ///< the cell edge follows from the goal's length
+  bool free_walls = true;                  ///< if the edge is free, thickness and height scale with it
+  double beta = 60 * radians_per_degree;   ///< largest |tilt|, rad, (0, pi/2)
+  std::array<double, 2> t = {0.12, 0.88};  ///< of shearing columns, within (0, 1)
   AngleRange theta{20 * radians_per_degree, 40 * radians_per_degree};  ///< rad, in (0, pi/4)
-  int thetas = 5;  ///< tried between the ends of its range where the edge is free, >= 1
+  int thetas = 5;  ///< tried between the ends of its range if the edge is free, >= 1
 
   /// @throws InvalidInput naming field, value and rule
   void validate() const;
 };
 
-/// Where a goal asks more of a column than it can do.
+/// Place where the goal is beyond the limits of a column.
 struct SpaceObstacle {
   double arc_mm = 0;  ///< along the goal
-  std::string why;    ///< in a sentence
+  std::string why;    ///< one sentence
 };
 
-/// What no strip of these variables can follow, the worst place first; nothing where each column can do its part.
+/// Returns the worst place that no strip of these variables can follow, or nullopt if each column can do its
+/// part.
 std::optional<SpaceObstacle> obstacle(const targets::SpaceGoal& goal, const SpaceVariables& variables);
 
-/// A strip that came out.
+/// Strip found.
 struct SpaceDesign {
   model::ExactDesign<double> design;
   model::CellSize size;
@@ -45,18 +46,18 @@ struct SpaceDesign {
   model::Pose place;  ///< of the goal, in the frame of the states that the design folds to
   targets::SpaceError error;
   SolveResult search;
-  model::ContactLimit contact;  ///< where walls meet on the way to its theta, if they do
-  int tried = 0;                ///< thetas
+  model::ContactLimit contact;  ///< first wall contact up to its theta, if any
+  int tried = 0;                ///< number of thetas
 };
 
-/// Fits the strip: y along the direction of least slope, turns and climbs by least squares, and, where the edge is free,
-/// the theta at which neither tilts nor fractions nor theta itself come near their bounds, among those whose walls do
-/// not meet.
-/// @throws InvalidInput for variables that do not validate, and for a goal with an obstacle
+/// Fits the strip: y along the direction of least slope, turns and climbs by least squares. If the edge is
+/// free, theta is chosen among those whose walls do not meet. Tilts, fractions and theta itself then stay far
+/// from their bounds.
+/// @throws InvalidInput for invalid variables, and for a goal with an obstacle
 SpaceDesign fit_space_curve(const targets::SpaceGoal& goal, const SpaceVariables& variables,
                             const SolverOptions& options);
 
-/// Middle of each column of bodies of a strip of one row, mm. @param state in the lattice's order
+/// Returns the middle of each column of bodies of a strip of one row, mm. @param state in the lattice's order
 std::vector<Eigen::Vector3d> space_midline(const model::State& state);
 
 }  // namespace kinetix::optim

@@ -12,12 +12,12 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
 Vector3d along(double heading) { return {std::cos(heading), 0, std::sin(heading)}; }
-/// Its derivative by the heading.
+/// Derivative of along() by the heading.
 Vector3d beside(double heading) { return {-std::sin(heading), 0, std::cos(heading)}; }
 Vector3d quarter(const Vector3d& v) { return {-v.z(), 0, v.x()}; }
 
-/// Nearest place of the goal, and what is left of a place's motion in the distance: across the segment, or all of it
-/// where a corner is nearest.
+/// Nearest place of the goal, and the projection of a place's motion that changes the distance. It is across
+/// the segment, or all of the motion if a corner is nearest.
 struct Nearest {
   Vector3d point;
   Eigen::Matrix3d left;
@@ -31,7 +31,7 @@ Nearest on_segment(const targets::SpaceCurve& goal, std::size_t k, const Vector3
   return {a + f * v, Eigen::Matrix3d::Identity() - v * v.transpose() / v.squaredNorm()};
 }
 
-/// Downhill from arc length s.
+/// Returns the nearest place, searched downhill from arc length s.
 Nearest nearest_from(const targets::SpaceCurve& goal, double s, const Vector3d& p) {
   const auto& arcs = goal.arcs();
   const std::size_t segments = arcs.size() - 1;
@@ -76,7 +76,7 @@ class Chain {
   double length() const { return arc_.back(); }
   Vector3d place(int column, double f) const { return (1 - f) * points_[column] + f * points_[column + 1]; }
 
-  /// d place by all unknowns but the scales of start and step.
+  /// Computes d place by all unknowns except the scales of start and step.
   void derivatives(int column, double f, Matrix3Xd& out) const {
     out.setZero();
     const Vector3d p = place(column, f);
@@ -96,7 +96,7 @@ class Chain {
  private:
   const SpaceStrip& strip_;
   std::vector<Vector3d> points_;
-  std::vector<double> arc_, after_;  ///< of points; heading after each column
+  std::vector<double> arc_, after_;  ///< arc length of each point; heading after each column
 };
 
 }  // namespace
@@ -172,7 +172,7 @@ SpaceStrip followed(const targets::SpaceCurve& goal, int columns) {
   const auto at = [&](double column) {
     return goal.at(goal.length() * std::clamp(column / columns, 0.0, 1.0));
   };
-  // Panel m is column 2 m and half of each bending column beside it.
+  // Panel m is column 2 m and half of each adjacent bending column.
   double before = 0, seen = 0;
   std::vector<double> headings, rises;
   for (int m = 0; m < out.shearing(); ++m) {

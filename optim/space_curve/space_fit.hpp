@@ -6,9 +6,9 @@
 
 namespace kinetix::optim {
 
-/// A strip of one row as its midline goes, in a frame with y across it (kinematics.md section 7). Columns shear and bend
-/// in turns: column k shears where k is even and bends where it is odd. The strip begins in a panel of heading `heading`;
-/// each bending column turns the heading. mm and rad.
+/// Midline of a strip of one row, in a frame with y across it (kinematics.md section 7). Columns shear and
+/// bend in turns: column k shears for even k and bends for odd k. The strip begins with a panel of heading
+/// `heading`; each bending column turns the heading. mm and rad.
 struct SpaceStrip {
   int columns = 2;                                  ///< >= 2
   double step = 1;                                  ///< L cos(theta): length of a column that does not turn
@@ -21,11 +21,11 @@ struct SpaceStrip {
   int bending() const { return columns / 2; }
   int shearing() const { return columns - columns / 2; }
 
-  /// Middle of each column of bodies.
+  /// Returns the middle of each column of bodies.
   std::vector<Eigen::Vector3d> midline() const;
 };
 
-/// What the columns of a strip may do.
+/// Limits of the columns of a strip.
 struct SpaceLimits {
   double turn = 1;                         ///< largest |turn|, rad
   double climb = 1;                        ///< largest |climb|, ratio
@@ -34,13 +34,14 @@ struct SpaceLimits {
 
 /// Fit of such a strip to a goal in its frame.
 ///
-/// x = (turn of each bending column, climb of each shearing one, heading, start over the scale, step over the first
-/// step). Residuals: from the nearest place of the goal to two places on each column, and from the goal's ends to those of
-/// the midline, over the scale and the square root of their number. Nearest places are sought downhill from the place's
-/// own fraction of the length.
+/// x = (turn of each bending column, climb of each shearing one, heading, start over the scale, step over the
+/// first step). The residuals are the offsets of two places on each column from the nearest places of the
+/// goal, then those of the midline's ends from the goal's ends. All are over the scale and the square root of
+/// their number. The nearest place is sought downhill from the place's own fraction of the length.
 class SpaceFit final : public LeastSquaresProblem {
  public:
-  /// @param goal kept by reference   @param scale mm   @param first its number of columns and its step
+  /// @param goal kept by reference   @param scale mm   @param first gives the number of columns and the first
+  /// step
   SpaceFit(const targets::SpaceCurve& goal, double scale, const SpaceStrip& first, const SpaceLimits& limits);
 
   int variables() const override { return columns_ + 5; }
@@ -50,10 +51,10 @@ class SpaceFit final : public LeastSquaresProblem {
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) const override;
 
   SpaceStrip strip(const Eigen::VectorXd& x) const;
-  /// Clamped to the bounds.
+  /// Returns x of a strip, clamped to the bounds.
   Eigen::VectorXd pack(const SpaceStrip& strip) const;
 
-  /// Of each column: its ends are seen by its neighbours, too.
+  /// Number of places per column. Its ends also count for its neighbours.
   static constexpr int places_a_column = 2;
 
  private:
@@ -64,7 +65,7 @@ class SpaceFit final : public LeastSquaresProblem {
   Eigen::VectorXd lower_, upper_;
 };
 
-/// The strip that follows the goal's headings and heights, without a search.
+/// Returns a strip that follows the goal's headings and heights, without a search.
 SpaceStrip followed(const targets::SpaceCurve& goal, int columns);
 
 }  // namespace kinetix::optim

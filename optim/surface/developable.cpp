@@ -20,12 +20,12 @@ using Eigen::VectorXd;
 constexpr int cone_variables = 6;   // two turns of the axis, two shifts of it, radius, half angle
 constexpr int cone_directions = 8;  // of the axis in the points' plane, from which the search starts
 constexpr int least_points =
-    16;  // a side of the whole grid: fits then have as many points as a picture shows
-// Of the points' size: radius to start from where they hardly bend.
+    16;  // per side of the whole grid: fits then have as many points as a picture shows
+// Relative to the points' size: radius at the start if they hardly bend.
 constexpr double flat_radius = 20;
 constexpr double no_cone = 1e-6;  // sine of a half angle: the tip is then a million sizes away
 
-/// The frame in which points lie about a plane: x and y in it, the origin in their middle, of size 1.
+/// Returns the points in the frame of their plane: x and y in it, the origin in their middle, of size 1.
 std::vector<Vector3d> levelled(const std::vector<Vector3d>& points, double& size) {
   Vector3d middle = Vector3d::Zero();
   for (const Vector3d& p : points) middle += p / static_cast<double>(points.size());
@@ -38,10 +38,10 @@ std::vector<Vector3d> levelled(const std::vector<Vector3d>& points, double& size
   return out;
 }
 
-/// Distances of points from a cone near to a cylinder to start from.
+/// Distances of points from a cone. The search starts from a cylinder.
 class ConeProblem final : public LeastSquaresProblem {
  public:
-  /// @param widens whether it may be a cone; else it is a cylinder
+  /// @param widens whether it may be a cone; otherwise it is a cylinder
   ConeProblem(const std::vector<Vector3d>& points, const Vector3d& axis, double radius, bool widens)
       : points_(points),
         axis_(axis),
@@ -74,8 +74,8 @@ class ConeProblem final : public LeastSquaresProblem {
     return r.allFinite() && (!J || J->allFinite());
   }
 
-  /// Whether the tip of the cone lies over the points, where a sheet that bends one way cannot have one: then they do not lie
-  /// within half a turn as seen from it, in their plane.
+  /// Returns whether the tip of the cone is over the points, where a sheet that bends in one direction cannot
+  /// have one. Seen from the tip, in their plane, the points then span more than half a turn.
   bool has_tip_inside(const VectorXd& x) const {
     const double sine = widens_ ? std::sin(x[5]) : 0;
     if (std::abs(sine) < no_cone) return false;
@@ -100,7 +100,7 @@ class ConeProblem final : public LeastSquaresProblem {
   Vector<T> place_at(const T* x) const {
     return x[2] * across_.cast<T>() + (T(-radius_) + x[3]) * Vector3d::UnitZ().cast<T>();
   }
-  /// About that place; the points lie above or below it.
+  /// Returns the radius about place_at(x); the points are above or below that place.
   template <class T>
   T radius_at(const T* x) const {
     return T(std::abs(radius_)) + x[4];
@@ -113,7 +113,7 @@ class ConeProblem final : public LeastSquaresProblem {
   VectorXd lower_, upper_;
 };
 
-/// Radius of the parabola z = y^2 / (2 R) across a direction, negative where it bends upwards.
+/// Returns the radius R of the parabola z = -y^2 / (2 R) across a direction, negative if it bends upwards.
 double radius_across(const std::vector<Vector3d>& points, const Vector3d& axis) {
   const Vector3d across = Vector3d::UnitZ().cross(axis);
   Eigen::MatrixXd A(points.size(), 3);

@@ -8,17 +8,20 @@
 
 namespace kinetix::optim {
 
-/// The middles of a sheet's facets, mm: each has two vertices in either layer, so that they lie on the surface between the
-/// layers, without the zigzags of the folds.
+/// Returns the middles of a sheet's facets, mm. Each facet has two vertices in either layer. The middles are
+/// therefore on the surface between the layers, without the zigzags of the folds.
 targets::PointGrid middle_of(const SurfaceDesign& design);
 
-/// Points of a surface below a grid, evenly between its points, without those beyond the surface's rim. mm
+/// Returns points of a surface below a grid, evenly between its points and within the surface's rim. mm
 std::vector<Eigen::Vector3d> points_below(const targets::SurfacePatch& surface,
                                           const targets::PointGrid& grid);
 
-/// Least rms distance of points from any cylinder or cone, mm: what a sheet of paper that bends one way can do. A cone of axis a
-/// through b, of half angle w and radius r about b: d = cos w |(p - b) x a| - sin w (p - b) . a - r, a cylinder where w
-/// is 0. Cones whose tip lies over the points do not count: a tip is curved both ways. By least squares from eight directions of a. @pre at least 7 points, not all on one line
+/// Returns the least rms distance of points from any cylinder or cone, mm: the limit of a sheet of paper that
+/// bends in one direction. For a cone of axis a through b, of half angle w and radius r about b, the distance
+/// is d = cos w |(p - b) x a| - sin w (p - b) . a - r. It is a cylinder for w = 0. Cones whose tip is over
+/// the points are excluded, since a tip is curved in both directions. Solved by least squares from eight
+/// directions of a.
+/// @pre at least 7 points, not all on one line
 double rms_from_best_cone(const std::vector<Eigen::Vector3d>& points);
 
 }  // namespace kinetix::optim

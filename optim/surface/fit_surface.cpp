@@ -23,17 +23,18 @@ using Eigen::Vector2d;
 
 constexpr double first_rim_weight = 0.3;  // of the first steps, which size the sheet
 constexpr double least_progress =
-    1e-5;                  // of the cost, a step: below, a sheet creeps along a valley for hundreds
-constexpr int longer = 2;  // iterations of the starts that go on, over what is asked: most end by themselves
+    1e-5;                  // of the cost, per step: below, a sheet creeps along a valley for hundreds of
+                           // steps
+constexpr int longer = 2;  // iterations of the second stage over those requested: most searches end earlier
 constexpr int shaken_a_round =
-    4;  // searches from the best sheet: few enough that each round starts from a better one
-/// Standard deviation of shakes, in logarithms of multipliers, rad and mean edges: twice as much mostly ruins a sheet,
-/// and a tenth leads back to where it was.
+    4;  // searches from the best sheet: few, so that each round soon starts from a better one
+/// Standard deviation of shakes, in logarithms of multipliers, rad and mean edges. Twice as much mostly ruins
+/// a sheet, and a tenth leads back to the same minimum.
 constexpr double shake = 4e-3;
-constexpr double slack = 1e-3;  // rad and mean edges: what least squares may pass a bound by
+constexpr double slack = 1e-3;  // rad and mean edges: largest violation of a bound by least squares
 
-// Of the largest fold that is allowed: gentle tilts leave room between the bounds, in which starts lie, whose straight
-// creases fold by half of what the others do.
+// Fraction of the largest allowed fold. Gentle tilts leave room between the bounds for the starts, whose
+// straight creases fold by half of what the others do.
 constexpr double least_of_most_fold = 0.25;
 
 MeshBounds bounds_of(const SurfaceOptions& options) {
@@ -108,17 +109,17 @@ bool is_within(const SurfaceDesign& design, const SurfaceOptions& options) {
          keeps(design.edge, options.bounds.edge) && design.tilt <= options.tilt + slack;
 }
 
-/// A Miura sheet to start from, and how long first steps are.
+/// Miura sheet to start from, and the length of first steps.
 struct Trial {
   MiuraStart miura;
   double trust = 1e4;
-  double rim = 0.007;  ///< weight of the rim's distances: they decide where the layers leave a choice
+  double rim = 0.007;  ///< weight of the rim's distances: they decide what the layers leave open
 };
 
-constexpr double of_most_fold = 0.85;                   // of the largest that is allowed, at a start
-constexpr double from_sector = 3 * radians_per_degree;  // a start is so far within the bounds of sectors
+constexpr double of_most_fold = 0.85;                   // of the largest allowed fold, at a start
+constexpr double from_sector = 3 * radians_per_degree;  // margin of a start to the bounds of sectors
 
-/// A start that keeps to bounds from the first.
+/// Returns a start that is within the bounds from the beginning.
 MiuraStart kept_inside(MiuraStart start, const SurfaceOptions& options) {
   start.fold = std::min(start.fold, of_most_fold * bounds_of(options).multiplier);
   const double least = std::max(options.bounds.sector[0], pi - options.bounds.sector[1]) + from_sector;
@@ -126,7 +127,7 @@ MiuraStart kept_inside(MiuraStart start, const SurfaceOptions& options) {
   return start;
 }
 
-/// One start, in stages: all begin, and the best go on.
+/// One start, in stages: all begin, and the best continue.
 class Run {
  public:
   Run(const targets::SurfacePatch& patch, const SurfaceOptions& options, const Trial& trial)
@@ -147,7 +148,8 @@ class Run {
     return design();
   }
 
-  /// From this sheet with every number of its mesh a little off. @param seed of the numbers
+  /// Searches from this sheet with every number of its mesh changed a little.
+  /// @param seed of the random numbers
   SurfaceDesign shaken(unsigned seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> off(0, shake);
@@ -157,7 +159,7 @@ class Run {
     return design();
   }
 
-  /// Goes on from where another run of the same start is.
+  /// Continues from the state of another run of the same start.
   void take(const Run& other) { start_ = other.start_; }
 
  private:
@@ -199,7 +201,8 @@ class Run {
   int evaluations_ = 0;
 };
 
-/// Proportions that have led to the best sheets on caps, saddles and vases come first, then a grid about them.
+/// Returns the proportions to try: first those of the best sheets on caps, saddles and vases, then a grid
+/// about them.
 std::vector<Trial> trials() {
   constexpr double deg = radians_per_degree;
   std::vector<Trial> out = {{{53 * deg, 1.5, -1, 1}, 1e4, 0.005}, {{53 * deg, 1.5, 1, -1}, 1e4, 0.005},
@@ -236,7 +239,7 @@ void SurfaceOptions::validate() const {
 
 namespace {
 
-/// Rounds of searches from the best run, shaken; runs and designs of a round follow from its number alone.
+/// Runs rounds of searches from the best run, shaken. Runs and designs of a round depend only on its number.
 SurfaceDesign after_shakes(Run best_run, SurfaceDesign best, const SurfaceOptions& options, double diagonal,
                            const Progress& progress) {
   for (int round = 0; round < options.shakes && !(best.error.rms <= options.enough && best.within); ++round) {
@@ -279,7 +282,7 @@ SurfaceDesign fit_surface(const targets::SurfacePatch& patch, const SurfaceOptio
   std::iota(order.begin(), order.end(), 0);
   int ended = 0;
   double least = std::numeric_limits<double>::infinity();
-  std::mutex words;  // of both
+  std::mutex words;  // guards `least` and `ended`
   const auto fit = [&](int runs_of_stage, const std::function<SurfaceDesign(Run&)>& stage) {
     model::run_in_parallel(runs_of_stage, options.threads, [&](int k) {
       const int start = order[k];

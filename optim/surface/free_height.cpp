@@ -5,9 +5,9 @@
 namespace kinetix::optim {
 namespace {
 
-constexpr int states = 40;            // of the way: a body turns by less than a degree between two
-constexpr double least = 0.02;        // cell edges: walls as low as this are threads
-constexpr double to_a_layer = 0.005;  // cell edges: nearer than a layer of a print
+constexpr int states = 40;            // of the motion: a body turns by less than a degree between two
+constexpr double least = 0.02;        // cell edges: lower walls are threads
+constexpr double to_a_layer = 0.005;  // cell edges: finer than a layer of a print
 
 bool is_free_at(model::OrigamiSheet sheet, double theta, double height) {
   sheet.structure.size.height_mm = height * sheet.structure.size.edge_mm;

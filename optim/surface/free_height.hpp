@@ -4,11 +4,12 @@
 
 namespace kinetix::optim {
 
-/// The largest height of plates, cell edges, at which no two walls of a sheet meet on the way from flat to theta, up to
-/// `most`; 0 where they meet even as threads. By bisection, at 40 states of the way each; thickness as the sheet has it.
+/// Returns the largest height of plates, cell edges, up to `most`, at which no two walls of a sheet meet from
+/// flat to theta. 0 if they meet even as threads. Found by bisection with 40 states per motion; the thickness
+/// is that of the sheet.
 double free_height(const model::OrigamiSheet& sheet, double theta, double most = 1);
 
-/// Whether none meet, with the sheet's own height.
+/// Returns whether no walls meet at the sheet's own height.
 bool is_free(const model::OrigamiSheet& sheet, double theta);
 
 }  // namespace kinetix::optim

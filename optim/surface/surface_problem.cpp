@@ -28,14 +28,17 @@ using Eigen::Vector3d;
 template <class T>
 using Vector3 = Eigen::Matrix<T, 3, 1>;
 
-constexpr int lanes = 16;  // derivatives a pass: a dual number then fills few registers
+constexpr int lanes = 16;  // derivatives per pass: a dual number then fills few registers
 using Dual = ceres::Jet<double, lanes>;
 
-constexpr double extent_weight = 3;  // of the sides' mean places beside a vertex's distance
-constexpr double bound_weight = 3;   // a rad or a mean edge of passing against a diagonal of distance
+constexpr double extent_weight = 3;  // weight of the sides' mean places relative to a vertex's distance
+constexpr double bound_weight = 3;   // weight of violating a bound by a rad or a mean edge, relative to a
+                                     // diagonal of distance
 constexpr double least_sine = 0.4;   // of a facet's corner: sharper ones leave no room for bodies at the rim
-constexpr double inside = 0.2 * radians_per_degree;  // rad: what least squares pass a bound by is less
-constexpr double inside_edge = 0.004;                // of the mean edge: likewise
+constexpr double inside = 0.2 * radians_per_degree;  // rad: larger than the violation of a bound by least
+                                                     // squares
+constexpr double inside_edge = 0.004;                // of the mean edge: larger than the violation of its
+                                                     // bound
 
 double value_of(double x) { return x; }
 double value_of(const Dual& x) { return x.a; }
@@ -47,7 +50,7 @@ Dual carried(const targets::ClosestSurfacePoint& closest, const Vector3<Dual>& p
   return out;
 }
 
-/// The distance of a point from the surface; its derivative is the normal at the closest point.
+/// Returns the distance of a point from the surface; its derivative is the normal at the closest point.
 template <class T>
 T distance(const targets::SurfacePatch& patch, const Vector3<T>& p) {
   return carried(closest_surface_point(patch, {value_of(p.x()), value_of(p.y()), value_of(p.z())}), p);
@@ -86,7 +89,7 @@ void add_sectors(const model::MarchedMesh<T>& marched, const MeshBounds& bounds,
               (above(angle, bounds.sector[1] - inside) + below(angle, bounds.sector[0] + inside)));
 }
 
-/// Lengths along the crease that the march has there, so that what is turned over is below 0.
+/// Returns lengths along the creases in the direction of the march; they are negative for inverted facets.
 template <class T>
 std::vector<T> edge_lengths(const model::MarchedMesh<T>& marched) {
   const model::QuadMeshOf<T>& m = marched.mesh;
@@ -121,7 +124,7 @@ void add_edges(const model::MarchedMesh<T>& marched, const MeshBounds& bounds, R
                                below<T>(length / mean, bounds.edge[0] + inside_edge)));
 }
 
-/// Facets stay convex: the sine of each corner is not less than that.
+/// Adds residuals that keep facets convex: the sine of each corner is at least least_sine.
 template <class T>
 void add_corners(const model::QuadMeshOf<T>& m, Residuals<T>& out) {
   using std::sqrt;
@@ -176,7 +179,7 @@ void SurfaceProblem::fill(const T* x, T* r) const {
   add_corners(mesh, out);
 }
 
-/// The sides of the sheet lie on the surface's sides in the mean.
+/// Adds residuals that put the mean of each side of the sheet on the surface's side.
 template <class T, class Out>
 void SurfaceProblem::add_extent(const std::vector<Vector3<T>>& vertices, Out& out) const {
   const int n = variables_.columns, r = variables_.rows;

@@ -8,22 +8,23 @@
 
 namespace kinetix::optim {
 
-/// What a mesh must keep to. A search aims a little inside.
+/// Limits of a mesh. A search aims a little inside.
 struct MeshBounds {
   std::array<double, 2> sector = {50 * radians_per_degree,
                                   130 * radians_per_degree};  ///< rad: bodies fit round vertices
   std::array<double, 2> edge = {0.6, 1.5};                    ///< of the mean edge, > 0
-  double multiplier =
-      1.79;  ///< largest tan(rho / 2) of a crease: tan(largest tilt) sin(theta), dimensionless, > 0
-  double least_fold =
-      0.03;  ///< likewise the smallest, dimensionless, below it: creases that do not fold at all determine nothing
+  /// Largest tan(rho / 2) of a crease: tan(largest tilt) sin(theta), dimensionless, > 0.
+  double multiplier = 1.79;
+  /// Smallest tan(rho / 2), dimensionless, < multiplier. Creases that do not fold at all determine nothing.
+  double least_fold = 0.03;
 };
 
-/// A mesh folded onto a surface: residuals are the distances of its vertices from the surface's two layers, over the
-/// diagonal and the root of their number, how far its rim is from the surface's, and what bounds are passed by.
+/// Fit of a folded mesh to a surface. The residuals are the distances of its vertices from the surface's two
+/// layers, the distance of its rim from the surface's, and the violations of bounds. The distances from the
+/// layers are over the diagonal and the root of their number.
 class SurfaceProblem final : public LeastSquaresProblem {
  public:
-  /// @param rim weight of the rim's distances beside those from the layers
+  /// @param rim weight of the rim's distances relative to those from the layers
   SurfaceProblem(const targets::SurfacePatch& patch, const SurfaceVariables& variables,
                  const MeshBounds& bounds, double rim);
 
@@ -47,10 +48,10 @@ class SurfaceProblem final : public LeastSquaresProblem {
   Eigen::VectorXd lower_, upper_;
 };
 
-/// Vertices of the mesh at x, folded and in place, mm.
+/// Returns the vertices of the mesh at x, folded and in place, mm.
 std::vector<Eigen::Vector3d> placed_vertices(const SurfaceVariables& variables, const Eigen::VectorXd& x);
 
-/// Which layer vertex (i, j) belongs to: 1 above, -1 below.
+/// Returns the layer of vertex (i, j): 1 above, -1 below.
 inline int layer_of(int i) { return -model::column_sign(i); }
 
 }  // namespace kinetix::optim

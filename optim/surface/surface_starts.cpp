@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The folded sheet's own directions and its middle.
+/// Directions, middle and size of a folded sheet.
 struct Laid {
   Eigen::Matrix3d axes;  ///< columns: along its rows, along its columns, normal
   Vector3d middle;

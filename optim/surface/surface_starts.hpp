@@ -5,18 +5,18 @@
 
 namespace kinetix::optim {
 
-/// A Miura sheet to start from.
+/// Miura sheet to start from.
 struct MiuraStart {
   double angle = 1.13;  ///< of its parallelograms, rad
   double fold = 0.8;    ///< tan(rho / 2) of its rising creases, dimensionless
   int side = 1;         ///< 1: odd columns of vertices are above, -1: below
-  int turn = 1;         ///< sign of the level creases: whether its zigzags start upwards or downwards
+  int turn = 1;         ///< sign of the level creases: its zigzags start upwards or downwards
 };
 
-/// The sheet as large as the surface's rectangle, laid into its plane.
+/// Sheet as large as the surface's rectangle, in its plane.
 struct SurfaceStart {
   SurfaceVariables variables;
-  Eigen::VectorXd x;  ///< its rad and ratios, as SurfaceVariables has them
+  Eigen::VectorXd x;  ///< in the rad and ratios of SurfaceVariables
 };
 SurfaceStart start_on(const targets::SurfacePatch& patch, int columns, int rows, const MiuraStart& miura);
 

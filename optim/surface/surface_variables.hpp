@@ -6,9 +6,12 @@
 
 namespace kinetix::optim {
 
-/// What a search for a surface varies, in the order of its vector x: logarithms of the magnitudes of the fold
-/// multipliers times sin(theta), angles, rad, lengths over `unit`, the half distance of the two layers of vertices over
-/// `unit`, and the pose of the middle facet against that of the start (turn vector, rad, and shift over `unit`).
+/// Variables of a search for a surface, in the order of its vector x.
+/// - Logarithms of the magnitudes of the fold multipliers times sin(theta).
+/// - Angles, rad.
+/// - Lengths over `unit`.
+/// - Half distance of the two layers of vertices over `unit`.
+/// - Pose of the middle facet relative to the start (turn vector, rad, and shift over `unit`).
 struct SurfaceVariables {
   int columns = 0, rows = 0;                           ///< of facets, >= 2
   double unit = 1;                                     ///< of lengths, mm
@@ -17,14 +20,14 @@ struct SurfaceVariables {
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();     ///< of its lower left corner at the start, mm
 
   int size() const;
-  /// Index of the half distance of the layers, and of the pose behind it.
+  /// Returns the index of the half distance of the layers. The pose follows it.
   int layer() const { return size() - 7; }
 };
 
-/// Of these data. @param layer half distance of the two layers of vertices, mm
+/// Returns x of these data. @param layer half distance of the two layers of vertices, mm
 Eigen::VectorXd variables_of(const SurfaceVariables& v, const model::MarchData& data, double layer);
 
-/// The march's data at x, lengths in mm, multipliers times sin(theta). @param x of size() entries
+/// Returns the march's data at x, lengths in mm, multipliers times sin(theta). @param x of size() entries
 template <class T>
 model::MarchDataOf<T> march_data(const SurfaceVariables& v, const T* x) {
   using std::exp;

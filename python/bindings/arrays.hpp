@@ -7,10 +7,10 @@
 
 namespace kinetix::python {
 
-/// Numbers as NumPy has them, row by row; whatever else a caller gives is copied into one.
+/// Array of doubles, row by row. Anything else that a caller gives is copied into one.
 using Numbers = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
 
-/// Numbers that another object holds, without a copy; the array keeps their owner alive and cannot be written.
+/// Returns numbers that another object holds, without a copy. The array keeps their owner alive and cannot be written.
 /// @param strides bytes from one entry to the next, by dimension
 inline pybind11::array view_of(const double* numbers, std::vector<pybind11::ssize_t> shape,
                                std::vector<pybind11::ssize_t> strides, pybind11::handle owner) {
@@ -19,8 +19,8 @@ inline pybind11::array view_of(const double* numbers, std::vector<pybind11::ssiz
   return out;
 }
 
-/// A new array whose numbers are still to be written. Of ordinary pages: NumPy asks for large ones, which take twice as long
-/// to get where a machine has few of them at hand.
+/// Returns a new array whose numbers are still to be written. It has ordinary pages: NumPy requests large ones, which
+/// take twice as long to get on a machine with few of them at hand.
 inline pybind11::array unwritten(std::vector<pybind11::ssize_t> shape) {
   std::size_t count = 1;
   for (const pybind11::ssize_t size : shape) count *= static_cast<std::size_t>(size);
@@ -29,14 +29,14 @@ inline pybind11::array unwritten(std::vector<pybind11::ssize_t> shape) {
   return pybind11::array_t<double>(std::move(shape), numbers, owner);
 }
 
-/// A vector that becomes an array without a copy: the array owns it.
+/// Turns a vector into an array that owns it, without a copy.
 inline pybind11::array taken(std::vector<double>&& numbers, std::vector<pybind11::ssize_t> shape) {
   auto* kept = new std::vector<double>(std::move(numbers));
   const pybind11::capsule owner(kept, [](void* vector) { delete static_cast<std::vector<double>*>(vector); });
   return pybind11::array_t<double>(std::move(shape), kept->data(), owner);
 }
 
-/// The same, as an array that refuses writes: numbers of a thing that does not change.
+/// Turns a vector into an array that owns it and refuses writes, for numbers of an object that does not change.
 inline pybind11::array read_only(std::vector<double>&& numbers, std::vector<pybind11::ssize_t> shape) {
   pybind11::array out = taken(std::move(numbers), std::move(shape));
   out.attr("setflags")(pybind11::arg("write") = false);

@@ -4,7 +4,7 @@
 
 namespace kinetix::python {
 
-/// Each adds one concept to the module `kinetix._core`, which the package's own files wrap and document.
+/// Each function adds one concept to the module `kinetix._core`, which the package's Python files wrap and document.
 void add_errors(pybind11::module_& core);
 void add_states(pybind11::module_& core);
 void add_designs(pybind11::module_& core);

@@ -29,7 +29,7 @@ void check_theta(const std::string& field, double theta) {
   require(field, theta, theta > -within && theta < within, "within (-pi/2, pi/2) rad");
 }
 
-/// One number a hinge. @param scale of what the model counts in
+/// Returns one number per hinge. @param scale factor from the unit of the model to that of the numbers
 py::array hinge_numbers(const PythonDesign& design, HingeField field, double scale = 1) {
   std::vector<double> out;
   for (int h = 0; h < design.sheet().hinges(); ++h) out.push_back(design.sheet().hinge(h).*field * scale);
@@ -44,7 +44,7 @@ void set_hinges(model::Lattice& sheet, HingeField field, const std::string& name
   for (int h = 0; h < sheet.hinges(); ++h) sheet.hinge(h).*field = numbers->data()[h] / scale;
 }
 
-/// As files are refused: what is made so could not be saved.
+/// Refuses offsets that files refuse: the design could not be saved.
 void check_offsets_as_made(const app::Design& file) {
   for (int h = 0; h < file.structure.hinges(); ++h)
     if (const auto why = app::why_offset_does_not_fit(file, h))
@@ -65,7 +65,7 @@ PythonDesign with_hinges(const PythonDesign& design, const std::optional<Numbers
   return PythonDesign(std::move(file));
 }
 
-/// A design to another theta goes there whatever drove it.
+/// Returns the design for another theta, whatever drove it.
 PythonDesign with_theta(const PythonDesign& design, double theta) {
   check_theta("theta", theta);
   app::Design file = design.file();
@@ -74,7 +74,7 @@ PythonDesign with_theta(const PythonDesign& design, double theta) {
   return PythonDesign(std::move(file));
 }
 
-/// Rows of three numbers. @param row of index k
+/// Returns rows of three numbers. @param row of index k
 template <class Row>
 py::array rows_of_three(int count, Row row) {
   std::vector<double> out;
@@ -113,7 +113,7 @@ std::vector<std::string> wall_names(const PythonDesign& design) {
   return out;
 }
 
-/// Theta to which the design's own drive takes its closed form.
+/// Returns theta to which the design's drive takes its closed form.
 double own_theta(const PythonDesign& design) {
   return app::exact_theta_of(design.file(), design.needed_exact());
 }
@@ -126,7 +126,7 @@ py::array exact_poses(const PythonDesign& design, std::optional<double> theta) {
   return taken(std::move(rows), {static_cast<py::ssize_t>(state.size()), pose_numbers});
 }
 
-/// One state for each theta.
+/// Returns one state for each theta.
 py::array fold_all(const PythonDesign& design, const Numbers& thetas, int threads) {
   if (thetas.ndim() != 1) throw InvalidInput("theta must be a list of angles");
   for (py::ssize_t k = 0; k < thetas.shape(0); ++k)

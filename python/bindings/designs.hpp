@@ -7,7 +7,7 @@
 
 namespace kinetix::python {
 
-/// A design and its closed form, which nobody changes.
+/// Immutable design with its closed form.
 class PythonDesign {
  public:
   explicit PythonDesign(app::Design file);

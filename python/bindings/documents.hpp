@@ -7,9 +7,9 @@
 
 namespace kinetix::python {
 
-/// Text that stands for a dict of Python: what is wrong with it is told by its key alone, since its user knows no lines.
-/// @param read takes the document; whatever is wrong in other files keeps its place
-/// @param file whose folder relative paths start from; its name names what has no `name`
+/// Reads the text of a Python dict as a document. Errors name the key alone, since a dict has no lines.
+/// @param read takes the document; errors in other files keep their place
+/// @param file relative paths start from its folder; its name names documents without a `name`
 template <class Read>
 auto read_dict(const std::string& text, const std::string& file, Read read) {
   try {

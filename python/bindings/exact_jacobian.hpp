@@ -6,7 +6,7 @@
 
 namespace kinetix::python {
 
-/// Derivatives of the closed form of a sheet of family F1, F2 or F3 along x by all its parameters.
+/// Computes the derivatives of the closed form of a sheet of family F1, F2 or F3 along x by all its parameters.
 /// @return names of the parameters, and (parameters, N, 6): of each body the shift (mm) and the turn (rad)
 /// @throws InvalidInput for any other sheet
 pybind11::tuple exact_jacobian(const PythonDesign& design, double theta);

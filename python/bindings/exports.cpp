@@ -11,7 +11,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// As the command line takes them. @throws InvalidInput for lengths that would count for nothing
+/// Checks lengths by the limits of the command line. @throws InvalidInput for lengths out of range
 void check_lengths(const app::PrintRequest& request) {
   const auto check = [](const char* name, double mm, double least, double most, const char* allowed) {
     require(name, mm, mm == 0 || (mm >= least && mm <= most), allowed);

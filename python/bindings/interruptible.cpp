@@ -14,9 +14,9 @@ namespace py = pybind11;
 
 using InterruptClock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds between_looks{20};  // nobody sees a shorter wait
+constexpr std::chrono::milliseconds between_looks{20};  // too short to be noticed
 
-/// What signals have asked for so far.
+/// Handler of signals: requests the work to stop, and keeps what Python raised.
 class Interrupts {
  public:
   Interrupts(std::stop_source stop, bool keeps_best) : stop_(std::move(stop)), keeps_best_(keeps_best) {}

@@ -14,9 +14,10 @@
 
 namespace kinetix::python {
 
-/// Calls fold(k, state) for every k below count, on as many threads; each hands its own state on from call to call, so that
-/// memory is taken once. Which thread makes which fold changes no result. The exception of the least k is thrown again.
-/// @param threads at least 1   @param stop where it asks to, the rest is left out   @tparam State of a fold
+/// Calls fold(k, state) for every k below count, on several threads. Each thread passes its state on from call to
+/// call, so that memory is taken once. Which thread makes which fold changes no result. The exception of the least k
+/// is thrown again.
+/// @param threads at least 1.   @param stop leaves the rest out when requested.   @tparam State of a fold
 template <class State, class Fold>
 void many_folds(std::int64_t count, int threads, const std::stop_token& stop, Fold fold) {
   std::exception_ptr thrown;
@@ -41,12 +42,15 @@ void many_folds(std::int64_t count, int threads, const std::stop_token& stop, Fo
   if (thrown) std::rethrow_exception(thrown);
 }
 
-// Of bodies that are folded: fewer take some milliseconds, less than other threads and a look out for Ctrl-C are worth.
+// Number of folded bodies from which several threads and a watch for Ctrl-C are worth their cost; fewer take some
+// milliseconds.
 inline constexpr std::int64_t worth_threads = 100'000;
 
-/// The same without the interpreter's lock; where there is much to do, Ctrl-C raises KeyboardInterrupt. Other threads are
-/// never those of the caller's own thread: a process that it forks later could not use them.
-/// @param bodies of a fold   @param threads 0 = all cores   @throws InvalidInput unless threads is 0 to 1024. @pre the lock is held
+/// Calls fold(k, state) for every k below count, without the interpreter's lock. From worth_threads bodies on, several
+/// threads are used and Ctrl-C raises KeyboardInterrupt. They are never threads of the caller's thread, since a
+/// process that it forks later could not use those.
+/// @param bodies of a fold.   @param threads 0 = all cores.   @throws InvalidInput unless threads is 0 to 1024. @pre
+/// the lock is held
 template <class State = model::State, class Fold>
 void many_folds_in_python(std::int64_t count, std::int64_t bodies, int threads, Fold fold) {
   const int used = model::threads_of(threads);

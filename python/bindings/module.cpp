@@ -8,7 +8,7 @@ PYBIND11_MODULE(_core, core) {
   core.doc() = "The compiled part of the package kinetix; use that.";
   core.attr("version") = kinetix::app::version;
   FLAGS_minloglevel =
-      google::GLOG_FATAL;  // Ceres tells on stderr of points without a value, which searches know
+      google::GLOG_FATAL;  // Ceres reports points without a value on stderr; searches expect them
   add_errors(core);
   add_states(core);
   add_designs(core);

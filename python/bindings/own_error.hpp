@@ -9,23 +9,24 @@
 
 namespace kinetix::python {
 
-/// An error of a state that a callable of Python says: residuals whose sum of squares is to be least, and maybe their
-/// derivatives. It is called from any thread and takes the interpreter's lock itself. Once Python has raised, all that
-/// follows fails, so that a search comes to its end, where raise_again() throws what was raised first.
+/// Error of a state as computed by a Python callable: residuals whose sum of squares is to be least, and optionally
+/// their derivatives. It may be called from any thread and takes the interpreter's lock itself. Once Python has
+/// raised, all further calls fail, so that a search ends. raise_again() then throws the first exception.
 class OwnError {
  public:
-  /// @param error takes poses, (N, 7), gives a number or m of them
-  /// @param gradient takes the same, gives (m, N, 6), by each body's shift (mm) and turn (rad); or None
+  /// @param error takes poses, (N, 7), returns a number or m of them
+  /// @param gradient takes poses, (N, 7), returns (m, N, 6), by each body's shift (mm) and turn (rad); or None
   OwnError(pybind11::object error, pybind11::object gradient)
       : error_(std::move(error)), gradient_(std::move(gradient)) {}
 
   bool has_gradient() const { return !gradient_.is_none(); }
-  /// Of the first state that was looked at; -1 before.
+  /// Number of residuals of the first state that was evaluated; -1 before.
   int residuals() const { return residuals_; }
 
-  /// @return false where Python has raised, or a number is not finite. @throws nothing
+  /// @return false if Python has raised, or a number is not finite. @throws nothing
   bool at(const model::State& state, Eigen::VectorXd& r) const noexcept;
-  /// Row by row; columns are six a body. @pre has_gradient, at() was called. @return likewise
+  /// Computes the gradient row by row, with six columns per body. @pre has_gradient, at() was called.
+  /// @return false if Python has raised, or a number is not finite
   bool gradient_at(const model::State& state, Eigen::MatrixXd& gradient) const noexcept;
 
   void raise_again() const {

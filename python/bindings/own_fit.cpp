@@ -10,9 +10,9 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// rad: the cube root of the rounding of a double, at which central differences are best.
+// Step, rad: the cube root of the rounding of a double, at which central differences are best.
 constexpr double difference_step = 6e-6;
-// Of the range of tilts: gentle bends, from which all others can be reached.
+// Fraction of half the range of tilts: gentle bends, from which all others can be reached.
 constexpr double gentle_bend = 0.15;
 
 }  // namespace

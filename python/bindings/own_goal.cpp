@@ -17,14 +17,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// s a call of the error, of which a start makes some hundred: what NumPy takes for a few operations.
+// Estimated time per call of the error, s: what NumPy takes for a few operations. A start makes about a hundred calls.
 constexpr double seconds_a_call = 2e-5, calls_a_start = 100;
 
 struct OwnMeasure final : app::Measure {
   Eigen::VectorXd residuals;  ///< of the state, in units of the error
 };
 
-/// What the search of a goal found.
+/// Outcome of the search for a user's goal.
 struct OwnOutcome final : app::GoalOutcome {
   optim::SolverName solver = optim::SolverName::ceres;
   optim::MultiStartResult search;

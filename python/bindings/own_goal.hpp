@@ -8,7 +8,7 @@
 
 namespace kinetix::python {
 
-/// A goal of one's own: how large the strip is, what the search may vary, and when the goal is met.
+/// User's goal: the size of the strip, what the search may vary, and when the goal is met.
 class OwnGoal final : public app::Goal {
  public:
   using Goal::Goal;
@@ -19,12 +19,12 @@ class OwnGoal final : public app::Goal {
   model::CellSize size;
   optim::MultiStartOptions starts = {};
 
-  /// @throws InvalidInput for what leaves nothing to search
+  /// @throws InvalidInput if nothing is left to search
   OwnFit fit() const;
 
   app::Forecast forecast() const override;
   app::Found search(const app::RunOptions& options) const override;
-  /// Of the model's state and of where the physics run ended, laid over that.
+  /// Measures the error of the model's state, or of the final state of the physics run aligned with it.
   std::shared_ptr<const app::Measure> measure(const app::Run& run, app::StateOf of, const model::State& state,
                                               const app::RunOptions& options) const override;
 };

@@ -20,17 +20,17 @@ namespace py = pybind11;
 
 using SharedRun = std::shared_ptr<app::Run>;
 
-/// The one file of an exporter that writes one for every run.
+/// Returns the only file of an exporter that writes one for every run.
 std::string content_of(const app::Exporter& exporter, const app::Run& run) {
   return exporter.write(run, result_json(run)).front().content;
 }
 
-/// By a drive in elastic hinges; of all others nothing.
+/// Whether the drive in elastic hinges reached its goal; empty without an equilibrium.
 std::optional<bool> reached(const app::Run& run) {
   return run.equilibrium ? std::optional(run.equilibrium->reached()) : std::nullopt;
 }
 
-/// One number a step of the equilibrium path.
+/// Returns one number per step of the equilibrium path.
 template <class Number>
 py::array of_path(const app::Run& run, Number number) {
   std::vector<double> out;

@@ -18,7 +18,7 @@ const app::Equilibrium& reached_equilibrium(const app::Run& run) {
   return *run.equilibrium;
 }
 
-/// As the adjoint takes it: turns first, shifts in cell edges.
+/// Converts derivatives by poses to the order and unit of the adjoint: turns first, shifts in cell edges.
 Eigen::VectorXd by_state(const Numbers& poses, int bodies, double edge_mm) {
   if (poses.ndim() != 2 || poses.shape(0) != bodies || poses.shape(1) != 6)
     throw InvalidInput(fmt::format(

@@ -23,7 +23,7 @@ namespace py = pybind11;
 using model::ExactDesign;
 using model::Lanes;
 
-/// Many strips of as many columns and rows: tilts, angles and, where hinges are off the middle, fractions, row by row.
+/// Many strips with equal columns and rows: tilts, angles and, if hinges are off the middle, fractions, row by row.
 struct Strips {
   Numbers beta, theta;
   std::optional<Numbers> t;
@@ -35,7 +35,7 @@ struct Strips {
   py::ssize_t bodies() const { return static_cast<py::ssize_t>(model::lattice_bodies(beta.shape(1), rows)); }
 };
 
-/// Where numbers[k, c] is not as it must be. @throws InvalidInput naming it
+/// Rejects the value numbers[k, c]. @throws InvalidInput naming it
 void reject(const char* name, py::ssize_t k, py::ssize_t c, double value, const char* allowed) {
   throw InvalidInput(fmt::format("{}[{}, {}] is {}, must be {}", name, k, c, number_text(value), allowed));
 }
@@ -53,7 +53,7 @@ void check_shapes(const Strips& strips) {
   require("rows", strips.rows, strips.rows >= 1, "at least 1");
 }
 
-/// Family F2 (kinematics.md section 2): in each column the tilt is 0 or the hinge in the middle.
+/// Checks family F2 (kinematics.md section 2): in each column the tilt is 0 or the hinge is in the middle.
 void check_columns(const Strips& strips) {
   const py::ssize_t columns = strips.beta.shape(1);
   for (py::ssize_t k = 0; k < strips.count(); ++k)
@@ -77,7 +77,7 @@ void check(const Strips& strips) {
   }
 }
 
-/// Takes strip k into a design of its size. Fractions of the walls of row 0 are from their left end, as in files.
+/// Writes strip k into a design of its size. Fractions of the walls of row 0 are from their left end, as in files.
 void load(const Strips& strips, std::int64_t k, ExactDesign<double>& design) {
   const std::int64_t columns = strips.columns();
   for (int c = 0; c < columns; ++c) {
@@ -87,7 +87,8 @@ void load(const Strips& strips, std::int64_t k, ExactDesign<double>& design) {
   design.theta = strips.theta.data()[k];
 }
 
-/// A caller's own array for results. @throws InvalidInput unless it has the shape, in C order and doubles
+/// Returns the numbers of a caller's array for results. @throws InvalidInput unless it has the shape, in C order and
+/// doubles
 double* writable(py::array out, const std::vector<py::ssize_t>& shape) {
   const bool fits = py::isinstance<py::array_t<double, py::array::c_style>>(out) && out.writeable() &&
                     std::vector<py::ssize_t>(out.shape(), out.shape() + out.ndim()) == shape;
@@ -117,7 +118,7 @@ py::array fold_strips(Numbers beta, Numbers theta, std::optional<Numbers> t, dou
   return poses;
 }
 
-/// Derivatives of body's pose: shift (mm), then turn (rad).
+/// Writes the derivatives of a body's pose: shift (mm), then turn (rad).
 void write_twist(const model::Twist& twist, double* six) {
   std::copy_n(twist.v.data(), 3, six);
   std::copy_n(twist.omega.data(), 3, six + 3);
@@ -146,7 +147,7 @@ py::tuple strip_derivatives(Numbers beta, Numbers theta, double cell_mm, int row
   return py::make_tuple(poses, derivatives);
 }
 
-/// Two strips side by side, and what goes with them.
+/// Two strips side by side, with their gradient and the derivatives by their poses.
 struct StripPair {
   ExactDesign<Lanes> design, gradient;
   Eigen::Matrix<Lanes, Eigen::Dynamic, 1> by_state;
@@ -173,7 +174,7 @@ struct StripPair {
       }
   }
 
-  /// Tilts, then theta.
+  /// Writes the gradient by the tilts, then by theta.
   void write(int lane, double* row) const {
     for (const Lanes& beta : gradient.beta) *row++ = beta[lane];
     *row = gradient.theta[lane];

@@ -13,12 +13,13 @@ from .documents import Source, yaml_text
 
 
 class Design:
-    """A flat sheet with the parameters of every hinge; what a design.yaml holds. It does not change: its arrays refuse writes.
+    """A flat sheet with the parameters of every hinge: the content of a design.yaml.
 
-    Lengths in mm, angles in rad; files and dicts have degrees, in keys that end in ``_deg``.
+    It is immutable: its arrays refuse writes. Lengths in mm, angles in rad. Files and dicts have degrees, in keys that
+    end in ``_deg``.
 
-    :param source: the path of a design.yaml, or a dict with its keys
-    :param folder: from which relative paths in a dict start
+    :param source: the path of a design.yaml, or a dict with its keys.
+    :param folder: from which relative paths in a dict start.
     :raises InvalidInput: with the place, for whatever the format does not allow
 
     >>> import kinetix
@@ -40,7 +41,7 @@ class Design:
 
     @classmethod
     def from_text(cls, text: str, folder: "str | os.PathLike[str]" = "") -> "Design":
-        """The design that a design.yaml of this text holds."""
+        """Reads the design from the text of a design.yaml."""
         return cls._of(_core.parse_design(text, os.path.join(folder, "design.yaml")))
 
     @classmethod
@@ -51,27 +52,27 @@ class Design:
 
     @property
     def name(self) -> str:
-        """Of the design, and of folders with its results."""
+        """Name of the design, and of folders with its results."""
         return self._core.name
 
     @property
     def theta(self) -> float:
-        """The state to show: fold parameter, rad."""
+        """Fold parameter of the state to show, rad."""
         return self._core.theta
 
     @property
     def bodies(self) -> int:
-        """How many rigid bodies it has."""
+        """Number of rigid bodies."""
         return self._core.bodies
 
     @property
     def hinges(self) -> int:
-        """How many hinges it has."""
+        """Number of hinges."""
         return self._core.hinges
 
     @property
     def cells(self) -> int:
-        """How many cells it has."""
+        """Number of cells."""
         return self._core.cells
 
     @property
@@ -86,7 +87,7 @@ class Design:
 
     @property
     def family(self) -> str:
-        """The family of sheets that move exactly to which it belongs, such as ``F2``; ``none`` where there is none."""
+        """Family of exact sheets to which it belongs, such as ``F2``; ``none`` if it belongs to none."""
         return self._core.family
 
     @property
@@ -96,7 +97,7 @@ class Design:
 
     @property
     def t(self) -> NDArray[np.float64]:
-        """(H,): where each hinge sits on its wall, as a fraction of the wall."""
+        """(H,): place of each hinge on its wall, as a fraction of the wall."""
         return self._core.t
 
     @property
@@ -111,22 +112,22 @@ class Design:
 
     @property
     def offset_mm(self) -> NDArray[np.float64]:
-        """(H,): how far each hinge is off its wall, mm."""
+        """(H,): distance of each hinge from its wall, mm."""
         return self._core.offset_mm
 
     @property
     def rest_positions(self) -> NDArray[np.float64]:
-        """(N, 3): where the bodies are in the flat sheet, mm."""
+        """(N, 3): places of the bodies in the flat sheet, mm."""
         return self._core.rest_positions
 
     @property
     def hinge_points(self) -> NDArray[np.float64]:
-        """(H, 3): where the hinges are in the flat sheet, mm."""
+        """(H, 3): places of the hinges in the flat sheet, mm."""
         return self._core.hinge_points
 
     @property
     def hinge_axes(self) -> NDArray[np.float64]:
-        """(H, 3): their axes in the flat sheet, of unit length."""
+        """(H, 3): axes of the hinges in the flat sheet, unit vectors."""
         return self._core.hinge_axes
 
     @property
@@ -143,14 +144,14 @@ class Design:
 
     def with_hinges(self, t: Optional[ArrayLike] = None, alpha: Optional[ArrayLike] = None,
                     beta: Optional[ArrayLike] = None, offset_mm: Optional[ArrayLike] = None) -> "Design":
-        """The same sheet with other hinges: one number a hinge of whatever is given.
+        """Returns the sheet with other hinges: one number per hinge for each parameter that is given.
 
         :raises InvalidInput: naming the wall, for numbers outside their range
         """
         return Design._of(self._core.with_hinges(t, alpha, beta, offset_mm))
 
     def with_theta(self, theta: float) -> "Design":
-        """The same sheet, to be shown at another theta, rad, whatever drove it."""
+        """Returns the sheet, to be shown at another theta, rad, whatever drove it."""
         return Design._of(self._core.with_theta(theta), self._file)
 
     def poses(self, theta: Optional[float] = None) -> NDArray[np.float64]:
@@ -158,7 +159,7 @@ class Design:
 
         x y z in mm, then the unit quaternion w x y z.
 
-        :raises InvalidInput: where the sheet has no closed form
+        :raises InvalidInput: if the sheet has no closed form
         """
         return self._core.poses(theta)
 
@@ -172,20 +173,21 @@ class Design:
         return self._core.fold(np.asarray(theta, dtype=np.float64), threads)
 
     def derivatives(self, theta: Optional[float] = None) -> Tuple[List[str], NDArray[np.float64]]:
-        """Derivatives of the closed form's poses by all parameters of a sheet of family F1, F2 or F3.
+        """Computes the derivatives of the closed form's poses by all parameters of a sheet of family F1, F2 or F3.
 
-        ``beta[c]``, the tilt of column c in row 0 (rad; row j has (-1)^j of it), ``t[c]`` and ``s[r]``, where the hinges of a
-        column and a row sit, as a fraction from the body whose i + j is even, ``gamma`` (rad), ``theta`` (rad).
+        ``beta[c]`` is the tilt of column c in row 0 (rad; row j has (-1)^j of it). ``t[c]`` and ``s[r]`` are the places
+        of the hinges of a column and a row, as a fraction from the body whose i + j is even. ``gamma`` and ``theta``
+        are in rad.
 
-        :param theta: rad; by default where the design's own drive takes it
-        :return: the names, and (parameters, N, 6): of each body the shift in mm and the turn (a vector about which it turns)
-            in rad, per rad or per 1
+        :param theta: rad; by default where the design's own drive takes it.
+        :return: the names, and (parameters, N, 6). For each body these are the shift in mm and the turn (a vector about
+            which it turns) in rad, per rad or per 1.
         :raises InvalidInput: for sheets of other families
         """
         return self._core.derivatives(theta)
 
     def text(self) -> str:
-        """Its design.yaml. Reading it gives the same design, bit for bit."""
+        """Returns its design.yaml. Reading it gives the same design, bit for bit."""
         return self._core.text()
 
     def save(self, file: "str | os.PathLike[str]") -> None:

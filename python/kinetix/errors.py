@@ -8,8 +8,8 @@ from typing import Tuple, Type
 class InvalidInput(ValueError):
     """A file, a dict or an argument that cannot be used.
 
-    Its text reads ``file:line:column: key.path: what is wrong, what is allowed``, as the program prints it; parts that are
-    not known are left out, such as the lines of a dict.
+    Its text reads ``file:line:column: key.path: what is wrong, what is allowed``, as the program prints it. Unknown
+    parts are left out, such as the lines of a dict.
     """
 
     reason: str

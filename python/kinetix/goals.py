@@ -1,4 +1,4 @@
-"""Goals of one's own: a function of a state that says how far it is from what is wanted."""
+"""Goals of one's own: a function of a state that measures its distance from the desired one."""
 
 from __future__ import annotations
 
@@ -18,28 +18,28 @@ Gradient = Callable[[Poses], ArrayLike]
 
 
 class Goal:
-    """An error of one's own for a strip, which goes into the same search as the goals of files.
+    """An error of one's own for a strip, which uses the same search as the goals of files.
 
-    The search varies the tilts of the columns and theta, from several starts; then the strip is folded by the physics
-    engine, and the error is asked again. Body (i, j) stands at i (rows + 1) + j; body 0 does not move from the origin.
+    The search varies the tilts of the columns and theta, from several starts. Then the physics engine folds the strip,
+    and the error is evaluated again. Body (i, j) has index i (rows + 1) + j; body 0 does not move from the origin.
 
-    :param error: of poses (N, 7): x y z in mm, the unit quaternion w x y z; see :data:`Error`. Let it be smooth.
-        It may be called from any thread, one at a time.
-    :param tolerance: of the root of the sum of squares, in the error's own unit
-    :param gradient: see :data:`Gradient`; without it the search calls the error twice for each of its variables
-    :param columns: of cells, at least 2
-    :param cell_mm: cell edge, mm
-    :param rows: of cells
-    :param wall_mm: thickness and height of the walls, mm; by default a tenth and three fifths of the cell edge,
-        at most 3 and 30
-    :param beta: least and largest tilt, rad
-    :param theta: least and largest fold parameter, rad; it stays below where walls close the cells
-    :param per: ``column``: each has a tilt of its own; ``all``: all turn alike
-    :param symmetry: of the folded shape: ``none``, ``mirror_x``, ``mirror_y``, ``rotate_2``
-    :param solver: ``ceres``, ``slsqp``, ``mma`` or ``ccsa``; without derivatives ``bobyqa``, ``cobyla`` or ``crs``
-    :param starts: of the search
-    :param max_evaluations: per start
-    :raises InvalidInput: for what leaves nothing to search, and an error that gives no numbers
+    :param error: of poses (N, 7): x y z in mm, the unit quaternion w x y z; see :data:`Error`. It should be smooth. It
+        may be called from any thread, one at a time.
+    :param tolerance: of the root of the sum of squares, in the unit of the error.
+    :param gradient: see :data:`Gradient`; without it the search calls the error twice for each of its variables.
+    :param columns: of cells, at least 2.
+    :param cell_mm: cell edge, mm.
+    :param rows: of cells.
+    :param wall_mm: thickness and height of the walls, mm; by default a tenth and three fifths of the cell edge, at most
+        3 and 30.
+    :param beta: least and largest tilt, rad.
+    :param theta: least and largest fold parameter, rad; it stays below the angle at which walls close the cells.
+    :param per: ``column``: each has a separate tilt; ``all``: all have the same tilt.
+    :param symmetry: of the folded shape: ``none``, ``mirror_x``, ``mirror_y``, ``rotate_2``.
+    :param solver: ``ceres``, ``slsqp``, ``mma`` or ``ccsa``; without derivatives ``bobyqa``, ``cobyla`` or ``crs``.
+    :param starts: of the search.
+    :param max_evaluations: per start.
+    :raises InvalidInput: if nothing is left to search, or the error gives no numbers
     """
 
     def __init__(self, error: Error, tolerance: float, *, gradient: Optional[Gradient] = None, columns: int = 20,
@@ -52,14 +52,14 @@ class Goal:
 
     @property
     def name(self) -> str:
-        """Names results."""
+        """Name of the results."""
         return self._core.name
 
     def gradient_error(self, states: int = 5) -> float:
-        """How far the gradient given is from central differences, over the largest derivative: 1e-6 is fine.
+        """Compares the gradient with central differences, over the largest derivative: 1e-6 is fine.
 
-        :param states: how many are looked at, at least 1
-        :raises InvalidInput: where the goal has no gradient
+        :param states: number of states that are compared, at least 1.
+        :raises InvalidInput: if the goal has no gradient
         """
         return self._core.gradient_error(states)
 

@@ -1,4 +1,4 @@
-"""What a run found."""
+"""Results of a run."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .state import State
 
 
 class Problem(NamedTuple):
-    """A fact that speaks against a result."""
+    """An error or a warning about a result."""
 
     level: str
     """``error``, where a flag of the verdict is false, or ``warning``."""
@@ -41,7 +41,7 @@ class Verdict(NamedTuple):
 
 
 class Result:
-    """Everything that a run knows at its end: what result.json and the report hold."""
+    """All results of a run: the content of result.json and of the report."""
 
     __slots__ = ("_core", "_json", "__weakref__")
 
@@ -51,12 +51,12 @@ class Result:
 
     @property
     def name(self) -> str:
-        """Of the target or design."""
+        """Name of the target or design."""
         return self._core.name
 
     @property
     def theta(self) -> float:
-        """Of the state shown: fold parameter, rad."""
+        """Fold parameter of the state shown, rad."""
         return self._core.theta
 
     @property
@@ -68,7 +68,7 @@ class Result:
 
     @property
     def exit_code(self) -> int:
-        """With which the program would end: 0; 3: not met, not printable or not reached; 4: the simulation disagrees."""
+        """Exit code of the program: 0; 3: not met, not printable or not reached; 4: the simulation disagrees."""
         return self._core.exit_code
 
     @property
@@ -78,22 +78,22 @@ class Result:
 
     @property
     def violations(self) -> List[str]:
-        """What is missing of the goal, in words."""
+        """Violations of the goal, in words."""
         return self._core.violations
 
     @property
     def agrees(self) -> Optional[bool]:
-        """Whether the physics run agrees with the model; None where there was no physics run."""
+        """Whether the physics run agrees with the model; None without a physics run."""
         return self.verdict.agrees
 
     @property
     def reached(self) -> Optional[bool]:
-        """Whether the drive reached its goal in elastic hinges; None where no equilibrium was asked for."""
+        """Whether the drive reached its goal with elastic hinges; None if no equilibrium was requested."""
         return self._core.reached
 
     @property
     def stopped(self) -> bool:
-        """Whether Ctrl-C or a time limit ended the search: then this is the best that it had."""
+        """Whether Ctrl-C or a time limit ended the search; the result is then its best so far."""
         return self._core.stopped
 
     @property
@@ -102,10 +102,10 @@ class Result:
         return [State(core) for core in self._core.states]
 
     def state(self, model: Optional[str] = None) -> State:
-        """The folded state.
+        """Returns the folded state.
 
-        :param model: ``exact``, ``equilibrium`` or ``bullet``; by default the first there is
-        :raises KeyError: where the run has none by that model
+        :param model: ``exact``, ``equilibrium`` or ``bullet``; by default the first there is.
+        :raises KeyError: if the run has no state by that model
         """
         for core in self._core.states:
             if core.name == "target" and model in (None, core.model):
@@ -120,33 +120,34 @@ class Result:
 
     @property
     def path(self) -> Optional[Dict[str, NDArray[np.float64]]]:
-        """The equilibrium path from flat, one number a step; None where no equilibrium was asked for.
+        """The equilibrium path from flat, one number per step; None if no equilibrium was requested.
 
-        ``theta`` (rad), ``drive`` (compression, or rad of a driven hinge, or mm of a cord, or rad at which springs of shape
-        memory rest), ``load`` (N, or N mm), ``energy`` (N mm), ``gap`` (cell edges), ``contacts``, ``stable`` (0 or 1).
+        ``theta`` (rad), ``load`` (N, or N mm), ``energy`` (N mm), ``gap`` (cell edges), ``contacts``, ``stable`` (0 or
+        1). ``drive`` is the compression (a fraction), the turn of a driven hinge (rad), the shortening of a tendon
+        (mm), or the rest angle of shape-memory springs (rad).
         """
         return self._core.path
 
     def sensitivity(self, poses: Optional[ArrayLike] = None, *, load: float = 0.0,
                     energy: float = 0.0) -> Dict[str, Any]:
-        """Derivatives of a function f of the equilibrium by every hinge and by what hinges are made of, by the adjoint.
+        """Computes derivatives of a function f of the equilibrium by every hinge and its material.
 
-        The structure is in equilibrium again after each change, while the drive stays at its theta. One call costs about
-        as much as a step of Newton's method, however many hinges there are.
+        It uses the adjoint. The structure is in equilibrium again after each change, while the drive stays at its
+        theta. One call costs about as much as a step of Newton's method, for any number of hinges.
 
-        :param poses: (N, 6): f by the shift (mm) and the turn (a vector about which it turns, rad) of each body, where f does
-            not change by moving all of them as one
-        :param load: f by the drive's load, per N for plates and cords, per N mm for driven hinges and springs
-        :param energy: f by the stored energy, per N mm
-        :return: ``t``, ``alpha``, ``beta``, ``offset_mm`` (H,) by each hinge's own (a fraction, rad, rad, mm), and ``theta``
-            (rad), ``k_point`` (N/mm), ``k_turn`` (N mm/rad), ``reach_mm``, ``k_contact`` (N/mm)
-        :raises InvalidInput: where there is no equilibrium, or not a stable one at the drive's goal
+        :param poses: (N, 6): f by the shift (mm) and the turn (a vector about which it turns, rad) of each body. A
+            rigid motion of all bodies must not change f.
+        :param load: f by the drive's load, per N for plates and tendons, per N mm for driven hinges and springs.
+        :param energy: f by the stored energy, per N mm.
+        :return: ``t``, ``alpha``, ``beta``, ``offset_mm`` (H,) for each hinge (a fraction, rad, rad, mm). Also
+            ``theta`` (rad), ``k_point`` (N/mm), ``k_turn`` (N mm/rad), ``reach_mm`` and ``k_contact`` (N/mm).
+        :raises InvalidInput: if there is no equilibrium, or not a stable one at the drive's goal
         """
         return self._core.sensitivity(None if poses is None else np.asarray(poses, dtype=np.float64), load, energy)
 
     @property
     def design(self) -> Design:
-        """The sheet that was found, or was simulated."""
+        """The sheet that was found or simulated."""
         return Design.from_text(self._core.design_text())
 
     @property
@@ -156,28 +157,28 @@ class Result:
         return metrics
 
     def json(self) -> str:
-        """The document result.json."""
+        """Returns the document result.json."""
         if self._json is None:
             self._json = self._core.json()
         return self._json
 
     def to_dict(self) -> Dict[str, Any]:
-        """The same as a dict (docs/formats.md)."""
+        """Returns result.json as a dict (docs/formats.md)."""
         document: Dict[str, Any] = json.loads(self.json())
         return document
 
     def summary(self) -> str:
-        """The lines that the program prints."""
+        """Returns the lines that the program prints."""
         return self._core.summary()
 
     def report(self) -> str:
-        """The report: one page of HTML that needs no other file."""
+        """Returns the report: one page of HTML that needs no other file."""
         return self._core.report()
 
     def write(self, folder: "str | os.PathLike[str]") -> None:
         """Writes result.json, design.yaml, report.html and pictures into a folder: all of them or none.
 
-        :raises InvalidInput: where the folder cannot be written
+        :raises InvalidInput: if the folder cannot be written
         """
         self._core.write(os.fspath(folder))
 

@@ -30,13 +30,15 @@ def optimise(target: Union[Source, Goal], *, folder: "str | os.PathLike[str]" = 
     Ctrl-C, or the time limit, ends the search with the best so far (:attr:`Result.stopped`); a second Ctrl-C raises
     KeyboardInterrupt.
 
-    :param target: the path of a target.yaml, a dict with its keys, or a :class:`Goal` of one's own
-    :param folder: from which relative paths in a dict start
-    :param threads: 0 = all cores; the answer does not depend on it
-    :param seed: of the random starts; same seed, same answer
-    :param verify: run the physics engine
-    :param prints: with errors, brought to their equilibrium to confirm what is said of them
-    :param fidelity: physics runs of coarser steps too, for the table of speed against error
+    :param target: the path of a target.yaml, a dict with its keys, or a :class:`Goal` of one's own.
+    :param folder: from which relative paths in a dict start.
+    :param threads: 0 = all cores; the answer does not depend on it.
+    :param seed: of the random starts; same seed, same answer.
+    :param verify: run the physics engine.
+    :param prints: number of prints with errors that are brought to their equilibrium, to confirm the print tolerance.
+    :param fidelity: also make physics runs of coarser steps, for the table of speed against error.
+    :param time_limit_s: s, after which the search ends; None: no limit.
+    :param progress: see :data:`Progress`.
     :raises InvalidInput: with the place, for whatever the format does not allow; what a callable raises is raised
     """
     choice = _core.choice(threads, seed, verify, prints, fidelity, time_limit_s, progress)
@@ -50,12 +52,12 @@ def simulate(design: Union[Design, Source], model: str = "exact", *, theta: Opti
              progress: Optional[Progress] = None) -> Result:
     """Computes a folded state of a design.
 
-    :param design: a :class:`Design`, the path of a design.yaml, or a dict with its keys
+    :param design: a :class:`Design`, the path of a design.yaml, or a dict with its keys.
     :param model: ``exact``: the closed form; ``equilibrium``: elastic hinges, from flat to the drive's goal;
-        ``bullet``: the physics run, compared with the model
-    :param theta: rad, instead of the design's own drive
-    :raises InvalidInput: with the place, for whatever the format does not allow, and for the exact model of a sheet that
-        has no closed form
+        ``bullet``: the physics run, compared with the model.
+    :param theta: rad, instead of the design's own drive.
+    :raises InvalidInput: with the place, for whatever the format does not allow, and for the exact model of a sheet
+        that has no closed form.
     :raises KeyboardInterrupt: after Ctrl-C, once an equilibrium path under way has ended
     """
     of = design if isinstance(design, Design) else Design(design, folder)
@@ -67,13 +69,13 @@ def simulate(design: Union[Design, Source], model: str = "exact", *, theta: Opti
 
 def verify(design: Union[Design, Source, Result], *, folder: "str | os.PathLike[str]" = "", fidelity: bool = False,
            progress: Optional[Progress] = None) -> Result:
-    """The physics run of a design, compared with the model where one fits (:attr:`Result.agrees`)."""
+    """Makes the physics run of a design, compared with the model if one fits (:attr:`Result.agrees`)."""
     of = design.design if isinstance(design, Result) else design
     return simulate(of, "bullet", folder=folder, fidelity=fidelity, progress=progress)
 
 
 class Exported(NamedTuple):
-    """What an export has written."""
+    """Files of an export."""
 
     folder: str
     files: List[str]
@@ -88,18 +90,18 @@ def export(design: Union[Design, Source, Result], formats: Union[str, Sequence[s
            orient: str = "flat", slice: bool = False, caps: bool = False) -> Exported:
     """Writes a design for printers, CAD and simulators: all files or none.
 
-    :param formats: names, or ``all``: stl, 3mf, step, svg, dxf, mjcf, glb, scad
-    :param folder: for the files
-    :param process: polyjet, fdm, sla or sls: what it can print is checked; by default the design's, else polyjet
-    :param hinge: pin, block or film where the design does not say; by default pins where they fit, else blocks
-    :param clearance_mm: of pins, a side: the least gap of the printer's coupon that turns; 0: the process's
-    :param cell_mm: cells of this edge instead of the design's own; 0: its own
-    :param bed_mm: x and y of the printer's bed: a larger sheet is cut into tiles
-    :param loose_rods: rods of pins as parts of their own
-    :param folded: the state of the design instead of flat
-    :param orient: ``flat``, ``over``, or ``best``
-    :param slice: asks PrusaSlicer for time and material
-    :param caps: knuckles of pins as round caps that all look alike, wherever their axes are
+    :param formats: names, or ``all``: stl, 3mf, step, svg, dxf, mjcf, glb, scad.
+    :param folder: for the files.
+    :param process: polyjet, fdm, sla or sls, whose limits are checked; by default the design's, else polyjet.
+    :param hinge: pin, block or film if the design names none; by default pins if they fit, else blocks.
+    :param clearance_mm: of pins, per side: the least gap of the printer's coupon that turns; 0: the process's.
+    :param cell_mm: cells of this edge instead of the design's own; 0: its own.
+    :param bed_mm: x and y of the printer's bed: a larger sheet is cut into tiles.
+    :param loose_rods: rods of pins as separate parts.
+    :param folded: the state of the design instead of flat.
+    :param orient: ``flat``, ``over``, or ``best``.
+    :param slice: requests time and material from PrusaSlicer.
+    :param caps: knuckles of pins as identical round caps, for any direction of their axes.
     :raises InvalidInput: for what cannot be made, or not by the process
     """
     of = design.design if isinstance(design, Result) else design

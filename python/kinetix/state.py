@@ -1,4 +1,4 @@
-"""A state of a structure: where its bodies are."""
+"""States of a structure: poses of its bodies."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from . import _core
 class State:
     """Poses of all bodies, in the order of result.json.
 
-    The arrays are views of what the run holds: nothing is copied, and nothing can be written. They keep it alive.
+    The arrays are views of the run's data: nothing is copied, and nothing can be written. They keep the run alive.
     """
 
     __slots__ = ("_core", "__weakref__")
@@ -26,7 +26,7 @@ class State:
 
     @property
     def model(self) -> str:
-        """What made it: ``exact``, ``equilibrium`` or ``bullet``."""
+        """Model that computed it: ``exact``, ``equilibrium`` or ``bullet``."""
         return self._core.model
 
     @property
@@ -56,7 +56,7 @@ class State:
 
     @property
     def gap_rms(self) -> float:
-        """Likewise, root mean square over all hinges."""
+        """Root mean square distance of a hinge's two halves over all hinges, cell edges."""
         return self._core.gap_rms
 
     def __len__(self) -> int:

@@ -7,24 +7,25 @@
 
 namespace kinetix::sim {
 
-/// A cord through hinge points (model/linkage/actuators.hpp) as the direct solver has it: it pulls all its bodies with one
-/// tension, without friction, and never pushes.
+/// Tendon through hinge points (model/linkage/actuators.hpp) for the direct solver. It pulls all its bodies
+/// with one tension, without friction, and never pushes.
 class Cord {
  public:
-  /// As long as at rest. @param structure must outlive this
+  /// Makes a tendon of its length at rest. @param structure must outlive this
   Cord(const model::Linkage& structure, std::vector<int> through);
 
-  /// @param length cell edges
+  /// Sets the target length. @param length cell edges
   void shorten_to(double length) { goal_ = length; }
-  /// How much longer it is than it should be, cell edges; below 0 where it is slack.
+  /// Returns how much longer it is than its target, cell edges; negative if it is slack.
   double excess(const model::State& state) const;
-  /// What a unit of tension does to the bodies of the structure, six numbers a body: force (v), then moment (omega).
+  /// Returns the effect of a unit of tension on the bodies of the structure, six numbers per body: force (v),
+  /// then moment (omega).
   Eigen::VectorXd pull(const model::State& state) const;
 
  private:
   const model::Linkage& structure_;
   const std::vector<int> through_;
-  double goal_;  ///< cell edges
+  double goal_;  ///< target length, cell edges
 };
 
 }  // namespace kinetix::sim

@@ -19,11 +19,11 @@
 namespace kinetix::sim {
 namespace {
 
-// Cell edges or rad, of a part in one step, with all forces turning with their bodies: further on, the forces
-// that were linearised tell nothing.
+// Cell edges or rad, motion of a part in one step with all forces turning with their bodies: the linearised
+// forces are inaccurate beyond.
 constexpr double longest_step = 0.05;
 
-/// The way in which a joint that only pushes pushes its second part, unit vector.
+/// Returns the direction in which a one-sided joint pushes its second part, unit vector.
 Eigen::Vector3d inward(const btTypedConstraint& joint) {
   const auto& spring = static_cast<const btGeneric6DofSpring2Constraint&>(joint);
   return eigen(spring.getCalculatedTransformA().getBasis().getColumn(0));
@@ -40,24 +40,25 @@ Eigen::Matrix3d world_inertia(const btRigidBody& body) {
   return R * principal.asDiagonal() * R.transpose();
 }
 
-// Solutions of a step: until the rows that only push and do are the same twice. Panels of a thousand contacts need seven.
+// Solutions of a step, until the set of pushing rows is the same twice. Panels of a thousand contacts need
+// seven.
 constexpr int most_solutions = 20;
 
-/// A row that only pushes its two parts apart: of a joint that presses, or of a contact.
+/// Row that only pushes its two parts apart: of a joint that presses, or of a contact.
 struct OneSided {
   VelocityRow row;
-  double apart = 1;  ///< sign of the speed along the row at which the parts go apart
+  double apart = 1;  ///< sign of the speed along the row when the parts separate
   bool pushes = false;
 };
 
-/// A cord, by the parts.
+/// Effect of a tendon, by the parts.
 struct Pull {
   Eigen::VectorXd direction, response;
   double mobility = 0;  ///< speed of shortening by a unit impulse
-  double target = 0;    ///< change of that speed which is asked for
+  double target = 0;    ///< required change of that speed
 };
 
-/// Bodies of the structure as the engine has them at the start of a step.
+/// Bodies of the structure in the engine at the start of a step.
 struct Motion {
   model::State state;
   std::vector<model::Twist> speeds;
@@ -84,7 +85,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     return 0;
   }
 
-  /// Changes of speed after which the rows push that should, and no others; or the last of most_solutions.
+  /// Returns the changes of speed for a consistent set of pushing rows, or the last of most_solutions.
   Eigen::VectorXd solution(double step) {
     Eigen::VectorXd velocities;
     bool agrees = false;
@@ -149,14 +150,15 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
       row.weight = 1 / (settings_.contact_softness * (sharing == sharing_.end() ? 1 : sharing->second));
       one_sided_.push_back({row});
     }
-    // The system takes rows of the same two parts together where they follow each other.
+    // The system combines consecutive rows of the same two parts.
     std::stable_sort(one_sided_.begin() + pushed_.size(), one_sided_.end(),
                      [](const OneSided& x, const OneSided& y) {
                        return std::pair(x.row.a, x.row.b) < std::pair(y.row.a, y.row.b);
                      });
   }
 
-  /// Keeps the rows that push, or would have to. @param v what the step came to   @return whether others did before
+  /// Keeps the rows that push, or would have to. @param v changes of speed of the step
+  /// @return whether the set changed
   bool choose(const Eigen::VectorXd& v) {
     bool changed = false;
     for (OneSided& one : one_sided_) {
@@ -167,7 +169,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     return changed;
   }
 
-  // What the engine calls a contact point is a joint in a row of a joint.
+  // In a row of a joint, the engine's contact point is the joint.
   void append_joint(const btSolverConstraint& c) {
     const auto& joint = *static_cast<const btTypedConstraint*>(c.m_originalContactPoint);
     const VelocityRow row = row_of(c);
@@ -177,7 +179,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
       rows_.push_back(row);
   }
 
-  /// Changes of speed by the rows that pull and push, and by those that only push and do.
+  /// Returns the changes of speed by the two-sided rows and the pushing one-sided rows.
   Eigen::VectorXd of_rows(double step) {
     rows_.resize(two_sided_);
     for (const OneSided& one : one_sided_)
@@ -191,7 +193,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     return system_.velocities();
   }
 
-  /// Largest speed or turning speed after changes of speed.
+  /// Returns the largest speed or turning speed after changes of speed.
   double fastest_after(const Eigen::VectorXd& change) const {
     double longest = 0;
     for (std::size_t p = 0; p < bodies_.size(); ++p)
@@ -204,7 +206,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     return stacked(body.getLinearVelocity(), body.getAngularVelocity());
   }
 
-  /// Changes of speed after which nothing is faster than that.
+  /// Scales changes of speed so that no part is faster than this.
   void shorten(Eigen::VectorXd& change, double fastest) const {
     const double factor = fastest / fastest_after(change);
     if (!(factor < 1)) return;
@@ -234,14 +236,14 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
 
   bool has_hand() const { return settings_.hand && !settings_.hand->is_empty(); }
 
-  /// The rows that are not the engine's.
+  /// Appends the rows that the engine does not have.
   void append_own(double step) {
     const Motion now = motion();
     if (settings_.elastic) append(settings_.elastic->rows(now.state, now.speeds, step), now);
     if (has_hand()) append(settings_.hand->rows(now.state, now.speeds, step), now);
   }
 
-  /// @param rows by the bodies of the structure
+  /// Appends rows, translated from bodies to parts. @param rows by the bodies of the structure
   void append(const std::vector<VelocityRow>& rows, const Motion& now) {
     for (VelocityRow row : rows) {
       row.a = now.part_of_body[row.a];
@@ -283,7 +285,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     return out;
   }
 
-  /// What the cord adds to the changes of speed where it is taut.
+  /// Adds the tendon's part of the changes of speed if it is taut.
   void tighten(const Cord& cord, double time_step, Eigen::VectorXd& velocities) const {
     const Pull pull = pull_of(cord, time_step);
     const double compliance = 1 / (settings_.grip * settings_.joint_stiffness);
@@ -304,12 +306,12 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
   std::vector<int> part_of_;  ///< by solver body; -1 for a fixed one
   std::vector<int> bodies_;   ///< solver body of each part
   std::vector<PartMass> masses_;
-  std::vector<Vector6> dofs_;        ///< 1 where a part may move, 0 where it may not
-  std::vector<VelocityRow> rows_;    ///< that pull and push, and behind them those of one_sided_ that push
-  std::size_t two_sided_ = 0;        ///< how many pull and push
-  std::vector<OneSided> one_sided_;  ///< of joints, and behind them of contacts
-  std::vector<bool> pushed_;         ///< of each of those joints, at the end of the last step
-  PointCounts sharing_;              ///< by point: how many share its contact
+  std::vector<Vector6> dofs_;        ///< 1 for directions in which a part may move, otherwise 0
+  std::vector<VelocityRow> rows_;    ///< two-sided rows, then those of one_sided_ that push
+  std::size_t two_sided_ = 0;        ///< number of two-sided rows
+  std::vector<OneSided> one_sided_;  ///< of joints, then of contacts
+  std::vector<bool> pushed_;         ///< whether each of those joints pushed at the end of the last step
+  PointCounts sharing_;              ///< by point: number of points that share its contact
   RowSystem system_;
 };
 

@@ -11,14 +11,15 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Second derivative of force . arm by a turn of the arm.
+/// Returns the second derivative of force . arm by a turn of the arm.
 Matrix3d turned(const Vector3d& force, const Vector3d& arm) {
   const Matrix3d product = force * arm.transpose();
   return 0.5 * (product + product.transpose()) - product.trace() * Matrix3d::Identity();
 }
 
-/// By body: what the points' forces oppose to turns, over k_point. Forces by the directions of a hinge's frame turn with
-/// both its bodies: they act in the middle of the mismatch, so that nothing opposes, or drives, a turn of the whole.
+/// Returns the resistance of the points' forces to turns of each body, over k_point. Forces in a hinge's
+/// frame turn with both its bodies. They act in the middle of the mismatch, so they neither resist nor drive
+/// a turn of the whole.
 std::vector<Matrix3d> turning_stiffness(const model::Linkage& structure, const model::State& state,
                                         const model::Stiffness& stiffness) {
   std::vector<Matrix3d> sums(state.size(), Matrix3d::Zero());

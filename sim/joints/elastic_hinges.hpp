@@ -9,34 +9,34 @@
 
 namespace kinetix::sim {
 
-/// What the direct solver must know of elastic hinges beyond the equations of their two points: turning
-/// springs, a driven hinge, points that pull by the directions of the hinge's own frame, and how forces turn
-/// with their bodies. The engine has none of them: it cuts its springs down to what a step can bear, and its
-/// angular joints count Euler angles, which leave the turn of model/closure/closure_drive.hpp where the two
-/// axes of a stretched hinge part.
+/// Part of elastic hinges beyond the equations of their two points: turning springs, a driven hinge, points
+/// with stiffness in the hinge's frame, and forces that turn with their bodies. The engine has none of these.
+/// It limits its springs to what a step can handle. Its angular joints use Euler angles, which differ from
+/// the turn of model/closure/closure_drive.hpp if the two axes of a stretched hinge differ.
 class ElasticHinges {
  public:
-  /// Springs relaxed at flat. @param structure must outlive this
-  /// @throws InvalidInput for stiffnesses by hinge of another number than there are hinges
+  /// Makes springs relaxed at flat. @param structure must outlive this
+  /// @throws InvalidInput if per-hinge stiffnesses differ in number from the hinges
   ElasticHinges(const model::Linkage& structure, const model::Stiffness& stiffness);
 
-  /// From now on, one hinge is driven to an angle. @param angle rad, (-pi, pi)
+  /// Drives one hinge to an angle from now on. @param angle rad, (-pi, pi)
   /// @param weight over that of a hinge point
   void drive_to(int hinge, double angle, double weight);
 
-  /// From now on, hinges have one more spring each. @param weight of every one, as Stiffness::turn
-  /// @param angles at which they rest, rad, (-pi, pi); as many as hinges
+  /// Adds one more spring to each of these hinges from now on.
+  /// @param weight of every spring, as Stiffness::turn   @param angles rest angles, rad, (-pi, pi); one per
+  /// hinge
   void add_springs(const std::vector<int>& hinges, const std::vector<double>& angles, double weight);
 
-  /// Sets where each hinge's turning spring is relaxed. @param angles by hinge, rad, (-pi, pi)
+  /// Sets the rest angle of each hinge's turning spring. @param angles by hinge, rad, (-pi, pi)
   void relax_at(const std::vector<double>& angles);
 
-  /// By implicit Euler, a spring leads each turn back to its rest within a step as far as its weight allows.
-  /// Likewise each body's turning speed is led to zero with the weight of what its hinges' present forces
-  /// would oppose to a turn of their arms, as far as they oppose it.
-  /// @param state mm; @param speeds of the bodies, rad/s and cell edges/s; @param step s
-  /// @return equations on changes of speed, a and b being bodies of the structure or -1; the same a and b in
-  /// the same order at every call after the first drive_to or add_springs
+  /// Returns the equations of a step. Each spring moves its turn back to rest within the step as far as its
+  /// weight allows (implicit Euler). A brake also reduces each body's turning speed. Its weight is the
+  /// resistance of the present hinge forces to a turn of their arms.
+  /// @param state mm; @param speeds of the bodies, rad/s and cell edges/s; @param step s.
+  /// @return equations on changes of speed, with a and b bodies of the structure or -1. They have the same a
+  /// and b in the same order at every call after the first drive_to or add_springs.
   std::vector<VelocityRow> rows(const model::State& state, const std::vector<model::Twist>& speeds,
                                 double step) const;
 

@@ -14,7 +14,7 @@ Vector3d rest_direction(const model::RestHinge& hinge) {
   return (hinge.edge - hinge.edge.dot(hinge.axis) * hinge.axis).normalized();
 }
 
-/// A constraint point: arms from the bodies' vertices to it, and the gap, lower less upper; cell edges.
+/// Constraint point: arms from the bodies' vertices to it, and the gap, lower minus upper; cell edges.
 struct Point {
   Vector3d lower, upper, gap;
 };
@@ -34,7 +34,7 @@ VelocityRow fixed_row(const Point& point, const Vector3d& direction) {
   return row;
 }
 
-/// Of the gap along what both bodies carry, which turns with them.
+/// Returns the row of the gap along the direction carried by both bodies, which turns with them.
 VelocityRow carried_row(const Point& point, const Vector3d& lower, const Vector3d& upper) {
   const Vector3d sum = lower + upper, direction = sum.normalized();
   VelocityRow row = fixed_row(point, direction);
@@ -44,7 +44,7 @@ VelocityRow carried_row(const Point& point, const Vector3d& lower, const Vector3
   return row;
 }
 
-/// An undamped spring by implicit Euler. @param stretch of it, along the row
+/// Makes the row an undamped spring by implicit Euler. @param stretch of the spring, along the row
 void aim(VelocityRow& row, double stretch, double weight, const model::Twist& a, const model::Twist& b,
          double step) {
   const auto along = [](const Vector6& direction, const model::Twist& speed) {
@@ -65,7 +65,7 @@ HingeDirections hinge_directions(const model::RestHinge& hinge, const model::Pos
 
 namespace {
 
-/// Derivative of the energy of a point with play by its gap. @param side -1 or 1
+/// Returns the derivative of the energy of a point with clearance by its gap. @param side -1 or 1
 Vector3d played_point_pull(const model::RestHinge& hinge, const model::Stiffness& k, const model::Pose& lower,
                            const model::Pose& upper, double edge_mm, double side) {
   const Vector3d gap = point_of(hinge, side * k.reach, edge_mm, lower, upper).gap,
@@ -88,7 +88,7 @@ HingePull played_pull(const model::RestHinge& hinge, const model::Stiffness& k, 
   return pull;
 }
 
-/// The springs of one hinge as rows.
+/// Rows of the springs of one hinge.
 class Springs {
  public:
   Springs(const model::RestHinge& hinge, const model::State& state, const std::vector<model::Twist>& speeds,
@@ -150,7 +150,7 @@ class Springs {
     row.second << d.gradient.segment<3>(9), d.gradient.segment<3>(6);
     add(row, response.force / response.stiffness, d.weight * response.stiffness);
   }
-  /// A force that keeps its size resists its own turning.
+  /// Adds the brake: a force of constant size resists its own turning.
   void add_brake(const Point& point, const model::PlayedDistance& across, double play) {
     const double force = model::play_response(across.distance, play).force;
     if (!(force > 0)) return;
@@ -171,7 +171,7 @@ class Springs {
   std::vector<VelocityRow>& rows_;
   const HingeDirections at_;
   const Vector3d wall_;
-  bool turning_ = false;  ///< rows of an axis, which shifts do not move
+  bool turning_ = false;  ///< rows of an axis, which translations do not change
 };
 
 }  // namespace

@@ -7,9 +7,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Cell edges: a hand that reaches further pulls no harder, so that it does not tear the sheet.
+// Cell edges: a hand further away pulls no harder, so that it does not tear the sheet.
 constexpr double longest_reach = 5;
-// Times the joints: far stiffer than a hinge.
+// Over the joints: far stiffer than a hinge.
 constexpr double hold_weight = 100;
 
 Vector3d reach(const Grasp& grasp, const model::Pose& pose, double edge_mm) {

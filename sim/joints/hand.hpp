@@ -7,21 +7,21 @@
 
 namespace kinetix::sim {
 
-/// A point of a body that is pulled towards a place by a spring without damping.
+/// Point of a body that is pulled towards a place by a spring without damping.
 struct Grasp {
   int body = 0;
   Eigen::Vector3d arm = Eigen::Vector3d::Zero();  ///< from the vertex, in the rest frame, cell edges
-  Eigen::Vector3d to = Eigen::Vector3d::Zero();   ///< cell edges
+  Eigen::Vector3d to = Eigen::Vector3d::Zero();   ///< target, cell edges
   double stiffness = 0;                           ///< mass / s^2
 };
 
-/// A body that is kept where it is.
+/// Body that is kept in place.
 struct Hold {
   int body = 0;
   model::Pose place;  ///< mm
 };
 
-/// What somebody's hands do to a structure while it moves: equations for the direct solver, by implicit Euler.
+/// Hands that pull and hold a structure while it moves: equations for the direct solver, by implicit Euler.
 class Hand {
  public:
   Hand(double joint_stiffness, double edge_mm) : joint_stiffness_(joint_stiffness), edge_mm_(edge_mm) {}
@@ -30,9 +30,9 @@ class Hand {
   std::vector<Hold> holds;
 
   bool is_empty() const { return grasps.empty() && holds.empty(); }
-  /// The pull on the point that is grasped first, mass edge / s^2; zero where nothing is.
+  /// Returns the pull on the first grasped point, mass edge / s^2; zero if there is none.
   Eigen::Vector3d pull(const model::State& state) const;
-  /// @param state mm; @param speeds rad/s and cell edges/s; @param step s
+  /// Returns the equations of a step. @param state mm; @param speeds rad/s and cell edges/s; @param step s
   std::vector<VelocityRow> rows(const model::State& state, const std::vector<model::Twist>& speeds,
                                 double step) const;
 
@@ -42,7 +42,7 @@ class Hand {
   void append(const Hold& hold, const model::Pose& pose, const model::Twist& speed, double step,
               std::vector<VelocityRow>& rows) const;
 
-  double joint_stiffness_;  ///< as the solver's
+  double joint_stiffness_;  ///< as in the solver
   double edge_mm_;
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 // Numbers of the engine's axes: three linear ones, then three angular ones.
 constexpr int linear_x = 0, linear_y = 1, angular_x = 3;
-// A mark of ours on a constraint, which the engine leaves alone; no other of ours has one.
+// Mark on a one-sided constraint, which the engine ignores; no other constraint here has one.
 constexpr int one_sided = 1;
 
 btVector3 in_bullet(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
@@ -34,7 +34,7 @@ void lock(btGeneric6DofSpring2Constraint& joint, int axis, double error_reductio
   joint.setParam(BT_CONSTRAINT_STOP_ERP, error_reduction, axis);
 }
 
-/// The hinge point as seen from one body, moved along the axis.
+/// Returns the frame at the hinge point in one body, moved along the axis.
 btTransform frame(const HingeFrame& hinge_frame, double along_axis) {
   return frame(hinge_frame.axis, hinge_frame.across, hinge_frame.point + along_axis * hinge_frame.axis);
 }

@@ -7,7 +7,7 @@
 namespace kinetix::sim {
 namespace {
 
-/// Behind the last of the rows of the same two parts as the first.
+/// Returns the index after the last consecutive row with the same two parts as the first.
 std::size_t end_of_joint(const std::vector<VelocityRow>& rows, std::size_t first) {
   std::size_t end = first + 1;
   while (end < rows.size() && rows[end].a == rows[first].a && rows[end].b == rows[first].b) ++end;

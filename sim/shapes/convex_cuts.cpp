@@ -26,35 +26,35 @@ using Eigen::Vector3d;
 using model::Polyhedron;
 using CutPolygon = std::vector<Vector3d>;
 
-constexpr double least_tolerance_mm = 0.1;  // mm: what a printer leaves anyway
+constexpr double least_tolerance_mm = 0.1;  // mm: the tolerance of printers
 constexpr double tolerance_share = 0.01;    // of the longest side
 constexpr double watched_share =
-    0.8;  // of the tolerance: points lie on a grid, and what is between them may stick out further
+    0.8;  // of the tolerance: points are on a grid, and places between them may protrude further
 constexpr double watched_places =
-    1200;                      // about so many over the surface: of 36 x 36, a thirtieth of a side apart
-constexpr int levels = 4;      // of watch points over a place, each three times as far off as the one before
-constexpr int most_rows = 24;  // over a triangle, and places in a row: more would crowd large faces alone
-constexpr double looked_at = 3;             // times the tolerance, between places on a hull that is looked at
-constexpr std::size_t most_watched = 3000;  // points in all: each costs a look at every face of a hull
-constexpr std::size_t most_candidates =
-    10;                             // planes that are tried for a cut: of the faces below most watch points
-constexpr double large_bore = 0.1;  // of the longest side: smaller ones are cut as other faces are
+    1200;                      // approximate number over the surface: with 36 x 36 a thirtieth of a side
+                               // apart
+constexpr int levels = 4;      // of watch points over a place, each three times as far away as the one before
+constexpr int most_rows = 24;  // over a triangle, and places in a row: more would only crowd large faces
+constexpr double looked_at = 3;              // times the tolerance, between checked places on a hull
+constexpr std::size_t most_watched = 3000;   // points in all: each is checked against every face of a hull
+constexpr std::size_t most_candidates = 10;  // planes tried for a cut: of the faces below most watch points
+constexpr double large_bore = 0.1;           // of the longest side: smaller ones are cut as other faces
 constexpr double same_plane =
-    1e-3;  // rad and, over the longest side, of the offset: cuts that are no different
+    1e-3;  // rad, and offset over the longest side: cuts that differ by less are equal
 constexpr double on_plane =
-    2e-5;  // of the longest side: corners so near to a cut lie on it, as files of six digits have them
-constexpr double thinnest = 1e-4;  // of the longest side: less is no piece
+    2e-5;  // of the longest side: corners this near to a cut are on it, as in files of six digits
+constexpr double thinnest = 1e-4;  // of the longest side: thinner parts are no pieces
 
 struct CutPlane {
   Vector3d normal;
   double offset = 0;  // normal . p
 };
 
-/// A point off the surface, and the face that it is off.
+/// Point off the surface, and the face below it.
 struct WatchPoint {
   Vector3d at;
   int triangle;
-  double depth;  // its distance over that of the nearest ones: what it counts for
+  double depth;  // its distance over that of the nearest ones: its weight
 };
 
 double longest_side(const Polyhedron& solid) { return model::box_of(solid.points).sizes().maxCoeff(); }
@@ -64,7 +64,7 @@ std::array<Vector3d, 3> corners_of(const Polyhedron& solid, int t) {
   return {solid.points[a], solid.points[b], solid.points[c]};
 }
 
-/// Squared distance to a triangle: inside it that of its plane, else of its nearest side.
+/// Returns the squared distance to a triangle: inside it that of its plane, otherwise of its nearest side.
 double squared_distance(const Vector3d& p, const std::array<Vector3d, 3>& t) {
   const Vector3d n = (t[1] - t[0]).cross(t[2] - t[0]);
   bool inside = n.squaredNorm() > 0;
@@ -81,7 +81,7 @@ double squared_distance(const Vector3d& p, const std::array<Vector3d, 3>& t) {
   return off * off / n.squaredNorm();
 }
 
-/// Distances from many places to one solid.
+/// Distances of many places from one solid.
 class NearSolid {
  public:
   explicit NearSolid(const Polyhedron& solid) : solid_(solid) {
@@ -128,7 +128,8 @@ class NearSolid {
     return std::sqrt(least);
   }
 
-  /// Winding number by solid angles (A. Van Oosterom and J. Strackee, IEEE Trans. Biomed. Eng. 30, 1983).
+  /// Checks by the winding number from solid angles (A. Van Oosterom and J. Strackee, IEEE Trans. Biomed.
+  /// Eng. 30, 1983).
   bool holds(const Vector3d& p) const {
     double sum = 0;
     for (int t = 0; t < static_cast<int>(boxes_.size()); ++t) {
@@ -137,16 +138,16 @@ class NearSolid {
       const double lu = u.norm(), lv = v.norm(), lw = w.norm();
       sum += std::atan2(u.dot(v.cross(w)), lu * lv * lw + u.dot(v) * lw + v.dot(w) * lu + w.dot(u) * lv);
     }
-    return sum > 3.14159;  // half of the 2 pi that the sum of half angles comes to inside
+    return sum > 3.14159;  // half of 2 pi, the sum of half angles inside
   }
 
  private:
   const Polyhedron& solid_;
   std::vector<Eigen::AlignedBox3d> boxes_;
-  std::vector<int> by_x_;  // triangles, by where their boxes begin
+  std::vector<int> by_x_;  // triangles, sorted by the start of their boxes
 };
 
-/// Points over a triangle, about so far apart in rows along its longest side, one at least.
+/// Adds points over a triangle, at about this spacing in rows along its longest side, at least one.
 void add_over(const std::array<Vector3d, 3>& t, double spacing, std::vector<Vector3d>& out) {
   int k = 0;
   for (int l = 1; l < 3; ++l)
@@ -170,7 +171,8 @@ double area_of(const Polyhedron& solid) {
   return area;
 }
 
-/// Whatever lay between a face and a point off it would be nearer: so what is left is outside.
+/// Returns the watch points. A point at distance `off` from the nearest face is outside, since anything
+/// between it and its face would be nearer.
 std::vector<WatchPoint> watch_points(const Polyhedron& solid, const NearSolid& near, double off) {
   const double spacing = std::sqrt(area_of(solid) / watched_places);
   std::vector<std::pair<Vector3d, int>> all;
@@ -195,7 +197,7 @@ std::vector<WatchPoint> watch_points(const Polyhedron& solid, const NearSolid& n
   return out;
 }
 
-/// Twice its area, along its normal.
+/// Returns twice the area of a polygon, along its normal.
 Vector3d area_of(const CutPolygon& polygon) {
   Vector3d out = Vector3d::Zero();
   for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
@@ -203,7 +205,7 @@ Vector3d area_of(const CutPolygon& polygon) {
   return out;
 }
 
-/// The part of a polygon on the inner side, n . p <= offset.
+/// Returns the part of a polygon on the inner side, n . p <= offset.
 CutPolygon clipped(const CutPolygon& polygon, const CutPlane& plane, double tolerance) {
   CutPolygon out;
   const auto off = [&](const Vector3d& p) {
@@ -217,19 +219,19 @@ CutPolygon clipped(const CutPolygon& polygon, const CutPlane& plane, double tole
     if ((a < 0 && b > 0) || (a > 0 && b < 0)) out.push_back(p + a / (a - b) * (q - p));
   }
   if (out.size() < 3) return {};
-  // A face that lies in the plane bounds the side on which the solid is.
+  // A face in the plane bounds the side of the solid.
   const bool lies_in_it =
       std::all_of(polygon.begin(), polygon.end(), [&](const Vector3d& p) { return off(p) == 0; });
   return lies_in_it && !(area_of(polygon).dot(plane.normal) > 0) ? CutPolygon{} : out;
 }
 
-/// @param skin takes its faces as triangles
+/// @param skin output: its faces as triangles
 CutPiece hull_of(const std::vector<Vector3d>& points, double least_size,
                  std::vector<std::array<Vector3d, 3>>& skin) {
   CutPiece out;
   btConvexHullComputer hull;
   hull.compute(points.front().data(), sizeof(Vector3d), static_cast<int>(points.size()), 0, 0);
-  // The library rounds to a grid; the corners are the points themselves.
+  // The library rounds to a grid, so its corners are replaced by the points themselves.
   for (int v = 0; v < hull.vertices.size(); ++v) out.corners.push_back(points[hull.original_vertex_index[v]]);
   Vector3d middle = Vector3d::Zero();
   for (const Vector3d& p : out.corners) middle += p / static_cast<double>(out.corners.size());
@@ -246,13 +248,13 @@ CutPiece hull_of(const std::vector<Vector3d>& points, double least_size,
       edge = edge->getNextEdgeOfFace();
     } while (edge != first);
     Vector3d normal = area.stableNormalized();
-    if (!(area.norm() > 1e-3 * least_size * least_size)) continue;  // a sliver's direction is rounding
+    if (!(area.norm() > 1e-3 * least_size * least_size)) continue;  // the direction of a sliver is rounding
     if (normal.dot(origin - middle) < 0) normal = -normal;
     double offset = -std::numeric_limits<double>::infinity();
     for (const Vector3d& p : points) offset = std::max(offset, normal.dot(p));
     rows.emplace_back(normal.x(), normal.y(), normal.z(), offset);
   }
-  // Slivers that were left out bound it too: by its box at least.
+  // The omitted slivers bound it too, so at least its box is added.
   for (int k = 0; k < 3; ++k)
     for (const double sign : {-1.0, 1.0}) {
       const Vector3d normal = sign * Vector3d::Unit(k);
@@ -271,14 +273,14 @@ bool is_in(const CutPiece& piece, const Vector3d& p) {
   return true;
 }
 
-/// A part of the solid in a cell.
+/// Part of the solid in a cell.
 struct CutCell {
-  std::vector<CutPlane> planes;     // that bound it
-  std::vector<CutPolygon> surface;  // of the solid, in it
+  std::vector<CutPlane> planes;     // boundary of the cell
+  std::vector<CutPolygon> surface;  // surface of the solid inside the cell
   std::vector<Vector3d> inner;      // corners of the cell inside the solid
   CutPiece hull;
   std::vector<std::array<Vector3d, 3>> skin;  // of the hull
-  std::vector<int> watched;                   // points in the hull
+  std::vector<int> watched;                   // watch points in the hull
   double weight = 0;                          // sum of their depths
   bool is_final = false;                      // no cut helps
 };
@@ -322,7 +324,7 @@ class Cutter {
   }
 
  private:
-  /// Round hollows that are large for the solid, and which triangles are theirs.
+  /// Finds round hollows that are large for the solid, and their triangles.
   void find_bores() {
     for (const model::CylinderFace& face : model::cylinder_faces(solid_))
       if (face.hollow && face.radius_mm > large_bore * side_) bores_.push_back(face);
@@ -346,7 +348,7 @@ class Cutter {
 
   static double weight(const CutCell& cell) { return cell.is_final ? 0 : cell.weight; }
 
-  /// Of a cell that no point watches: places on its hull that stick out become such points.
+  /// Adds watch points to a cell that has none: places on its hull that protrude.
   void look_over(CutCell& cell) {
     if (!cell.watched.empty()) return;
     Vector3d center = Vector3d::Zero();
@@ -383,7 +385,7 @@ class Cutter {
     return cell;
   }
 
-  /// Its hull and the points in it. @param among that may be
+  /// Computes the hull of a cell and the watch points in it. @param among candidates for these
   void close(CutCell& cell, const std::vector<int>& among) const {
     std::vector<Vector3d> points = cell.inner;
     for (const CutPolygon& polygon : cell.surface)
@@ -398,7 +400,8 @@ class Cutter {
     for (const int w : cell.watched) cell.weight += watch_[w].depth;
   }
 
-  /// The watch points that a piece holds. Each face looks at what the ones before it have left: most points are soon out.
+  /// Returns the watch points inside a piece. Each face checks only those that passed the faces before it,
+  /// since most points fail early.
   std::vector<int> held(const CutPiece& piece, std::vector<int> among) const {
     for (Eigen::Index f = 0; f < piece.faces.rows(); ++f) {
       const Vector3d normal = piece.faces.row(f).head<3>();
@@ -408,7 +411,7 @@ class Cutter {
     return among;
   }
 
-  /// Where three planes of the cell meet inside the solid, one of them the last.
+  /// Adds corners of the cell inside the solid: intersections of three planes, one of them the last.
   void add_inner_corners(CutCell& cell) const {
     const std::size_t n = cell.planes.size();
     for (std::size_t i = 0; i + 1 < n; ++i)
@@ -452,7 +455,7 @@ class Cutter {
     return out;
   }
 
-  /// Planes of the faces below most watch points of a cell, and through their middles square to them.
+  /// Returns planes of the faces below most watch points of a cell, and planes perpendicular to them.
   std::vector<CutPlane> candidates(const CutCell& cell) const {
     std::vector<std::pair<int, CutPlane>> faces;
     for (const int w : cell.watched) {
@@ -475,7 +478,8 @@ class Cutter {
     return out;
   }
 
-  /// Through the middle of the cell's watch points, square to the three directions in which these lie, and through the middle of those of the fullest faces.
+  /// Adds planes through the middle of the cell's watch points and of its hull. They are perpendicular to the
+  /// axes and the normals of the two fullest faces, or contain the direction of a fold.
   void add_square_ones(const CutCell& cell, std::vector<CutPlane>& out) const {
     Vector3d middle = Vector3d::Zero();
     for (const int w : cell.watched) middle += watch_[w].at / static_cast<double>(cell.watched.size());
@@ -498,7 +502,7 @@ class Cutter {
       }
   }
 
-  /// The direction to which the normals below the watch points are most nearly square: along a bore.
+  /// Returns the direction most nearly perpendicular to the normals below the watch points: along a bore.
   Vector3d fold_direction(const CutCell& cell) const {
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
     for (const int w : cell.watched) {
@@ -515,7 +519,8 @@ class Cutter {
            std::abs(a.offset - sign * b.offset) < same_plane * side_;
   }
 
-  /// Where most of what watches a cell is round a bore: off its ends, then through its axis, in the middle of where they are.
+  /// Returns a cut at a bore if that has most of the cell's watch weight. It is first at an end of the bore,
+  /// then through its axis and the middle of its points.
   std::optional<CutPlane> cut_at_bore(const CutCell& cell) const {
     std::vector<double> weights(bores_.size(), 0);
     for (const int w : cell.watched)
@@ -549,7 +554,7 @@ class Cutter {
         angles.push_back(std::atan2(v.dot(arm), u.dot(arm)));
       }
     std::sort(angles.begin(), angles.end());
-    std::size_t first = 0;  // behind the widest gap
+    std::size_t first = 0;  // after the widest gap
     double gap = angles.front() + 2 * pi - angles.back();
     for (std::size_t k = 1; k < angles.size(); ++k)
       if (angles[k] - angles[k - 1] > gap) {
@@ -592,10 +597,10 @@ class Cutter {
   double tolerance_ = 0;
   std::vector<WatchPoint> watch_;
   std::vector<model::CylinderFace> bores_;
-  std::vector<int> bore_of_;  // by triangle; -1: of none
+  std::vector<int> bore_of_;  // by triangle; -1: none
 };
 
-/// Of the van der Corput sequence of a base.
+/// Returns element k of the van der Corput sequence of a base.
 double radical_inverse(int k, int base) {
   double out = 0, digit = 1.0 / base;
   for (; k > 0; k /= base, digit /= base) out += digit * (k % base);

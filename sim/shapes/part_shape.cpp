@@ -20,7 +20,7 @@ std::unique_ptr<btConvexHullShape> hull(const Prism& prism, WallSurface surface)
   return shape;
 }
 
-/// Numbers of the pieces that a piece does not collide with, beside its own; null of walls.
+/// Returns the numbers of the other pieces that a piece does not collide with; null for walls.
 std::set<int>* passed_by(const btCollisionShape* piece) {
   return static_cast<std::set<int>*>(piece->getUserPointer());
 }

@@ -11,35 +11,36 @@ class btVector3;
 
 namespace kinetix::sim {
 
-/// How the engine finds where half walls touch.
+/// Method to find where half walls touch in the engine.
 enum class WallSurface {
   rounded,  ///< by the nearest points of two walls with a small margin: those of tilted walls do not jump
-  sharp,    ///< by clipping touching faces, to the exact depth, however deep: all corners of upright walls
+  sharp,    ///< by clipping touching faces, to the exact depth, even if deep: all corners of upright walls
 };
 
 /// Collision shape of one rigid part: a compound of one convex hull per half wall, which it owns.
 ///
-/// The engine's default collision margin (0.04) is half a wall's thickness, so a small one is set. It lies
-/// outside the prisms, which must be drawn in by it for the touching surface to be that of the walls.
+/// The engine's default collision margin (0.04) is half a wall's thickness, so a small one is set. It is
+/// outside the prisms. They must be inset by it for the touching surface to be that of the walls.
 class PartShape {
  public:
   /// Cell edges.
   static constexpr double margin(WallSurface surface) { return surface == WallSurface::sharp ? 0 : 2e-3; }
 
   PartShape(const std::vector<WallPrism>& walls, WallSurface surface);
-  /// Of any convex pieces, by their corners, cell edges; they are margin() larger to all sides.
-  /// @param first number of the first piece, once among all parts of a world
+  /// Makes the shape of any convex pieces, by their corners, cell edges; each is margin() larger on all
+  /// sides.
+  /// @param first number of the first piece, unique among all parts of a world
   PartShape(const std::vector<std::vector<Eigen::Vector3d>>& pieces, int first);
   ~PartShape();
   PartShape(PartShape&&) noexcept;
 
   btCollisionShape* get() const;
-  /// From now on two pieces of parts, as the engine counts their children, pass through each other.
+  /// Lets two pieces, numbered as the engine's children of their parts, pass through each other from now on.
   static void let_pass(const btCollisionObject& a, int piece_of_a, const btCollisionObject& b,
                        int piece_of_b);
 
-  /// Direction in which the height of a half wall runs, as placed; unit. @param part has a PartShape
-  /// @param wall as the engine counts the shape's children
+  /// Returns the direction of a half wall's height in the body's present pose, unit vector.
+  /// @param part has a PartShape   @param wall index of the shape's child in the engine
   static btVector3 upright(const btCollisionObject& part, int wall);
 
  private:
@@ -47,7 +48,7 @@ class PartShape {
   std::unique_ptr<Shapes> shapes_;
 };
 
-/// Tells the engine to let the two half walls of one hinge pass through each other, in every world.
+/// Makes the engine ignore contact between the two half walls of one hinge, in every world.
 void skip_walls_of_one_hinge();
 
 }  // namespace kinetix::sim

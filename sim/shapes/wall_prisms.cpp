@@ -7,7 +7,7 @@
 namespace kinetix::sim {
 namespace {
 
-/// @param half of the plate, cell edges; @param slant length that the end at the hinge gains per height
+/// @param half of the plate, cell edges; @param slant length gained by the end at the hinge per height
 Prism prism(const Eigen::Matrix3d& axes, const Eigen::Vector3d& half, double slant, double inset) {
   const double length = 2 * half.x() - inset * std::hypot(1, slant), height = half.y() - inset,
                thickness = half.z() - inset;

@@ -8,7 +8,7 @@
 
 namespace kinetix::targets {
 
-/// Bad input that one point of a curve shows.
+/// Invalid curve, with the point at fault.
 class InvalidCurve : public InvalidInput {
  public:
   InvalidCurve(const std::string& what_is_wrong, int point) : InvalidInput(what_is_wrong), point_(point) {}
@@ -22,9 +22,9 @@ class InvalidCurve : public InvalidInput {
 /// An open plane curve as a polyline of (x, z) points, mm.
 class Curve {
  public:
-  /// @throws InvalidCurve for fewer than 3 points, a point that is not finite, a repeated neighbour (also one
-  /// so near that the arc length does not grow), first point equal to last (closed), or a self-crossing; the
-  /// message names the points by number from 1.
+  /// @throws InvalidCurve for fewer than 3 points, a point that is not finite, or a repeated neighbour. Neighbours
+  /// also count as repeated if the arc length does not grow between them. A closed curve (first point equal to last)
+  /// and a self-crossing also throw. The message names the points by number from 1.
   explicit Curve(std::vector<Eigen::Vector2d> points);
 
   const std::vector<Eigen::Vector2d>& points() const { return points_; }

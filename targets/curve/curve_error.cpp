@@ -63,7 +63,7 @@ Motion match_samples(const Points& from, const Points& to) {
   return {turned.turn, goal - turned(middle)};
 }
 
-/// Both directions' residuals and their normal equations in (turn, shift) about a motion.
+/// Residuals in both directions, and their normal equations in (turn, shift) about a motion.
 struct TwoSided {
   double squared = 0, largest = 0;
   Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
@@ -123,7 +123,7 @@ struct Aligned {
   bool settled = false;
 };
 
-/// Levenberg-Marquardt on the three numbers of the motion.
+/// Aligns the goal by Levenberg-Marquardt on the three numbers of the motion.
 Aligned align(const Alignment& alignment, double scale) {
   Aligned best{alignment.first_guess(), {}, false};
   best.sum = alignment.measure(best.motion);

@@ -11,7 +11,8 @@ namespace kinetix::targets {
 template <class Point>  // Eigen::Vector2d, Eigen::Vector3d
 void check_points(const std::vector<Point>& points);
 
-/// Of the diagonal of the box round a curve: parts of a curve that are closer meet, but for rounding.
+/// Largest gap between parts of a curve that touch, as a fraction of the diagonal of its bounding box. It only covers
+/// rounding.
 constexpr double touching = 1e-9;
 
 /// @throws InvalidCurve for a polyline whose ends meet
@@ -21,11 +22,12 @@ void check_open(const std::vector<Point>& points);
 /// @throws InvalidCurve for a polyline that crosses or touches itself; the first point may come again as the last
 void check_crossing(const std::vector<Eigen::Vector2d>& points);
 
-/// Of point k, that is as the one before.
+/// Returns the error for point k, which equals point k - 1.
 InvalidCurve repeated_point(std::size_t k);
-/// At point k, where the curve runs back over its last segment.
+/// Returns the error for point k, where the curve runs back over its last segment.
 InvalidCurve turns_back(std::size_t k);
-/// Of segment `first` with the later `second`; @param closes whether that one ends at the first point
+/// Returns the error for segment `first`, which meets the later segment `second`.
+/// @param closes whether `second` ends at the first point
 InvalidCurve crosses_itself(std::size_t first, std::size_t second, bool closes);
 
 }  // namespace kinetix::targets

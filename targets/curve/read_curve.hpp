@@ -10,12 +10,13 @@ namespace kinetix::targets {
 /// Every key of a `target:` section of kind curve.
 const KeyTable& curve_target_keys();
 
-/// The curve under the key `points` (read_points).
+/// Reads the curve under the key `points` (read_points).
 /// @throws InvalidInput at the point at fault, in the CSV or in the document, as read_points, or for what Curve
 /// refuses
 Curve read_curve(const Node& points);
 
-/// Of a CSV file (read_points_csv). @throws InvalidInput likewise
+/// Reads a curve from a CSV file (read_points_csv).
+/// @throws InvalidInput as read_points_csv, or at the point at fault for what Curve refuses
 Curve read_curve_csv(const std::string& file);
 
 }  // namespace kinetix::targets

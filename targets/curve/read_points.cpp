@@ -15,7 +15,7 @@ namespace {
 
 using Axes = std::vector<std::string>;
 
-// Of every coordinate, mm: the limit of read_curve.hpp on either side of 0.
+// Range of every coordinate, mm: the limit of read_points.hpp on either side of 0.
 const Bounds coordinate = from_to(-max_coordinate_mm, max_coordinate_mm, "mm");
 
 /// Points of as many numbers as there are axes.

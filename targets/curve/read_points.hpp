@@ -9,48 +9,49 @@
 
 namespace kinetix::targets {
 
-/// Bytes of a CSV file, 16 MiB: 80 for each of the points allowed, more than two numbers in full precision
-/// take.
+/// Largest CSV file, bytes (16 MiB): 80 per allowed point, more than two numbers of full precision need.
 inline constexpr std::size_t max_csv_bytes = 16 << 20;
-/// Points of a curve: far finer than cells can follow; a limit so that a wrong file is refused, not worked
-/// on.
+/// Most points of a curve: far finer than cells can follow. The limit refuses wrong files before any work.
 inline constexpr std::size_t max_curve_points = 200'000;
-/// mm, either way from 0: a kilometre is larger than any sheet, so that a point beyond it is a wrong unit.
+/// Largest coordinate, mm, on either side of 0. A kilometre exceeds any sheet, so a point beyond it is in a wrong
+/// unit.
 inline constexpr double max_coordinate_mm = 1e6;
 
-/// Points of a plane as a file has them, mm, and where each stands.
+/// Points of a plane curve as a file has them, mm, with the place of each.
 struct PlanePoints {
   std::vector<Eigen::Vector2d> points;
   std::vector<Place> places;
   Place place;  ///< of all
 };
 
-/// Likewise of space, mm.
+/// Points of a space curve as a file has them, mm, with the place of each.
 struct SpacePoints {
   std::vector<Eigen::Vector3d> points;  ///< mm
   std::vector<Place> places;
   Place place;  ///< of all
 };
 
-/// What may stand under a key for points. @param second_axis name of the second coordinate, after x
+/// Returns the type of a key for plane points: a CSV file or a list. @param second_axis name of the coordinate after x
 ValueType points_type(const std::string& second_axis);
-/// Likewise for points [x, y, z]. @param most of them
+/// Returns the type of a key for points [x, y, z]: a CSV file or a list. @param most largest number of points
 ValueType space_points_type(std::size_t most);
 
-/// The path of a CSV file, relative to the document's folder, or a list [[x, z], ...], in mm.
+/// Reads points in mm: a list [[x, z], ...], or a CSV file by its path relative to the document's folder.
+/// @param second_axis name of the coordinate after x
 /// @throws InvalidInput at the point at fault, in the CSV or in the document
 PlanePoints read_points(const Node& points, const std::string& second_axis);
 
-/// Likewise a list [[x, y, z], ...], or a CSV file with the header `x,y,z`. @param most of them
+/// Reads points in mm: a list [[x, y, z], ...], or a CSV file with the header `x,y,z`. @param most largest number of
+/// points
 SpacePoints read_space_points(const Node& points, std::size_t most);
 
-/// A CSV file whose first line is the header `x,z` (or `x_mm,z_mm`), then one point a row, mm. Empty lines,
-/// lines that start with #, spaces around a number, CRLF and a byte order mark are fine.
-/// @throws InvalidInput naming file:line:column for another header or unit, a row that is not two finite
-/// numbers within a kilometre, more than 200 000 points, or more than 16 MiB
+/// Reads a CSV file whose first line is the header `x,z` (or `x_mm,z_mm`), then one point per row, mm. Empty lines,
+/// lines that start with #, spaces around a number, CRLF and a byte order mark are allowed.
+/// @throws InvalidInput naming file:line:column for another header or unit, or a row that is not two finite numbers
+/// within a kilometre. More than 200 000 points and more than 16 MiB also throw.
 PlanePoints read_points_csv(const std::string& file, const std::string& second_axis);
 
-/// What `make` makes of the points; what it refuses gets the place of the point at fault.
+/// Builds an object from the points by `make`. An InvalidCurve from `make` becomes InvalidInput at the point at fault.
 template <class Points, class Make>
 auto made_of(Points read, const Make& make) {
   try {

@@ -7,10 +7,10 @@
 
 namespace kinetix::targets {
 
-/// Calls visit(first, second), first < second, for the pairs of a polyline's segments whose ranges along the axis on which
-/// the points spread most come within `near` of each other; segment k joins points k and k + 1. A sweep along that axis:
-/// n log n for curves that do not crowd it.
-/// @param points at least 2, finite, in any unit; @param near >= 0, in that unit
+/// Calls visit(first, second), first < second, for each pair of segments whose ranges along one axis come within
+/// `near` of each other. The axis is the one along which the points spread most. Segment k joins points k and k + 1.
+/// The sweep along the axis takes n log n time for curves that do not crowd it.
+/// @param points at least 2, finite, in any unit. @param near >= 0, in that unit
 template <class Point, class Visit>
 void for_segment_pairs(const std::vector<Point>& points, double near, const Visit& visit) {
   Point lowest = points[0], highest = points[0];

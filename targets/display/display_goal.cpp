@@ -13,8 +13,8 @@ std::string panel_text(PanelSize size) {
   return "a panel of " + std::to_string(size[0]) + " x " + std::to_string(size[1]) + " cells";
 }
 
-/// Each cell takes the level of the cell of `goal` that its middle lies in: whole where all become blocks
-/// alike.
+/// Gives each cell the level of the cell of `goal` that contains its middle. The result is whole if all cells of
+/// `goal` become blocks of the same size.
 DisplayGoal enlarged(const DisplayGoal& goal, PanelSize size) {
   std::vector<double> levels;
   for (int j = 0; j < size[1]; ++j)

@@ -8,11 +8,11 @@
 namespace kinetix::targets {
 namespace {
 
-// Difference of two values of a channel that counts as none, in the channel's unit: above what rounding
-// leaves. A smaller one would rank cells that are alike; a larger one would hide faint pictures.
+// Largest difference of two channel values that counts as none, in the channel's unit: above rounding. A smaller one
+// would rank equal cells; a larger one would hide faint pictures.
 constexpr double same = 1e-5;
 
-/// Ranks from 1, those of values that are the same averaged; what is no number comes last, each in a rank of its own.
+/// Returns ranks from 1. Equal values share their mean rank. NaN values come last, each with a separate rank.
 std::vector<double> ranks(const std::vector<double>& values) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), 0);

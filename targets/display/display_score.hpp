@@ -4,11 +4,11 @@
 
 namespace kinetix::targets {
 
-/// How well a channel, one value a cell, tells the cells of a picture from the rest (formats.md).
+/// Separation of the letter of a picture from the rest by a channel with one value per cell (formats.md).
 struct DisplayScore {
   double letter = 0, rest = 0;  ///< means of the channel, in its unit
-  /// d', dimensionless: (letter - rest) / sqrt(mean of the two variances), a root of at least 1e-5; 0 where the means
-  /// are equal.
+  /// d', dimensionless: (letter - rest) / sqrt(mean of the two variances). The root is at least 1e-5. Equal means give
+  /// 0.
   double contrast = 0;
   /// Probability that a cell of the letter has a higher value than one of the rest; ties count half.
   double auc = 0.5;
@@ -17,13 +17,13 @@ struct DisplayScore {
   double separation() const { return letter - rest; }
 };
 
-/// Cells with a level of at least 0.5 are the letter's. Differences of 1e-5, in the channel's unit, count
-/// as none: rounding makes no picture. NaN among the values gives NaN.
+/// Scores a channel. Cells with a level of at least 0.5 belong to the letter. Differences of 1e-5, in the channel's
+/// unit, count as none, since rounding makes no picture. NaN among the values gives NaN.
 /// @pre as many values as levels, and both kinds of cells
 DisplayScore display_score(const std::vector<double>& channel, const std::vector<double>& levels);
 
-/// Spearman's rank correlation of channel and levels, ties by mean ranks, in [-1, 1]; 0 where one of them is
-/// all the same. For pictures of grey levels.
+/// Computes Spearman's rank correlation of channel and levels, ties by mean ranks, in [-1, 1]. The result is 0 if all
+/// values of one of them are equal. For pictures of grey levels.
 double rank_correlation(const std::vector<double>& channel, const std::vector<double>& levels);
 
 }  // namespace kinetix::targets

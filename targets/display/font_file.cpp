@@ -15,7 +15,7 @@
 namespace kinetix::targets {
 namespace {
 
-// Families in a message: a few lines of a terminal, however many there are.
+// Most families named in a message, so that it takes a few lines of a terminal.
 constexpr std::size_t most_names = 12;
 
 struct Destroy {
@@ -33,7 +33,7 @@ Config installed_fonts() {
   return config;
 }
 
-/// Installed outline fonts that have this value under the key; all where the key is nothing.
+/// Returns the installed outline fonts with this value under the key; all of them if the key is null.
 Fonts outline_fonts(const Config& config, const char* key = nullptr, const std::string& value = {}) {
   const std::unique_ptr<FcPattern, Destroy> pattern(FcPatternCreate());
   const std::unique_ptr<FcObjectSet, Destroy> wanted(FcObjectSetBuild(
@@ -59,7 +59,8 @@ int integer_of(FcPattern* font, const char* key) {
   return value;
 }
 
-/// Least for the most regular font; complete, so that the choice does not depend on the order of the list.
+/// Returns a sort key, least for the most regular font. It orders all fonts, so the choice does not depend on the
+/// order of the list.
 auto rank(FcPattern* font) {
   return std::tuple(std::abs(integer_of(font, FC_SLANT) - FC_SLANT_ROMAN),
                     std::abs(integer_of(font, FC_WIDTH) - FC_WIDTH_NORMAL),

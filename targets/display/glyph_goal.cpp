@@ -12,8 +12,8 @@ namespace {
 
 Window panel_over(const Picture& letter, PanelSize size, double cell_shape) {
   const int margin = std::min(size[0], size[1]) < least_side_with_margin ? 0 : 1;
-  const double wide = cell_shape * (size[0] - 2 * margin), high = size[1] - 2 * margin;  // heights of a cell
-  const double fill_x = letter.width / wide, fill_y = letter.height / high;  // pixels a height of a cell
+  const double wide = cell_shape * (size[0] - 2 * margin), high = size[1] - 2 * margin;  // in cell heights
+  const double fill_x = letter.width / wide, fill_y = letter.height / high;  // pixels per cell height
   const double half_width = std::max(fill_x, fill_y / max_glyph_stretch) * cell_shape * size[0] / 2;
   const double half_height = std::max(fill_y, fill_x / max_glyph_stretch) * size[1] / 2;
   const double x = letter.width / 2.0, y = letter.height / 2.0;
@@ -54,7 +54,7 @@ DisplayGoal glyph_goal(const std::string& text, int columns, int rows, double ce
     try {
       DisplayGoal goal = glyph_goal(text, find_font(fonts_by_default[k]), columns, rows, cell_shape);
       if (goal.whole) return goal;
-    } catch (const InvalidInput&) {  // the last font says what is wrong
+    } catch (const InvalidInput&) {  // the last font reports the error
     }
   }
   return glyph_goal(text, find_font(fonts_by_default.back()), columns, rows, cell_shape);

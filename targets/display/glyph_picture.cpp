@@ -28,7 +28,7 @@ struct Done {
 template <class Handle>
 using Owner = std::unique_ptr<std::remove_pointer_t<Handle>, Done>;
 
-// Of FreeType's and HarfBuzz's lengths at a size of one pixel for each font unit.
+// Parts per font unit in lengths of FreeType and HarfBuzz, at a size of one pixel per font unit.
 constexpr int parts_of_unit = 64;
 
 std::u32string decoded(const std::string& text) {
@@ -55,8 +55,8 @@ struct PlacedGlyph {
   FT_Vector offset = {}, advance = {};
 };
 
-/// The glyphs of a text as outlines in font units, y upwards, on one line that starts at 0: shaped by HarfBuzz, in the order in
-/// which they stand.
+/// Glyphs of a text as outlines in font units, y upwards, on one line that starts at 0. HarfBuzz shapes them; their
+/// order is that on the line.
 class Line {
  public:
   Line(const std::string& text, const FontFile& font) : text_(decoded(text)), font_(font) {
@@ -162,7 +162,7 @@ Picture blank_for(const FT_BBox& box) {
   return picture;
 }
 
-/// From font units to 64ths of a pixel, so that the box fills the picture.
+/// Returns the scale from font units to 64ths of a pixel, so that the box fills the picture.
 FT_Matrix scale_to(const Picture& picture, const FT_BBox& box) {
   const auto factor = [](int pixels, FT_Pos units) { return FT_DivFix(64 * pixels, units); };
   return {factor(picture.width, box.xMax - box.xMin), 0, 0, factor(picture.height, box.yMax - box.yMin)};

@@ -7,23 +7,25 @@
 
 namespace kinetix::targets {
 
-/// px, height of the drawn text: at least one a cell on the largest panel that is allowed.
+/// Height of the drawn text, px: at least one per cell on the largest allowed panel.
 inline constexpr int glyph_height_pixels = 1024;
-/// px, width of the drawn text, 16 times its height: bounds the memory of a line of very wide characters.
+/// Largest width of the drawn text, px: 16 times its height. It bounds the memory for a line of very wide characters.
 inline constexpr int max_glyph_width_pixels = 16'384;
 
-/// Number of letters as a reader counts them: grapheme clusters of Unicode (UAX 29), so that accents, joiners and variation
-/// selectors belong to the letter before them. @param text UTF-8
+/// Counts letters as a reader does, by grapheme clusters of Unicode (UAX 29). Accents, joiners and variation selectors
+/// belong to the letter before them. @param text UTF-8
 int count_letters(const std::string& text);
 
-/// Draws a text by its outlines in the font, shaped by HarfBuzz and ordered by Unicode's bidirectional algorithm: Arabic
-/// letters join and run to the left, accents stand over their letters. No kerning and no optional ligatures (on a coarse panel
-/// the gap between two letters counts for more), no hinting. The picture is cropped to the ink, and 1024 pixels high or, for
-/// text over 16 times as wide as high, 16 384 pixels wide. Each pixel holds the covered part of its area to 1/255, by FreeType's
-/// integer arithmetic: the same pixels on every machine that has the same font file.
-/// @param text UTF-8
-/// @throws InvalidInput for a character that the font does not have, text without ink (spaces), and a font
-/// file that FreeType cannot use
+/// Draws a text by its outlines in the font. HarfBuzz shapes it and Unicode's bidirectional algorithm orders it:
+/// Arabic letters join and run to the left, and accents are above their letters. Kerning and optional ligatures are
+/// off, since the gap between two letters counts for more on a coarse panel. Hinting is off too.
+///
+/// The picture is cropped to the ink and 1024 pixels high. Text over 16 times as wide as high is 16 384 pixels wide
+/// instead. Each pixel holds the covered part of its area to 1/255, by FreeType's integer arithmetic. The same font
+/// file gives the same pixels on every machine.
+/// @param text UTF-8.
+/// @throws InvalidInput for a character that the font lacks, text without ink (spaces), and a font file that FreeType
+/// cannot use
 Picture glyph_picture(const std::string& text, const FontFile& font);
 
 }  // namespace kinetix::targets

@@ -56,7 +56,7 @@ PixPointer read_pnm(const std::string& bytes) {
   return pix;
 }
 
-/// 8 bits a pixel, 0 = black.
+/// Decodes an image to 8 bits per pixel, 0 = black.
 PixPointer decode(const std::string& bytes) {
   PixPointer pix = checked_header(bytes).format == IFF_PNG ? read_png(bytes) : read_pnm(bytes);
   if (pixGetSpp(pix.get()) == 4) pix = owned(pixAlphaBlendUniform(pix.get(), 0xffffff00));
@@ -91,7 +91,7 @@ void check_variety(const Picture& picture) {
     throw InvalidInput("has one value everywhere; give an image with a letter and a background");
 }
 
-/// What leptonica says goes two ways: messages by their severity, some headers' values straight to stderr.
+/// Silences leptonica: its messages, by severity, and the header values that it prints straight to stderr.
 void be_silent() {
   setMsgSeverity(L_SEVERITY_NONE);
   leptSetStderrHandler([](const char*) {});

@@ -14,10 +14,10 @@ void for_pixels(double from, double to, int count, const auto& f) {
     f(k, std::min<double>(to, k + 1) - std::max<double>(from, k));
 }
 
-/// Where cell k of `count` that fill [start, end] begins.
+/// Returns the start of cell k of `count` equal cells that fill [start, end].
 double cell_edge(double start, double end, int k, int count) { return start + (end - start) * k / count; }
 
-/// Ink of one pixel row under each column of cells. Rows asked for twice in a row are summed once.
+/// Sums of ink in one pixel row under each column of cells. A row requested again at once is summed once.
 class ColumnSums {
  public:
   ColumnSums(const Picture& picture, const Window& window, int columns)

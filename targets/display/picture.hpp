@@ -19,11 +19,11 @@ struct Window {
   double left = 0, right = 0, top = 0, bottom = 0;
 };
 
-/// The whole picture.
+/// Returns the window of the whole picture.
 Window frame(const Picture& picture);
 
-/// Part of each cell's area that ink covers when the panel fills the window: the mean of the pixels under the
-/// cell, each weighted by its part inside; in [0, 1], cells in the order of DisplayGoal::levels.
+/// Computes the part of each cell's area that ink covers if the panel fills the window, [0, 1]. It is the mean of the
+/// pixels under the cell, each weighted by its part inside. Cells are in the order of DisplayGoal::levels.
 /// @pre left < right, top < bottom
 std::vector<double> ink_coverage(const Picture& picture, const Window& window, PanelSize size);
 

@@ -11,7 +11,7 @@ struct PixDeleter {
 };
 using PixPointer = std::unique_ptr<Pix, PixDeleter>;
 
-/// For results that are missing only where memory ran out. @throws std::bad_alloc
+/// Takes ownership of a result that is null only if memory ran out. @throws std::bad_alloc for null
 PixPointer owned(Pix* pix);
 
 }  // namespace kinetix::targets

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int opaque = 255;  // alpha of 8 bits, the largest: of pixels that have none of their own
 
-/// Called by libpng, which must not return to where the error is.
+/// Keeps libpng's reason for an error. It must not return to where the error is.
 void keep_reason(png_structp png, png_const_charp reason) {
   *static_cast<std::string*>(png_get_error_ptr(png)) = reason;
   png_longjmp(png, 1);
@@ -41,7 +41,7 @@ struct Decoder {
   Decoder& operator=(const Decoder&) = delete;
 };
 
-/// False where libpng gave up. Holds nothing that longjmp would leave without its destructor.
+/// Decodes the file; false if libpng gave up. No object here needs a destructor, since longjmp would skip it.
 bool decode(const Decoder& decoder) {
   if (setjmp(png_jmpbuf(decoder.png)) != 0) return false;
   png_read_png(decoder.png, decoder.info, PNG_TRANSFORM_EXPAND | PNG_TRANSFORM_STRIP_16, nullptr);

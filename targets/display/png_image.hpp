@@ -6,9 +6,9 @@
 
 namespace kinetix::targets {
 
-/// The pixels of a PNG, 8 bits a value (16 bits lose their lower half): grey in 8 bits a pixel where it holds
-/// nothing else, else colour in 32 with alpha where it has any. Writes nothing to stderr whatever the file
-/// holds; leptonica's own reader leaves libpng's messages to libpng, which prints them.
+/// Decodes a PNG to 8 bits per value; 16 bits lose their lower half. A picture of grey values alone has 8 bits per
+/// pixel. All others are colour in 32 bits, with alpha if the file has any. Writes nothing to stderr for any file;
+/// leptonica's reader leaves messages to libpng, which prints them.
 /// @throws InvalidInput without place for a damaged file, with libpng's reason
 PixPointer read_png(std::string_view bytes);
 

@@ -10,12 +10,12 @@
 namespace kinetix::targets {
 namespace {
 
-// Cells each way: a margin of one all round leaves 8, in which strokes and gaps of a capital are a cell or
-// two wide.
+// Columns per character, and rows: a margin of one cell leaves 8, in which strokes and gaps of a capital are one or
+// two cells wide.
 constexpr int default_cells_a_character = 10;
-// What the key `levels` may say.
+// Words of the key `levels`.
 constexpr Word<ImageLevels> levels_words[] = {{"2", ImageLevels::two}, {"grey", ImageLevels::grey}};
-// The end of messages about a target that says nothing, or more than one thing, to show.
+// End of messages about a target with no source of its picture, or with several.
 constexpr const char* wanted_source = "one of `glyph`, `image` and `rows`";
 
 PanelSize read_cells_of_panel(const Node& cells) {

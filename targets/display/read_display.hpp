@@ -7,21 +7,21 @@
 
 namespace kinetix::targets {
 
-/// Every key of a `target:` section of kind display. What `channel` means is for the search.
+/// Returns every key of a `target:` section of kind display. The search interprets `channel`.
 const KeyTable& display_target_keys();
-/// The key structure.cells of a display.
+/// Returns the key structure.cells of a display.
 Key panel_cells_key();
 
-/// A `target:` section of kind display: one of
-///   - `glyph: T`, optionally `font: DejaVu Sans Bold` (font_file.hpp) -> glyph_goal,
-///   - `image: file.png`, relative to the document's folder, optionally `levels: 2 | grey` and
-///     `invert: true | false` -> image_goal,
+/// Reads a `target:` section of kind display, which has one of three sources.
+///   - `glyph: T`, optionally `font: DejaVu Sans Bold` (font_file.hpp) -> glyph_goal.
+///   - `image: file.png`, relative to the document's folder, optionally `levels: 2 | grey` and `invert: true | false`
+///     -> image_goal.
 ///   - `rows: ["0110", ...]`, top row first -> rows_goal.
-/// @param cells the key structure.cells, [columns, rows]; nothing: 10 columns a character and 10 rows for a
-/// glyph, 20 columns in the image's proportions for an image, the size of the rows for rows
-/// @param cell_shape distance of neighbouring columns over that of neighbouring rows: 2 of bricks
-/// @throws InvalidInput for none or several of these, a key that belongs to another of them, cells that
-/// are not the size of the rows, and what the goals refuse, each at its place
+/// @param cells the key structure.cells, [columns, rows]. If empty, a glyph has 10 columns per character and 10 rows.
+/// An image then has 20 columns in its proportions, and rows have their size.
+/// @param cell_shape distance of neighbouring columns over that of neighbouring rows: 2 for bricks.
+/// @throws InvalidInput at its place for none or several sources, a key of another source, and what the goals refuse.
+/// It also throws for cells that are not a multiple of the size of the rows.
 DisplayGoal read_display(const Node& target, const std::optional<Node>& cells, double cell_shape = 1);
 
 }  // namespace kinetix::targets

@@ -11,13 +11,14 @@
 namespace kinetix::targets {
 namespace {
 
-constexpr int tried_levels = 16;  // steps between the means of rest and letter: an eye sets its own level
+constexpr int tried_levels =
+    16;  // steps between the means of rest and letter, since an eye sets its level itself
 
 l_uint32* line_of(const PixPointer& pix, int y) {
   return pixGetData(pix.get()) + static_cast<std::size_t>(y) * pixGetWpl(pix.get());
 }
 
-/// One bit a pixel, with a rim of paper one pixel wide all round, so that all paper outside is one piece.
+/// Makes a picture of one bit per pixel, with a border of paper one pixel wide that joins all paper outside.
 PixPointer binary(int width, int height, const auto& is_ink) {
   PixPointer pix = owned(pixCreate(width + 2, height + 2, 1));
   for (int y = 0; y < height; ++y) {

@@ -7,13 +7,13 @@
 namespace kinetix::targets {
 namespace {
 
-// Area of a part or a hole, of the ink, below which it is noise: a larger one drops the dots of letters, a
-// smaller one asks a panel to show dust.
+// Area of a part or a hole, as a fraction of the ink, below which it is noise. A larger one drops the dots of letters;
+// a smaller one requires a panel to show dust.
 constexpr double speck = 1.0 / 500;
-// Area, of the ink: tips of sharp corners are lost on every panel, so that less would refuse letters that
-// are whole; more would let a stroke go.
+// Largest lost area, as a fraction of the ink. Tips of sharp corners are lost on every panel, so less would refuse
+// whole letters. More would let a stroke disappear.
 constexpr double most_lost = 1.0 / 25;
-// px: two for each cell of the longest side allowed, since strokes are looked for in quarters of cells.
+// Largest side, px: two per cell of the longest allowed side, since strokes are found in quarters of cells.
 constexpr int most_pixels_a_side = 2 * max_panel_side;
 
 double share_of_ink(const Picture& picture) {
@@ -48,7 +48,7 @@ bool is_near(const DisplayGoal& goal, int x, int y, bool letter) {
   return is(i, j) || is(beside, j) || is(i, above) || is(beside, above);
 }
 
-/// The panel whose shorter side has this many cells.
+/// Returns the panel of the same proportions whose shorter side has this many cells.
 PanelSize in_proportion(PanelSize asked, int shorter) {
   const auto [least, most] = std::minmax(asked[0], asked[1]);
   const int longer = static_cast<int>(std::lround(static_cast<double>(most) * shorter / least));

@@ -42,13 +42,13 @@ class Node {
   /// @param what what belongs there, for the message when the key is missing
   Node required(std::string_view key, const std::string& what) const;
 
-  /// List getters. `what` says what the list should be, e.g. "[lower, upper] in degrees".
+  /// List getters. `what` describes the list, e.g. "[lower, upper] in degrees".
   std::vector<Node> list(const std::string& what) const;
   std::vector<Node> list_of(std::size_t length, const std::string& what) const;
 
-  /// Scalar getters: numbers and booleans must not stand in quotes, text may.
+  /// Scalar getters. Numbers and booleans must not be in quotes; text may be.
   double number(const Bounds& bounds = {}) const;
-  /// The value stands in degrees; the result is in radians.
+  /// Reads a value in degrees and returns radians.
   double angle(const Bounds& degrees) const;
   int integer(int lower, int upper) const;
   bool boolean() const;
@@ -56,9 +56,9 @@ class Node {
   /// Position of the word among the allowed ones.
   std::size_t one_of(const std::vector<std::string_view>& allowed) const;
 
-  /// [lower, upper] with lower < upper, both in bounds.
+  /// Reads [lower, upper] with lower < upper, both in bounds.
   std::array<double, 2> range(const Bounds& bounds) const;
-  /// The same in degrees, given back in radians.
+  /// Reads [lower, upper] in degrees with lower < upper, both in bounds, and returns radians.
   std::array<double, 2> angle_range(const Bounds& degrees) const;
 
   /// Runs f; bad input that it reports without a place gets this one.
@@ -82,19 +82,19 @@ class Node {
 
 /// Bytes, 1 MiB: far more than a target written by hand. Designs may be larger (app/files/design_file.hpp).
 inline constexpr std::size_t max_document_bytes = 1 << 20;
-/// Maps and lists in one another: the formats need about six; a limit keeps hostile files off the stack.
+/// Deepest nesting of maps and lists. The formats need about six; the limit protects the stack from hostile files.
 inline constexpr int max_document_depth = 64;
-/// Bytes of a key: none of the formats is half as long, and messages that name one stay readable.
+/// Longest key, bytes: none of the formats is half as long, and messages that name one stay readable.
 inline constexpr std::size_t max_key_bytes = 100;
 
-/// Reads a YAML file strictly: what is not needed for configuration is an error, found while parsing and
-/// before anything is built from it. Refused are anchors, aliases, tags, duplicate keys, keys that are not
-/// plain words of at most 100 bytes, nesting over 64, a second document, files over max_bytes (1 MiB), text
-/// that is not UTF-8. CRLF line ends and a byte order mark are fine.
+/// Reads a YAML file strictly. Anything that configuration does not need is an error, found while parsing and before
+/// anything is built. Refused are anchors, aliases, tags, duplicate keys, a second document, and text that is not
+/// UTF-8. Keys that are not plain words of at most 100 bytes, nesting over 64, and files over max_bytes (1 MiB) are
+/// also refused. CRLF line ends and a byte order mark are allowed.
 /// @throws InvalidInput naming file:line:column and the key path
 Node read_document(const std::string& file, std::size_t max_bytes = max_document_bytes);
 
-/// The same from text in memory; `file` serves for messages and for relative paths.
+/// Parses a YAML document from memory, as strictly as read_document. `file` serves for messages and relative paths.
 Node parse_document(const std::string& text, const std::string& file);
 
 }  // namespace kinetix::targets

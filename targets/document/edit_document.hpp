@@ -17,20 +17,20 @@ class DocumentEditor {
   DocumentEditor(const DocumentEditor& other);
   DocumentEditor& operator=(const DocumentEditor&) = delete;
 
-  /// Paths of the numbers that the file holds, in its order.
+  /// Returns the paths of the numbers in the file, in its order.
   std::vector<std::string> numbers() const;
-  /// Items of the numbers that a path matches, in file order; empty where nothing is there.
+  /// Finds the items of the numbers that a path matches, in file order; empty if there are none.
   std::vector<int> find(const DocumentPath& path) const;
-  /// Items likewise; keys at the end of the path that the file leaves out are added to its maps.
-  /// Empty where the path meets something else than maps and lists.
+  /// Finds the items of the numbers that a path matches, in file order. Keys at the end of the path that the file
+  /// omits are added to its maps. Empty if the path meets anything but maps and lists.
   std::vector<int> find_or_add(const DocumentPath& path);
 
   std::string path(int item) const;
-  /// As the file has it, in the key's own unit. Nothing for a key that was added and not set.
+  /// Returns the number as the file has it, in the key's unit; empty for a key that was added and not set.
   std::optional<double> number(int item) const;
   void set(int item, double value);
 
-  /// The document as it is now. Not to be used after the next set().
+  /// Returns the document in its present state. It must not be used after the next set().
   Node root() const;
 
  private:

@@ -4,7 +4,7 @@
 
 namespace kinetix::targets {
 
-/// Keeps in_ticks() of this thread from quoting while it lives, where a document names a file outside of its own folder: a
+/// Guard that stops in_ticks() of this thread from quoting a file outside the folder of the document that names it. A
 /// stranger's target may name any file of the machine, and messages are sent to strangers.
 class HiddenQuotes {
  public:

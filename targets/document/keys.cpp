@@ -13,7 +13,8 @@ std::string pair_text(const std::string& lower, const std::string& upper) {
   return "[" + lower + ", " + upper + "]";
 }
 
-/// As a person would write them: a default is stored in radians, and off a round number by the last bit.
+/// Formats degrees as a person would write them. A default is stored in radians, and differs from a round number in
+/// the last bit.
 std::string shown_degrees(double radians) {
   constexpr int digits = 12;  // fewer than the 15 that a double keeps
   char buffer[32];

@@ -17,12 +17,11 @@ namespace kinetix::targets {
 class KeyTable;
 class Section;
 
-/// A word that a file may say, and what it stands for.
+/// Word of a file, and the value that it represents.
 template <class Value>
 using Word = std::pair<std::string_view, Value>;
 
-/// What the value of a key may be. The reader checks it; the page of formats and the JSON Schemas are made
-/// of it.
+/// Type of a key's value. The reader checks it; the page of formats and the JSON Schemas are generated from it.
 struct ValueType {
   enum class Kind { number, angle, integer, boolean, text, choice, list, map, either };
   /// Entries of a list that has no limit: more than fit in memory.
@@ -43,7 +42,8 @@ struct ValueType {
 namespace value {
 
 ValueType number(const Bounds& bounds = {});
-/// A length in mm whose bounds follow the cell edge. @param bounds in cell edges; their unit says so
+/// Returns the type of a length in mm whose bounds follow the cell edge. @param cells bounds in cell edges, with a
+/// unit that names them
 ValueType length(const Bounds& cells);
 ValueType angle(const Bounds& degrees);
 ValueType integer(int lower, int upper);
@@ -69,7 +69,7 @@ ValueType choice(const Word<Value> (&words)[count]) {
 
 }  // namespace value
 
-/// What holds where a file leaves a key out.
+/// Value of a key that a file omits.
 struct Default {
   enum class Kind {
     needed,     ///< nothing: the key must be given
@@ -81,13 +81,13 @@ struct Default {
   std::string text = {};  ///< needed: what belongs there, for the message when the key is missing
 };
 
-/// For keys without which nothing holds.
+/// Default of keys that have no value if they are omitted.
 inline const Default no_default = {};
-/// For keys that must be given.
+/// Default of keys that must be given.
 inline const Default needed = {Default::Kind::needed, {}};
 /// @param what what belongs there, for the message when the key is missing
 Default needed_as(std::string what);
-/// The value that the program uses, so that the table cannot say another.
+/// Returns the value that the program uses, so that the table cannot give another.
 Default by_default(double value);
 Default by_default(const char* word);
 /// @param radians shown in degrees
@@ -97,7 +97,7 @@ Default by_default_deg(double lower_radians, double upper_radians);
 /// @param text Markdown: a rule instead of a value
 Default otherwise(std::string text);
 
-/// Alternatives of a map (`Alternatives` below) that a key goes with; none named: all.
+/// Alternatives of a map (`Alternatives` below) to which a key belongs; none named: all.
 struct With {
   With() = default;
   With(const char* name) : names{name} {}             // NOLINT: tables read better
@@ -113,7 +113,7 @@ struct With {
 struct Binding {
   std::type_index object = typeid(void);  ///< whose member; void: none, the key is read by name
   std::function<void(const Section& section, std::string_view key, void* object, double edge_mm)> read = {};
-  /// Of a number, as a file says it; empty: not at all.
+  /// Formats a member that is a number as a file has it; an empty function for ranges.
   std::function<std::string(const void* object)> text = {};
 };
 
@@ -126,25 +126,26 @@ struct Key {
   template <class Object, class Value>
   Key(std::string name, Value Object::*member, ValueType type, Default fallback, std::string meaning,
       With with = {});
-  /// With the member's value in a new object as default.
+  /// Uses the member's value in a new object as default.
   template <class Object, class Value>
   Key(std::string name, Value Object::*member, ValueType type, std::string meaning, With with = {});
 
   std::string name;
   ValueType type;
   Default fallback;
-  std::string meaning;   ///< what it says, in Markdown; units are the type's
-  With with = {};        ///< the alternatives that it goes with
+  std::string meaning;   ///< meaning in Markdown; units are the type's
+  With with = {};        ///< the alternatives to which it belongs
   Binding binding = {};  ///< the member that it fills
 };
 
-/// The key `kind` of a target's own table.
+/// Returns the key `kind` of a target's table.
 Key goal_kind_key(std::string kind);
 
-/// The ways in which a map may be filled.
+/// Alternative ways to fill a map.
 struct Alternatives {
   std::vector<std::string> names = {};
-  std::string chosen_by = {};  ///< the key whose word names the way; empty: the ways are keys, one is given
+  std::string chosen_by =
+      {};  ///< the key whose word names the alternative; empty: each is a key, and one is given
 };
 
 /// A key that earlier versions had.
@@ -156,8 +157,8 @@ struct RemovedKey {
 /// The keys that a map of a file may hold, in the order of the documentation and of error messages.
 class KeyTable {
  public:
-  /// @param title of the page's own part for a map that several kinds of files share; empty: keys are
-  /// listed where the map stands
+  /// @param title of a separate section of the page, for a map that several kinds of files share; empty: keys are
+  /// listed at the map
   explicit KeyTable(std::vector<Key> keys, Alternatives alternatives = {}, std::string title = {},
                     std::vector<RemovedKey> removed = {});
 
@@ -166,11 +167,13 @@ class KeyTable {
   const std::string& title() const { return title_; }
   const std::vector<RemovedKey>& removed() const { return removed_; }
   std::vector<std::string_view> names() const;
-  /// What may be given in one of the ways. Where a key chooses it, that word is all that the key may say.
+  /// Returns the table of the keys that one alternative allows. A key that chooses the alternative allows only its
+  /// word.
   KeyTable only(std::string_view alternative) const;
   /// @throws std::logic_error for a key that the table does not have: whatever is read must be in it
   const Key& at(std::string_view name) const;
-  /// "step_s: 0.01, reach_mm: 2": numbers that are members of the object, those that must be given or differ from another one's.
+  /// Formats numbers that are members of the object, such as "step_s: 0.01, reach_mm: 2". Only keys that must be given
+  /// and values that differ from `usual` are listed.
   template <class Object>
   std::string text(const Object& object, const Object& usual = {}) const {
     return text(typeid(Object), &object, &usual);

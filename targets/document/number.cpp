@@ -78,7 +78,7 @@ std::string limit_text(double x) {
   return text;
 }
 
-/// 1e+05 as 1.0e+05: YAML 1.1 takes a number with an exponent and without a point for text.
+/// Writes 1e+05 as 1.0e+05: YAML 1.1 reads a number with an exponent and without a point as text.
 std::string with_point(std::string text) {
   const std::size_t exponent = text.find('e');
   if (exponent != std::string::npos && text.find('.') == std::string::npos) text.insert(exponent, ".0");

@@ -191,7 +191,7 @@ class Builder final : public YAML::EventHandler {
   int documents_ = 0;
 };
 
-// For the two ways in which yaml-cpp notices that a quote is not closed.
+// Cause for both errors by which yaml-cpp reports a quote that is not closed.
 constexpr const char* no_closing_quote = "a closing quote is missing before this place";
 
 bool is_indented_by_tab(const std::string& text, const YAML::Mark& mark) {
@@ -200,7 +200,7 @@ bool is_indented_by_tab(const std::string& text, const YAML::Mark& mark) {
 }
 
 std::string explain(const std::string& message) {
-  // What yaml-cpp says, in part, and what to tell the user instead.
+  // Parts of yaml-cpp's messages, and the causes that users read instead.
   static constexpr std::pair<std::string_view, const char*> causes[] = {
       {"anchor", no_anchors},
       {"alias", no_anchors},

@@ -19,25 +19,23 @@ std::vector<std::string_view> names_of(const Word<Value> (&words)[count]) {
   return names;
 }
 
-/// What the word in the file stands for. @throws InvalidInput for any other word
+/// Returns the value of a word in the file. @throws InvalidInput for any other word
 template <class Value, std::size_t count>
 Value read_word(const Node& node, const Word<Value> (&words)[count]) {
   return words[node.one_of(names_of(words))].second;
 }
 
-/// Whatever holds the two ends of a range.
+/// Type with the two ends of a range.
 template <class Range>
 concept EndsOfRange = requires(Range& range) {
   range.lower = range.upper;
 };
 
-/// A map of a file, read by the table that documents it: a key that is not in the table can neither be given
-/// nor be read, and what may stand there is what the table says. A section that a file leaves out holds no
-/// key.
+/// Map of a file, read by the table that documents it. A key that is not in the table can neither be given nor be
+/// read, and the table defines the allowed values. A section that a file omits has no keys.
 ///
-/// read() leaves the value as it is where the key is not given, which is how defaults hold. All readers throw
-/// InvalidInput at the value's place, and std::logic_error where the table has no such key, or one of
-/// another type.
+/// read() leaves the value unchanged if the key is not given, so defaults remain. All readers throw InvalidInput at
+/// the value's place. They throw std::logic_error if the table lacks the key, or has it with another type.
 class Section {
  public:
   /// @param keys lives as long as the section
@@ -55,15 +53,15 @@ class Section {
   bool knows(std::string_view key) const;
   /// Whether the table gives the key's bounds in cell edges.
   bool is_length(std::string_view key) const;
-  /// The value as it stands.
+  /// Returns the value under the key, unread; empty if it is not given.
   std::optional<Node> optional(std::string_view key) const;
   /// @param what what belongs there, for the message when the key is missing. @pre given
   Node required(std::string_view key, const std::string& what) const;
-  /// The map under a key, by the table that this one names for it.
+  /// Returns the map under a key, with the table that this table names for it.
   Section section(std::string_view key) const;
 
   void read(std::string_view key, double& value) const;
-  /// @param bounds what is allowed here, where that is less than the table says
+  /// @param bounds allowed values, if narrower than the table's
   void read(std::string_view key, double& value, const Bounds& bounds) const;
   /// A length whose bounds the table gives in cell edges. @param edge_mm cell edge
   void read_length(std::string_view key, double& value, double edge_mm) const;
@@ -84,8 +82,8 @@ class Section {
     if (const auto node = optional(key)) value = read_word(*node, words);
   }
 
-  /// Every key that fills a member of this object, also in sections within; those of other types are left.
-  /// @param edge_mm cell edge, where bounds are in cell edges
+  /// Reads every key that fills a member of this object, also in nested sections. Keys of other types are left.
+  /// @param edge_mm cell edge, for bounds in cell edges
   template <class Object>
   void read_into(Object& object, double edge_mm = 0) const {
     read_into(typeid(Object), &object, edge_mm);
@@ -98,7 +96,7 @@ class Section {
     read(key, value, how...);
   }
 
-  /// The same into what may stay empty. @param how what else the reader of the value takes
+  /// Reads a value that may stay empty. @param how further arguments of the value's reader
   template <class Value, class... How>
   void read(std::string_view key, std::optional<Value>& value, const How&... how) const {
     if (!optional(key)) return;

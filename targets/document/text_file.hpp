@@ -5,23 +5,23 @@
 
 namespace kinetix::targets {
 
-/// Bytes of a file.
-/// @throws InvalidInput with the file alone as place when it is missing, unreadable, a folder, a pipe or a
-/// device, or larger than max_bytes (all found before anything is read)
+/// Reads the bytes of a file.
+/// @throws InvalidInput with the file alone as place when it is missing, unreadable, a folder, a pipe or a device, or
+/// larger than max_bytes (all found before anything is read)
 std::string read_bytes(const std::string& file, std::size_t max_bytes);
 
-/// Text of a file, without a byte order mark.
+/// Reads the text of a file, without a byte order mark.
 /// @throws InvalidInput as read_bytes; with line and column when it holds bytes that are not UTF-8 or control
 /// characters other than tab and line ends
 std::string read_text_file(const std::string& file, std::size_t max_bytes);
 
-/// Number of UTF-8 characters that start in [from, to). @pre from <= to <= text.size()
+/// Counts the UTF-8 characters that start in [from, to). @pre from <= to <= text.size()
 int characters(const std::string& text, std::size_t from, std::size_t to);
 
-/// Where the line that holds the byte at `position` starts. @pre position <= text.size()
+/// Returns the start of the line that contains the byte at `position`. @pre position <= text.size()
 std::size_t start_of_line(const std::string& text, std::size_t position);
 
-/// Column in characters, from 1, of the byte at `position`. @pre position <= text.size()
+/// Returns the column in characters, from 1, of the byte at `position`. @pre position <= text.size()
 int column_of(const std::string& text, std::size_t position);
 
 }  // namespace kinetix::targets

@@ -13,12 +13,12 @@ namespace {
 
 constexpr std::size_t longest_quote = 40;  // bytes: keeps a message on a line or two, whatever the file holds
 
-// After the underline of a key, and what one may write instead.
+// Units after the underline of a key, and common mistakes for them.
 constexpr std::string_view units[] = {"mm", "deg", "rad", "mpa", "s"};
 
 thread_local bool quotes_are_hidden = false;
 
-/// Also through links. Of what cannot be resolved: no.
+/// Whether a file is inside a folder, also through links. False if a path cannot be resolved.
 bool is_inside(const std::string& file, const std::string& folder) {
   namespace fs = std::filesystem;
   std::error_code failure;
@@ -29,7 +29,8 @@ bool is_inside(const std::string& file, const std::string& folder) {
   return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
 }
 
-/// `theta` for `theta_deg`: a unit forgotten or added is as near as one wrong letter.
+/// Whether names differ by a unit suffix, such as `theta` and `theta_deg`. A unit forgotten or added is as near as one
+/// wrong letter.
 bool differs_by_suffix(std::string_view a, std::string_view b) {
   if (a.size() > b.size()) std::swap(a, b);
   if (a.empty() || !b.starts_with(a) || b.size() == a.size() || b[a.size()] != '_') return false;

@@ -13,23 +13,22 @@ using DrawnLine = std::array<Eigen::Vector2d, 2>;
 /// and lines may be drawn twice.
 using Drawing = std::vector<DrawnLine>;
 
-/// Bytes of a drawing, 64 MiB: CAD programs are wordy.
+/// Largest drawing, bytes (64 MiB): CAD programs are wordy.
 inline constexpr std::size_t max_drawing_bytes = 64 << 20;
-/// Lines of a drawing: as many as the walls of the largest lattice that is read.
+/// Most lines of a drawing: as many as the walls of the largest lattice that is read.
 inline constexpr std::size_t max_drawn_lines = 1'000'000;
 
-/// LINE, LWPOLYLINE and POLYLINE entities of a DXF file, in its unit ($INSUNITS; mm where it names none); what stands
-/// on the paper of a layout, such as its frame, is no part of the drawing.
-/// @throws InvalidInput without a place for curves (arcs, circles, splines, bulges), blocks that are inserted,
-/// polylines seen from below, units that are no length, lines without a coordinate, and a file that is cut off
+/// Reads the LINE, LWPOLYLINE and POLYLINE entities of a DXF file, in its unit ($INSUNITS; mm if it names none).
+/// Entities on the paper of a layout, such as its frame, are not part of the drawing.
+/// @throws InvalidInput without a place for curves (arcs, circles, splines, bulges), inserted blocks, and polylines
+/// seen from below. Units that are not lengths, lines without a coordinate, and a file that is cut off also throw.
 Drawing parse_dxf(const std::string& text);
 
-/// line, polyline, polygon, rect and path elements of an SVG file, with their transforms. A user unit is
-/// width / viewBox where the file says so in mm, cm or inches, else a pixel of 1/96 inch. Hidden layers and elements
+/// Reads the line, polyline, polygon, rect and path elements of an SVG file, with their transforms. A user unit is
+/// width / viewBox if the file gives it in mm, cm or inches, else a pixel of 1/96 inch. Hidden layers and elements
 /// (display: none) are left out.
-/// @throws InvalidInput without a place for what is not an SVG file, for curves (circle, ellipse, round corners,
-/// curved path commands), for numbers and units that it cannot read, for an svg within the svg, and for groups without
-/// end in each other
+/// @throws InvalidInput without a place for anything but an SVG file, and for curves (circle, ellipse, round corners,
+/// curved path commands). Unreadable numbers and units, an svg within the svg, and endlessly nested groups also throw.
 Drawing parse_svg(const std::string& text);
 
 }  // namespace kinetix::targets

@@ -74,7 +74,7 @@ class Groups {
   int line_ = 0;
 };
 
-/// Millimetres of a unit of $INSUNITS. 0 says that the drawing has none: mm, as laser cutters take it.
+/// Returns the mm in a unit of $INSUNITS. 0 means that the drawing names none: mm, as laser cutters assume.
 double unit_mm(const Group& unit) {
   static const std::map<int, double> known = {{0, 1}, {1, 25.4}, {2, 304.8}, {4, 1}, {5, 10}, {6, 1000}};
   const auto found = known.find(integer_of(unit));

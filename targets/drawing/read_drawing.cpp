@@ -26,7 +26,7 @@ double mean_length(const Drawing& drawing) {
   return sum / static_cast<double>(drawing.size());
 }
 
-/// Numbers places that are near each other alike.
+/// Numbering of places. Places that are near each other get the same number.
 class Places {
  public:
   explicit Places(double near) : near_(near) {}
@@ -54,7 +54,7 @@ class Places {
   std::map<std::pair<double, double>, std::vector<int>> at_;
 };
 
-/// Puts what lies within `near` of the outermost line of a side on that line: plates press on what is on one.
+/// Moves points within `near` of the outermost line of a side onto that line, since plates press on the points of one.
 void straighten_sides(std::vector<Vector2d>& points, double near) {
   for (int along = 0; along < 2; ++along)
     for (const double sign : {-1.0, 1.0}) {
@@ -67,7 +67,7 @@ void straighten_sides(std::vector<Vector2d>& points, double near) {
     }
 }
 
-/// From below, and from the left where places are as high as each other.
+/// Returns the order of the points from below, and from the left at equal heights.
 std::vector<int> reading_order(const std::vector<Vector2d>& points, double near) {
   std::vector<int> order(points.size());
   std::iota(order.begin(), order.end(), 0);

@@ -32,7 +32,7 @@ class Scanner {
     skip();
     return text_.empty();
   }
-  /// The next letter, or 0 where a number or the end comes first.
+  /// Returns the next letter, or 0 if a number or the end comes first.
   char letter() {
     skip();
     if (text_.empty() || !std::isalpha(static_cast<unsigned char>(text_[0]))) return 0;
@@ -46,7 +46,7 @@ class Scanner {
     while (end < text_.size() && std::isalpha(static_cast<unsigned char>(text_[end]))) ++end;
     return take(end);
   }
-  /// Takes this word if it comes next.
+  /// Skips this word if it comes next.
   void word(std::string_view wanted) {
     skip();
     if (text_.starts_with(wanted)) text_.remove_prefix(wanted.size());
@@ -129,7 +129,7 @@ Affine2d transform_of(const pugi::xml_node& node) {
   return all;
 }
 
-/// As drawing programs hide a layer.
+/// Whether an element is hidden, as drawing programs hide a layer.
 bool is_hidden(const pugi::xml_node& node) {
   std::string style = node.attribute("style").value();
   std::erase(style, ' ');
@@ -246,7 +246,7 @@ class Reader {
   Drawing lines_;
 };
 
-/// Millimetres of a length attribute; nothing for percents and where there is none.
+/// Reads a length attribute in mm; empty for percents and missing attributes.
 std::optional<double> length_mm(const pugi::xml_attribute& attribute) {
   if (!attribute || std::string_view(attribute.value()).find('%') != std::string_view::npos)
     return std::nullopt;
@@ -261,7 +261,7 @@ std::optional<double> length_mm(const pugi::xml_attribute& attribute) {
   throw InvalidInput("has a size in " + in_ticks(unit) + "; allowed: mm, cm, in, pt, px");
 }
 
-/// From user units to mm, y upwards.
+/// Returns the transform from user units to mm, y upwards.
 Affine2d page(const pugi::xml_node& svg) {
   double mm_x = pixel_mm, mm_y = pixel_mm;
   const auto width = length_mm(svg.attribute("width")), height = length_mm(svg.attribute("height"));
@@ -272,7 +272,7 @@ Affine2d page(const pugi::xml_node& svg) {
     if (width && size.x() > 0) mm_x = *width / size.x();
     mm_y = height && size.y() > 0 ? *height / size.y() : mm_x;
     if (!width) mm_x = mm_y;
-    // By https://www.w3.org/TR/SVG11/coords.html#PreserveAspectRatioAttribute
+    // The rules are those of https://www.w3.org/TR/SVG11/coords.html#PreserveAspectRatioAttribute
     const std::string_view aspect = svg.attribute("preserveAspectRatio").value();
     const bool is_cut = aspect.ends_with("slice");
     if (aspect != "none") mm_x = mm_y = is_cut ? std::max(mm_x, mm_y) : std::min(mm_x, mm_y);

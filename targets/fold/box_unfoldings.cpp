@@ -39,7 +39,7 @@ Frame frame_of(int face) {
   return {u, cross(n, u), n};
 }
 
-/// The frame of the neighbour on a side: rolled over the edge by 90 degrees.
+/// Returns the frame of the neighbour on a side: rolled over the edge by 90 degrees.
 Frame rolled(const Frame& f, Side side) {
   switch (side) {
     case Side::right:
@@ -68,7 +68,7 @@ std::vector<Pair> edges_between(const std::vector<int>& faces) {
   return pairs;
 }
 
-/// Unrolls the box over the edges of a tree; fewer faces than there are where the edges form no tree.
+/// Unrolling of the box over the edges of a tree. It has fewer faces than the box if the edges form no tree.
 class Unrolling {
  public:
   Unrolling(const std::array<int, 3>& edges, const std::vector<Pair>& tree, int root)
@@ -125,7 +125,7 @@ FlatNet flat(const FoldNet& net) {
   return out;
 }
 
-/// The net with each of its rectangles moved by the same motion, sorted.
+/// Returns the net with each of its rectangles moved by the same motion, sorted.
 template <class Motion>
 FlatNet moved(FlatNet net, const Motion& motion) {
   for (Rectangles* rectangles : {&net.faces, &net.creases}) {
@@ -140,7 +140,7 @@ FlatNet at_origin(const FlatNet& net) {
   return moved(net, [&](const model::CellRectangle& r) { return r.seen_from(lowest); });
 }
 
-/// The same for congruent nets.
+/// Returns a net that is equal for congruent nets: the least of all turned and mirrored ones, at the origin.
 FlatNet canonical(FlatNet net) {
   FlatNet least = at_origin(net);
   for (int k = 1; k < 8; ++k) {

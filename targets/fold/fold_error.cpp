@@ -30,7 +30,7 @@ struct FacePlane {
   }
 };
 
-/// The plane beyond a crease. @param side of the crease towards it
+/// Returns the plane beyond a crease. @param side of the crease towards it
 FacePlane beyond(const FacePlane& from, const PlacedCrease& crease, double angle, Side side, double pitch) {
   const int along = crease.axis == model::Axis::x ? 0 : 1;
   const double sign = is_upper(side) ? 1 : -1;
@@ -68,7 +68,7 @@ Matrix3Xd positions(const std::vector<int>& bodies, const model::State& state) {
   return out;
 }
 
-/// Mean directions of a face's lattice lines, and the normal.
+/// Returns the mean directions of a face's lattice lines, and the normal.
 Matrix3d mean_axes(const model::CellRectangle& face, const Matrix3Xd& p) {
   Vector3d ex = Vector3d::Zero(), ey = Vector3d::Zero();
   for (const auto& [first, last] : line_ends(face, model::Axis::x)) ex += p.col(last) - p.col(first);
@@ -78,7 +78,7 @@ Matrix3d mean_axes(const model::CellRectangle& face, const Matrix3Xd& p) {
   return axes;
 }
 
-/// Of two nearly opposite angles the one that is meant.
+/// Adds full turns to the angle, so that it is nearest to `wanted`.
 double nearest_turn(double angle, double wanted) {
   return angle + 2 * pi * std::round((wanted - angle) / (2 * pi));
 }

@@ -13,15 +13,15 @@ struct SolidGoal {
   int cells = 2;    ///< of half a side of a face, 2 to max_solid_cells
   int columns = 0;  ///< bending columns of each crease; 0: for the search to choose
 };
-/// An icosahedron of more cells has tens of thousands of walls to keep apart.
+/// Most cells per half side: an icosahedron of more cells has tens of thousands of walls to keep apart.
 inline constexpr int max_solid_cells = 8;
 
-/// What is to fold: a box in any of its unfoldings, one net, or a solid.
+/// Goal of a fold: a box in any of its unfoldings, one net, or a solid.
 struct FoldGoal {
   std::optional<std::array<int, 3>> box = {};        ///< edges in cells
-  std::optional<std::array<double, 3>> box_mm = {};  ///< edges of the folded box that were asked for, in mm
+  std::optional<std::array<double, 3>> box_mm = {};  ///< requested edges of the folded box, in mm
   std::optional<int> open = {};                      ///< the box's face that is left out, by box_face_names
-  std::vector<FoldNet> nets;                         ///< to try in this order; one where a net was asked for
+  std::vector<FoldNet> nets;                         ///< to try in this order; one if a net was requested
   std::optional<SolidGoal> solid = {};               ///< then there are no nets
 };
 

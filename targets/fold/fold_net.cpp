@@ -38,7 +38,7 @@ void check_creases(const FoldNet& net) {
   }
 }
 
-/// The faces that hang on the first one.
+/// Returns which faces are connected to the first one.
 std::vector<bool> reached(const FoldNet& net) {
   std::vector<bool> in(net.faces.size(), false);
   in[0] = true;

@@ -7,7 +7,7 @@
 
 namespace kinetix::targets {
 
-/// The way from one face to its neighbour in the flat net; the crease's columns follow one another across it.
+/// Direction from one face to its neighbour in the flat net. The crease's columns follow one another across it.
 using model::Side;
 
 /// A flat rectangle of basic cells.
@@ -31,17 +31,19 @@ struct FoldNet {
   std::vector<FoldCrease> creases;
 };
 
-/// Cells, of a face or an edge of a box: a limit so that a wrong number is refused, not laid out.
+/// Most cells along a face or an edge of a box. The limit refuses wrong numbers before they are laid out.
 inline constexpr int max_face_side = 200;
-/// Bending columns of a crease: by the crease law 20 fold by 180 deg with tilts of 7 deg and theta of 44 deg.
+/// Most bending columns of a crease. By the crease law 20 of them fold by 180 deg with tilts of 7 deg and theta of 44
+/// deg.
 inline constexpr int max_crease_columns = 20;
 
 /// "base-lid"
 std::string crease_name(const FoldNet& net, const FoldCrease& crease);
 
-/// @throws InvalidInput, naming the face or crease, for a face without cells, a name given twice, a crease of
-/// a face with itself, two creases between the same faces, an angle outside +-180 degrees, and faces that do
-/// not hang together
+/// Checks a net.
+/// @throws InvalidInput, naming the face or crease, for a face without cells, a name given twice, and an angle outside
+/// +-180 degrees. It also throws for a crease of a face with itself, two creases between the same faces, and faces
+/// that are not connected.
 void validate(const FoldNet& net);
 
 }  // namespace kinetix::targets

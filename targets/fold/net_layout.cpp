@@ -32,7 +32,7 @@ class Placing {
 
   std::vector<model::CellRectangle>& faces() { return faces_; }
 
-  /// The creases on the way from a face to the first one.
+  /// Returns the creases on the path from a face to the first one.
   std::vector<int> way_back(int face) const {
     std::vector<int> way;
     while (by_[face] != unplaced) {
@@ -45,7 +45,7 @@ class Placing {
 
   bool joins_tree(int crease) const { return std::find(by_.begin(), by_.end(), crease) != by_.end(); }
 
-  /// Where a crease has its second face, given the first, or the other way round.
+  /// Returns the place of face `next` beyond a crease, from that of the crease's other face.
   model::CellRectangle beyond(int crease, int next) const {
     const FoldCrease& c = net_.creases[crease];
     if (next == c.second) return faces_[next].beside(faces_[c.first], c.side, columns_[crease], c.shift);
@@ -68,7 +68,7 @@ std::string named(const FoldNet& net, int crease) {
   return "crease " + in_ticks(crease_name(net, net.creases[crease]));
 }
 
-/// A crease that closes a ring: its faces must be beside each other as they lie, and the ring may fold in one
+/// Checks a crease that closes a ring: its faces must be next to each other as placed, and the ring may fold in one
 /// direction only.
 void check_ring(const FoldNet& net, const Placing& placing, const std::vector<model::CellRectangle>& faces,
                 int crease) {
@@ -103,7 +103,7 @@ PlacedCrease crease_between(const FoldNet& net, const std::vector<model::CellRec
   return out;
 }
 
-/// Who has a cell, or a vertex.
+/// Owner of a cell or a vertex.
 struct Owner {
   std::string name;
   bool is_crease = false;
@@ -118,7 +118,7 @@ struct Owner {
                      "; each needs its own place in the flat net");
 }
 
-/// Who has which places: cells, or vertices.
+/// Owners of places: cells, or vertices.
 class Ownership {
  public:
   template <class Place>
@@ -158,7 +158,7 @@ std::vector<model::Cell> claimed_cells(const FoldNet& net, const NetLayout& layo
   return all;
 }
 
-/// Faces and the bodies within creases are bodies of their own.
+/// Checks that faces and the bodies within creases share no vertices, since they are separate bodies.
 void check_vertices(const FoldNet& net, const NetLayout& layout) {
   Ownership owners;
   for (std::size_t f = 0; f < layout.faces.size(); ++f)

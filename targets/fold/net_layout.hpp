@@ -17,19 +17,19 @@ struct PlacedCrease {
 /// A net's faces and creases on the lattice.
 struct NetLayout {
   std::vector<model::CellRectangle> faces;  ///< as in the net
-  std::vector<PlacedCrease> creases;        ///< likewise
+  std::vector<PlacedCrease> creases;        ///< as in the net
   std::vector<model::Cell> cells;           ///< of all faces and creases, sorted, none negative
 };
 
 /// Places the faces one after the other along the creases, with each crease's columns between its faces.
-/// @param columns of each crease, >= 1
-/// @throws InvalidInput, naming faces or creases: a crease between faces that do not lie beside each other,
-/// faces that overlap or touch without a crease, creases that need one cell to bend both ways, and a ring of
-/// faces with folds in both directions
+/// @param columns of each crease, >= 1.
+/// @throws InvalidInput, naming faces or creases, for a crease between faces that are not next to each other. Faces
+/// that overlap or touch without a crease also throw, as do creases that need one cell to bend both ways. A ring of
+/// faces with folds in both directions throws too.
 /// @pre validate accepts the net
 NetLayout lay_out(const FoldNet& net, const std::vector<int>& columns);
 
-/// Walls along the crease's axis in its cells: those that tilt to bend it.
+/// Returns the walls along the crease's axis in its cells, which tilt to bend it.
 std::vector<model::Wall> bending_walls(const PlacedCrease& crease);
 
 }  // namespace kinetix::targets

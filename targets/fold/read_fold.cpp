@@ -8,7 +8,7 @@
 namespace kinetix::targets {
 namespace {
 
-// The end of messages about a target that gives no shape, or two.
+// End of messages about a target with no shape, or with two.
 constexpr const char* wanted_shape =
     "`box: [a, b, c]`, `box_mm: [a, b, c]`, `net: {faces: [...], creases: [...]}` or `solid: icosahedron`";
 constexpr std::size_t longest_face_name = 40;         // bytes: names stand in messages and in the report
@@ -20,7 +20,7 @@ std::vector<std::string_view> as_views(const std::vector<std::string>& names) {
   return {names.begin(), names.end()};
 }
 
-// What the key `side` of a crease may say.
+// Words of the key `side` of a crease.
 constexpr Word<Side> side_words[] = {
     {"left", Side::left}, {"right", Side::right}, {"bottom", Side::bottom}, {"top", Side::top}};
 
@@ -63,7 +63,7 @@ std::optional<int> read_open_face(const Section& target) {
   return static_cast<int>(open->one_of(as_views(box_face_names())));
 }
 
-/// Lengths that are thousands of cells are likelier mm.
+/// Refuses boxes of thousands of cells: their lengths are probably in mm.
 void check_cells(const Node& box, const std::array<int, 3>& e) {
   const int cells = 2 * (e[0] * e[1] + e[1] * e[2] + e[2] * e[0]);
   const auto text = [&](const char* between) {
@@ -146,7 +146,7 @@ FoldGoal read_net(const Section& target, int columns) {
   return node.node().located([&] { return net_goal(std::move(net)); });
 }
 
-// Cells of half a side: with one, a single hinge would join two faces, and each would move by itself.
+// Least cells per half side: with one, a single hinge would join two faces, and each would move by itself.
 constexpr int least_solid_cells = 2;
 
 FoldGoal read_solid(const Section& target, const Node& solid, int columns) {

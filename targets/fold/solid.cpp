@@ -65,7 +65,7 @@ using Corners = std::vector<Vector3d> (*)();
 constexpr Corners shapes[] = {tetrahedron,  octahedron,       icosahedron,
                               dodecahedron, triangular_prism, square_pyramid};
 
-/// Corners in the plane through three of them, where no corner is beyond it.
+/// Returns the corners in the plane through three of them; empty if a corner is beyond it.
 std::set<int> face_through(const std::vector<Vector3d>& p, int a, int b, int c) {
   const Vector3d normal = (p[b] - p[a]).cross(p[c] - p[a]).normalized();
   std::set<int> face;
@@ -83,7 +83,7 @@ Vector3d middle(const std::vector<Vector3d>& p, const std::vector<int>& of) {
   return sum / static_cast<double>(of.size());
 }
 
-/// Counter-clockwise as seen against the normal.
+/// Sorts the corners of a face counter-clockwise as seen against the normal.
 std::vector<int> in_order(const std::vector<Vector3d>& p, const std::set<int>& face, const Vector3d& normal) {
   std::vector<int> order(face.begin(), face.end());
   const Vector3d center = middle(p, order), x = (p[order[0]] - center).normalized(), y = normal.cross(x);

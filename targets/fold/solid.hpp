@@ -22,12 +22,11 @@ Solid named_solid(int index);
 /// @pre no corner lies inside the hull of the others
 Solid hull_of(std::vector<Eigen::Vector3d> corners);
 
-/// Where two faces share an edge: it is side `first_side` of the first (from its corner of that number to the next),
-/// and `second_side` of the second.
+/// Edge that two faces share. It is side `first_side` of the first (from its corner of that number to the next), and
+/// `second_side` of the second.
 struct SolidEdge {
   int first = 0, first_side = 0, second = 0, second_side = 0;
-  double turn =
-      0;  ///< rad: by how much the faces are turned against each other, 180 deg less the angle inside
+  double turn = 0;  ///< rad: 180 deg less the angle between the faces inside
 };
 std::vector<SolidEdge> edges_of(const Solid& solid);
 

@@ -24,7 +24,7 @@ constexpr double least_gap = 0.3;   // cell edges, between faces that no crease 
 
 Vector2d left_of(const Vector2d& v) { return {-v.y(), v.x()}; }
 
-/// A face as a plane of its own: x along its first side, z towards the inside of the solid.
+/// Plane of a face: x along its first side, z towards the inside of the solid.
 struct FaceFrame {
   Vector3d origin, x, y;
 
@@ -40,7 +40,7 @@ FaceFrame frame_of(const Solid& solid, int face) {
   return frame;
 }
 
-/// Of length 1.
+/// Returns a face in its plane, with sides of length 1.
 Points polygon_of(const Solid& solid, int face) {
   const FaceFrame frame = frame_of(solid, face);
   Points out;
@@ -55,7 +55,7 @@ double interior_angle(const Points& polygon, std::size_t corner) {
   return std::acos(next.dot(before) / (next.norm() * before.norm()));
 }
 
-/// How far its cells stay inside the sides of a face, cell edges, by the folds there.
+/// Distances of a face's cells from its sides, cell edges, due to the folds there.
 using Insets = std::vector<std::vector<double>>;
 
 Insets insets_of(const Solid& solid, const std::vector<SolidEdge>& edges, int columns) {
@@ -66,12 +66,13 @@ Insets insets_of(const Solid& solid, const std::vector<SolidEdge>& edges, int co
   return out;
 }
 
-/// Where lines inside two sides meet, along the second of them from their corner.
+/// Returns the distance from a corner, along the second of two sides, to the foot of the point where lines inside both
+/// sides meet.
 double foot_of_corner(double angle, double before, double own) {
   return (before + own * std::cos(angle)) / std::sin(angle);
 }
 
-/// Of all corners of all faces, along the side before as well as the one behind.
+/// Returns the longest foot of all corners of all faces, along both sides of a corner.
 double longest_foot(const Solid& solid, const Insets& insets) {
   double longest = 0;
   for (std::size_t f = 0; f < solid.faces.size(); ++f) {
@@ -114,7 +115,7 @@ class FaceCells {
     return polygon[k] + foot * along + insets[k] * left_of(along);
   }
 
-  /// From its first corner to the next.
+  /// Returns the points of a side from its first corner to the next.
   Points side(const Points& polygon, const std::vector<double>& insets, double foot, std::size_t k) const {
     const Vector2d along = (polygon[(k + 1) % count_] - polygon[k]).normalized();
     Points out = {corners_[k]};
@@ -124,13 +125,13 @@ class FaceCells {
     return out;
   }
 
-  /// From the middle of a side to the middle of the face.
+  /// Returns a point on the line from the middle of a side to the middle of the face.
   Vector2d spoke(std::size_t side, int step) const {
     const double part = static_cast<double>(step) / cells_;
     return (1 - part) * sides_[side][cells_] + part * middle_;
   }
 
-  /// Between its boundary lines, each of them drawn as it is (Coons).
+  /// Returns a point between the boundary lines, each of which is kept (Coons).
   Vector2d between(std::size_t k, int s, int t) const {
     const std::size_t before = (k + count_ - 1) % count_;
     const double a = static_cast<double>(s) / cells_, b = static_cast<double>(t) / cells_;
@@ -168,14 +169,14 @@ class FaceCells {
   std::set<std::pair<int, int>> walls_;
 };
 
-/// A proper motion of the plane.
+/// Proper motion of the plane.
 struct Motion {
   Eigen::Matrix2d R = Eigen::Matrix2d::Identity();
   Vector2d p = Vector2d::Zero();
   Vector2d operator()(const Vector2d& at) const { return R * at + p; }
 };
 
-/// Puts point a on b, direction from on to. Both unit.
+/// Returns the motion that puts point a on b and direction `from` on `to`, both unit vectors.
 Motion onto(const Vector2d& a, const Vector2d& from, const Vector2d& b, const Vector2d& to) {
   const double c = from.dot(to), s = left_of(from).dot(to);
   Motion m;
@@ -208,7 +209,7 @@ class Unfolding {
     }
   }
 
-  /// From a face on: each face as near to it as can be, or in a strip as long as can be.
+  /// Lays the faces out from a root face: each as near to it as possible, or in a strip as long as possible.
   bool lay(int root, bool strip) {
     placed_.assign(polygons_.size(), Motion());
     is_placed_.assign(polygons_.size(), false);
@@ -227,7 +228,7 @@ class Unfolding {
   const Motion& motion(int face) const { return placed_[face]; }
 
  private:
-  /// One face more beside `at`, where one fits.
+  /// Adds one more face next to `at`, if one fits.
   bool grow(int at, std::vector<int>& open) {
     for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
       const SolidEdge& edge = edges_[e];
@@ -356,7 +357,7 @@ SolidNet drawn(const Solid& solid, const std::vector<SolidEdge>& edges, const In
   return net;
 }
 
-/// A state of the bodies of some faces alone.
+/// Returns the state of the given bodies alone.
 model::State part_of(const model::State& state, const std::vector<int>& bodies) {
   model::State out;
   for (const int body : bodies) out.push_back(state[body]);

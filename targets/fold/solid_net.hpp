@@ -27,32 +27,34 @@ struct SolidCrease {
       Eigen::Vector2d::UnitX();  ///< unit vector along its fold lines in the net, dimensionless
 };
 
-/// A solid cut open and laid flat as one sheet (kinematics.md section 6): faces of quadrilateral cells whose walls to the
-/// next face stand at right angles to the fold lines and are halved by them. All hinges have t = 1/2, all stand
-/// upright before fold_solid().
+/// Solid cut open and laid flat as one sheet (kinematics.md section 6). Its faces consist of quadrilateral cells.
+/// Walls to the next face are at right angles to the fold lines, which halve them. All hinges have t = 1/2, and all
+/// are upright before fold_solid().
 struct SolidNet {
   Solid solid;
   int columns = 1;  ///< of each crease
-  double edge = 0;  ///< of the solid that it folds to when its cells are as large as flat, cell edges
+  double edge = 0;  ///< of the folded solid if its cells are as large as flat, cell edges
   model::PlanarStructure structure;
   std::vector<SolidFace> faces;
   std::vector<SolidCrease> creases;
 };
 
-/// @param cells of half a side of a face, >= 1   @param columns fold lines of a crease, >= 1
-/// @throws InvalidInput for sizes that make_planar_structure refuses, or where no way to cut the solid open has been
-/// found that lays it flat without overlap
+/// Lays a solid flat as one sheet.
+/// @param cells per half side of a face, >= 1. @param columns fold lines per crease, >= 1.
+/// @throws InvalidInput for sizes that make_planar_structure refuses. It also throws if no cut has been found that
+/// lays the solid flat without overlap.
 SolidNet lay_out(const Solid& solid, int cells, int columns, const model::CellSize& size);
 
 /// Leans the hinges of all creases so that at theta they fold by their angles. @param theta rad, (0, pi/2)
 /// @return tilt of each crease, rad
 std::vector<double> fold_solid(SolidNet& net, double theta);
 
-/// How a state of a net keeps its solid: folds by planes through the bodies of faces, distances of bodies over the edge of the
-/// solid. The solid, its edges cos(theta) times as long as the net's, is laid over all faces together. NaN gives NaN.
+/// Computes the deviation of a state from its solid: folds by planes through the bodies of faces, distances of bodies
+/// over the edge of the solid. The solid, its edges cos(theta) times as long as the net's, is laid over all faces
+/// together. NaN gives NaN.
 FoldError solid_error(const SolidNet& net, const model::State& state, double theta);
 
-/// Places on the ideal solid of the bodies of all faces, laid over a state, mm. @pre the state is finite
+/// Returns the places of the bodies of all faces on the ideal solid, laid over a state, mm. @pre the state is finite
 std::vector<IdealPoint> ideal_places(const SolidNet& net, const model::State& state, double theta);
 
 }  // namespace kinetix::targets

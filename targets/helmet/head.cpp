@@ -13,10 +13,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// mm to either side, over which directions along curves are taken: a shorter chord follows the noise of a
+/// Reach to either side, mm, over which directions along curves are taken. A shorter chord follows the noise of a
 /// scan, a longer one cuts across the curvature of a head.
 constexpr double direction_reach_mm = 15;
-/// mm by which coverage ends before the dome does: some triangles of it, so that sections there are whole.
+/// Distance, mm, by which coverage ends before the dome does: some triangles of it, so that sections there are whole.
 constexpr double rim_mm = 5;
 
 [[noreturn]] void refuse_open_crown() {
@@ -29,7 +29,7 @@ double squared_distance(const SectionChain& chain, const Vector3d& p) {
   return least;
 }
 
-/// The points of a chain in line, those of a closed one cut open at the point farthest from p along it.
+/// Returns the points of a chain in line. A closed chain is cut open at the point farthest from p along it.
 std::vector<Vector3d> opened(const SectionChain& chain, const Vector3d& p) {
   std::vector<Vector3d> points = chain.points;
   if (!chain.is_closed) return points;
@@ -44,7 +44,7 @@ std::vector<Vector3d> opened(const SectionChain& chain, const Vector3d& p) {
   return points;
 }
 
-/// The chain of a section that passes nearest to p, 0 there, towards `along` at p.
+/// Returns the chain of a section that passes nearest to p, with arc length 0 there, towards `along` at p.
 SpaceCurve curve_through(const Vector3d& p, const Vector3d& along, const TriangleMesh& mesh,
                          const Plane& plane) {
   const auto chains = section(mesh, plane);
@@ -75,7 +75,7 @@ void check_coverage(const Head& head) {
   }
 }
 
-/// The place of the dome above or below the crown. @throws InvalidHead where it is open there
+/// Returns the place of the dome above or below the crown. @throws InvalidHead if the dome is open there
 Vector3d top_of(const TriangleMesh& dome, const Vector3d& core) {
   const auto rise =
       dome.triangles.empty() ? std::nullopt : TriangleTree(dome).farthest_hit(core, Vector3d::UnitZ());

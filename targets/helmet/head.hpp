@@ -7,8 +7,8 @@
 
 namespace kinetix::targets {
 
-/// mm below the crown of the point from which the head's top is seen: half the breadth of a man's head, so
-/// that sides and top are about equally far from it.
+/// Depth below the crown, mm, of the point from which the head's top is seen. It is half the breadth of a man's head,
+/// so sides and top are about equally far from it.
 inline constexpr double core_depth_mm = 75;
 
 /// A head, mm, in the head frame: origin at the crown as it was given or found, z up, y to the front, x to
@@ -16,27 +16,26 @@ inline constexpr double core_depth_mm = 75;
 struct Head {
   /// Head frame to the axes of the mesh file (in mm).
   Eigen::Isometry3d to_mesh;
-  /// What the whole mesh encloses but for parts that float beside it: the head that was given.
+  /// Solid that the whole mesh encloses, without parts that float next to it: the head as given.
   MeshSolid scan;
   /// The top of the head as one clean sheet without holes (head_dome.hpp).
   MeshDistance dome;
-  /// Section of the dome by the sagittal plane x = 0, from the back to the front; 0 above (or below) the
-  /// origin.
+  /// Section of the dome by the sagittal plane x = 0, from the back to the front; 0 above (or below) the origin.
   SpaceCurve profile;
   double coverage_mm;  ///< how far below the crown the head is to be covered
   /// Part of the dome's vertices that lie over holes of the scan, [0, 1].
   double closed_part;
-  std::vector<DomeOpening> openings;  ///< of those holes that are above the coverage
+  std::vector<DomeOpening> openings;  ///< holes above the coverage
 };
 
 /// Finds crown, dome and profile.
-/// @throws InvalidHead for what head_mesh and head_frame refuse, a head that is open at its crown, a coverage
-/// that the dome does not reach, along the profile or across it at the crown
+/// @throws InvalidHead for what head_mesh and head_frame refuse, and for a head that is open at its crown. It also
+/// throws for a coverage that the dome does not reach, along the profile or across it at the crown.
 /// @pre at least one triangle, finite vertices
 Head make_head(const TriangleMesh& mesh, const HeadPose& pose);
 
-/// Section of the dome by the plane across its profile at arc length s, mm, from the left (x < 0) to the
-/// right; 0 at the profile. It ends where the dome does; a closed one is cut open opposite to the profile.
+/// Computes the section of the dome by the plane across its profile at arc length s, mm, from the left (x < 0) to the
+/// right; 0 at the profile. It ends at the end of the dome; a closed one is cut open opposite to the profile.
 /// @param reach the plane's normal is the profile's direction over s - reach to s + reach, mm, > 0
 /// @pre s on the profile
 SpaceCurve cross_section(const Head& head, double s, double reach);

@@ -13,17 +13,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Times that the triangles of an icosahedron are cut into four: 40 962 directions over the sphere, one a
+/// Levels of an icosahedron whose triangles are cut into four. They give 40 962 directions over the sphere, one per
 /// square degree, which is 1.3 mm at 75 mm. One more takes four times as long.
 constexpr int grid_levels = 6;
 /// Slope, mm per mm: how fast the distance from the core changes along the head. The outside of a head is
 /// far from this; what is seen through a hole lies behind a step.
 constexpr double steepest = 1.5;
-/// mm outside the surface at which it is told whether that lies inside the head: beyond rounding, within
+/// Distance outside the surface, mm, of the point that is tested for being inside the head: beyond rounding, within
 /// the noise of a scan.
 constexpr double look_mm = 1e-3;
 
-/// Directions down to the dome's rim, and how far the head reaches in each.
+/// Directions down to the dome's boundary, and how far the head reaches in each.
 class Dome {
  public:
   Dome(const MeshSolid& head, const Vector3d& core) : core_(core) {
@@ -81,8 +81,8 @@ class Dome {
     return std::abs(radius_[v] - radius_[w]) > steepest * along;
   }
 
-  /// Cliffs part the dome; of two parts that meet at one, the smaller is no part of the outside if the most
-  /// of it lies inside the head. (What sticks out, such as an ear, does not.)
+  /// Removes what is seen through holes. Cliffs divide the dome. Of two parts that meet at a cliff, the smaller is
+  /// removed if most of it lies inside the head. (A part that protrudes, such as an ear, does not.)
   void forget_what_is_seen_through_holes(const MeshSolid& head) {
     UnionFind parts(grid_.vertices.size());
     std::vector<std::pair<int, int>> cliffs;
@@ -135,7 +135,7 @@ class Dome {
     return holes;
   }
 
-  /// Every missing radius becomes the mean of its neighbours'.
+  /// Sets every missing radius to the mean of its neighbours'.
   void close(const std::vector<int>& holes) {
     if (holes.empty()) return;
     std::vector<int> number(grid_.vertices.size(), -1);

@@ -13,20 +13,18 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// mm. Parts farther than this from the head float beside it: wider than the cracks between
-/// the triangles of a scan.
+/// Gap, mm, beyond which parts are separate from the head: wider than the cracks between the triangles of a scan.
 constexpr double fragment_gap_mm = 5;
-/// mm below the top down to which the longer way of a head is measured: above nose and ears.
+/// Depth below the top, mm, down to which the longer axis of a head is measured: above nose and ears.
 constexpr double length_depth_mm = 60;
-/// mm, the largest side of the box of a usual head: among units the one that comes nearest to it is
-/// suggested.
+/// Largest side, mm, of the box of a usual head. The unit that comes nearest to it is suggested.
 constexpr double usual_head_mm = 250;
 struct NamedUnit {
   LengthUnit unit;
   const char* name;
   double mm;
 };
-/// What the key `units` may say, and the mm in each.
+/// Names of the key `units`, and the mm in each.
 constexpr std::array<NamedUnit, 4> units = {{{LengthUnit::mm, "mm", 1},
                                              {LengthUnit::cm, "cm", 10},
                                              {LengthUnit::m, "m", 1000},
@@ -38,7 +36,7 @@ const NamedUnit& named(LengthUnit unit) {
 
 bool is_size_of_head(double mm) { return mm >= least_head_mm && mm <= most_head_mm; }
 
-/// What to do about a mesh of this size in the file's units.
+/// Returns advice for a mesh of this size in the file's units.
 std::string remedy(double size) {
   const auto strangeness = [&](const NamedUnit& u) {
     return std::abs(std::log(size * u.mm / usual_head_mm));
@@ -59,7 +57,7 @@ void check_size(const TriangleMesh& mesh, LengthUnit unit) {
                                  number_text(most_head_mm) + " mm" + remedy(size / mm_per(unit)));
 }
 
-/// Columns: the head frame's axes in those of the mesh.
+/// Returns the head frame's axes in those of the mesh, as columns.
 Eigen::Matrix3d axes_of(const Vector3d& front, const Vector3d& up) {
   Eigen::Matrix3d axes;
   axes << front.cross(up), front, up;
@@ -71,7 +69,7 @@ const Vector3d& highest(const TriangleMesh& mesh, const Vector3d& up) {
                            [&](const Vector3d& a, const Vector3d& b) { return a.dot(up) < b.dot(up); });
 }
 
-/// The axis across up along which the top of the head is longer; the first one where both are alike.
+/// Returns the axis across up along which the top of the head is longer; ties go to the first one.
 Vector3d longer_way(const TriangleMesh& mesh, const Vector3d& up) {
   Eigen::AlignedBox3d box;
   const double lowest = highest(mesh, up).dot(up) - length_depth_mm;
@@ -105,7 +103,7 @@ double distance_from(const TriangleMesh& mesh, const Vector3d& p) {
   return least;
 }
 
-/// The crown in the mesh's axes, near enough to the surface.
+/// Returns the crown in the mesh's axes. @throws InvalidHead if it is too far from the surface
 Vector3d crown_of(const TriangleMesh& mesh, const HeadPose& pose) {
   const Vector3d top = highest(mesh, pose.up);
   if (!pose.crown) return top;

@@ -20,11 +20,11 @@ enum class LengthUnit { mm, cm, m, inch };
 /// Millimetres in one of the unit.
 double mm_per(LengthUnit unit);
 
-/// How a mesh is a head. The axes are those of the mesh file.
+/// Pose of a head in its mesh. The axes are those of the mesh file.
 struct HeadPose {
   LengthUnit unit = LengthUnit::mm;
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< unit vector along an axis
-  /// A unit vector along another axis; nothing: whichever way the top of the head is longer.
+  /// Front of the head, a unit vector along another axis; empty: the axis along which the top of the head is longer.
   std::optional<Eigen::Vector3d> front = {};
   std::optional<Eigen::Vector3d> crown = {};  ///< mm; nothing: the highest point
   double coverage_mm = default_coverage_mm;
@@ -42,8 +42,8 @@ class InvalidHead : public InvalidInput {
   std::string key_;
 };
 
-/// The mesh in mm, without parts that float beside it.
-/// @throws InvalidHead for a size that no head has; it names the unit that would do
+/// Returns the mesh in mm, without parts that float next to it.
+/// @throws InvalidHead for a size that no head has; it names the unit that would fit
 /// @pre at least one triangle, finite vertices
 TriangleMesh head_mesh(const TriangleMesh& mesh, LengthUnit unit);
 

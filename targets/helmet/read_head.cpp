@@ -12,9 +12,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Of the crown, mm: as for points of curves.
+// Range of the crown's coordinates, mm, as for points of curves.
 const Bounds coordinate = from_to(-max_coordinate_mm, max_coordinate_mm, "mm");
-// What the key `units` may say.
 TriangleMesh read_mesh_of(const Node& mesh) {
   const std::string name = mesh.text("the path of an OBJ, STL or PLY file");
   const std::string file = (std::filesystem::path(mesh.folder()) / name).string();
@@ -26,7 +25,7 @@ TriangleMesh read_mesh_of(const Node& mesh) {
   }
 }
 
-// What the keys `up` and `front` may say: unit vectors in the mesh's axes.
+// Words of the keys `up` and `front`: unit vectors in the mesh's axes.
 const Word<Vector3d> axes[] = {
     {"x", Vector3d::UnitX()},   {"y", Vector3d::UnitY()},   {"z", Vector3d::UnitZ()},
     {"+x", Vector3d::UnitX()},  {"+y", Vector3d::UnitY()},  {"+z", Vector3d::UnitZ()},

@@ -5,11 +5,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Of the distance to the inner point. Closest points nearer than this are on the mesh: the direction to
-/// them would be that of rounding errors.
+/// Largest distance of a closest point on the mesh, as a fraction of the distance to the inner point. For nearer
+/// points the direction to them would be that of rounding errors.
 constexpr double on_the_mesh = 1e-10;
 
-/// The direction, turned to face away from the inner point; that way itself when there is no direction.
+/// Returns the unit vector along the direction, turned to face away from the inner point; along `away` for a zero
+/// direction.
 Vector3d outward(const Vector3d& direction, const Vector3d& away) {
   const double size = direction.norm();
   if (!(size > 0)) return away.normalized();

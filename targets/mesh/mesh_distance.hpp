@@ -4,7 +4,7 @@
 
 namespace kinetix::targets {
 
-/// The place of a mesh nearest to a point p, and on which side of it p is.
+/// Place of a mesh nearest to a point p, and the side of it on which p is.
 struct ClosestMeshPoint {
   int triangle = 0;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< mm
@@ -12,13 +12,13 @@ struct ClosestMeshPoint {
   /// Gradient of the distance with respect to p: a unit vector, outward. Off the mesh it is the direction
   /// from closest point to p (or back), on it the normal of the triangle.
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
-  /// Unit normal of the triangle, outward. Far from `normal` where the closest point is on the rim of a
-  /// hole or on a sharp edge.
+  /// Unit normal of the triangle, outward. It differs from `normal` if the closest point is on the edge of a hole or
+  /// on a sharp edge.
   Eigen::Vector3d face_normal = Eigen::Vector3d::UnitZ();
 };
 
-/// Distance from a mesh whose outer side is the one that faces away from one inner point: true for what that
-/// point sees from inside, such as the top of a head, however its triangles are wound.
+/// Distance from a mesh whose outer side faces away from one inner point, however its triangles are wound. This is
+/// true for the parts that the point sees from inside, such as the top of a head.
 class MeshDistance {
  public:
   /// @param inside a point inside, mm @pre at least one triangle

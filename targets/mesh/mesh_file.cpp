@@ -12,7 +12,7 @@
 namespace kinetix::targets {
 namespace {
 
-// The end of messages about files that hold no mesh.
+// End of messages about files without a mesh.
 constexpr const char* wanted = "; give an OBJ, STL or PLY file of triangles or polygons";
 
 TriangleMesh parse(const std::string& bytes, const std::string& ending) {

@@ -9,8 +9,8 @@
 namespace kinetix::targets {
 namespace {
 
-// Of the area of the largest part: smaller ones that float beside it are noise of a scan; larger ones may
-// be half a head.
+// Least area of a part that is kept, as a fraction of the area of the largest part. Smaller ones that float next to it
+// are noise of a scan; larger ones may be half a head.
 constexpr double least_part = 0.1;
 
 /// Whole numbers, which may be too large for an int.

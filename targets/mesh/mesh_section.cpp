@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// mm. Points nearer than this to the one before are the same, a vertex on the plane that several edges
-/// meet: above the rounding of coordinates up to a metre, far below any edge.
+/// Distance, mm, within which successive points are the same: a vertex on the plane that several edges meet. It is
+/// above the rounding of coordinates up to a metre and far below any edge.
 constexpr double same_point = 1e-9;
 
 /// The points where edges cross the plane, and the pairs of them that a triangle connects.

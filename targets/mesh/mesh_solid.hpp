@@ -4,9 +4,9 @@
 
 namespace kinetix::targets {
 
-/// What a mesh encloses, however its triangles are wound: where the winding number of its outer skin
-/// (outer_skin.hpp) is over 1/2. Thin parts and hollows are told apart from what surrounds them; holes are
-/// closed smoothly.
+/// Solid that a mesh encloses, however its triangles are wound: the points where the winding number of its outer skin
+/// (outer_skin.hpp) is over 1/2. Thin parts and hollows are distinguished from their surroundings. Holes are closed
+/// smoothly.
 class MeshSolid {
  public:
   /// @param mesh with equal vertices joined @pre at least one triangle
@@ -14,7 +14,7 @@ class MeshSolid {
 
   /// @param p mm
   bool contains(const Eigen::Vector3d& p) const { return winding_.at(p) > 0.5; }
-  /// From the skin, mm, < 0 inside. Over holes the distance is that of their rims.
+  /// Returns the distance from the skin, mm, < 0 inside. Over holes it is the distance from their edges.
   double distance(const Eigen::Vector3d& p) const;
 
   const TriangleMesh& skin() const { return skin_; }

@@ -18,21 +18,21 @@ class MeshWords {
 
   /// Moves to the start of the next line; false at the end of the text.
   bool next_line();
-  /// The next word of the line; empty at its end.
+  /// Returns the next word of the line; empty at its end.
   std::string_view word();
-  /// The next word, of this line or a later one; empty at the end of the text.
+  /// Returns the next word, of this line or a later one; empty at the end of the text.
   std::string_view word_of_any_line();
 
   std::string_view last_word() const { return text_.substr(word_start_, next_ - word_start_); }
 
-  /// The next word of the line as a number, in the file's units. @throws InvalidInput unless it is a finite
-  /// one
+  /// Reads the next word of the line as a number, in the file's units. @throws InvalidInput unless it is a finite one
   double number(const char* what);
-  /// Likewise of any line.
+  /// Reads the next word, of this line or a later one, as a number, in the file's units. @throws InvalidInput unless
+  /// it is a finite one
   double number_of_any_line(const char* what);
   long integer_of_any_line(const char* what);
 
-  /// Bad input at the last word.
+  /// Returns an error at the last word.
   InvalidInput error(const std::string& what_is_wrong) const;
 
  private:

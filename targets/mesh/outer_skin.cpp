@@ -12,17 +12,18 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Pairs of rays over the whole mesh, shared out by area: the inside of a head sees a tenth of what the
-/// outside does through a neck, which some hundreds tell apart.
+/// Pairs of rays over the whole mesh, distributed by area. Through a neck, the inside of a head sees a tenth of what
+/// the outside does; some hundreds of rays resolve that.
 constexpr int rays_of_mesh = 1024;
-/// Pairs of rays of the smallest patch, whose share of them would be none: fewer, and one ray through a
+/// Least pairs of rays of a patch, for patches whose share of all rays would be none. With fewer, one ray through a
 /// crack decides.
 constexpr int least_rays = 8;
-/// Of the diagonal of the mesh's box: how far before a triangle its rays start, more than rounding, so that
-/// they do not hit the triangle itself.
+/// Distance from a triangle at which its rays start, as a fraction of the diagonal of the mesh's box. It exceeds
+/// rounding, so that they do not hit the triangle itself.
 constexpr double start_gap = 1e-9;
 
-/// Evenly spread in three coordinates, each in [0, 1) (Roberts 2018: powers of the root of x^4 = x + 1).
+/// Returns point k of a sequence that is evenly spread in three coordinates, each in [0, 1) (Roberts 2018: powers of
+/// the root of x^4 = x + 1).
 Vector3d spread_point(int k) {
   constexpr double g = 1.2207440846057596;
   Vector3d p(k / g, k / (g * g), k / (g * g * g));
@@ -34,7 +35,7 @@ Vector3d direction_at(double u, double v) {
   return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
-/// Each set of three corners once, without those that have no area.
+/// Returns each set of three corners once, without those that have no area.
 TriangleMesh each_once(const TriangleMesh& mesh) {
   const auto corners = [&](std::size_t t) {
     Triangle sorted = mesh.triangles[t];
@@ -66,7 +67,7 @@ class Patches {
       if (!is_taken[t]) patches_.push_back(grow(t, is_taken));
   }
 
-  /// Each wound alike.
+  /// Patches, each with all its triangles wound consistently.
   const std::vector<std::vector<int>>& list() const { return patches_; }
 
  private:

@@ -13,7 +13,7 @@ namespace {
 
 using Number = PlyHeader::Number;
 
-// Bytes: real ones have hundreds; no search through a whole file.
+// Longest header, bytes: real ones have hundreds. The limit avoids a search through a whole file.
 constexpr std::size_t longest_header = 1 << 16;
 
 std::optional<Number> number_named(std::string_view name) {
@@ -28,7 +28,7 @@ std::optional<Number> number_named(std::string_view name) {
   return it == types.end() ? std::nullopt : std::optional(it->second);
 }
 
-/// Bytes of the header with its last line end; throws when it does not end.
+/// Returns the bytes of the header with its last line end; throws if it does not end.
 std::size_t header_end(const std::string& bytes) {
   const std::string_view start = std::string_view(bytes).substr(0, longest_header);
   for (std::size_t at = start.find("end_header"); at != std::string_view::npos;

@@ -6,7 +6,7 @@
 
 namespace kinetix::targets {
 
-/// What the header of a PLY file says of the data behind it.
+/// Description of the data in a PLY file, from its header.
 struct PlyHeader {
   enum class Encoding { ascii, little_endian, big_endian };
 

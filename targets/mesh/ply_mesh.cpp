@@ -19,7 +19,7 @@ class PlyNumbers {
  public:
   virtual ~PlyNumbers() = default;
   virtual double next(const PlyHeader::Number& type) = 0;
-  /// Bad input at the last number.
+  /// Returns an error at the last number.
   virtual InvalidInput error(const std::string& what_is_wrong) const = 0;
 };
 

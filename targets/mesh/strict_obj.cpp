@@ -49,7 +49,7 @@ class ObjReader {
     strict_ += '\n';
   }
 
-  /// The vertex of a corner such as 7, 7/2, 7//3 or -1 (the last vertex so far), from 1.
+  /// Returns the vertex, from 1, of a corner such as 7, 7/2, 7//3 or -1 (the last vertex so far).
   long index(std::string_view word) {
     const std::string_view text = word.substr(0, word.find('/'));
     long value = 0;

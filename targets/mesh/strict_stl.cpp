@@ -9,8 +9,8 @@
 namespace kinetix::targets {
 namespace {
 
-// Of a binary STL file: 80 of title and 4 for the number of triangles; each 12 floats and 2 bytes of
-// attributes.
+// Bytes of a binary STL file. The header has 80 of title and 4 for the number of triangles. Each triangle has 12
+// floats and 2 bytes of attributes.
 constexpr std::size_t header_bytes = 84, triangle_bytes = 50;
 
 std::size_t declared_triangles(const std::string& bytes) {

@@ -5,7 +5,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Corners of what is left of a triangle: six planes add one each to its three, and one is to spare.
+/// Most corners of a clipped triangle: six planes add one each to its three, and one is to spare.
 constexpr int most_corners = 10;
 
 struct Polygon {
@@ -15,7 +15,7 @@ struct Polygon {
   void add(const Vector3d& p) { corners[count++] = p; }
 };
 
-/// What is left of a polygon where sign * coordinate <= limit (Sutherland and Hodgman 1974).
+/// Cuts a polygon to its part with sign * coordinate <= limit (Sutherland and Hodgman 1974).
 Polygon clipped(const Polygon& polygon, int coordinate, double sign, double limit) {
   Polygon kept;
   for (int k = 0; k < polygon.count; ++k) {

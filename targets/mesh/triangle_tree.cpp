@@ -16,10 +16,10 @@ using Eigen::Vector3d;
 // Triangles: fewer make more boxes to visit, more make more triangles to measure.
 constexpr int leaf_size = 4;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Branches above one another: halving the triangles at each, no mesh that fits in memory gets deeper.
+/// Deepest level of the tree. Each level halves the triangles, so no mesh that fits in memory gets deeper.
 constexpr int deepest = 64;
-/// Of a triangle's size (of the ray's length for boxes): rays that pass by this little still hit, so that
-/// none slips through between two.
+/// Slack of a ray's hit, as a fraction of the triangle's size (of the ray's length for boxes). Rays that miss by less
+/// still hit, so that none slips through between two.
 constexpr double ray_slack = 1e-9;
 
 Vector3d nearest_on_segment(const Vector3d& a, const Vector3d& b, const Vector3d& p) {
@@ -43,7 +43,8 @@ bool lacks_area(const Corners& c) {
   return !(ab.cross(ac).squaredNorm() > 1e-24 * longest * longest);
 }
 
-/// By the region of the triangle's plane that p is over (Ericson 2005, Real-Time Collision Detection, 5.1.5).
+/// Finds the nearest point by the region of the triangle's plane that p is over (Ericson 2005, Real-Time Collision
+/// Detection, 5.1.5).
 Vector3d nearest_by_regions(const Corners& c, const Vector3d& p) {
   const Vector3d ab = c[1] - c[0], ac = c[2] - c[0], ap = p - c[0], bp = p - c[1], cp = p - c[2];
   const double ab_ap = ab.dot(ap), ac_ap = ac.dot(ap);
@@ -78,7 +79,7 @@ std::optional<double> hit(const Corners& c, const Vector3d& origin, const Vector
   return meets && std::isfinite(t) ? std::optional(t) : std::nullopt;
 }
 
-/// Where the ray leaves the box; -1 when it misses it.
+/// Returns the ray's parameter where it leaves the box; -1 if it misses the box.
 double leaves_at(const Eigen::AlignedBox3d& box, const Vector3d& origin, const Vector3d& direction) {
   double enter = 0, leave = infinity;
   for (int c = 0; c < 3; ++c) {

@@ -8,26 +8,26 @@
 
 namespace kinetix::targets {
 
-/// The place of a mesh nearest to a point.
+/// Place of a mesh nearest to a point.
 struct NearestPlace {
   int triangle = 0;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< mm
   double squared_distance = 0;                      ///< from the point, mm^2
 };
 
-/// Nearest place on a triangle, which may lack area, mm.
+/// Returns the nearest place on a triangle, which may lack area, mm.
 Eigen::Vector3d nearest_on_triangle(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& p);
 
-/// A tree of boxes over the triangles of a mesh, whatever their state. Points in mm. Queries take O(log
-/// triangles) and may run side by side; the same query gives the same answer.
+/// Tree of boxes over the triangles of a mesh in any condition. Points in mm. Queries take O(log triangles) and may
+/// run in parallel; the same query gives the same answer.
 class TriangleTree {
  public:
   /// @pre at least one triangle
   explicit TriangleTree(const TriangleMesh& mesh);
 
   NearestPlace nearest(const Eigen::Vector3d& p) const;
-  /// Distance, in lengths of `direction`, to the last place where a ray leaves the mesh behind; nothing where
-  /// it meets none. Rays that hit an edge hit the mesh.
+  /// Returns the distance, in lengths of `direction`, to the last place where a ray leaves the mesh; empty if it meets
+  /// none. Rays that hit an edge hit the mesh.
   std::optional<double> farthest_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const;
   /// Whether a ray meets the mesh.
   bool is_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const;

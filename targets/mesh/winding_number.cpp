@@ -8,9 +8,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Distance from which a branch is taken as a whole, in its radii: the third term of its series, the first to
-/// be left out, is then about a tenth of the first. (2 is twice as fast and errs by 0.07, 4 by 0.016 in twice
-/// the time.)
+/// Distance from which a branch is summed as a whole, in its radii. The third term of its series, the first to be left
+/// out, is then about a tenth of the first. (2 is twice as fast and errs by 0.07, 4 by 0.016 in twice the time.)
 constexpr double far_in_radii = 3;
 
 }  // namespace

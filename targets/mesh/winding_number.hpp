@@ -4,17 +4,17 @@
 
 namespace kinetix::targets {
 
-/// Solid angle that a triangle takes up as seen from p (both in mm), sr, in [-2 pi, 2 pi]: > 0 where p is
-/// behind it as it is wound, 0 at its corners. (van Oosterom and Strackee 1983)
+/// Computes the solid angle of a triangle as seen from p (both in mm), sr, in [-2 pi, 2 pi]. It is > 0 if p is behind
+/// the triangle as it is wound, and 0 at its corners. (van Oosterom and Strackee 1983)
 double solid_angle(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& p);
 
-/// The generalised winding number of a mesh: how often it goes round a point, 1 inside and 0 outside of a
-/// closed mesh that is wound outward. Where a mesh has holes it runs smoothly from one to the other, 1/2 on a
-/// surface that closes them, which for a plane rim is its plane. (Jacobson, Kavan, Sorkine-Hornung 2013)
+/// Generalised winding number of a mesh: how often it goes round a point, 1 inside and 0 outside of a closed mesh that
+/// is wound outward. At holes it changes smoothly from one to the other. It is 1/2 on a surface that closes the holes,
+/// which for a plane edge is its plane. (Jacobson, Kavan, Sorkine-Hornung 2013)
 ///
-/// Triangles near the point are summed one by one; branches of the tree farther than three of their radii by
-/// the first two terms of their series (Barill et al. 2018), which is right to 0.04 in the middle of a sphere
-/// and better near the mesh: enough to be told from 1/2.
+/// Triangles near the point are summed one by one. Branches of the tree farther than three of their radii use the
+/// first two terms of their series (Barill et al. 2018). The error is 0.04 in the middle of a sphere and less near the
+/// mesh, small enough to separate a value from 1/2.
 class WindingNumber {
  public:
   explicit WindingNumber(TriangleTree tree);
@@ -24,7 +24,7 @@ class WindingNumber {
   const TriangleTree& tree() const { return tree_; }
 
  private:
-  /// Of the triangles below a branch: sums over their area vectors a (half of area_normal), mm^2.
+  /// Moments of the triangles below a branch: sums over their area vectors a (half of area_normal), mm^2.
   struct Moments {
     Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< mean of their centroids by area, mm
     Eigen::Vector3d area = Eigen::Vector3d::Zero();    ///< sum of a

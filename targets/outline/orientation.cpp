@@ -14,10 +14,12 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Vector2d;
 
-constexpr int most_folds = 6;  // of a rotational symmetry that still has a direction: a hexagon's sides
-// Of the moment of |z|^n: below, an outline is as good as unchanged by turning, as a disc of 24 points is.
+constexpr int most_folds =
+    6;  // largest order of a rotational symmetry that still has a direction: a hexagon's sides.
+// Least moment, as a fraction of the moment of |z|^n. Below it, turning leaves an outline as good as unchanged, as it
+// does a disc of 24 points.
 constexpr double vanishing = 1e-3;
-constexpr double same_reach = 1e-9;  // of the moment of |z|^3: rounding
+constexpr double same_reach = 1e-9;  // fraction of the moment of |z|^3: rounding
 constexpr double aside =
     0.3;  // rad: first points that lie between two directions of a shape seldom lie so far off
 
@@ -28,9 +30,9 @@ struct AreaMoments {
   Complex lopsided = 0;                               ///< integral |z|^2 z dA
 };
 
-/// In triangles from the middle to each side: z = r s, s on the side, dA = |middle, a, b| r dr du.
+/// Integrates over triangles from the middle to each side: z = r s, s on the side, dA = |middle, a, b| r dr du.
 AreaMoments moments_of(const Outline& outline) {
-  // Four points of Gauss and Legendre on a side: exact to degree 7.
+  // The rule is Gauss-Legendre with four points per side, exact to degree 7.
   const double inner = std::sqrt(3.0 / 7 - 2.0 / 7 * std::sqrt(1.2)),
                outer = std::sqrt(3.0 / 7 + 2.0 / 7 * std::sqrt(1.2));
   const double heavy = (18 + std::sqrt(30.0)) / 72, light = (18 - std::sqrt(30.0)) / 72;
@@ -86,7 +88,7 @@ double smallest_diagonal(const Outline& outline) {
   };
   const std::optional<double> direction = direction_of(outline);
   if (!direction) return diagonal(0);
-  // Those of a quarter of a turn more are the same boxes.
+  // A quarter of a turn more gives the same boxes.
   return std::min(diagonal(-*direction), diagonal(pi / 4 - *direction));
 }
 

@@ -8,9 +8,9 @@ namespace kinetix::targets {
 /// A closed plane curve as a polygon, counter-clockwise, mm.
 class Outline {
  public:
-  /// @param points in either sense; the last may repeat the first
-  /// @throws InvalidCurve for fewer than 3 points, a point that is not finite or repeats its neighbour, or an
-  /// outline that crosses itself; points are named by number from 1
+  /// @param points in either sense; the last may repeat the first.
+  /// @throws InvalidCurve for fewer than 3 points, a point that is not finite or repeats its neighbour, or an outline
+  /// that crosses itself. Points are named by number from 1.
   explicit Outline(std::vector<Eigen::Vector2d> points);
 
   /// Each once.
@@ -44,10 +44,10 @@ class Outline {
   Eigen::Vector2d middle_ = Eigen::Vector2d::Zero();
 };
 
-/// How a polygon keeps to an outline.
+/// Deviation of a polygon from an outline.
 struct OutlineError {
   double rms = 0;  ///< of the polygon's corners from the outline, over the outline's diagonal
-  double max = 0;  ///< likewise the largest, over the diagonal
+  double max = 0;  ///< largest distance of the polygon's corners, over the outline's diagonal
   double iou = 0;  ///< area of their intersection over that of their union, [0, 1]
 };
 

@@ -3,10 +3,10 @@
 longest horizontal section.
 
 The dimensions are the means that generate.py cites (2012 survey of U.S. Army personnel). The solid is a superellipsoid
-|x/a|^n + |y/b|^n + |z/c|^n = 1 with a and b half of head breadth and length, c the rise from the longest section to the
-top, and n as in generate.py: the longest section has the published circumference, and the sagittal section of the upper
-half is helmet_rib. That the coronal section has the same exponent is our assumption. The lower half mirrors the upper
-one to close the mesh and is no likeness: the form has neither ears nor face.
+|x/a|^n + |y/b|^n + |z/c|^n = 1. Its a and b are half of head breadth and length, and c is the rise from the longest
+section to the top. The exponent n is that of generate.py: the longest section has the published circumference, and the
+sagittal section of the upper half is helmet_rib. We assume the same exponent for the coronal section. The lower half
+mirrors the upper one to close the mesh and is not a likeness: the form has neither ears nor face.
 """
 import math
 import pathlib

@@ -3,9 +3,9 @@
 namespace kinetix::targets {
 namespace {
 
-// Of a length over that at rest: neither nothing is left nor nothing happens.
+// Range of a pressed length over the length at rest: at 0 nothing is left, at 1 nothing happens.
 const Bounds shrinks = between(0, 1);
-// mm: from what a finger holds to what a hall does.
+// Range of lengths, mm: from the size of a fingertip to that of a hall.
 const Bounds lengths = from_to(1, 100'000, "mm");
 
 Eigen::Vector3d three_numbers(const Node& list, const std::string& what, const Bounds& bounds) {

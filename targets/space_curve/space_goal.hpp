@@ -10,9 +10,9 @@ namespace kinetix::targets {
 /// An open curve in space that a strip is to take, mm.
 class SpaceGoal {
  public:
-  /// @throws InvalidCurve for fewer than 3 points, a point that is not finite or the same as the one before, a curve
-  /// that is closed, turns back on itself at a point (by more than 170 degrees), or comes as near to itself as a
-  /// billionth of its diagonal; points are named by number from 1
+  /// @throws InvalidCurve for fewer than 3 points, or a point that is not finite or equal to the one before. It also
+  /// throws for a curve that is closed, or that turns back on itself at a point (by more than 170 degrees). A curve
+  /// that comes as near to itself as a billionth of its diagonal throws too. Points are named by number from 1.
   explicit SpaceGoal(std::vector<Eigen::Vector3d> points);
 
   const SpaceCurve& line() const { return line_; }

@@ -26,7 +26,7 @@ bool is_over(const SurfacePatch& patch, const Vector2d& at) {
   return std::abs(at.x()) <= rim * patch.half.x() && std::abs(at.y()) <= rim * patch.half.y();
 }
 
-/// Of one sign of the surface's curvature, sr.
+/// Integrals over one sign of the surface's curvature, sr.
 struct SignSum {
   double sheet = 0, surface = 0;
   double share() const { return std::clamp(sheet / surface, 0.0, 1.0); }

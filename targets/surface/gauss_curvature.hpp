@@ -18,16 +18,16 @@ struct PointGrid {
   }
 };
 
-/// Angle defect of each inner point of a grid, rad: 2 pi less the angles of the four quadrilaterals at it. By the theorem
-/// of Gauss and Bonnet it is the integral of Gauss's curvature over what is nearer to that point than to the others.
+/// Computes the angle defect of each inner point of a grid, rad: 2 pi less the angles of the four quadrilaterals at
+/// it. By the theorem of Gauss and Bonnet it is the integral of Gauss's curvature over the area nearest to that point.
 /// Row by row, (columns - 1) x (rows - 1).
 std::vector<double> angle_defects(const PointGrid& grid);
 
-/// Integral of Gauss's curvature of a surface, sr, over a quadrilateral of the plane below it: the signed solid angle that its
-/// normals sweep. By 9 points; corners counter-clockwise, mm.
+/// Integrates Gauss's curvature of a surface, sr, over a quadrilateral of the plane below it. The integral is the
+/// signed solid angle that its normals sweep. It uses 9 points; corners counter-clockwise, mm.
 double gauss_integral(const SurfacePatch& patch, const std::array<Eigen::Vector2d, 4>& corners);
 
-/// Gauss's curvature that a sheet over a surface has, against that of the surface below it.
+/// Gauss's curvature of a sheet over a surface, against that of the surface below it.
 struct GaussShare {
   double wanted = 0;  ///< integral of |K| over the whole surface, sr
   double share =

@@ -24,14 +24,14 @@ constexpr double most_miss =
 constexpr double most_slope = 80;   // deg from the mean normal: steeper, a height over the plane says little
 constexpr double same_area = 1e-3;  // ratio: of triangles and of the loop round them, seen along the normal
 
-/// Without triangles that have a corner twice, as those at the pole of a dome made of quadrilaterals.
+/// Removes triangles that have a corner twice, such as those at the pole of a dome made of quadrilaterals.
 TriangleMesh with_three_corners(TriangleMesh mesh) {
   std::erase_if(mesh.triangles,
                 [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
   return mesh;
 }
 
-/// The one loop of edges that a single triangle has.
+/// Returns the only loop of edges that have a single triangle.
 std::vector<int> rim_of(const TriangleMesh& mesh) {
   std::map<std::pair<int, int>, int> uses;
   std::map<int, int> next;
@@ -61,7 +61,7 @@ std::vector<int> rim_of(const TriangleMesh& mesh) {
   return rim;
 }
 
-/// Rotation whose rows are x, y and z of the mesh's own frame, x still to be chosen.
+/// Returns the rotation whose rows are x, y and z of the mesh's frame; x is still to be chosen.
 Eigen::Matrix3d upright(const TriangleMesh& mesh) {
   Vector3d sum = Vector3d::Zero();
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) sum += area_normal(mesh, t);
@@ -87,7 +87,7 @@ double loop_area(const std::vector<Vector2d>& loop) {
   return signed_area(loop.size(), [&](std::size_t k) { return loop[k]; });
 }
 
-/// The least rectangle round a loop: the direction of its first side, and its box there.
+/// Least rectangle round a loop: the direction of its first side, and its box there.
 struct Rectangle {
   double angle = 0, area = INFINITY;
   Eigen::AlignedBox2d box;
@@ -128,7 +128,7 @@ void for_terms(const Visit& visit) {
   for (int i = 0; i <= degree; ++i)
     for (int j = 0; i + j <= degree; ++j) visit(term++, i, j);
 }
-// Of the polynomial: all products of degree up to that.
+// Number of terms of the polynomial: all products of degree up to that.
 constexpr int terms = (degree + 1) * (degree + 2) / 2;
 
 Height height_at(const Eigen::VectorXd& weight, const Vector2d& half, const Vector2d& at) {

@@ -17,22 +17,22 @@ namespace kinetix::targets {
 namespace {
 
 enum class Shape { cap, saddle, vase };
-// What `shape` may say.
+// Words of the key `shape`.
 constexpr Word<Shape> shapes[] = {{"cap", Shape::cap}, {"saddle", Shape::saddle}, {"vase", Shape::vase}};
-// What the key `units` may say.
 const Bounds arc_turn = {0, 360, false, true, "degrees"};  // of arcs: shapes allow less
 const Bounds size = from_to(1, 5000, "mm");                // of surfaces: a fingertip to a room
 constexpr double least_side = 20, most_side = 5000;        // mm, of the box of a mesh that ribs go over
 constexpr double whole_turn = 360 * radians_per_degree;    // rad: ribs go all round a profile
 const char* const height_axis = "z";                       // of points of a profile, behind x, the radius
 
-/// Of shapes, as asked for or by default.
+/// Sizes of shapes, as requested or by default.
 struct Sizes {
   double width = 100;                    ///< mm: a sheet of it prints on any machine
   double radius = 50;                    ///< mm, of vases: a drinking glass
   double height = 120;                   ///< mm, of vases
   double arc = 60 * radians_per_degree;  ///< rad: as much as eight facets follow well
-  /// A saddle whose rims are as steep as 17 deg, over half its width: eight facets keep within 1.5 % of it, and not of 0.3.
+  /// Rise of a saddle over half its width: its edges are 17 deg steep. Eight facets stay within 1.5 % of it, but not
+  /// of a saddle of 0.3.
   double rise = 0.15;
   std::optional<double> swell = {};  ///< mm, of vases: a fifth of the radius
 };
@@ -81,7 +81,7 @@ void refuse_sizes(const Section& target) {
 const std::initializer_list<const char*> sizes_but_arc = {"width_mm", "rise", "height_mm", "radius_mm",
                                                           "swell_mm"};
 
-/// The arc of a surface of revolution in rad, and what it goes round.
+/// Profile of a surface of revolution, and its arc in rad.
 struct Turned {
   Profile profile;
   double arc;

@@ -16,16 +16,19 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int patch_lines = 96;  // a side of a patch: chords then leave 1e-4 of a radian's arc
-// Of the area: mean normal above which a mesh has a side to be seen from; half a sphere has 1/2.
+constexpr int patch_lines =
+    96;  // lines per side of a patch: chords then deviate by 1e-4 from a one-radian arc.
+// Least mean normal, as a fraction of the area, of a mesh that has a side to be seen from; half a sphere has 1/2.
 constexpr double one_sided = 0.3;
-// Diagonals below a mesh's middle: from so far every part of an open one shows the same side.
+// Distance below a mesh's middle, in its diagonals: from so far every part of an open mesh shows the same side.
 constexpr double far_below = 10;
-// Of a closed section's length: its ends are its highest places that near to where it ends.
+// Reach at each end of a closed section, as a fraction of its extent along y. Its ends are its highest places within
+// that reach.
 constexpr double near_end = 0.02;
-// Of the longest section's length: of those as long within it, such as both sides of a tube, the highest is taken.
+// Difference of equal lengths, as a fraction of the longest section's. Of sections within it, such as both sides of a
+// tube, the highest is taken.
 constexpr double as_long = 0.01;
-constexpr double same_place = 1e-9;  // of a section's length: points that near are one
+constexpr double same_place = 1e-9;  // fraction of a section's length: points that near are one
 
 /// Area, centroid and spread of a mesh, by area.
 struct Moments {
@@ -55,7 +58,7 @@ Moments moments(const TriangleMesh& mesh) {
   return out;
 }
 
-/// The longest axis of what is normal to z, its largest part positive.
+/// Returns the longest axis normal to z, with its largest component positive.
 Vector3d longest_across(const Matrix3d& spread, const Vector3d& z) {
   const Matrix3d flat = Matrix3d::Identity() - z * z.transpose();
   Vector3d axis = symmetric_eigenvectors(flat * spread * flat).vectors.col(2);
@@ -65,7 +68,7 @@ Vector3d longest_across(const Matrix3d& spread, const Vector3d& z) {
   return axis.normalized();
 }
 
-/// Rows are x, y and z of the ribs' frame, before the spine's ends are made level.
+/// Returns x, y and z of the ribs' frame as rows, before the spine's ends are made level.
 Matrix3d rough_frame(const Moments& of) {
   const bool has_side = of.normal.norm() > one_sided;
   const Vector3d z = has_side ? Vector3d(of.normal.normalized())
@@ -97,7 +100,7 @@ double mean_height(const std::vector<Vector3d>& line) {
   return sum / length;
 }
 
-/// Of a closed section the way over the top, between its highest places near to its ends along y.
+/// Returns the part of a closed section over the top, between its highest places near its ends along y.
 std::vector<Vector3d> over_the_top(const std::vector<Vector3d>& ring) {
   double least = INFINITY, most = -INFINITY;
   for (const Vector3d& p : ring) least = std::min(least, p.y()), most = std::max(most, p.y());
@@ -119,7 +122,7 @@ std::vector<Vector3d> over_the_top(const std::vector<Vector3d>& ring) {
   return mean_height(one) >= mean_height(other) ? one : other;
 }
 
-/// In the plane x = 0.
+/// Returns the line of the spine in the plane x = 0.
 std::vector<Vector3d> spine_over(const TriangleMesh& mesh) {
   const std::vector<SectionChain> chains = section(joined(mesh), Plane(Vector3d::UnitX(), 0));
   if (chains.empty()) throw InvalidInput("the mesh has nothing in the middle plane along its longest axis");

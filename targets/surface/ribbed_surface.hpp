@@ -8,8 +8,8 @@
 
 namespace kinetix::targets {
 
-/// A surface, open or closed, and the line over it that a spine follows, mm, in the frame of the ribs: the
-/// spine in the plane x = 0, from its end of least y, both ends at z = 0.
+/// Surface, open or closed, and the line over it that a spine follows, mm, in the frame of the ribs. The spine lies in
+/// the plane x = 0 and starts at its end of least y; both ends are at z = 0.
 struct RibbedSurface {
   MeshDistance surface;
   SpaceCurve spine;
@@ -18,25 +18,25 @@ struct RibbedSurface {
   double diagonal = 0;         ///< of the box of the mesh as it was given, mm
 };
 
-/// The spine runs along the longest axis of the mesh, in the middle across: over an open one that has a side
-/// from rim to rim, seen from that side; over any other from end to end.
-/// @throws InvalidInput for a mesh without area, or that its own middle plane does not cut
+/// Makes a spine along the longest axis of the mesh, in the middle across. On an open mesh that has a side, it runs
+/// from boundary to boundary, seen from that side. On any other mesh it runs from end to end.
+/// @throws InvalidInput for a mesh without area, or that its middle plane does not cut
 RibbedSurface ribbed_surface(const TriangleMesh& mesh);
 
-/// Likewise over a patch, along the longer side of its rectangle (x where they are alike).
+/// Makes a spine over a patch, along the longer side of its rectangle; ties go to x.
 RibbedSurface ribbed_surface(const SurfacePatch& patch);
 
-/// Likewise of a mesh whose spine is to run along x, in the middle across. @param has_side whether it is an open surface
-/// that is seen from +z
+/// Makes a spine of a mesh along x, in the middle across. @param has_side whether it is an open surface that is seen
+/// from +z
 RibbedSurface ribbed_along_x(const TriangleMesh& mesh, bool has_side);
 
-/// The patch as triangles over its rectangle, mm.
+/// Returns the patch as triangles over its rectangle, mm.
 TriangleMesh patch_mesh(const SurfacePatch& patch);
 
-/// The section of a mesh by a plane through a point of it, from that point both ways: to the rim, or half way
-/// round where it closes. The first goes to smaller x.
-/// @param p on the mesh, mm   @param normal of the plane, not along x   @throws InvalidInput where the plane
-/// does not cut the mesh
+/// Returns the section of a mesh by a plane through a point of it, from that point in both directions. Each part ends
+/// at the boundary, or half way round a closed section. The first goes to smaller x.
+/// @param p on the mesh, mm.   @param normal of the plane, not along x.   @throws InvalidInput if the plane does not
+/// cut the mesh
 std::array<std::vector<Eigen::Vector3d>, 2> section_from(const TriangleMesh& mesh, const Eigen::Vector3d& p,
                                                          const Eigen::Vector3d& normal);
 

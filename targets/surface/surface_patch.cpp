@@ -28,7 +28,8 @@ void for_grid(const SurfacePatch& patch, const Visit& visit) {
       visit(Vector2d(patch.half.x() * (2.0 * i / grid - 1), patch.half.y() * (2.0 * j / grid - 1)));
 }
 
-/// sqrt(q) with its derivatives; below `least` it goes on as a parabola, so that surfaces go on beyond their equator.
+/// sqrt(q) with its derivatives. Below `least` it continues as a parabola, so that surfaces continue beyond their
+/// equator.
 struct Root {
   double value, first, second;
 };

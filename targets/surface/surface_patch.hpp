@@ -14,14 +14,14 @@ struct Height {
   Eigen::Matrix2d bending = Eigen::Matrix2d::Zero();  ///< 1 / mm
 };
 
-/// An open, smooth surface as heights over a rectangle about the origin, mm. It goes on beyond the rectangle by about a
-/// fifth, so that what lies near its rim has a distance, too.
+/// Open, smooth surface as heights over a rectangle about the origin, mm. It continues beyond the rectangle by about a
+/// fifth, so that points near its boundary also have a distance.
 struct SurfacePatch {
   std::string name;
   Eigen::Vector2d half = {1, 1};                         ///< sides of the rectangle, halved, mm, > 0
   std::function<Height(const Eigen::Vector2d&)> height;  ///< smooth
 
-  /// Of the box round the surface over the rectangle, mm.
+  /// Returns the diagonal of the box round the surface over the rectangle, mm.
   double diagonal() const;
 };
 

@@ -18,7 +18,7 @@ inline std::string text_of(const fs::path& file) {
   return text.str();
 }
 
-/// A folder of its own for one test, removed at its end.
+/// A temporary folder for one test, removed at its end.
 class Scratch {
  public:
   Scratch() {
@@ -45,7 +45,8 @@ struct Outcome {
   std::string out, err;
 };
 
-/// Runs the program with arguments (already quoted for the shell). @param before what the shell does first
+/// Runs the program with arguments that are already quoted for the shell.
+/// @param before shell commands that run first
 inline Outcome kinetix_opt(const std::string& arguments, const std::string& before = "") {
   const Scratch scratch;
   const std::string out = scratch / "out", err = scratch / "err";

@@ -26,7 +26,7 @@ class UnnamedKeys {
   }
 
  private:
-  /// A schema and whatever it refers to or offers as one of several ways.
+  /// Adds a schema, the schemas that it refers to, and its alternatives.
   void add_ways(const Json& schema, Schemas& ways) const {
     ways.push_back(&schema);
     if (schema.contains("$ref"))
@@ -37,7 +37,7 @@ class UnnamedKeys {
     if (schema.contains("then")) add_ways(schema["then"], ways);
   }
 
-  /// Whether the words that the schema fixes are the object's own: a target's kind tells its keys.
+  /// Checks that the object has the values that the schema fixes: a target's `kind` selects its keys.
   static bool fits(const Json& schema, const Json& object) {
     if (!schema.contains("properties")) return true;
     for (const auto& [key, value] : schema["properties"].items())

@@ -5,12 +5,12 @@
 
 namespace kinetix::testing {
 
-/// What in a result.json (or sweep.json, print.json) the published schema does not allow, and the keys that it does
-/// not name; empty where all is well.
-/// @param schema result, sweep, print...: which of app/schema
+/// Lists what the published schema does not allow in a result.json (or sweep.json, print.json), and keys that the
+/// schema does not name. Empty: the document is valid.
+/// @param schema result, sweep, print...: which file of app/schema
 std::string schema_errors(const nlohmann::json& document, const std::string& schema = "result");
 
-/// The flags of a result's verdict that are false, with a comma between them.
+/// Lists the flags of a result's verdict that are false, separated by commas.
 std::string false_flags(const nlohmann::json& result);
 
 }  // namespace kinetix::testing

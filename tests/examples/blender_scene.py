@@ -1,5 +1,6 @@
-"""Run by Blender on a scene: `blender -b SCENE.blend --python blender_scene.py -- OUT.json`. Writes what each object is:
-its name, its matrix in the world at the first, middle and last frame, its closed volume and whether all its edges have two sides."""
+"""Run by Blender on a scene: `blender -b SCENE.blend --python blender_scene.py -- OUT.json`. Writes for each object
+its name, its matrix in the world at the first, middle and last frame, its closed volume, and whether all its
+edges have two sides."""
 import json
 import sys
 

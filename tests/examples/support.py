@@ -1,4 +1,4 @@
-"""What the tests of the examples share."""
+"""Helpers for the tests of the examples."""
 import os
 import pathlib
 import subprocess
@@ -16,7 +16,7 @@ def said_by(*command, expected=0):
 
 
 class Scratch(unittest.TestCase):
-    """A test with a folder of its own, `self.folder`."""
+    """A test with a temporary folder, `self.folder`."""
 
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()

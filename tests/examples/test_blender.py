@@ -1,4 +1,5 @@
-"""The script for Blender, in Blender without a window: what it makes is where result.json says, at every step."""
+"""Tests the script for Blender in Blender without a window: objects are at the positions of result.json at every
+step."""
 import json
 import re
 import shutil
@@ -8,7 +9,7 @@ from support import PROGRAM, SOURCE, Scratch, said_by
 
 SCRIPT = SOURCE / "examples/blender/kinetix_to_blender.py"
 AS_FILED = 1e-5  # mm
-ROUNDING = 2**-24  # of a number in 32 bits, which Blender keeps: 7.6e-6 mm at 128 mm, more than AS_FILED beyond 256 mm
+ROUNDING = 2**-24  # relative error of the 32-bit numbers in Blender: 7.6e-6 mm at 128 mm, more than AS_FILED beyond 256 mm
 
 
 def matrix_of(pose):
@@ -49,7 +50,7 @@ class Blender(Scratch):
         if len(frames) % 2:
             self.expect_poses(objects, frames[len(frames) // 2], 1)
         self.assertEqual(round(scene["scale"], 9), 0.001)
-        print(re.search(r"kinetix: .*", self.said).group())  # how long it took; no test of time
+        print(re.search(r"kinetix: .*", self.said).group())  # reports the time; not a test of speed
 
     def test_bodies_are_closed_and_as_large_as_their_half_walls(self):
         result, scene = self.scene_of("half_circle.yaml")

@@ -1,4 +1,5 @@
-"""The modules for OpenSCAD, in OpenSCAD: every part has its volume, and stands where the result says, flat and folded."""
+"""Tests the modules for OpenSCAD in OpenSCAD: every part has the volume and the position of the result, flat and
+folded."""
 import json
 import re
 import shutil
@@ -17,7 +18,7 @@ ROUNDING = 2e-4  # mm: OpenSCAD writes six digits, of up to 120 mm
 
 
 def triangles_of(file):
-    """Of an STL file in text."""
+    """Reads the triangles of an STL file in text format."""
     corners = [[float(number) for number in line.split()[1:]] for line in file.read_text().splitlines()
                if line.strip().startswith("vertex")]
     return [corners[k:k + 3] for k in range(0, len(corners), 3)]
@@ -28,7 +29,7 @@ def volume(triangles):
 
 
 def middle(triangles):
-    """Of the solid's volume."""
+    """Computes the centroid of the solid's volume."""
     parts = [(reader.dot(a, reader.cross(b, c)) / 6, reader.times(0.25, reader.add(a, reader.add(b, c))))
              for a, b, c in triangles]
     total = sum(share for share, _ in parts)
@@ -47,7 +48,7 @@ class OpenScad(Scratch):
         (self.scad,) = (self.folder / "print").glob("*.scad")
 
     def part(self, call):
-        """Triangles of what a call of its modules makes."""
+        """Returns the triangles that a call of the modules makes."""
         scene, out = self.folder / "print/scene.scad", self.folder / "print/scene.stl"
         scene.write_text(f"use <{self.scad.name}>\n{call}\n")
         said = said_by("openscad", "-o", out, scene)
@@ -55,7 +56,7 @@ class OpenScad(Scratch):
         return triangles_of(out)
 
     def expect_carried(self, flat, folded, body, pose):
-        """The middle of a part goes with its body."""
+        """Checks that the centroid of a part moves with its body."""
         arm = reader.add(middle(flat), reader.times(-1, body.rest))
         for a, b in zip(pose.carry(arm), middle(folded)):
             self.assertAlmostEqual(a, b, delta=ROUNDING)
@@ -63,7 +64,7 @@ class OpenScad(Scratch):
     def test_bodies_have_their_volume_and_go_where_the_result_says(self):
         self.export("pin")
         total = 0
-        # The motion of the file is relative to what results show: both begin with body 0.
+        # The motion in the file is relative to body 0. The displayed results begin with body 0, too.
         shown = self.result.steps[-1]
         for number, body in enumerate(self.result.bodies):
             flat = self.part(f"body({number}, 0);")

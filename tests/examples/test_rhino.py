@@ -1,4 +1,4 @@
-"""What the script for Rhino and Grasshopper takes from a result, under plain Python: all of it but Rhino's own objects."""
+"""Tests the script for Rhino and Grasshopper in plain Python: all of it except the objects of Rhino."""
 import importlib.util
 import json
 import math
@@ -16,7 +16,7 @@ spec.loader.exec_module(script)
 
 
 def volume(corners, sides):
-    """Of a closed surface whose sides are seen from outside counter-clockwise."""
+    """Computes the volume of a closed surface. Its sides are counter-clockwise seen from outside."""
     total = 0
     for side in sides:
         a = corners[side[0]]
@@ -80,7 +80,8 @@ class Rhino(Scratch):
             self.assertEqual({of[a], of[b]}, {"class A", "class B"})
 
     def test_walls_lean_with_their_hinges(self):
-        """The upright edges of a half wall's end lie along the hinge's axis, where that stands square to the wall."""
+        """Checks that the upright edges at a half wall's end are parallel to the hinge's axis, for axes square to
+        the wall."""
         result = self.result_of("half_circle.yaml")
         hinge = result.hinges[0]
         box = result.bodies[hinge["bodies"][0]].boxes[0]

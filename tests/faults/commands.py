@@ -1,4 +1,4 @@
-"""The runs of the program that are disturbed, and what must hold of each however it ends."""
+"""Runs of the program under faults, and the rules for each of them however it ends."""
 import dataclasses
 import json
 import os
@@ -59,7 +59,7 @@ COMMANDS = [
 
 @dataclasses.dataclass
 class End:
-    """How a run ended."""
+    """The end of a run."""
 
     code: int
     out: str
@@ -72,14 +72,19 @@ class End:
 
 
 def clean_environment(home, temporary):
-    """This process's environment without what changes the program's language, threads and folders."""
+    """Returns this process's environment without variables that change the program's language, threads and folders."""
     drop = ("LC_", "LANG", "OMP_")
     env = {name: value for name, value in os.environ.items() if not name.startswith(drop)}
     return {**env, "HOME": str(home), "TMPDIR": str(temporary)}
 
 
 def run(line, cwd, env, before=None, during=None, **streams):
-    """Runs a command line to its end. @param before in the child, before it is the program @param during hears of the process"""
+    """Runs a command line to its end.
+
+    @param before called in the child before it becomes the program
+    @param during called with the process
+
+    """
     process = subprocess.Popen(line, cwd=cwd, env=env, preexec_fn=before, stdin=subprocess.DEVNULL, text=True, errors="replace",
                                stdout=streams.get("stdout", subprocess.PIPE), stderr=streams.get("stderr", subprocess.PIPE))
     if during:
@@ -94,14 +99,14 @@ def run(line, cwd, env, before=None, during=None, **streams):
 
 
 def contents(folder):
-    """Every file under a folder, hidden ones too; None where there is no folder."""
+    """Returns every file in a folder, including hidden ones; None if the folder does not exist."""
     if not folder.exists():
         return None
     return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
 
 
 class Kitchen:
-    """Inputs, and what each command writes where nothing disturbs it."""
+    """Inputs, and the undisturbed output of each command."""
 
     def __init__(self, program, scratch):
         self.program, self.scratch, self.inputs = program, scratch, scratch / "inputs"
@@ -111,7 +116,7 @@ class Kitchen:
         self._prepare()
 
     def place(self, name):
-        """An empty folder for one run, with folders for its home and its temporary files."""
+        """Makes an empty folder for one run, with a home folder and a folder for temporary files."""
         place = self.scratch / name
         shutil.rmtree(place, ignore_errors=True)
         for folder in ("home", "tmp"):
@@ -123,7 +128,7 @@ class Kitchen:
         return run(line, place, {**clean_environment(place / "home", place / "tmp"), **(env or {})}, **how)
 
     def reference(self, command):
-        """What the command writes undisturbed."""
+        """Returns the files that the command writes undisturbed."""
         if command.name not in self.references:
             place = self.place(f"reference_{command.name}")
             end = self.start(command, place)
@@ -133,7 +138,7 @@ class Kitchen:
         return self.references[command.name]
 
     def set_earlier(self, command, place):
-        """Results of an earlier run: the same names, other content, and a file of the user's."""
+        """Writes results of an earlier run: the same names with other content, and a file of the user's."""
         out = place / "out"
         for name in self.reference(command):
             (out / name).parent.mkdir(parents=True, exist_ok=True)
@@ -156,7 +161,7 @@ class Kitchen:
 
 
 class Judge:
-    """Collects what does not hold."""
+    """Collects broken rules."""
 
     def __init__(self, kitchen):
         self.kitchen, self.faults, self.runs = kitchen, [], 0
@@ -165,7 +170,7 @@ class Judge:
         self.faults.append(f"{label}: {what} (code {end.code}; {' | '.join(end.last_words[:4])[:300]})")
 
     def end(self, label, end, codes):
-        """The end itself: no hang, no crash, a documented code, one clear message where it failed."""
+        """Checks the end: no hang, no crash, a documented code, and one clear message on failure."""
         self.runs += 1
         if end.hung:
             self.fault(label, f"still ran after {HANG_S} s", end)
@@ -177,7 +182,7 @@ class Judge:
             self.fault(label, "speaks of the program's inside", end)
 
     def folder(self, label, command, place, end, earlier=False, done=(0,)):
-        """The folder: as before, or complete; nothing temporary is left anywhere."""
+        """Checks that the folder is as before or complete, and that no temporary files remain."""
         reference, now = self.kitchen.reference(command), contents(place / "out")
         left = [str(path) for path in place.rglob("*") if "kinetix-" in path.name and path.name not in (".kinetix-files", ".kinetix-prints")]
         if left:
@@ -210,7 +215,7 @@ class Judge:
                 self.fault(label, f"{name} is not what an undisturbed run writes", end)
 
     def resumes(self, label, command, place, end):
-        """A sweep that was cut off goes on to the same table, with the room, memory and time it needs."""
+        """Checks that an interrupted sweep can resume to the same table, with enough space, memory and time."""
         last = self.kitchen.start(command, place, words=["--resume"])
         now = contents(place / "out") or {}
         if last.code:
@@ -218,7 +223,7 @@ class Judge:
         elif set(now) != set(self.kitchen.reference(command)):
             self.fault(label, f"after its resumption there are {sorted(now)}", end)
         elif b"there is not enough memory" in now["samples.csv"]:
-            return  # a sample that did not fit is a failed sample, and says why
+            return  # a sample without enough memory is a failed sample with a reason
         else:
             self.complete(label, command, now, end)
 

@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""faults.py KINETIX_OPT SCRATCH KIND [--long]: runs the program while something goes wrong, and says what does not hold.
+"""faults.py KINETIX_OPT SCRATCH KIND [--long]: runs the program under faults and reports broken rules.
 
-KIND: disk, memory, signals, clock, read_only, locale or threads, or all. What must hold however it ends: an exit code of
-docs/formats.md, one clear line where it fails, an output folder that is as before or complete, nothing temporary left, no crash
-and no run over 20 s. --long tries many more moments and sizes. Ends with 77 where this machine lacks what the kind needs.
+KIND: disk, memory, signals, clock, read_only, locale or threads, or all. Rules for every end: an exit code of
+docs/formats.md, one clear line on failure, and an output folder that is as before or complete. No temporary file
+remains, the program does not crash, and no run takes more than 20 s. --long tries many more moments and sizes.
+The exit code is 77 if this machine lacks what the kind needs.
 """
 import os
 import pathlib
@@ -17,7 +18,7 @@ LACKING = 77  # exit code by which ctest knows a test that could not run
 
 
 def in_own_mounts():
-    """Runs this script again where it may mount: those mounts end with it and nobody else sees them."""
+    """Runs this script again in a separate mount namespace: its mounts end with it and are invisible to others."""
     if os.environ.get("KINETIX_OWN_MOUNTS"):
         return
     own = ["unshare", "--mount"] if os.geteuid() == 0 else ["unshare", "--mount", "--map-root-user"]

@@ -1,4 +1,4 @@
-"""What goes wrong, a function each. Each returns what this machine lacks to make it go wrong, or nothing."""
+"""Faults, one function per kind. Each function returns what this machine lacks to cause the fault, or nothing."""
 import os
 import pathlib
 import resource
@@ -19,19 +19,20 @@ def may_mount():
 
 
 def spread(least, most, count):
-    """Whole numbers from the least to the most, evenly."""
+    """Returns evenly spaced integers from least to most."""
     return sorted({round(least + (most - least) * k / (count - 1)) for k in range(count)})
 
 
 class Mount:
-    """A file system of limited size at a folder, gone at the end."""
+    """A temporary file system of limited size in a folder."""
 
     def __init__(self, place, options):
         self.place = place
         subprocess.run(["mount", "-t", "tmpfs", "-o", options, "tmpfs", str(place)], check=True)
 
     def change(self, options):
-        # With the type and the source given, mount adds none of the options that hold, which others than root may not set again.
+        # With type and source given, mount adds none of the current options, which users other than root may not set
+        # again.
         subprocess.run(["mount", "-i", "-t", "tmpfs", "-o", f"remount,{options}", "tmpfs", str(self.place)], check=True, capture_output=True)
 
     def __enter__(self):
@@ -44,7 +45,7 @@ class Mount:
 # A full disk
 
 def run_on_small_disk(judge, command, options, earlier):
-    """On a file system that fills while the command writes. Sweeps are resumed once there is room."""
+    """Runs a command on a file system that becomes full. Sweeps are resumed once there is space."""
     kitchen = judge.kitchen
     kitchen.reference(command)
     place = kitchen.place("disk")
@@ -64,14 +65,15 @@ def run_on_small_disk(judge, command, options, earlier):
 
 
 def run_with_small_files(judge, command, kib):
-    """Under `ulimit -f`, as where a quota or FAT sets a largest size."""
+    """Runs a command under `ulimit -f`, as a quota or FAT limits the size of files."""
     place = judge.kitchen.place("small_files")
     end = judge.kitchen.start(command, place, before=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (kib * KIB, kib * KIB)))
     judge.both(f"{command.name} with files of at most {kib} KiB", command, place, end, {0, 2})
 
 
 def run_with_full_streams(judge, command):
-    """Standard output, then standard error, on a full device; standard output into a pipe that nobody reads."""
+    """Runs a command with stdout on a full device, with stderr on a full device, and with stdout in a pipe without a
+    reader."""
     for words, stream in ((["--json"], "stdout"), ([], "stdout"), ([], "stderr")):
         place = judge.kitchen.place("full_stream")
         with open("/dev/full", "w") as full:
@@ -114,7 +116,7 @@ def run_in_memory(judge, command, mib):
 
 
 def least_memory(least, suffices):
-    """MiB from which on a run ends as asked, to two. @param least that does not suffice"""
+    """Finds the least memory with which a run succeeds, within 2 MiB. @param least memory that is too small"""
     most = 2048
     while most - least > 2:
         middle = (least + most) // 2
@@ -123,8 +125,8 @@ def least_memory(least, suffices):
 
 
 def memory_to_load(judge):
-    """MiB in which the program reaches main. With less, the loader ends with 127 and names the library that did not fit, or the
-    C++ library ends it with a signal when a global object gets no memory."""
+    """Finds the MiB in which the program reaches main. With less, the loader ends with 127 and names the library
+    without memory. The C++ library may also end it with a signal if a global object gets no memory."""
     place = judge.kitchen.place("memory")
 
     def loads(mib):
@@ -135,7 +137,8 @@ def memory_to_load(judge):
 
 
 def memory(judge, long):
-    """`ulimit -v` from what hardly loads the program to what suffices: there memory runs out at one place after the other."""
+    """Limits `ulimit -v` from just above the size of the loaded program to a sufficient size. Memory then runs out
+    at different places."""
     loads = memory_to_load(judge)
     for command in COMMANDS:
         judge.kitchen.reference(command)
@@ -162,7 +165,7 @@ def undisturbed_seconds(judge, command):
 
 
 def signals(judge, long):
-    """Spread over the run, whatever is reached at each moment on this machine."""
+    """Sends signals at moments spread over the run. The place that the program has reached depends on the machine."""
     for command in COMMANDS:
         seconds = undisturbed_seconds(judge, command)
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGPIPE):
@@ -173,7 +176,7 @@ def signals(judge, long):
                     judge.kitchen.set_earlier(command, place)
                 after = seconds * (k + 0.5) / (20 if long else 5)
                 end = judge.kitchen.start(command, place, during=send_after(after, number))
-                # 3 and 130: a search, a path or a physics run that Ctrl-C stops.
+                # 3 and 130: Ctrl-C stops a search, a path or a simulation.
                 codes = {0, -number} | ({3, 130} if number == signal.SIGINT else set())
                 judge.both(f"{command.name}, {signal.Signals(number).name} after {after:.3f} s", command, place, end, codes,
                            earlier=earlier, done=(0, 3))
@@ -182,7 +185,7 @@ def signals(judge, long):
 
 
 def end_view(judge, place, number):
-    """Starts the studio in a place and ends it by a signal. @return its end"""
+    """Starts the studio in a place and ends it by a signal. @return how it ended"""
     heard = []
 
     def when_it_listens(process):
@@ -197,7 +200,8 @@ def end_view(judge, place, number):
 
 
 def view(judge):
-    """The studio ends at each signal, and where nobody reads its line. Its lock may outlive SIGKILL, until the next studio ends."""
+    """Checks that the studio ends at each signal, and if its line has no reader. Its lock may remain after SIGKILL
+    until the next studio ends."""
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL):
         place = judge.kitchen.place("view")
         end = end_view(judge, place, number)
@@ -210,7 +214,8 @@ def view(judge):
 # A clock that jumps
 
 def clock(judge, long):
-    """The time of day jumps by years while the program runs; the clock that counts up does not, as when a machine's clock is set."""
+    """Moves the time of day by years while the program runs. The monotonic clock does not jump, as if a user set the
+    clock."""
     library = next(iter(pathlib.Path("/usr/lib").glob("*/faketime/libfaketimeMT.so.1")), None)
     if not library:
         return "faketime is missing"
@@ -270,7 +275,7 @@ def run_in_read_only(judge, command, name, codes):
 # Languages
 
 def german(judge):
-    """A folder with a locale that has commas for decimals; none where this machine cannot make one."""
+    """Returns a folder with a locale that uses decimal commas; none if this machine cannot make one."""
     folder = judge.kitchen.scratch / "locales"
     folder.mkdir(exist_ok=True)
     made = shutil.which("localedef") and subprocess.run(
@@ -305,7 +310,7 @@ def threads(judge, long):
             place = judge.kitchen.place("threads")
             end = judge.kitchen.start(command, place, env={"OMP_NUM_THREADS": count})
             if count == "nonsense":
-                end.err = ""  # what OpenMP itself says of it
+                end.err = ""  # messages of OpenMP itself
             judge.both(f"{command.name} with OMP_NUM_THREADS={count}", command, place, end, {0})
     return None
 

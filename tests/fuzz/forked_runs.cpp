@@ -1,7 +1,8 @@
-// kinetix-forked-runs SECONDS BYTES: runs of the whole program, each in a fork of this process, which has loaded it already:
-// the loader takes longer than a run of `check`. A line of stdin is the arguments of a run, separated by tabs; when it has
-// ended its exit code, or less the number of the signal that ended it, is a line of stdout. What it says is in the files
-// `stdout` and `stderr` of the folder. SECONDS of the processor and BYTES of addresses are what a run may take.
+// kinetix-forked-runs SECONDS BYTES: runs the whole program in forks of this loaded process, since the loader takes
+// longer than a run of `check`.
+// A line of stdin has the arguments of a run, separated by tabs. After the run, a line of stdout has its exit code, or
+// minus the number of the signal that ended it. Its output is in the files `stdout` and `stderr` of the folder. A run
+// may use SECONDS of processor time and BYTES of addresses.
 #undef main
 
 #include <fcntl.h>
@@ -19,7 +20,8 @@ int program_main(int argc, char** argv);
 
 namespace {
 
-constexpr unsigned longest_wait = 200;  // s by the clock: what waits for nothing takes for ever
+constexpr unsigned longest_wait =
+    200;  // s by the clock: limit for a run that waits for ever without using the processor
 
 struct Limits {
   rlim_t seconds, bytes;

@@ -11,8 +11,8 @@
 
 namespace kinetix::fuzz {
 
-/// A folder for inputs as files, beside links to all files of targets/shapes and targets/sweeps, which inputs may name.
-/// It is in TMPDIR, which is best in memory, and goes away with the process unless that crashes.
+/// A folder for input files, with links to all files of targets/shapes and targets/sweeps, which inputs may name. It is
+/// in TMPDIR, preferably in memory. It is removed with the process, except after a crash.
 class InputFolder {
  public:
   InputFolder() {
@@ -45,7 +45,7 @@ inline const InputFolder& input_folder() {
   std::abort();
 }
 
-/// Reads an input. What is wrong with it must be said by InvalidInput, in one line: any other exception ends the process.
+/// Reads an input. An invalid input must give an InvalidInput of one line: any other exception ends the process.
 template <class Read>
 void read_or_refuse(const Read& read) {
   try {

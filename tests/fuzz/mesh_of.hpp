@@ -6,14 +6,14 @@
 
 namespace kinetix::fuzz {
 
-/// Triangles of vertices that are there.
+/// Checks that triangles have existing vertices.
 inline void expect_whole(const targets::TriangleMesh& mesh) {
   for (const auto& triangle : mesh.triangles)
     for (const int v : triangle)
       if (v < 0 || v >= static_cast<int>(mesh.vertices.size())) fail("a triangle of no vertex");
 }
 
-/// What `import` reads of a file: its shells, hard and soft.
+/// Reads the shells of a file, hard and soft, as `import` does.
 inline void read_as_model(const std::string& file) {
   read_or_refuse([&] {
     app::ImportRequest request;
@@ -23,7 +23,8 @@ inline void read_as_model(const std::string& file) {
   });
 }
 
-/// What the other goals read of one: its triangles. What a helmet makes of them takes a hundred times as long: readers/head.cpp.
+/// Reads the triangles of a file, as the other goals do. A helmet's use of them takes a hundred times as long:
+/// readers/head.cpp tests it.
 inline void read_as_mesh(const std::string& file) {
   read_or_refuse([&] { expect_whole(targets::read_mesh(file)); });
 }

@@ -20,20 +20,20 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr unsigned longest_s = 20;        // of one input: as long as a user would wait for an answer
-constexpr std::size_t max_bytes = 65536;  // of an input: what is larger costs time, and says little more
+constexpr std::size_t max_bytes = 65536;  // of an input: larger ones take time and find little more
 constexpr std::uint64_t seed = 1;         // of all changes: the same inputs in each run
-constexpr int most_changes = 6;           // in one input: more of them and little of the original is left
+constexpr int most_changes = 6;           // in one input: with more changes little of the original remains
 
-/// What readers tend to stumble over.
+/// Words that readers often handle wrongly.
 const std::vector<std::string> words = {
     "0",           "-1",         "1e308", "-1e308", "1e-320", "nan",  "inf",  "2147483647",
     "-2147483648", "4294967296", "1e9",   "[1, 1]", "[]",     "{}",   "null", "\"\"",
     "~",           ",",          ": ",    "\n",     "\t",     "\r\n", "\xff", "0.5",
     "90",          "89.999",     "true",  "x",      "/",      "../",  "#",    "'"};
 
-std::string input;  ///< that is being read
+std::string input;  ///< currently being read
 
-/// Keeps the input; nothing here but what may be called when a signal comes.
+/// Keeps the input. Calls only functions that are safe in a signal handler.
 void keep_input(int signal) {
   const int file = open("failed_input", O_CREAT | O_TRUNC | O_WRONLY, 0644);
   if (file >= 0 && write(file, input.data(), input.size()) >= 0) close(file);
@@ -63,7 +63,7 @@ std::vector<std::string> inputs_of(int count, char** folders) {
   return all;
 }
 
-/// Changes of inputs, by a generator whose numbers the standard says: the same with every compiler.
+/// Changes inputs with a generator that the standard defines, so all compilers give the same changes.
 class Mutator {
  public:
   explicit Mutator(const std::vector<std::string>& all) : all_(all) {}
@@ -78,13 +78,13 @@ class Mutator {
  private:
   std::size_t below(std::size_t count) { return random_() % count; }
 
-  /// A stretch of up to 64 bytes, mostly short.
+  /// Returns a stretch of up to 64 bytes, in most cases short.
   std::string_view stretch(const std::string& text) {
     const std::size_t start = below(text.size());
     return std::string_view(text).substr(start, 1 + below(1 + below(64)));
   }
 
-  /// The characters of a number or of a word around a place.
+  /// Returns the range of the number or word around a place.
   std::pair<std::size_t, std::size_t> token(const std::string& text) {
     const auto ends = [&](std::size_t k) {
       return std::string(" \t\r\n,[]{}:\"<>=").find(text[k]) != std::string::npos;
@@ -139,8 +139,9 @@ class Mutator {
 
 }  // namespace
 
-/// replay RUNS FOLDER...: what libFuzzer would read, for compilers without it: all files of the folders, then RUNS changed
-/// ones, the same each time. It looks at no branches, and so finds less.
+/// Replays inputs for compilers without libFuzzer. usage: replay RUNS FOLDER... It reads all files of the folders, then
+/// RUNS changed ones, which are the same each time. It finds less than libFuzzer, since it does not measure the
+/// branches that inputs reach.
 int main(int count, char** words_of_line) {
   if (count < 3) return 2;
   for (const int signal : {SIGALRM, SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL})

@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
-"""soak.py PROGRAM FILES [--kinds A,B] [--seed N] [--first K] [--jobs N] [--keep FOLDER]: damaged files of every kind that is read.
+"""soak.py PROGRAM FILES [--kinds A,B] [--seed N] [--first K] [--jobs N] [--keep FOLDER]: damaged files of every
+input kind.
 
-Of each kind, FILES are made from small originals, most of which the program itself exports: bits are flipped, ends cut off, blocks
-replaced by noise, words and lines changed. The program reads each as a user would. What must hold:
-  - exit code 0, 2, 3 or 4 within LONGEST_S; no signal, and no word of a sanitizer on stderr;
-  - with 2: one line on stderr that has words, nothing on stdout, nothing written;
-  - else: JSON on stdout that holds finite numbers only;
-  - of stores (tables of sweeps): with 0, samples.csv is that of the undamaged table.
-The same seed and K give the same file. Files that break a rule are kept; exit code 1 if any did.
+FILES damaged files of each kind are made from small originals, most of which the program itself exports. The
+damage flips bits, cuts off ends, replaces blocks by noise, and changes words and lines. The program reads each
+file as a user would. Rules:
+  - The exit code is 0, 2, 3 or 4 within LONGEST_S. There is no signal and no sanitizer message on stderr.
+  - With code 2: one line of text on stderr, nothing on stdout, no file written.
+  - Otherwise: JSON on stdout with finite numbers only.
+  - For stores (tables of sweeps) with code 0: samples.csv is that of the undamaged table.
+
+The same seed and K give the same file. Files that break a rule are kept, and the exit code is 1 if any file did.
 """
 import argparse
 import collections
@@ -29,10 +32,10 @@ import zipfile
 import zlib
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
-LONGEST_S = 300  # by the clock, on a busy machine, of a build with sanitizers
+LONGEST_S = 300  # by the clock, for a build with sanitizers on a busy machine
 NUMBERS = [b"0", b"-1", b"1", b"2", b"65536", b"2147483648", b"-2147483649", b"18446744073709551616", b"1e300", b"-1e-300", b"1e999", b"nan", b"inf", b"0.5"]
 SANITIZERS = re.compile(rb"Sanitizer|runtime error:|terminate called|Assertion")
-# In the order of SQLite's pages, which is not that of the rows.
+# Rows in the order of SQLite's pages, which differs from the order of the samples.
 PAGE = 4096
 
 DESIGN = """kinetix: 1
@@ -63,13 +66,13 @@ SVG = b"""<svg xmlns="http://www.w3.org/2000/svg" width="30mm" height="30mm" vie
 
 
 class Damage:
-    """Changes of bytes and of words, by one source of chance."""
+    """Random changes of bytes and words from one generator."""
 
     def __init__(self, chance):
         self.chance = chance
 
     def place(self, data, spots):
-        """A position, within one of the spots (first, length) where there are some."""
+        """Returns a position, inside one of the spots (first, length) if there are any."""
         if not spots:
             return self.chance.randrange(max(len(data), 1))
         first, length = self.chance.choice(spots)
@@ -129,7 +132,7 @@ class Damage:
 
 
 def damaged_zip(data, damage):
-    """Damage within a file of the package, with sums that fit: else no reader of XML would see it."""
+    """Damages a file of the package and corrects its checksums. Otherwise no XML reader would see the damage."""
     out = io.BytesIO()
     with zipfile.ZipFile(io.BytesIO(data)) as old, zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as new:
         hit = damage.chance.choice(old.namelist())
@@ -146,7 +149,7 @@ def chunk(kind, content):
 
 
 def damaged_png(data, damage):
-    """Damage within a chunk or within what it unpacks to, with sums that fit."""
+    """Damages a chunk or its unpacked content, with correct checksums."""
     out, at = data[:8], 8
     chunks = []
     while at < len(data):
@@ -164,7 +167,7 @@ def damaged_png(data, damage):
 
 
 def tables_of_font(data):
-    """Where the tables of a font are, of each its first 4 KiB, and where the table of tables is."""
+    """Returns the places of the font's tables, at most 4 KiB of each, and the place of the table of tables."""
     count = struct.unpack(">H", data[4:6])[0]
     spots = [(0, 12 + 16 * count)]
     for k in range(count):
@@ -174,13 +177,13 @@ def tables_of_font(data):
 
 
 def cells_of_table(data):
-    """All of a small database, and of each page its head, where SQLite finds the rows."""
+    """Returns spots for damage: the whole database, and the head of each page, where SQLite finds the rows."""
     return [(0, len(data)), *((first, 200) for first in range(0, len(data), PAGE))]
 
 
 class Kind:
-    """A kind of file: how it is damaged and read. `words` are those of the command in a folder that holds `files` beside the
-    damaged one, `name`."""
+    """A kind of file, its damage and its reader. `words` are the arguments of the command. It runs in a folder with
+    `files` and the damaged file `name`."""
 
     def __init__(self, name, originals, words, files=(), is_text=False, inner=None, spots=None, same=None, environment=None):
         self.name, self.originals, self.words = name, originals, words
@@ -199,7 +202,7 @@ class Program:
     def __init__(self, path):
         self.path = str(pathlib.Path(path).resolve())
         modules = pathlib.Path(self.path).parents[1] / "lib/kinetix/modules"
-        # A sanitizer opens modules by its own run path, not the program's.
+        # A sanitizer opens modules by its own run path, not by the program's.
         self.environment = {**os.environ, "LD_LIBRARY_PATH": str(modules), "ASAN_OPTIONS": "detect_leaks=0",
                             "UBSAN_OPTIONS": "halt_on_error=1:print_stacktrace=1"}
 
@@ -214,14 +217,15 @@ class Program:
 
 
 def font_file():
-    """An outline font of this machine and the settings by which it alone is installed, a copy in the folder of the run."""
+    """Returns an outline font of this machine and the settings that install it alone, from a copy in the run's
+    folder."""
     path = subprocess.run(["fc-match", "-f", "%{file}", FONT], capture_output=True, text=True, check=True).stdout
     settings = "<?xml version='1.0'?><fontconfig><dir prefix='cwd'>fonts</dir><cachedir prefix='cwd'>cache</cachedir></fontconfig>"
     return pathlib.Path(path).read_bytes(), settings.encode()
 
 
 def make_kinds(program, folder):
-    """The originals come from the program itself, but for what it only reads."""
+    """Makes the originals with the program itself, except for kinds that it only reads."""
     (folder / "two_cells.yaml").write_text(DESIGN)
     (folder / "cell.yaml").write_text(CELL)
     (folder / "s.yaml").write_text(SWEEP)
@@ -284,7 +288,7 @@ def refuse_constant(name):
 
 
 def fault_of(done, kind, folder):
-    """What is wrong with a run; empty: nothing."""
+    """Describes the fault of a run; empty: none."""
     words = done.stderr.decode(errors="replace")
     if SANITIZERS.search(done.stderr):
         return words[-2000:]
@@ -305,7 +309,7 @@ def fault_of(done, kind, folder):
 
 
 def read_file(program, kind, data, scratch):
-    """How reading a file ended: (exit code or None, fault)."""
+    """Reads a file with the program. Returns (exit code or None, fault)."""
     with tempfile.TemporaryDirectory(dir=scratch) as name:
         folder = pathlib.Path(name)
         for path, content in {**kind.files, kind.name: data}.items():

@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
-"""whole_program.py FORKED_RUNS RUNS [--seed N] [--first K] [--keep FOLDER]: shipped files, changed at random, through the whole program.
+"""whole_program.py FORKED_RUNS RUNS [--seed N] [--first K] [--keep FOLDER]: randomly changed shipped files, read by
+the program.
 
-Run K takes a file of targets/shapes or targets/sweeps, changes keys, numbers, lines or bytes of it, and gives it to `check`
-(nine times in ten), `simulate`, `export` or the search with a time limit of a second. What must hold:
-  - exit code 0 or 2 of `check`, also 3 or 4 of the others, within 20 s of the processor (of searches and states: where `check` expects them to be quick);
-  - with 2: one line on stderr, nothing on stdout, nothing written;
-  - otherwise: JSON on stdout that holds finite numbers only.
-The same seed and K give the same run. Inputs that break a rule are kept; exit code 1 if any did.
+Run K takes a file of targets/shapes or targets/sweeps and changes keys, numbers, lines or bytes of it. Nine times
+in ten it runs `check`, otherwise `simulate`, `export` or a search with a time limit of a second. Rules:
+  - The exit code of `check` is 0 or 2; the other commands may also end with 3 or 4.
+  - A run takes at most 20 s of processor time. Searches and states are run only if `check` expects them to be
+    quick.
+  - With code 2: one line on stderr, nothing on stdout, no file written.
+  - Otherwise: JSON on stdout with finite numbers only.
+
+The same seed and K give the same run. Inputs that break a rule are kept, and the exit code is 1 if any input did.
 """
 import argparse
 import collections
@@ -22,10 +26,10 @@ import tempfile
 import time
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
-LONGEST_S = 20  # of one run, of the processor: as long as a user would wait
-QUICK_S = 3  # of what `check` expects a search and its physics run to take: what takes longer is not run here
-FEW_BODIES = 1500  # of a sheet: the equilibrium of larger ones takes up to a minute, as their files say
-MEMORY = 4 << 30  # bytes of addresses, the libraries' among them: 2 GiB of data, and the machine is safe
+LONGEST_S = 20  # of processor time for one run: as long as a user would wait
+QUICK_S = 3  # longest forecast of a search and its simulation that are run here
+FEW_BODIES = 1500  # bodies of a sheet: the equilibrium of larger sheets takes up to a minute, as their files say
+MEMORY = 4 << 30  # bytes of addresses, including those of the libraries: 2 GiB of data, which leaves the machine usable
 STATES = ["exact", "exact", "equilibrium"]
 FORMATS = ["stl", "3mf", "svg", "dxf", "scad", "glb", "mjcf"]
 NUMBERS = ["0", "-1", "1", "2", "3", "0.5", "1e-300", "1e300", "-1e9", "1e9", "nan", ".inf", "2147483648", "90", "89.99", "-0.0", "1000000"]
@@ -105,14 +109,15 @@ def refuse_constant(name):
 
 
 class Program:
-    """kinetix-forked-runs in a folder."""
+    """A kinetix-forked-runs process in a folder."""
 
     def __init__(self, program, folder):
         self.folder, self.input, self.out = folder, folder / "input.yaml", folder / "out"
         self.process = subprocess.Popen([program, str(LONGEST_S), str(MEMORY)], cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
     def run(self, arguments):
-        """The exit code (None: not within LONGEST_S, nor by the clock), what is on stdout and stderr."""
+        """Returns the exit code, stdout and stderr. The code is None after LONGEST_S of processor time or too long
+        by the clock."""
         shutil.rmtree(self.out, ignore_errors=True)
         self.process.stdin.write("\t".join([*arguments, "--quiet", "--threads", "1"]) + "\n")
         self.process.stdin.flush()
@@ -121,7 +126,7 @@ class Program:
         return None if -code in (signal.SIGXCPU, signal.SIGKILL, signal.SIGALRM) else code, out, err
 
     def fault(self, arguments, result, codes):
-        """What is wrong with a run; empty: nothing."""
+        """Describes the fault of a run; empty: none."""
         code, out, err = result
         if code is None:
             return f"over {LONGEST_S} s"
@@ -147,7 +152,7 @@ def is_quick(out):
 
 
 def other_command(chance, out):
-    """What may be run of a file that `check` likes; nothing: it takes long."""
+    """Returns another command for a file that `check` accepts, or None if it would take long."""
     kind = json.loads(out)["kind"]
     if kind == "sweep" or not is_quick(out):
         return None
@@ -159,7 +164,7 @@ def other_command(chance, out):
 
 
 def one_run(program, changer, chance):
-    """The words that were run, and what was wrong."""
+    """Returns the arguments of the run and its fault."""
     program.input.write_bytes(changer.changed(chance.choice(changer.files)[1]))
     check = ["check", "input.yaml", "--json"]
     result = program.run(check)

@@ -1,12 +1,13 @@
 #!/usr/bin/python3
-"""mutate.py BUILD SCRATCH [--each COUNT] [--seed SEED] [--only NUMBER...]: are errors in the model seen by the tests?
+"""mutate.py BUILD SCRATCH [--each COUNT] [--seed SEED] [--only NUMBER...]: do the tests detect errors in the model?
 
-Builds COUNT wrong signs and wrong indices (25 by default) into each of four parts of the sources, all at once: KINETIX_MUTANT
-chooses one at run time. For each of them runs the tests that pass the place, the quickest first, until one fails. Writes
-SCRATCH/table.txt, and ends with 1 if an error is seen by no test. BUILD is a folder where the tests are built.
+Builds COUNT wrong signs and wrong indices (25 by default) into each of four parts of the sources. KINETIX_MUTANT
+chooses one of them at run time. For each error, runs the tests that pass the place, the quickest first, until one
+fails. Writes SCRATCH/table.txt. The exit code is 1 if no test detects an error. BUILD is a folder with built
+tests.
 
-Places are taken in an order of their own, the same while their line is. Those that do not compile, and those of
-equivalent.txt, where the error changes nothing, leave their turn to the next.
+The order of the places depends on their lines alone, so it is stable. Places that do not compile are replaced by
+the next ones, as are those of equivalent.txt, whose error changes nothing.
 """
 import argparse
 import dataclasses
@@ -25,10 +26,10 @@ from programs import Programs
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 PROGRAMS = ("test_model", "test_optim", "test_sim")
-SPARE = 1.6  # places tried for each that is wanted: some do not compile, some change nothing
-# Seconds of tests that are run by one process: first a few quick ones, which see most errors.
+SPARE = 1.6  # places tried per requested place: some do not compile, some change nothing
+# Seconds of tests per process. The first batches have a few quick tests, which detect most errors.
 BATCHES = (1, 4, 20, 1e9)
-# A run that takes that many times as long as without an error, and seconds besides, hangs: that is seen as well.
+# A run hangs if it takes SLOWER times the time without an error plus BESIDES seconds. This counts as detected.
 SLOWER, BESIDES = 4, 20
 
 KINEMATICS = ("model/lattice", "model/closure", "model/linkage")
@@ -44,7 +45,8 @@ class Test:
 
 
 def part_of(path, source):
-    """Of the four parts that are tried, or None. The adjoint's has all sources that speak of adjoints or Jacobians."""
+    """Returns the part of the sources, of the four that are tried, or None. The adjoint part has all sources that
+    mention adjoints or Jacobians."""
     if path.startswith("sim/"):
         return "physics"
     if path.startswith(KINEMATICS) and not path.endswith("jacobian.cpp"):
@@ -55,13 +57,13 @@ def part_of(path, source):
 
 
 def equivalent():
-    """Keys of places where the error changes nothing."""
+    """Returns the keys of places whose error changes nothing."""
     lines = (HERE / "equivalent.txt").read_text().splitlines()
     return {line for line in lines if line and not line.startswith((" ", "#"))}
 
 
 def ranked(candidates, seed):
-    """In the seed's order, signs and indices by turns."""
+    """Sorts the places in the seed's order, with signs and indices alternating."""
     def rank(place):
         return hashlib.sha256((seed + place.key).encode()).hexdigest()
     kinds = [sorted((place for place in candidates if place.kind == kind), key=rank) for kind in ("sign", "index")]
@@ -69,7 +71,7 @@ def ranked(candidates, seed):
 
 
 def candidates(count, seed):
-    """The first of each part, some more than wanted. @return part -> places"""
+    """Returns the first places of each part, some more than requested. @return part -> places"""
     out = {"kinematics": [], "elastic": [], "adjoint": [], "physics": []}
     for file in sorted([*(ROOT / "model").rglob("*.cpp"), *(ROOT / "optim").rglob("*.cpp"), *(ROOT / "sim").rglob("*.cpp")]):
         path, source = str(file.relative_to(ROOT)), file.read_text()
@@ -82,7 +84,7 @@ def candidates(count, seed):
 
 
 def instrument(programs, numbered):
-    """@return the paths with errors built in"""
+    """Writes copies of the sources with the errors. @return the paths with errors built in"""
     paths = {place.path for _, place in numbered}
     for path in paths:
         source = (ROOT / path).read_text()
@@ -95,7 +97,7 @@ def refused(programs, text, place):
 
 
 def build(programs, numbered):
-    """Builds all that compile. @return (numbered places that do, objects)"""
+    """Builds all places that compile. @return (numbered places that compile, objects)"""
     while True:
         objects, refusals = programs.compile_all(instrument(programs, numbered))
         if not refusals:
@@ -108,7 +110,7 @@ def build(programs, numbered):
 
 
 def record(program):
-    """Runs all tests without an error. @return those that pass"""
+    """Runs all tests without an error. @return the tests that pass"""
     table = program.with_suffix(".reached")
     if not table.exists() or table.stat().st_mtime < program.stat().st_mtime:
         table.unlink(missing_ok=True)
@@ -125,7 +127,7 @@ def record(program):
 
 
 def batches(tests):
-    """Of one program each, the quickest tests first."""
+    """Yields batches of tests of one program each, the quickest tests first."""
     rest = sorted(tests, key=lambda test: test.seconds)
     for limit in BATCHES:
         total, taken = 0, 0
@@ -138,7 +140,7 @@ def batches(tests):
 
 
 def first_failure(number, tests):
-    """@return the first test that does not pass with this error, or None"""
+    """Runs tests with this error. @return the first test that fails, or None"""
     limit = BESIDES + SLOWER * sum(test.seconds for test in tests)
     command = [tests[0].program, "--gtest_fail_fast", "--gtest_filter=" + ":".join(test.name for test in tests)]
     try:
@@ -156,7 +158,7 @@ def first_failure(number, tests):
 
 
 def trial(number, tests):
-    """@return (the test that sees the error or None, how many pass its place)"""
+    """Tries an error. @return (the test that detects it or None, number of tests that pass its place)"""
     able = [test for test in tests if number in test.reached]
     for batch in batches(able):
         seen_by = first_failure(number, batch)
@@ -166,7 +168,7 @@ def trial(number, tests):
 
 
 def chosen(numbered, by_part, count):
-    """The first of each part that change something. @return (number, part, place)"""
+    """Yields the first places of each part that change something. @return (number, part, place)"""
     passed_over = equivalent()
     for part, found in by_part.items():
         of_part = [(number, part, place) for number, place in numbered if place in found and place.key not in passed_over]

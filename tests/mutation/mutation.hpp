@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cstdlib>
 
-/// Errors that are built in and chosen at run time: that of the number in the environment variable KINETIX_MUTANT, or
-/// none. mutate.py writes calls of these functions into copies of the sources.
+/// Errors that are built in and chosen at run time by a number in the environment variable KINETIX_MUTANT, or none.
+/// mutate.py adds calls of these functions to copies of the sources.
 namespace kinetix::mutation {
 
 constexpr int most = 1000;  // mutants in one build: several times what mutate.py asks for
@@ -15,10 +15,10 @@ inline int chosen_mutant() {
   return number ? std::atoi(number) : -1;
 }
 
-/// Of this process.
+/// The mutant of this process; -1: none.
 inline const int chosen = chosen_mutant();
 
-/// Which places were passed, by their numbers.
+/// Places that were executed, by their numbers.
 inline std::array<std::atomic<bool>, most> reached{};
 
 inline bool on(int number) {
@@ -26,13 +26,13 @@ inline bool on(int number) {
   return number == chosen;
 }
 
-/// @return 1, or -1 in this mutant
+/// Returns 1, or -1 in this mutant.
 inline int sign(int number) { return on(number) ? -1 : 1; }
 
-/// @return the index, or the wrong one in this mutant
+/// Returns the index, or the wrong one in this mutant.
 inline int other(int number, int index, int wrong) { return on(number) ? wrong : index; }
 
-/// @return the index, or the one before it in this mutant; 0 stays
+/// Returns the index, or the one before it in this mutant. 0 does not change.
 template <class Index>
 Index before(int number, Index index) {
   return on(number) && index > 0 ? static_cast<Index>(index - 1) : index;

@@ -3,7 +3,7 @@ import collections
 import dataclasses
 import re
 
-# What is not the working code: declarations that run when compiled, counters of loops, what asserts, throws or includes.
+# Lines without working code: compile-time declarations, loop counters, asserts, throws and includes.
 PASSED_OVER = re.compile(r"\bfor \(|\bassert\(|\bthrow\b|\bconstexpr\b|\btemplate\b|\busing\b|^\s*#|^\s*(case|namespace)\b")
 TEXT_OR_COMMENT = re.compile(r'"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'|//[^\n]*|/\*.*?\*/', re.S)
 OBJECT = r"(?<![\w.>)\]])(?:[A-Za-z_]\w*(?:\[\w+\]|\(\))?\.)*"
@@ -25,17 +25,17 @@ class Place:
     path: str
     kind: str  # sign or index
     line: int  # from 1
-    key: str  # the same as long as the line is
+    key: str  # stays the same as long as the line does
     edits: list
 
 
 def blanked(source):
-    """The source with texts and comments as spaces, so that offsets stay."""
+    """Returns the source with spaces for texts and comments, so that offsets stay."""
     return TEXT_OR_COMMENT.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), source)
 
 
 def closing(code, opening):
-    """Where the parenthesis before `opening` closes."""
+    """Returns the position of the parenthesis that closes the one before `opening`; None: it does not close."""
     depth = 1
     for at in range(opening, len(code)):
         depth += {"(": 1, ")": -1}.get(code[at], 0)
@@ -58,7 +58,8 @@ def signs(code):
 
 
 def neighbour(number, code, at):
-    """Another index of the same vector: of the next three in vectors of coordinates, of the first three otherwise."""
+    """Returns another index of the same vector: three further in vectors of coordinates, otherwise one of the first
+    three."""
     if code[:at].endswith("segment<3>("):
         return number + 3 if number < 3 else number - 3
     return number - 1 if number else 1
@@ -83,7 +84,7 @@ def indices(code):
 
 
 def places(path, source):
-    """All of the source, but those in lines that are passed over."""
+    """Yields all places of the source, except those in lines that are passed over."""
     code, lines, seen = blanked(source), source.splitlines(), collections.Counter()
     code_lines = code.splitlines()
     for kind, finder in (("sign", signs), ("index", indices)):
@@ -99,7 +100,7 @@ def places(path, source):
 
 
 def with_errors(source, numbered):
-    """The source with the errors of (number, place) built in."""
+    """Returns the source with the errors of (number, place) built in."""
     edits = sorted((edit[0], number, edit[1], edit[2].replace("{n}", str(number)))
                    for number, place in numbered for edit in place.edits)
     for start, _, end, text in reversed(edits):

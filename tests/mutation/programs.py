@@ -1,4 +1,4 @@
-"""The test programs of a build with errors built in: only the sources that hold some are compiled anew."""
+"""Builds the test programs with errors. Only sources that contain errors are compiled again."""
 import json
 import pathlib
 import re
@@ -10,7 +10,7 @@ ROOMS = ("model", "optim", "sim")
 
 
 class Programs:
-    """Of the build folder `build`, with what is made of it in `scratch`."""
+    """The programs of the build folder `build`. New files go to `scratch`."""
 
     def __init__(self, root, build, scratch):
         self.root, self.build, self.scratch = root, build, scratch
@@ -25,13 +25,13 @@ class Programs:
         return self.scratch / "sources" / path
 
     def write(self, path, text):
-        """Unless it is there: what has not changed is not compiled again."""
+        """Writes a file if its content differs, so that unchanged files are not compiled again."""
         path.parent.mkdir(parents=True, exist_ok=True)
         if not path.exists() or path.read_text() != text:
             path.write_text(text)
 
     def compile(self, rule, source, target):
-        """@return what the compiler says where it refuses"""
+        """Compiles a source. @return the compiler's message if it fails"""
         words = shlex.split(rule["command"].split(" && ")[0])
         for option, value in (("-o", target), ("-c", source), ("-MF", f"{target}.d"), ("-MT", target)):
             words[words.index(option) + 1] = str(value)
@@ -41,14 +41,14 @@ class Programs:
         return run.stderr if run.returncode else ""
 
     def sources_of(self, rule):
-        """The sources that a rule compiles, alone or joined."""
+        """Returns the sources that a rule compiles, alone or joined."""
         file = pathlib.Path(rule["file"])
         if file.suffix == ".cpp":
             return [file]
         return [pathlib.Path(name) for name in re.findall(r'#include "(.*)"', file.read_text())]
 
     def compile_all(self, paths):
-        """Compiles every unit with one of the paths. @return (objects, what the compiler refused)"""
+        """Compiles every unit with one of the paths. @return (objects, errors of the compiler)"""
         objects, refusals = [], ""
         for rule in self.units:
             sources = [source.relative_to(self.root) for source in self.sources_of(rule)]
@@ -63,7 +63,8 @@ class Programs:
         return objects, refusals
 
     def link(self, name, objects):
-        """The program's own command, with the objects before the libraries of their rooms, which hold the same names."""
+        """Links a program with its original command. The objects come before their rooms' libraries, which define
+        the same names."""
         recorder = self.scratch / "objects" / "recorder.o"
         refusal = self.compile(self.recorder_rule, HERE / "recorder.cpp", recorder)
         if refusal:

@@ -8,8 +8,8 @@
 namespace kinetix::mutation {
 namespace {
 
-/// Appends a line for each test to the file that the environment variable KINETIX_REACHED names: whether it passed, its
-/// seconds, its name and the places that it passed.
+/// Appends a line for each test to the file in the environment variable KINETIX_REACHED: whether it passed, its
+/// seconds, its name and the places that it executed.
 class Recorder : public testing::EmptyTestEventListener {
   void OnTestStart(const testing::TestInfo&) override {
     for (auto& place : reached) place = false;

@@ -10,17 +10,17 @@ from collections import defaultdict
 from pathlib import Path
 
 ROOMS = ("model", "targets", "optim", "sim", "app", "python", "tests", "benchmarks")
-# Fewer arrows between folders than that, and the pattern of includes is wrong.
+# A smaller number of arrows between folders means that the pattern of includes is wrong.
 LEAST_ARROWS = 30
-# The floors of the program, from below: a folder includes its own and lower ones.
+# The floors of the program, lowest first. A folder includes its floor and lower floors.
 FLOORS = {"app": "io cad files pictures viewer report run console pipeline result exports goals print studio "
                  "sweep imports cli formats".split()}
-# Circles that still stand: "from -> to". Strike an arrow as soon as it is on no circle.
+# Circles that remain, as "from -> to". Remove an arrow as soon as it is on no circle.
 KNOWN = ()
 
 
 def arrows_of(root):
-    """Which folders of its own room each folder includes, and by which files."""
+    """Finds the folders of the same room that each folder includes, and the files that include them."""
     arrows = defaultdict(lambda: defaultdict(list))
     for room in ROOMS:
         for path in sorted(Path(root, room).rglob("*.[ch]pp")):
@@ -43,14 +43,14 @@ def reached_from(folder, arrows):
 
 
 def on_circles(arrows):
-    """Every arrow from whose end its start is reached again, with the files that make it."""
+    """Returns every arrow on a circle, with the files that make it."""
     reached = {folder: reached_from(folder, arrows) for folder in arrows}
     return {f"{folder} -> {other}": files for folder in arrows for other, files in arrows[folder].items()
             if folder in reached.get(other, ())}
 
 
 def upwards(arrows, room, floors):
-    """Every arrow between top folders of a room that leads up, and the folders that have no floor."""
+    """Returns every arrow between top folders of a room that leads up, and the folders without a floor."""
     for folder in sorted(arrows):
         for other in sorted(arrows[folder]):
             ends = [path.split("/")[1] for path in (folder, other) if path.split("/")[0] == room and "/" in path]
@@ -76,13 +76,13 @@ def complaints_about(root):
 
 
 def sees_a_circle():
-    """Proof that circles are found, also long ones, and what hangs on them is not."""
+    """Proves that the check finds circles, also long ones, and ignores folders that only lead to one."""
     around = {"a": {"b": []}, "b": {"c": []}, "c": {"a": [], "d": []}, "d": {}}
     return set(on_circles(around)) == {"a -> b", "b -> c", "c -> a"}
 
 
 def sees_a_way_up():
-    """Proof that an arrow to a higher floor is found, and one to a lower floor is none."""
+    """Proves that the check finds an arrow to a higher floor and ignores one to a lower floor."""
     arrows = {"app/low": {"app/high/deep": ["x"]}, "app/high": {"app/low": []}}
     return list(upwards(arrows, "app", ["low", "high"])) == ["app/low -> app/high/deep leads up: x"]
 

@@ -1,14 +1,14 @@
 #!/bin/bash
-# check_command_line.sh KINETIX_OPT SOURCE: manual page and completion know every command and option that --help names,
-# and no other.
+# check_command_line.sh KINETIX_OPT SOURCE: checks that the manual page and the completion have exactly the commands and
+# options that --help names.
 set -eu
 program=$1 source=$2 faults=0
 fault() { echo "check_command_line: $1" >&2; faults=1; }
 source "$source/app/cli/kinetix-opt.bash"
 
-# options_of TEXT: the long options that --help lists.
+# Prints the long options that --help lists. usage: options_of TEXT
 options_of() { grep -oE '^ +(-[a-z],)?--[a-z-]+' <<<"$1" | grep -oE -- '--[a-z-]+' | sort -u; }
-# completed WORD...: what completes the last word.
+# Prints the completions of the last word. usage: completed WORD...
 completed() {
   COMP_WORDS=(kinetix-opt "$@") COMP_CWORD=$# COMPREPLY=()
   _kinetix_opt

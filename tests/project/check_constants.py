@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""check_constants.py ROOT: every number has a reason, and every quantity a unit.
+"""check_constants.py ROOT: checks that every number has a reason and every quantity a unit.
 
-1. Each constant of a file or class that holds numbers has a comment of three words or more: on its first or
-   last line, on the lines above, or above the block of constants (without an empty line in between) it is in.
-   Constants that are texts, tables of names or NaN need none.
-2. Each public field of doubles in a header names its unit: by the end of its name (edge_mm), in its comment,
-   in the comment above the block of fields it is in, or in the docstring of its type.
+1. Each numeric constant of a file or class has a comment of three words or more. The comment is on its first or
+last line, on the lines above, or above its block of constants (without an empty line in between). Constants that
+are texts, tables of names or NaN need no comment.
+2. Each public field of doubles in a header has a unit. The unit is at the end of its name (edge_mm), in its
+comment, in the comment above its block of fields, or in the docstring of its type.
 """
 import pathlib
 import re
@@ -14,10 +14,10 @@ import sys
 ROOMS = ("model", "targets", "optim", "sim", "app", "tests", "benchmarks", "examples", "kinetix", "python")
 ROOMS_OF_FIELDS = ("model", "targets", "optim", "sim", "app", "python")
 LEAST_WORDS = 3
-# Fewer than that, and the reader of sources below is wrong.
+# Smaller numbers mean that the reader of sources below is wrong.
 LEAST_CONSTANTS, LEAST_FIELDS = 300, 300
 
-# Words of a comment that say what a number is counted in: of the field's own comment, or of its type's.
+# Units in the comment of a field or of its type.
 UNITS = (
     r"mm2?", r"mm\^[23]", r"millimetres?", "cm", "metres?", "inch(es)?",  # lengths
     "cell edges?", "edges?", "edge lengths?", r"edge\^2", "wall heights?", "px", "pixels?",
@@ -29,7 +29,7 @@ UNITS = (
     "unit length", "unit vectors?", "unit normals?", "unit cube", "rotation matrix", "quaternion",
     "units? of", r"in (\w+ )?units?", r"(its|their|\w+['’]s) units?",
 )
-# Words that do so beside the field alone: in a docstring they may mean something else.
+# Words that are units only in the comment of the field itself. In a docstring they may mean something else.
 RELATIONS = ("shares?", "parts?", "mass(es)?", "over the", "times", "multiple", "per", "counts?", "number of",
              "probabilit(y|ies)", "chance", "correlation", "quantiles?", "logarithms?")
 
@@ -48,7 +48,7 @@ DOUBLES = re.compile(r"\b(double|float|SparseMatrix|(Row)?Vector[0-9X]+d?|Matrix
 
 
 class Scope:
-    """A pair of braces: of a namespace, a type (with its docstring) or anything else."""
+    """A pair of braces of a namespace, a type (with its docstring) or anything else."""
 
     def __init__(self, kind, docstring="", is_public=True):
         self.kind, self.docstring, self.is_public = kind, docstring, is_public
@@ -62,7 +62,7 @@ class Statement:
 
 
 def split_comments(text):
-    """Code without comments, texts replaced by "", and the comment of each line. Lines keep their numbers."""
+    """Separates code and comments: code with empty texts, and the comment of each line. Line numbers do not change."""
     code, comments = [], [""] * (text.count("\n") + 1)
     pattern = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|'
                          r"(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])+'", re.S)
@@ -90,7 +90,7 @@ class Source:
         self.statements = list(self.read(code))
 
     def read(self, code):
-        """The statements of namespaces and types, not those within functions and initialisers."""
+        """Yields the statements of namespaces and types, except those inside functions and initialisers."""
         scopes, text, first, line = [Scope("namespace")], "", None, 0
         hidden, is_body, brackets = 0, False, 0
         for c in code:
@@ -98,7 +98,7 @@ class Source:
                 line += 1
                 text += " " if text else ""
                 continue
-            if hidden:  # within a function or an initialiser, in so many braces
+            if hidden:  # inside a function or an initialiser, `hidden` braces deep
                 hidden += {"{": 1, "}": -1}.get(c, 0)
                 text += c
                 if not hidden and is_body:
@@ -141,22 +141,23 @@ class Source:
 
     @staticmethod
     def is_function(head):
-        """Whether a brace behind `head` opens the body of a function or enum and no initialiser: bodies stand
-        apart from what is before them, those of members do not, and the others follow a `=`."""
+        """Checks whether a brace after `head` opens the body of a function or enum, not an initialiser. A space
+        precedes the brace of a body but not that of a member's initialiser. Other initialisers follow a `=`."""
         if not head[-1:].isspace():
             return False
         opened = re.search(r"[=(]", re.sub(r"\boperator\s*[=<>!+*/-]+", "operator", head))
         return bool(opened) and opened[0] == "(" or bool(re.match(r"\s*(typedef )?enum\b", head))
 
     def is_comment(self, line):
-        """Whether the line is a comment for what follows: without code, and it continues no trailing one."""
+        """Checks whether the line is a comment for the code below: it has no code and does not continue a trailing
+        comment."""
         return self.is_bare(line) and not self.continues(line)
 
     def is_bare(self, line):
         return 0 <= line < len(self.lines) and not self.lines[line].strip() and bool(self.comments[line])
 
     def continues(self, line):
-        """Whether a comment beside code goes on in this line, at the same column."""
+        """Checks whether a comment beside code continues in this line, in the same column."""
         above = line - 1
         while self.is_bare(above) and self.columns[above] == self.columns[line]:
             above -= 1
@@ -164,14 +165,14 @@ class Source:
             bool(self.comments[above]) and self.columns[above] == self.columns[line]
 
     def above(self, line):
-        """The comment that ends on the line before."""
+        """Returns the comment that ends on the line before."""
         first = line
         while self.is_comment(first - 1):
             first -= 1
         return "".join(self.comments[first:line])
 
     def end(self, statement):
-        """Its last line, with the lines by which its trailing comment goes on."""
+        """Returns the last line of a statement, including the lines that continue its trailing comment."""
         line = statement.last
         while self.continues(line + 1):
             line += 1
@@ -202,7 +203,7 @@ def name_of(s):
 
 
 def field_names(s):
-    """Names that a field declares: more than one in `double lower = 0, upper = 1`."""
+    """Returns the names that a field declares: more than one in `double lower = 0, upper = 1`."""
     code = re.sub(r"<[^<>]*>", "", re.sub(r"<[^<>]*>", "", s.code))
     code = re.sub(r"\([^()]*\)|\{[^{}]*\}", "", code)
     return [re.split(r"[=\[]", part)[0].split()[-1].strip("&*") for part in code.split(",") if part.split()]
@@ -225,7 +226,7 @@ def has_reason(source, s, block_comment):
 
 
 def with_block_comments(source, statements):
-    """Each statement with the comment above the block of consecutive ones to which it belongs."""
+    """Yields each statement with the comment above its block of consecutive statements."""
     last, comment = None, ""
     for s in statements:
         if last is None or s.first != last + 1:
@@ -259,7 +260,7 @@ def fields_without_unit(source):
 
 
 def sees_what_it_should():
-    """Proof that the sources are read rightly: what is found in a small one."""
+    """Proves on a small source that the check reads sources correctly."""
     source = Source("""namespace a {
 constexpr double bare = 1;
 constexpr double fine = 2;  // mm: twice the first

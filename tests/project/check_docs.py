@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Checks that the documentation holds together. usage: check_docs.py SOURCE_FOLDER
+"""Checks the documentation. usage: check_docs.py SOURCE_FOLDER
 
-Every page that is cited anywhere exists, and so does the section cited; every relative link of a page leads
-somewhere, and so does every path of the repository that a page names; the figures on disk are what docs/figures/draw.py draws, and each is shown somewhere; every package
-is in the table of licences.
+Every cited page and section exists. Every relative link of a page leads to a file, and every path that a page
+names exists. The figures on disk are those that docs/figures/draw.py draws, and each figure is shown on a page.
+Every package is in the table of licences.
 """
 import os
 import re
@@ -12,24 +12,24 @@ import sys
 import tempfile
 from pathlib import Path
 
-# Also inputs of fuzzers, which are no text.
+# Folders without documentation. The inputs of fuzzers (corpus) are not text.
 SKIPPED = {".git", "build", "results", "__pycache__", "node_modules", "corpus"}
 CODE = {".hpp", ".cpp", ".in", ".py", ".cmake", ".sh", ".js", ".mjs", ".html", ".css", ""}
 TEXTS = CODE | {".md", ".txt", ".yaml", ".json"}
 SELF = "tests/project/check_docs.py"  # cites pages that do not exist, to see that it notices
-# Pages and folders that are cited already and still to be written. One that exists must not stand here.
+# Pages and folders that are cited before they are written. Existing ones must not be listed here.
 PROMISED = set()
-# Fewer than this in the whole repository mean that the patterns below find nothing, not that all is well.
+# Fewer than this in the whole repository mean that the patterns below match nothing.
 LEAST_CITATIONS, LEAST_LINKS, LEAST_PATHS = 40, 40, 100
 
 CITATION = re.compile(r"(?<![\w$/}.-])((?:[\w.-]+/)*[\w-]+\.md)\b(?:,? section (\d+))?")
 LINK = re.compile(r"!?\[(?:[^\[\]]|!?\[[^\]]*\]\([^)]*\))*\]\(([^)\s]+)\)")
 HEADING = re.compile(r"^#+ +(.*)$", re.MULTILINE)
 FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
-# Folders at the top of the repository: what begins with one of them is a path of it.
+# Folders at the top of the repository. A path of the repository begins with one of them.
 TOPS = "app|benchmarks|cmake|docs|examples|kinetix|model|optim|packages|python|sim|targets|tests"
 PATH = re.compile(rf"(?<![\w$/}}.<-])((?:{TOPS})/[\w./*<>-]+)")
-# Line ends within a comment, so that a citation may run over them.
+# Line breaks inside a comment. A citation may continue over them.
 COMMENT_BREAK = re.compile(r"\n\s*(?:///?<?|#|\*)? *")
 
 
@@ -64,7 +64,8 @@ def promises_kept(repository):
 
 
 def citations(repository):
-    """A page may be cited from the root, from the folder of the file that cites it, or from docs."""
+    """Yields citations of pages that do not exist. A citation may be relative to the root, to the citing file's
+    folder, or to docs."""
     for name, text in repository.texts.items():
         if name == SELF:
             continue
@@ -84,7 +85,7 @@ def has_section(page, number):
 
 
 def anchor(heading):
-    """As GitHub makes it."""
+    """Returns the anchor that GitHub makes from a heading."""
     plain = re.sub(r"<[^>]*>|[*`]", "", heading).strip().lower()
     return re.sub(r"[^\w\- ]", "", plain).replace(" ", "-")
 
@@ -108,7 +109,8 @@ def links(repository):
 
 
 def paths(repository):
-    """In pages and in what they are made of. A path may leave out the ending of its file, and end in a <name>."""
+    """Yields paths that do not exist in pages and their sources. A path may omit the ending of its file, and may end
+    in a <name>."""
     for name in repository.pages + [name for name in repository.texts if name.endswith("page.in")]:
         for path in PATH.findall(repository.texts[name]):
             repository.paths += 1
@@ -154,7 +156,7 @@ def enough(repository):
 
 
 def sees_what_is_wrong():
-    """Proof on a small repository that the checks find what they are for, and nothing else."""
+    """Proves on a small repository that the checks find their faults and nothing else."""
     wrong = {
         "a.hpp": ("/// (gone.md section 1)\n", "gone.md, which does not exist"),
         "b.hpp": ("/// As kinematics.md\n/// section 9 says.\n", "no such section"),

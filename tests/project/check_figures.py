@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
-"""check_figures.py ROOT: figures in the documentation are those of the table in benchmarks/README.md, as far as they are written out."""
+"""check_figures.py ROOT: checks that figures in the documentation match the table in benchmarks/README.md, to the
+digits given."""
 import pathlib
 import re
 import sys
 
 NUMBER = r"(-?[0-9][0-9 ]*(?:\.[0-9]+)?(?:e[-+]?[0-9]+)?)"
 
-# Page, a passage with # for each figure; row of the table by its beginning, its measured text with # for the same figures; unit of the
-# row over that of the page.
+# Entries: page; passage with # for each figure; first words of the table's row; its measured text with # for the same
+# figures. The last entry is the unit of the row divided by that of the page.
 FIGURES = [
     ("README.md", "Folding it takes # millionths of a second", "one state of a 40-column strip", "# us", 1),
     ("README.md", "A letter T on 10 × 10 cells takes # seconds in all", "letter_t.yaml, whole run", "# s", 1),
@@ -58,7 +59,7 @@ def found(passage, text):
 
 
 def same(written, measured):
-    """Whether the measured number, rounded as the written one is, is that one."""
+    """Checks whether the measured number, rounded like the written number, equals it."""
     digits = re.sub(r"e.*", "", written)
     if "." in digits:
         return abs(float(written) - measured) <= 0.5000001 * 10 ** -len(digits.split(".")[1])

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Every source is laid out as .clang-format says (mend: make format). Another version formats a little differently.
+# Checks that every source has the layout of .clang-format (mend: make format). Other versions give slightly different
+# layouts.
 # usage: check_format.sh SOURCE_FOLDER
 set -euo pipefail
 cd "$1"

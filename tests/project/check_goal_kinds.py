@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""check_goal_kinds.py ROOT: a kind of goal has folders of its own, and no other file of the program names it."""
+"""check_goal_kinds.py ROOT: checks that a kind of goal has separate folders, and that no other file of the program
+names it."""
 import pathlib
 import re
 import sys
 
 root = pathlib.Path(sys.argv[1])
-# What several kinds have in common has a folder of its own.
+# Folders with code that several kinds of goals share.
 shared = {"app/goals/ribs/": ("helmet", "surface")}
 kinds = sorted(path.name for path in (root / "app/goals").iterdir() if path.is_dir() and f"app/goals/{path.name}/" not in shared)
 registries = {"app/goals/registry.cpp", "app/report/js/goals.js", "app/viewer/src/studio/goals.js"}
@@ -20,7 +21,8 @@ def is_own(file, kind):
 
 
 def namings(kind):
-    """Includes of its folders, its types, members and literals; a label of the summary and the ending of a file are none."""
+    """Matches includes of its folders, its types, members and literals. A label of the summary and the ending of a
+    file do not count."""
     type_name = "".join(word.capitalize() for word in kind.split("_"))
     return re.compile(rf"(?:goals|optim|targets)/{kind}/|\b{type_name}[A-Z]\w+|(?:\.|->){kind}\b(?! *\(|\")|"
                       rf"(?<!line\()[\"']{kind}[\"']|\b{kind}(?:_kind|Goal|Section|Verdict)\b")

@@ -1,10 +1,11 @@
 #!/usr/bin/python3
-"""Sources that are compiled as one do not call each other's own functions: no two of one name take the same but for numbers.
+"""Checks that sources compiled as one unit do not call each other's local functions.
 
 usage: check_joined.py BUILD_FOLDER SOURCE_FOLDER
 
-What is joined is read from the build's own unity files. Of types, variables and functions that are there twice in the same
-words the compiler says so itself; but where one file has f(double) and another f(int), f(1) goes to the second from both.
+No two local functions with one name may differ only in number types. The joined files are read from the build's
+unity files. The compiler itself reports types, variables and functions that are defined twice with the same text.
+It does not report f(double) in one file and f(int) in another: f(1) then calls the second one from both files.
 """
 import re
 import sys
@@ -12,16 +13,16 @@ from collections import defaultdict
 from itertools import combinations
 from pathlib import Path
 
-# Fewer joined files than that, and the pattern of unity files is wrong.
+# A smaller number of joined files means that the pattern of unity files is wrong.
 LEAST_UNITS = 20
-# A function at the start of a line, as clang-format leaves it: type, name, the opening of its parameters.
+# A function at the start of a line, in clang-format's layout: type, name, opening parenthesis.
 FUNCTION = re.compile(r"^(?!return\b|using\b|namespace\b|class\b|struct\b|enum\b|template\b|else\b|typedef\b|TEST|INSTANTIATE)"
                       r"[A-Za-z_\[][\w:<>,&*\s\[\]]*?[\s&*](\w+)\(", re.M)
 NUMBERS = {"int", "double", "bool", "float", "long", "unsigned", "char", "size_t", "auto", "Index"}
 
 
 def own_text(text):
-    """What stands in unnamed namespaces."""
+    """Returns the text inside unnamed namespaces."""
     return "\n".join(re.findall(r"^namespace \{$(.*?)^\}  // namespace$", text, re.M | re.S))
 
 
@@ -46,7 +47,7 @@ def split_at_commas(text):
 
 
 def type_of(parameter):
-    """Without its name, default, const, reference and namespaces."""
+    """Returns the type without name, default value, const, reference and namespaces."""
     declared = parameter.split("=")[0].strip()
     words = re.sub(r"\b(const|std|model|targets|optim|sim|app|testing|Eigen)\b(::)?|&", " ", declared)
     words = re.sub(r"\s+", " ", words).strip()
@@ -54,7 +55,7 @@ def type_of(parameter):
 
 
 def own_functions(text):
-    """(name, types, how many need no argument) of each function in an unnamed namespace."""
+    """Returns (name, types, number of required arguments) of each function in an unnamed namespace."""
     own = own_text(text)
     for match in FUNCTION.finditer(own):
         parameters = split_at_commas(inside_parentheses(own, match.end()))
@@ -62,7 +63,8 @@ def own_functions(text):
 
 
 def may_be_confused(a, b):
-    """Whether one call may fit both: as many arguments, and nowhere two types that are no numbers and differ."""
+    """Checks whether one call may fit both functions: equal numbers of arguments, and no two types that differ
+    except number types."""
     (types_a, optional_a), (types_b, optional_b) = a, b
     count = min(len(types_a), len(types_b))
     if count == 0 or count < len(types_a) - optional_a or count < len(types_b) - optional_b or types_a == types_b:
@@ -90,7 +92,7 @@ def complaints_about(build, source):
 
 
 def sees_what_may_be_confused():
-    """Proof that functions are found, and told apart by what is no number."""
+    """Proves that functions are found, and that types other than numbers distinguish them."""
     text = ("void outer(int a) {}\nnamespace {\n\nconst std::vector<int>& first(double x, const model::Lattice& s = {}) {\n"
             "  second(x);\n}\nconstexpr double third = 3;\n}  // namespace\nint fifth() {}\n")
     return (list(own_functions(text)) == [("first", ("double", "Lattice"), 1)]

@@ -1,7 +1,7 @@
 cmake_minimum_required(VERSION 3.22)
-# What knows of bodies, hinges and plates alone knows of no lattice; and columns, rows and the checkerboard are
-# counted in model/lattice, in the grid of a display, and where files are read. `owed` are the places that still
-# count them elsewhere: none, and the list may not get longer.
+# Code for bodies, hinges and plates must not include a lattice. Columns, rows and the checkerboard are counted only in
+# model/lattice, in the grid of a display, and in file readers.
+# `owed` lists other files that still count them. The list is empty and must not grow.
 set(lattice_free model/base model/linkage model/hinge model/closure model/contact model/opening model/elastic sim)
 set(readers "model/lattice/|targets/display/|targets/document/|targets/drawing/|app/files/|read_[a-z_]+[.]cpp$|_file[.][ch]pp$")
 set(owed)

@@ -1,6 +1,6 @@
 cmake_minimum_required(VERSION 3.22)
-# Each room includes only the rooms below it, vendor headers stay out of headers, and every type has a name of its
-# own: two layouts under one name would link without a word and corrupt memory.
+# Each room includes only the rooms below it, and vendor headers are not included in headers.
+# Every type has a unique name: two layouts with one name would link without an error and corrupt memory.
 set(allowed_model model)
 set(allowed_targets model targets)
 set(allowed_optim model targets optim)

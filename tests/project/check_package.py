@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """check_package.py BUILD SOURCE SCRATCH: the .deb installs into a clean root, and the README's demo runs from there.
 
-Installed by dpkg with a root and a database of its own; who is not root unpacks it instead. What it depends on is taken from
-this machine, where every library that the program loads must be found.
+dpkg installs it with a separate root and database; without root rights it is unpacked instead. Its dependencies
+are those of this machine, which must contain every library that the program loads.
 """
 import json
 import os
@@ -13,8 +13,8 @@ import subprocess
 import sys
 
 build, source, scratch = (pathlib.Path(folder).resolve() for folder in sys.argv[1:])
-# What the package promises, one each: program, manual, completion, schema, library, headers, how CMake finds it,
-# documentation, examples, targets.
+# The promised files, one per kind: program, manual, completion, schema, library, headers, CMake package, documentation,
+# examples, targets.
 DOC = "share/doc/kinetix"
 PROMISED = ["bin/kinetix-opt", "share/man/man1/kinetix-opt.1*", "share/bash-completion/completions/kinetix-opt",
             "share/kinetix/target.schema.json", "lib/libkinetix_model.a", "lib/kinetix/modules/kinetix-cad.so", "lib/kinetix/modules/kinetix-read-step", "lib/kinetix/modules/kinetix-mesh.so", "include/kinetix/kinetix.hpp",
@@ -37,7 +37,7 @@ def package():
 
 
 def installed(file):
-    """The root into which the package was installed."""
+    """Returns the root into which the package was installed."""
     root = scratch / "root"
     if os.geteuid():
         root.mkdir()
@@ -63,7 +63,7 @@ def check_files(file, root):
 
 
 def check_dependencies(file, program):
-    """Every shared library that the program loads is of a package that it depends on, or that one of those brings along."""
+    """Checks that every shared library the program loads is in a package that it depends on, directly or indirectly."""
     if "not found" in run("ldd", program):
         sys.exit(run("ldd", program))
     needed = re.findall(r"NEEDED\s+(\S+)", run("objdump", "-p", program))
@@ -74,7 +74,7 @@ def check_dependencies(file, program):
 
 
 def check_demo(root):
-    """The demo of the Makefile, from the package alone, prints what the README shows."""
+    """Checks that the demo of the Makefile prints what the README shows, from the package alone."""
     (line,) = re.findall(r"^demo: .*\n\t(.*)$", (source / "Makefile").read_text(), re.MULTILINE)
     words = line.split()
     folder = scratch / "demo"
@@ -89,7 +89,7 @@ def check_demo(root):
     result = json.loads((folder / words[-1] / "result.json").read_text())
     if not result["metrics"]["met"]:
         sys.exit("the demo misses its goal")
-    # By a module, which the program must find beside itself.
+    # STEP export needs a module, which the program must find next to itself.
     run(root / "usr/bin/kinetix-opt", "export", folder / words[-1], "--format", "step", "--quiet", cwd=folder)
     if not list(folder.glob("**/*.step")):
         sys.exit("no STEP file was written")

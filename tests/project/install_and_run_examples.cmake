@@ -1,5 +1,5 @@
-# Installs the build into a scratch prefix, builds the examples against it as a stranger's project would be, and checks
-# the numbers that they print against closed forms.
+# Installs the build into a scratch prefix and builds the examples against it, as an external project would. Then
+# compares the numbers that they print with closed forms.
 file(REMOVE_RECURSE ${SCRATCH})
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE errors)
@@ -9,7 +9,7 @@ function(run)
   set(printed "${out}" PARENT_SCOPE)
 endfunction()
 
-# The number that a line of `printed` has in the parentheses of the regex lies from least to most.
+# Checks the number in the parentheses of `regex` in a line of `printed`: it must be from `least` to `most`.
 function(expect regex least most)
   if(NOT printed MATCHES "${regex}")
     message(FATAL_ERROR "no line matches \"${regex}\" in\n${printed}")
@@ -34,14 +34,15 @@ run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix)
 
 set(number "(-?[0-9.]+(e[-+][0-9]+)?)")
 
-# Builds the examples by a compiler with flags of a stranger's choice, and runs them.
+# Builds the examples with another compiler and with flags that a user may choose, and runs them.
 function(build_and_run name compiler flags)
   set(build ${SCRATCH}/${name})
   run(${CMAKE_COMMAND} -S ${SOURCE}/examples -B ${build} -G Ninja -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix
       -DCMAKE_CXX_COMPILER=${compiler} -DCMAKE_CXX_FLAGS=${flags})
   run(${CMAKE_COMMAND} --build ${build})
 
-  # 20 cells of 11 mm over 188.5 mm of curve, shortened by about the cosine of the fold angle: acos(188.5 / 220) = 31 deg.
+  # The strip has 20 cells of 11 mm over 188.5 mm of curve. It is shortened by about the cosine of the fold angle:
+  # acos(188.5 / 220) = 31 deg.
   run(${build}/fit_curve)
   expect("off the half circle by ${number} mm" 0 0.2)
   expect("fold angle ${number} deg" 27 35)
@@ -59,9 +60,10 @@ function(build_and_run name compiler flags)
   expect("folded: turns by ${number} deg" 179.9 180.1)
   expect("height ${number} of 10 mm" 8.999 9.001)
 
-  # The arch is a chain on a circle: psi = atan(tan(tilt) sin(theta)), chords of 10 cos(theta) cos(psi) mm that turn by
-  # 2 psi, rise = radius (1 - cos(20 psi)). Over the two normal distributions, by quadrature: mean 58.2157 mm, variance
-  # 0.33332 mm^2, of which 0.8510 (tilt) and 0.1443 (fold angle) by themselves, 0.8557 and 0.1490 in all.
+  # The arch is a chain on a circle: psi = atan(tan(tilt) sin(theta)). Its chords of 10 cos(theta) cos(psi) mm turn by 2
+  # psi, and rise = radius (1 - cos(20 psi)).
+  # Quadrature over the two normal distributions gives a mean of 58.2157 mm and a variance of 0.33332 mm^2. First-order
+  # shares of the variance: 0.8510 (tilt) and 0.1443 (fold angle). Total shares: 0.8557 and 0.1490.
   run(${build}/sweep)
   expect("of ${number} samples" 4096 4096)
   expect("rise ${number} mm" 58.205 58.225)
@@ -81,7 +83,7 @@ build_and_run(plain ${COMPILER} "-O2 ${FLAGS}")
 if(FLAGS)
   return()
 endif()
-# Wider vectors change how Eigen aligns memory, which is part of the library's binary interface.
+# Wider vectors change Eigen's memory alignment, which is part of the library's binary interface.
 find_program(CLANG NAMES clang++ clang++-14 REQUIRED)
 foreach(flags -mavx2 -march=native)
   build_and_run(gcc${flags} ${COMPILER} "-O2 ${flags}")
@@ -89,7 +91,7 @@ foreach(flags -mavx2 -march=native)
 endforeach()
 build_and_run(clang ${CLANG} "-O2")
 
-# Without the target's flags a program must not compile: it would die at run time.
+# A program without the target's flags must not compile, since it would crash at run time.
 file(WRITE ${SCRATCH}/bare.cpp "#include <kinetix/kinetix.hpp>\nint main() {}\n")
 execute_process(COMMAND ${COMPILER} -std=c++20 -mavx2 -fsyntax-only -I${SCRATCH}/prefix/include -I${SCRATCH}/prefix/include/kinetix
                         -I/usr/include/eigen3 ${SCRATCH}/bare.cpp

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs every kinetix-opt command of the README with the program under test, and its first design of one's own, and
-# compares the output of the one run that is shown in full.
+# Runs every kinetix-opt command of the README with the program under test. Also runs the README's first design, and
+# compares the output of the run that is shown in full.
 # usage: readme.sh PROGRAM SOURCE_FOLDER SCRATCH_FOLDER
 set -euo pipefail
 program=$1 source=$2 scratch=$3
@@ -26,7 +26,7 @@ first=$(awk '/^```sh$/ {block = ""; inside = 1; next}
 bash -euo pipefail -c "$first"
 [ -s results/wave/report.html ] || { echo "the first design of the README writes no report"; exit 1; }
 
-# The run that is shown: equal but for times and the last digits of the physics run.
+# Filters the displayed run: times and the last digits of the simulation may differ.
 steady() { grep -vE '^  (search|physics) ' | head -n 5; }
 shown=$(sed -n '/^helmet_rib: /,/^```/p' "$source/README.md" | grep -v '^```' | steady)
 measured=$(build/release/bin/kinetix-opt targets/shapes/helmet_rib.yaml -o results/helmet_rib --quiet | steady)

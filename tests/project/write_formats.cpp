@@ -25,8 +25,8 @@ std::string schema_file(const std::string& name) { return "app/schema/" + name +
 
 }  // namespace
 
-/// usage: kinetix-formats SOURCE_FOLDER. Writes docs/formats.md and the JSON Schemas of the files that the
-/// program reads, from the tables that it reads them by.
+/// Writes docs/formats.md and the JSON Schemas of input files from the tables of their readers.
+/// usage: kinetix-formats SOURCE_FOLDER
 int main(int argc, char** argv) {
   try {
     root = std::string(argc > 1 ? argv[1] : ".") + "/";

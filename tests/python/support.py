@@ -1,4 +1,4 @@
-"""What the tests of the module share."""
+"""Shared parts of the module's tests."""
 
 import json
 import math
@@ -43,7 +43,7 @@ def numbers_of(poses):
 
 
 class Scratch(unittest.TestCase):
-    """A test with a folder of its own, `self.folder`."""
+    """Test with a temporary folder, `self.folder`."""
 
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()

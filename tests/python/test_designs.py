@@ -115,7 +115,7 @@ class Designs(Scratch):
         np.testing.assert_allclose(rates[names.index("theta"), :, :3], by_theta, atol=1e-7)
 
     def test_derivatives_by_the_places_of_hinges_are_those_of_central_differences(self):
-        """Of an upright sheet: column 1 and row 0, whose hinges from the lower body are at t of class A or 1 - t of class B."""
+        """Column 1 and row 0 of an upright sheet: from the lower body, hinges are at t of class A or at 1 - t of class B."""
         sheet = kinetix.Design({"kinetix": 1, "structure": {"cells": [[0, 0], [1, 0], [1, 1]], "cell_mm": 5}}).with_theta(0.4)
         names, rates = sheet.derivatives()
         for name, along, line in (("t[1]", 0, 1), ("s[0]", 1, 0)):

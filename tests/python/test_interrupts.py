@@ -1,4 +1,4 @@
-"""Ctrl-C, as a terminal sends it: to a program of its own."""
+"""Ctrl-C, sent to a separate program as a terminal sends it."""
 import signal
 import subprocess
 import sys
@@ -49,7 +49,7 @@ except KeyboardInterrupt:
 
 
 def interrupted(script, times, calls=3):
-    """Output of a program that gets so many interrupts once it has printed so many lines, and what it says of them."""
+    """Interrupts a program `times` times after `calls` lines of output. Returns its last line of output and its errors."""
     run = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     for _ in range(calls):
         run.stdout.readline()

@@ -7,7 +7,7 @@ import kinetix
 
 SEED = 5
 print("seed", SEED)
-# Of tilts that leave every exact family, so that hinges stretch.
+# Tilts that leave every exact family, so that hinges stretch.
 TILTS = np.random.default_rng(SEED).uniform(-0.15, 0.15, 24)
 
 
@@ -36,7 +36,7 @@ def pressed(*arguments, **options):
 
 
 def span(result):
-    """Between two far bodies, mm."""
+    """Returns the distance of two far bodies, mm."""
     line = result.state("equilibrium").positions
     return np.linalg.norm(line[13] - line[1])
 

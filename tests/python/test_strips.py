@@ -19,7 +19,7 @@ def random_strips(count, columns):
 
 
 def as_design(beta, theta, cell_mm, t=None):
-    """The same strip as a design with all its hinges."""
+    """Returns a strip as a design with all its hinges."""
     sheet = kinetix.Design({"kinetix": 1, "structure": {"cells": [len(beta), 1], "cell_mm": cell_mm}})
     tilts, fractions = sheet.beta.copy(), sheet.t.copy()
     for hinge, wall in enumerate(sheet.walls):
@@ -145,7 +145,7 @@ class Strips(Scratch):
 
 
 def rotation_between(before, after):
-    """The small turn from one pose to the next, as a vector in space."""
+    """Returns the small turn from one pose to the next, as a vector in space."""
     w, v = before[3], before[4:7]
     W, V = after[3], after[4:7]
     return 2 * (w * V - W * v - np.cross(V, v)) * np.sign(w * W + v @ V)

@@ -20,7 +20,7 @@ struct Limit {
   }
 };
 
-/// A target file that is run from end to end.
+/// Target file that is run from end to end.
 struct Prototype {
   std::string name;
   std::string target;  ///< in targets/shapes
@@ -33,7 +33,7 @@ inline std::optional<double> number_at(const nlohmann::json& json, const char* k
   return json.contains(key) ? std::optional(json.at(key).get<double>()) : std::nullopt;
 }
 
-/// All of them. @param source folder of the project
+/// Reads all prototypes. @param source folder of the project
 inline std::vector<Prototype> read_prototypes(const std::string& source) {
   std::vector<Prototype> prototypes;
   for (const auto& json : nlohmann::json::parse(text_of(source + "/tests/regression/prototypes.json"))) {

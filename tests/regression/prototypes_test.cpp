@@ -8,7 +8,7 @@ namespace kinetix::testing {
 
 void PrintTo(const Prototype& prototype, std::ostream* out) { *out << prototype.target; }
 
-/// For test names: `helmet_rib` of `helmet_rib.yaml`.
+/// Returns the file's stem for test names: `helmet_rib` of `helmet_rib.yaml`.
 std::string stem(const ::testing::TestParamInfo<Prototype>& info) {
   return fs::path(info.param.target).stem().string();
 }

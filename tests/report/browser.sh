@@ -1,4 +1,4 @@
-# Sourced: draws a report in a browser and looks at what came out. Leaves a folder $work.
+# Sourced: draws a report in a browser and checks the result. Leaves a folder $work.
 fail() { echo "$(basename "$0" .sh): $1" >&2; exit 1; }
 command -v chromium >/dev/null || fail "chromium is missing; it is listed in packages/tests.txt"
 
@@ -31,14 +31,14 @@ window.dispatchEvent(new Event("afterprint"));
 document.documentElement.dataset.faults = faults.join("; ");
 document.documentElement.dataset.used = "true";
 </script>'
-# Ends with 124 where the browser does not end. One that starts while all cores are busy may wait for its own processes for ever.
+# Ends with 124 if the browser does not end. One that starts while all cores are busy may wait for its own processes for ever.
 look() {
   rm -rf "$work/profile"
   timeout 90 chromium --headless --no-sandbox --disable-gpu --enable-unsafe-swiftshader --disable-quic --no-first-run \
     --disable-background-networking --disable-component-update --disable-sync --user-data-dir="$work/profile" --enable-logging=stderr --v=0 \
     --window-size=1000,2000 --dump-dom "file://$work/report.html" >"$work/dom" 2>"$work/log"
 }
-# Asks again where it hung, and only there. Ends as the last one did.
+# Repeats a run only if it hung. Ends as the last run did.
 look_until_it_ends() {
   for _ in 1 2 3; do
     ended=0
@@ -52,7 +52,7 @@ draw() {
   cp "$1" "$work/report.html"
   echo "$use_controls" >>"$work/report.html"
   look_until_it_ends || fail "chromium ended with an error: $(tail -5 "$work/log")"
-  # What drivers remark on reading pictures back, and that a script may not fill the screen, is the tests' own doing.
+  # The tests themselves cause two messages: drivers complain about reading pictures back, and a script may not fill the screen.
   ! grep CONSOLE "$work/log" | grep -vE 'GL Driver Message|software WebGL|requestFullscreen' || fail "the browser's console is not silent"
   holds 'data-ready="true"'
   holds 'data-used="true"'

@@ -13,7 +13,7 @@
 namespace kinetix::app {
 namespace {
 
-// Around the result in the page.
+// Tags around the result in the page.
 const std::string data_start = R"(<script type="application/json" id="result">)";
 const std::string script_end = "</script>";
 
@@ -23,7 +23,7 @@ std::string sample() {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// What a browser takes as the data: up to the first end tag.
+/// Returns the data as a browser reads it: up to the first end tag.
 std::string data_of(const std::string& page) {
   const std::size_t from = page.find(data_start) + data_start.size();
   return page.substr(from, page.find(script_end, from) - from);

@@ -80,7 +80,7 @@ drawn factors "times the base's"
 drawn factors "added to the base's"
 drawn response-0 'samples, 2500 in all'
 drawn response-0 '2000 of 2500 samples, drawn by lot'
-# Factors of one kind with other values each: all are told, not the first factor's alone.
+# Factors of one kind with different values each: the report lists all, not only the first factor's.
 cat >"$work/kinds.yaml" <<END
 kinetix: 1
 base: crease.yaml

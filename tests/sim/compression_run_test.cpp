@@ -97,7 +97,7 @@ TEST(CompressionRun, ReachesTheSameStateByADrivenHinge) {
   }
 }
 
-/// Nothing but the cord holds rotary hinges back: a sheet that coasts ahead of it would stay there.
+/// Only the tendon holds revolute joints back: a sheet that coasts ahead of it would stay there.
 TEST(CompressionRun, FoldsAsFarAsItsCordGetsShorterAndNoFurther) {
   const model::Structure sheet = make_structure(model::rectangle(4, 3), {});
   std::vector<int> through;
@@ -127,7 +127,7 @@ TEST(CompressionRun, TurnsAHingeBeyondAQuarterTurn) {
   }
 }
 
-/// A spine along y, one cell wide, whose even rows carry ribs; its odd rows and the ribs' columns bend.
+/// Returns a spine along y, one cell wide, whose even rows carry ribs. Its odd rows and the ribs' columns bend.
 model::Structure fishbone() {
   std::vector<model::Cell> cells;
   for (int j = 0; j < 5; ++j)

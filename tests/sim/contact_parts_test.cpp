@@ -103,7 +103,8 @@ struct ArmsAndStop {
   }
 };
 
-/// Where the corner of the stop at x = 12, y = 4 lies on the upper side of the last arm: as far off its middle line as that is thick.
+/// Returns the state in which the corner of the stop at x = 12, y = 4 touches the upper side of the last arm. That is
+/// half the arm's thickness, 0.4 mm, off its middle line.
 model::State pressed_state(double phi) {
   const Eigen::Vector3d hinge(10 * std::cos(phi), 10 * std::sin(phi), 0);
   const Eigen::Vector3d to_corner = Eigen::Vector3d(12, 4, 0) - hinge;

@@ -95,7 +95,7 @@ TEST(ConvexCuts, TakeATubeApartInEighthsWhereverItLies) {
   }
 }
 
-/// By two walls 0.07 mm apart at most: nearer to each other than watch points are to them, 0.8 of 0.1 mm.
+/// The slit's walls are at most 0.07 mm apart. That is nearer than watch points are to them, 0.8 of 0.1 mm.
 TEST(ConvexCuts, LeaveASolidWholeWithASlitNarrowerThanTheTolerance) {
   const Polyhedron slit =
       prism_over({{5, 2}, {4.965, 10}, {0, 10}, {0, 0}, {10, 0}, {10, 10}, {5.035, 10}}, 6);

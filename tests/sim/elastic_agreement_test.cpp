@@ -10,8 +10,7 @@
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/paper_scenes.hpp"
 
-/// The equilibrium model against the physics run: two programs that share the numbers of the hinges and
-/// walls.
+/// Compares the equilibrium model with the simulation. The two programs share only the numbers of the hinges and walls.
 namespace kinetix::sim {
 namespace {
 
@@ -88,7 +87,7 @@ TEST(ElasticAgreement, OfATwistingStripOnTheBarrierAndInContact) {
   EXPECT_LE(touching.comparison.distance.rms, 1e-2);
 }
 
-/// Were the sheet free to spin about the plates' normal, it would stand on edge and tip over, at no strain.
+/// A sheet that was free to spin about the plates' normal would turn on edge and tip over, without strain.
 TEST(ElasticAgreement, OfSheetsInSpaceBetweenPlates) {
   for (const model::Structure& s :
        {alternating(6, 6, twisting_unit, basic_unit), alternating(4, 4, twisting_unit, twisting_unit)})
@@ -104,7 +103,7 @@ TEST(ElasticAgreement, OfSheetsInSpaceBetweenPlates) {
 const model::HingeStiffness block{2000, 500, 700, 0.1}, pin{2000, 1900, 300, 0.1};
 constexpr double reach_mm = 1.8;
 
-/// One of the two at each hinge, in turn.
+/// Returns one of the two kinds at each hinge, in turn.
 model::Elasticity alternating_kinds(const model::Structure& s) {
   model::Elasticity whole = elasticity_of(block, reach_mm);
   for (std::size_t h = 0; h < s.hinges.size(); ++h)
@@ -134,8 +133,8 @@ TEST(ElasticAgreement, OfFramedHingesOnATwistingStrip) {
                           1e-3);
 }
 
-/// In space, driven by one hinge: nothing holds the strip from outside, and nothing may set it spinning as a whole. Blocks
-/// of rubber that turn stiffly pull far from along their gaps.
+/// One hinge drives the strip in space. Nothing holds it from outside, and nothing may set it spinning as a whole.
+/// Blocks of rubber that turn stiffly pull far from along their gaps.
 TEST(ElasticAgreement, OfAStripOfThickBlocksThatComesToRestInSpace) {
   const model::HingeStiffness thick = model::stiffness({.kind = model::HingeKind::block,
                                                         .material = *model::find_material("tango"),
@@ -176,7 +175,7 @@ TEST(ElasticAgreement, OfHeatedSpringsInSheetsThatMoveExactlyAndThatStrain) {
       1e-4);
 }
 
-/// @return rms distance of a sheet that a cord folds in both, cell edges
+/// @return rms distance of a sheet that a tendon folds in both, cell edges
 double corded_distance(const model::Structure& s, const std::vector<int>& through, double shorten_mm) {
   const model::Elasticity elasticity;
   const model::LinkageDrive drive = cord_drive(s, through, shorten_mm);
@@ -193,7 +192,7 @@ double corded_distance(const model::Structure& s, const std::vector<int>& throug
   return aligned_distance(s, run.state, path.state).rms;
 }
 
-/// Through the walls across a row of cells.
+/// Returns the hinges of the walls across a row of cells.
 std::vector<int> across(const model::Structure& s, int row, int columns) {
   std::vector<int> through;
   for (int i = 0; i <= columns; ++i) through.push_back(*s.hinge_at({{i, row}, model::Axis::y}));

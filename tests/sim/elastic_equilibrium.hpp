@@ -9,7 +9,7 @@
 
 namespace kinetix::testing {
 
-/// Energy of all hinges in units of k_point edge^2, as model/hinge/elasticity.hpp states it.
+/// Returns the energy of all hinges in units of k_point edge^2, as model/hinge/elasticity.hpp states it.
 inline double elastic_energy(const model::Structure& structure, const model::State& state,
                              const model::Stiffness& k) {
   const Eigen::VectorXd misfit = closure_residual(structure, state);
@@ -22,7 +22,7 @@ inline double elastic_energy(const model::Structure& structure, const model::Sta
   return energy;
 }
 
-/// Its derivative by the bodies' twists, by central differences.
+/// Returns the derivative of elastic_energy() by the bodies' twists, by central differences.
 inline Eigen::VectorXd elastic_gradient(const model::Structure& structure, const model::State& state,
                                         const model::Stiffness& k) {
   constexpr double step = 1e-5;
@@ -38,7 +38,7 @@ inline Eigen::VectorXd elastic_gradient(const model::Structure& structure, const
   return gradient;
 }
 
-/// Takes out what the plates hold (model/lattice/square/family/drive.hpp).
+/// Removes the part that the plates hold (model/lattice/square/family/drive.hpp).
 inline void drop_plate_forces(const model::Structure& structure, model::Axis axis,
                               Eigen::VectorXd& gradient) {
   const auto row = [&](model::Vertex v) { return axis == model::Axis::x ? v.i : v.j; };
@@ -58,7 +58,7 @@ inline void drop_plate_forces(const model::Structure& structure, model::Axis axi
   }
 }
 
-/// Takes out the moment of a driven hinge.
+/// Removes the moment of a driven hinge.
 inline void drop_hinge_moment(const model::Structure& structure, const model::State& state, int hinge,
                               Eigen::VectorXd& gradient) {
   std::vector<Eigen::Triplet<double>> entries;
@@ -68,8 +68,8 @@ inline void drop_hinge_moment(const model::Structure& structure, const model::St
   gradient -= moment.dot(gradient) / moment.squaredNorm() * moment;
 }
 
-/// Largest force or moment on a body that neither its neighbours nor the drive balance, over the largest
-/// force or moment that a turning or a pair of point springs exerts. No contacts.
+/// Returns the largest force or moment on a body that neither its neighbours nor the drive balance. It is divided by
+/// the largest force or moment of a turning spring or a pair of point springs. Contacts are not included.
 inline double imbalance(const model::Structure& structure, const model::Drive& drive,
                         const model::State& state, const model::Stiffness& k, bool planar) {
   Eigen::VectorXd gradient = elastic_gradient(structure, state, k);

@@ -31,7 +31,7 @@ model::Drive turn_of_wall(const model::Structure& structure, const model::Wall& 
   return model::HingeTurn{*structure.hinge_at(wall), angle};
 }
 
-/// The run settles, and the forces of the hinges balance.
+/// Runs the simulation, and checks that it settles with the forces of the hinges in balance.
 PhysicsResult settled(const model::Structure& structure, const model::Drive& drive,
                       const PhysicsOptions& options) {
   const PhysicsResult result = run_compression(structure, drive_on(structure, drive), options);
@@ -55,7 +55,7 @@ TEST(ElasticRun, FoldsAnExactStripBetweenPlatesAsRigidHingesDo) {
   }
 }
 
-/// Where no time is left to look on, nothing is known of whether parts still move.
+/// Without time to watch the parts, a run cannot know whether they still move.
 TEST(ElasticRun, IsNotSettledByStayingInPlaceForNoTime) {
   const auto design = strip({0.5, 0, 0.5, 0, 0.5, 0}, 0.5);
   const model::Structure structure = structure_of(design);
@@ -70,7 +70,7 @@ TEST(ElasticRun, IsNotSettledByStayingInPlaceForNoTime) {
   }
 }
 
-/// What moved while the last steps were looked at is at rest at the end.
+/// Parts that moved during the last watched steps are at rest at the end.
 TEST(ElasticRun, LeavesNoMotionWhereItComesToRestJustBeforeTheTimeIsUp) {
   const auto design = strip({0.5, 0, 0.5, 0, 0.5, 0}, 0.5);
   const model::Structure structure = structure_of(design);
@@ -103,7 +103,7 @@ TEST(ElasticRun, ComesToTheExactFoldFromOneHingeAsTheTurningSpringsSoften) {
   }
 }
 
-/// Behind the largest load, linearised steps lead past the equilibrium by more than they began before it.
+/// Past the largest load, linearised steps overshoot the equilibrium by more than they began before it.
 TEST(ElasticRun, ComesToRestWhereStepsLeadPastTheEquilibrium) {
   const model::Structure structure = structure_of(model::ExactDesign<double>::basic(1, 2));
   PhysicsOptions options = testing::physics_without_contact();
@@ -152,7 +152,8 @@ TEST(ElasticRun, EquilibriaTheTurningSpringsOfOneCellAgainstItsPoints) {
     }
 }
 
-/// Likewise with the stiffness along the wall: the other two do not come in.
+/// With c the compression, E = 2 axial (cos(theta) - 1 + c)^2 + 8 turn theta^2: only the stiffness along the wall
+/// counts.
 TEST(ElasticRun, PressesTheWallsOfOneCellByTheirAxialStiffness) {
   const model::Structure cell = make_structure(model::rectangle(1, 1), {});
   for (const double axial : {1.0, 0.5, 0.2}) {

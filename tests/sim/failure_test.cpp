@@ -89,7 +89,7 @@ TEST(FailedRun, ReportsWhatBlowsUp) {
   EXPECT_THAT(result.why, HasSubstr("blew up"));
 }
 
-/// One part that is nowhere, whichever it is, and no message that prints it.
+/// One part has no position, whichever it is, and no message prints it.
 TEST(FailedRun, SaysInWordsThatThereIsNoStateToCompare) {
   const model::Structure structure = structure_of(bent);
   for (const std::size_t part : {std::size_t{0}, structure.bodies.size() - 1})

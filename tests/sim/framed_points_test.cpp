@@ -12,11 +12,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Over 2 k_point: a block, a pin that slides on its rod, and one that is alike in all directions.
+// Ratios over 2 k_point: a block, a pin that slides on its rod, and a hinge that is equal in all directions.
 const std::vector<model::PointRatios> kinds{{1, 0.3, 0.5}, {0.9, 1, 0.2}, {0.4, 0.4, 0.4}};
 constexpr double step_s = 1e-3;  // s: any will do, forces do not depend on it
 
-/// What the two points of a hinge do to its two bodies, from rest: twists ordered as in model::Element.
+/// Returns the forces and moments of a hinge's two points on its two bodies, from rest, ordered as twists in
+/// model::Element.
 model::Vector12 pull_of(const model::RestHinge& hinge, const model::Stiffness& k, double edge_mm,
                         const model::State& state) {
   std::vector<VelocityRow> rows;

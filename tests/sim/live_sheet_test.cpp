@@ -26,13 +26,13 @@ sim::PhysicsOptions live(bool elastic = false) {
   return options;
 }
 
-/// How far a state is from the family's state of its own theta, cell edges.
+/// Returns how far a state is from its family's state at the same mean theta, cell edges.
 double off_family(const model::Structure& structure, const model::State& state) {
   const double theta = mean_theta(structure, state);
   return aligned_distance(structure, state, exact_motion(structure).at(theta)).max;
 }
 
-/// As one, so that body 0 stands as at rest.
+/// Returns the state moved as one rigid body, so that body 0 is as at rest.
 model::State moved_to_start(const model::State& state) {
   const Eigen::Matrix3d back = state[0].R.transpose();
   return moved(state, {back, -back * state[0].p});
@@ -118,7 +118,7 @@ TEST(LiveSheet, SaysTheEnergyOfTheElasticModel) {
   EXPECT_NEAR(sheet.hinge_energy_Nmm(), expected, 1e-9 * expected);
 }
 
-// What a hand that holds the strip at rest does on a short way is what its hinges take up.
+// A hand moves the strip, at rest, a short way. Its work is what the hinges store.
 TEST(LiveSheet, SaysTheForceOfTheHandThatTheEnergyAsksFor) {
   const model::Structure structure = structure_of(strip(curl(4, 0.4), 0));
   const model::Linkage linkage = structure;
@@ -149,7 +149,7 @@ TEST(LiveSheet, SaysTheForceOfTheHandThatTheEnergyAsksFor) {
   EXPECT_TRUE(std::isnan(sheet.hand_force_N())) << "no hand";
 }
 
-// Plates close in on the middle of the flat sheet, wherever it is when they take it.
+// Plates close in on the middle of the flat sheet, wherever it is when they grip it.
 TEST(LiveSheet, PlatesTakeItToTheMiddleBetweenThem) {
   const model::Structure structure = structure_of(strip(curl(8, 0.5), 0));
   const model::Linkage linkage = structure;
@@ -220,7 +220,7 @@ TEST(LiveSheet, ACordPullsAndDoesNotPush) {
   EXPECT_NEAR(mean_theta(arch.linkage, sheet.state()), folded, 0.05) << "a slack cord leaves it as it is";
 }
 
-/// Springs come as far as the hinges let them: the rest of both together.
+/// The springs fold the sheet as far as the hinges yield: to the rest state of both together.
 TEST(LiveSheet, SpringsOfShapeMemoryFoldIt) {
   const model::Structure structure = structure_of(strip(std::vector<double>(8, 0.0), 0));
   const model::Linkage linkage = structure;

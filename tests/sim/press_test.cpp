@@ -33,7 +33,7 @@ Pressed pressed(const model::Structure& sheet, const model::Axis axis, double th
   return out;
 }
 
-/// How far a body of a row is from its plate, towards the other one, cell edges.
+/// Returns how far a body of a row is from its plate, towards the other one, cell edges.
 double parted(const Pressed& p, int side, int body) {
   const int axis = p.drive.axis == model::Axis::x ? 0 : 1;
   const auto place = [&](int k) { return p.sheet.rest_position(p.drive.gripped[k].front())[axis]; };

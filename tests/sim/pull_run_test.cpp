@@ -52,7 +52,8 @@ TEST(PullRun, EndsInTheNearestClosedState) {
   EXPECT_LT(apart(tiles, physics), 1e-6);
 }
 
-/// Springs and the method of multipliers agree about which of many closed states that is: tiles on balls, one of them pulled away.
+/// Springs and the method of multipliers agree on one of many closed states. Tiles are on balls, one of them pulled
+/// away.
 TEST(PullRun, OfBallsThatCannotReachTheirTargetEndsThereToo) {
   model::TileSheet sheet = rotating_squares(4, 3, 0.6);
   for (model::TileJoint& joint : sheet.joints) joint.both_faces = false;

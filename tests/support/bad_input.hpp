@@ -9,7 +9,7 @@
 
 namespace kinetix::testing {
 
-/// A bad input, where it must be found, and what the message must say.
+/// Bad input, its expected place, and the words that the message must contain.
 struct BadInput {
   std::string text;
   int line, column;
@@ -33,7 +33,7 @@ void expect_refused(const BadInput& bad, const std::string& file, Read&& read) {
   }
 }
 
-/// What the message of the InvalidInput that f throws says; empty when it throws none.
+/// Returns the message of the InvalidInput that f throws; empty if it throws none.
 template <class F>
 std::string refusal(F&& f) {
   try {

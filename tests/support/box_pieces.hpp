@@ -4,7 +4,7 @@
 
 namespace kinetix::testing {
 
-/// A box along the axes as a piece of a body. @param middle, half mm
+/// Returns a box along the axes as a piece of a body. @param middle, half mm
 inline model::ContactPiece box_piece(int body, const Eigen::Vector3d& middle, const Eigen::Vector3d& half) {
   model::ContactPiece piece{body, {}, Eigen::MatrixX4d(6, 4)};
   for (const double x : {-1.0, 1.0})

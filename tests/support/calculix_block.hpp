@@ -13,7 +13,7 @@
 #include "model/matter/made_hinge.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-/// Hinges of soft material by CalculiX, a finite element program that knows none of their formulas.
+/// Stiffness of soft hinges from CalculiX, a finite-element program that shares none of their formulas.
 namespace kinetix::testing {
 
 /// A block of bricks with 20 nodes, x along the wall from 0 to L, y across it, z along the hinge's axis. With
@@ -44,7 +44,8 @@ class Bricks {
         << "\n*SOLID SECTION,ELSET=BLOCK,MATERIAL=SOFT\n";
   }
 
-  /// One end held, the other moved as a rigid body: a shift, and a turn about the middle of the block.
+  /// Writes a step that holds one end and moves the other as a rigid body: a shift, and a turn about the middle of the
+  /// block.
   void write_step(std::ostream& out, const Eigen::Vector3d& shift, const Eigen::Vector3d& turn) const {
     out << "*STEP\n*STATIC\n*BOUNDARY,OP=NEW\nHELD,1,3\n";
     const Eigen::Vector3d middle(block_.gap_mm / 2, 0, 0);
@@ -90,8 +91,8 @@ struct BlockStiffness {
 
 inline bool has_calculix() { return std::system("command -v ccx > /dev/null") == 0; }
 
-/// Twice the energy that each of six motions by `amount` (mm, rad) stores, over its square.
-/// @param count of bricks along the wall, across it and along the axis   @return nothing where the program fails
+/// Returns, for each of six motions by `amount` (mm, rad), twice the energy that it stores, over its square.
+/// @param count of bricks along the wall, across it and along the axis   @return empty if the program fails
 inline std::optional<BlockStiffness> calculix_stiffness(const model::MadeHinge& block,
                                                         const std::array<int, 3>& count) {
   constexpr double amount = 1e-3;
@@ -120,7 +121,7 @@ inline std::optional<BlockStiffness> calculix_stiffness(const model::MadeHinge& 
   return BlockStiffness{energies[0], energies[1], energies[2], energies[3], energies[4], energies[5]};
 }
 
-/// A block of these proportions, its length and height over its thickness. @param nu Poisson's ratio
+/// Returns a block of these proportions, its length and height over its thickness. @param nu Poisson's ratio
 inline model::MadeHinge block_of(double length, double height, double nu) {
   constexpr double t = 0.8;  // mm
   return {.kind = model::HingeKind::block,
@@ -130,7 +131,7 @@ inline model::MadeHinge block_of(double length, double height, double nu) {
           .height_mm = height * t};
 }
 
-/// The same in three bricks a thickness along the wall, at least six, and four across it.
+/// Returns the stiffness from three bricks per thickness along the wall, at least six, and four across it.
 inline std::optional<BlockStiffness> calculix_stiffness(const model::MadeHinge& block) {
   const double length = block.gap_mm / block.thickness_mm, height = block.height_mm / block.thickness_mm;
   return calculix_stiffness(block, {std::max(6, static_cast<int>(3 * length)), 4, height > 8 ? 20 : 12});

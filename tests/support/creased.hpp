@@ -11,13 +11,13 @@
 /// Planar structures with a crease, for tests.
 namespace kinetix::testing {
 
-/// Of the hinges of a crease, rad: steep enough that the law is not linear.
+/// Tilt of a crease's hinges, rad: steep enough that the law is not linear.
 constexpr double crease_tilt = 30 * radians_per_degree;
 
-/// A structure whose hinges along one line lean (kinematics.md section 6).
+/// Structure whose hinges along one line tilt (kinematics.md section 6).
 struct Creased {
   model::PlanarStructure structure;
-  double at = 0;  ///< of the crease, which runs along x: y at rest, cell edges
+  double at = 0;  ///< y at rest of the crease, which runs along x, cell edges
   std::vector<int> hinges;
 };
 
@@ -29,7 +29,7 @@ inline std::vector<int> walls_across(const model::PlanarGraph& graph, double y) 
   return walls;
 }
 
-/// A crease across the walls that it meets halfway: their hinges lean along it, one class to either side.
+/// Returns a crease across the walls that it meets halfway. Their hinges tilt along it, each class to one side.
 inline Creased creased(const model::PlanarGraph& graph) {
   Creased out{make_planar_structure(graph, {}), 0, {}};
   model::PlanarStructure& s = out.structure;
@@ -58,7 +58,7 @@ inline Creased creased(const model::PlanarGraph& graph) {
   return out;
 }
 
-/// The planar state, its upper part turned about the crease by rho.
+/// Returns the planar state with its upper part turned about the crease by rho.
 inline model::State folded(const Creased& c, double theta, double rho) {
   model::State state =
       fold(c.structure, model::Redrawing(c.structure.graph.vertices.size(), Eigen::Vector2d::Zero()), theta);
@@ -72,18 +72,18 @@ inline model::State folded(const Creased& c, double theta, double rho) {
   return state;
 }
 
-/// By the law of creases (kinematics.md section 6), rad.
+/// Returns the fold angle by the law of creases (kinematics.md section 6), rad.
 inline double fold_angle(double theta) { return 2 * std::atan(std::tan(crease_tilt) * std::sin(theta)); }
 
-/// Of the state that it folds to, whichever way is up.
+/// Returns the rms distance from the folded state, whichever way is up.
 inline double from_folded(const Creased& c, const model::State& state, double theta) {
   const double rho = fold_angle(theta);
   return std::min(aligned_distance(c.structure, state, folded(c, theta, rho)).rms,
                   aligned_distance(c.structure, state, folded(c, theta, -rho)).rms);
 }
 
-/// Walls along the columns of rhombi of angle g alternate s = -+cos(g) from row to row; those along rows are halved. Creases
-/// run along columns, in which walls are leant alike on both sides.
+/// Returns creased rhombi of angle g. Walls along the columns alternate s = -+cos(g) from row to row; those along rows
+/// are halved. Creases run along columns, in which walls tilt by equal amounts on both sides.
 inline model::PlanarStructure creased_rhombi(int columns, int rows, double angle) {
   model::PlanarStructure s =
       make_planar_structure(lattice_graph(model::rhombus_lattice, columns, rows, angle), {});
@@ -101,7 +101,7 @@ inline model::PlanarStructure creased_rhombi(int columns, int rows, double angle
   return s;
 }
 
-/// Random quadrilaterals; the walls of every second column are mirrored in its middle.
+/// Returns random quadrilaterals. The walls of every second column are mirrored in its middle.
 inline model::PlanarGraph mirrored_quads(int cells, unsigned seed) {
   model::PlanarGraph graph = random_quads(cells, seed);
   const auto at = [&](int i, int j) -> Eigen::Vector2d& { return graph.vertices[j * (cells + 1) + i]; };
@@ -110,7 +110,7 @@ inline model::PlanarGraph mirrored_quads(int cells, unsigned seed) {
   return graph;
 }
 
-/// Those, with creases of random multipliers through all mirrored columns.
+/// Returns mirrored_quads() with creases of random multipliers through all mirrored columns.
 inline model::PlanarStructure creased_quads(int cells, unsigned seed) {
   model::PlanarStructure s = make_planar_structure(mirrored_quads(cells, seed), {});
   std::mt19937 random(seed);

@@ -34,8 +34,8 @@ inline double fitting_cell(const targets::Curve& curve, int columns) {
   return curve.length() / (columns * std::cos(pi / 6));
 }
 
-/// The folded midline of a strip with random tilts up to 40 deg at a random theta in 10..40 deg: a curve that
-/// a design reaches exactly. Empty where that midline crosses itself.
+/// Returns the folded midline of a strip with random tilts up to 40 deg at a random theta in 10..40 deg. A design
+/// reaches this curve exactly. Empty if the midline crosses itself.
 inline std::optional<targets::Curve> reachable_curve(int columns, double cell_mm, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
   auto design = model::ExactDesign<double>::basic(columns, 1);

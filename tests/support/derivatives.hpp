@@ -27,13 +27,13 @@ Eigen::MatrixXd numeric_jacobian(const Function& f, const Eigen::VectorXd& x, do
   return jacobian;
 }
 
-/// Largest difference over the largest entry (or 1, whichever is larger).
+/// Returns the largest difference over the largest entry (or 1, whichever is larger).
 inline double relative_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return (a - b).cwiseAbs().maxCoeff() / std::max(1.0, b.cwiseAbs().maxCoeff());
 }
 
-/// Largest difference of a and b over the largest entry of b in the same row and group of columns, or over a
-/// thousandth of that of the row where the whole group is smaller. @param groups widths of the groups
+/// Returns the largest difference of a and b over the largest entry of b in the same row and group of columns. The
+/// divisor is at least a thousandth of the row's largest entry. @param groups widths of the groups
 inline double relative_difference_by_groups(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
                                             const std::vector<Eigen::Index>& groups) {
   double worst = 0;
@@ -50,7 +50,7 @@ inline double relative_difference_by_groups(const Eigen::MatrixXd& a, const Eige
   return worst;
 }
 
-/// The one check every cost and constraint passes: analytic against central differences.
+/// Compares analytic derivatives with central differences. Every cost and constraint passes this check.
 template <class Function>
 void expect_jacobian(const Function& f, const Eigen::VectorXd& x, const Eigen::MatrixXd& analytic,
                      double tolerance = 1e-7, double step = 1e-3) {

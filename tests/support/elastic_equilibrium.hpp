@@ -12,7 +12,7 @@
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/random_elastic.hpp"
 
-/// Equilibria of elastic structures that are found anew where a parameter changes.
+/// Equilibria of elastic structures, found again after a parameter changes.
 namespace kinetix::testing {
 
 struct Equilibrium {
@@ -28,7 +28,7 @@ struct Equilibrium {
   bool found = false;  ///< converged and stable
 };
 
-/// Newton's method from the state that `b` has, to rounding.
+/// Runs Newton's method from the state of `b`, to rounding.
 inline void settle(Equilibrium& b) {
   model::ElasticSystem system(b.structure, b.elasticity, drive_on(b.structure, b.drive), b.planar, true);
   system.set_multiplier(b.multiplier);
@@ -46,7 +46,7 @@ inline void settle(Equilibrium& b) {
   b.contacts = system.contacts(b.state);
 }
 
-/// Folded from flat by a drive.
+/// Returns the equilibrium folded from flat by a drive.
 inline Equilibrium equilibrium(const model::Structure& structure, const model::Elasticity& elasticity,
                                const model::Drive& drive, bool planar) {
   model::EquilibriumPathOptions options;
@@ -58,8 +58,8 @@ inline Equilibrium equilibrium(const model::Structure& structure, const model::E
   return b;
 }
 
-/// All parameters, one group after the other: t, then alpha, beta and offset of all hinges, and theta, by their
-/// change; k_point, k_turn, reach_mm, k_contact by their relative change.
+/// Returns the widths of the groups of parameters. First are t, alpha, beta and offset of all hinges, and theta, by
+/// their change. Then k_point, k_turn, reach_mm and k_contact follow, by their relative change.
 inline std::vector<Eigen::Index> parameter_groups(const Equilibrium& b) {
   const auto hinges = static_cast<Eigen::Index>(b.structure.hinges.size());
   return {hinges, hinges, hinges, hinges, 1, 1, 1, 1, 1};
@@ -67,7 +67,7 @@ inline std::vector<Eigen::Index> parameter_groups(const Equilibrium& b) {
 
 inline Eigen::Index parameter_count(const Equilibrium& b) { return 4 * b.structure.hinges.size() + 5; }
 
-/// The equilibrium found anew from `from` after its parameters have changed.
+/// Returns the equilibrium found from `from` after its parameters have changed by q.
 inline Equilibrium changed(const Equilibrium& from, const Eigen::VectorXd& q) {
   Equilibrium b = from;
   Eigen::Index k = 0;
@@ -83,7 +83,7 @@ inline Equilibrium changed(const Equilibrium& from, const Eigen::VectorXd& q) {
   return b;
 }
 
-/// A sensitivity as a row over the same parameters.
+/// Returns a sensitivity as a row over the parameters of parameter_groups().
 inline Eigen::RowVectorXd packed(const Equilibrium& b, const model::Sensitivity& s) {
   Eigen::RowVectorXd out(parameter_count(b));
   const model::Elasticity& e = b.elasticity;
@@ -92,14 +92,14 @@ inline Eigen::RowVectorXd packed(const Equilibrium& b, const model::Sensitivity&
   return out;
 }
 
-/// A function of a state with its derivatives by the state.
+/// Function of a state with its derivatives by the state.
 struct StateFunction {
   std::string name;
   std::function<double(const Equilibrium&)> value;
   std::function<model::EquilibriumGradient(const Equilibrium&)> gradient;
 };
 
-/// One of the state alone; the derivatives are numeric.
+/// Returns a function of the state alone, with numeric derivatives.
 inline StateFunction state_function(std::string name,
                                     std::function<double(const model::Structure&, const model::State&)> f) {
   const auto gradient = [f](const Equilibrium& b) {
@@ -112,7 +112,7 @@ inline StateFunction state_function(std::string name,
   return {std::move(name), [f](const Equilibrium& b) { return f(b.structure, b.state); }, gradient};
 }
 
-/// Sum of all coordinates with weights of their own, cell edges.
+/// Returns the sum of all coordinates with different weights, cell edges.
 inline double weighted_sum(const model::Structure& s, const model::State& state) {
   double sum = 0;
   for (std::size_t b = 0; b < state.size(); ++b) {
@@ -123,7 +123,7 @@ inline double weighted_sum(const model::Structure& s, const model::State& state)
   return sum;
 }
 
-/// How much more open the first cell is than the last, cell edges squared.
+/// Returns how much more open the first cell is than the last, cell edges squared.
 inline double opening_contrast(const model::Structure& s, const model::State& state) {
   const auto opening = [&](const model::CellHinges& cell) {
     const auto diagonal = [&](int k) -> Eigen::Vector3d {
@@ -151,7 +151,7 @@ inline std::vector<StateFunction> state_functions() {
            }}};
 }
 
-/// Rows as of state_functions().
+/// Returns the Jacobian by the adjoint method, with the rows of state_functions().
 inline Eigen::MatrixXd adjoint_jacobian(const Equilibrium& b) {
   model::ElasticSystem system(b.structure, b.elasticity, drive_on(b.structure, b.drive), b.planar, true);
   system.set_multiplier(b.multiplier);
@@ -185,20 +185,19 @@ inline Differenced differenced_jacobian(const Equilibrium& b, double step) {
   return out;
 }
 
-/// The same by central differences, with steps so short that no point comes into contact or leaves it: the mean of several,
-/// of which rounding makes more the shorter they are.
+/// Returns the Jacobian by central differences, with steps so short that no point comes into contact or leaves it. It
+/// is the mean of several Jacobians. Shorter steps need more of them, since rounding is larger.
 inline Differenced differenced_jacobian(const Equilibrium& b) {
   double step = 1e-3;
   Differenced out = differenced_jacobian(b, step);
   while (!out.same_contacts && step > 1e-4) out = differenced_jacobian(b, step /= 2);
-  const int more = static_cast<int>(2e-4 / step);  // none but for the two shortest steps
+  const int more = static_cast<int>(2e-4 / step);  // 0 except for the two shortest steps
   for (int k = 1; k <= more; ++k) out.jacobian += differenced_jacobian(b, step * (1 - 0.1 * k)).jacobian;
   out.jacobian /= 1 + more;
   return out;
 }
 
-/// A random 3 x 2 panel in equilibrium. Walls of a third of the cell touch at the theta to which it is
-/// driven.
+/// Random 3 x 2 panel in equilibrium. Walls of a third of the cell touch at the theta to which it is driven.
 struct EquilibriumCase {
   unsigned seed = 0;
   bool planar = false, plates = false, touching = false;

@@ -5,7 +5,7 @@
 
 namespace kinetix::testing {
 
-/// All parameters of a design in the order of ExactJacobian.
+/// Returns all parameters of a design in the order of ExactJacobian.
 inline Eigen::VectorXd pack(const model::ExactDesign<double>& d) {
   Eigen::VectorXd x(2 * d.columns() + d.rows() + 2);
   int k = 0;
@@ -28,7 +28,7 @@ model::ExactDesign<T> unpack(const Container& x, int columns, int rows) {
   return d;
 }
 
-/// Body positions, stacked, as a function of the packed parameters.
+/// Returns the body positions, stacked, as a function of the packed parameters.
 inline Eigen::VectorXd folded_positions(const Eigen::VectorXd& x, int columns, int rows, double L) {
   model::State poses;
   fold(unpack<double>(x, columns, rows), L, poses);

@@ -14,10 +14,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Over its length: thin, and still with a moment of inertia about its axis.
+// Thickness over length: thin, but with a moment of inertia about the rod's axis.
 constexpr double rod_thickness = 1e-2;
 
-/// What a body carries along, seen in the world now.
+/// Hinge point and axis as a body carries them, in the world frame.
 struct Carried {
   Vector3d point, axis;
 };

@@ -23,18 +23,18 @@ struct FreeLinkageHinge {
   Eigen::Vector3d axis;  ///< unit vector
 };
 
-/// Any rigid bodies and hinges, closed loops and all: the standard mechanisms whose answers are known.
+/// Rigid bodies and hinges in any arrangement, with closed loops: the standard mechanisms with known answers.
 struct FreeLinkage {
   std::vector<FreeLinkageBody> bodies;
   std::vector<FreeLinkageHinge> hinges;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  ///< units of length / s^2
 
-  /// @throws InvalidInput, naming body or hinge, for a mass, inertia or axis out of range (NaN included), a
-  /// hinge of bodies that there are not, of one body with itself or of none
+  /// @throws InvalidInput, naming body or hinge, for a mass, inertia or axis out of range (NaN included). Also throws
+  /// for a hinge of missing bodies, of one body with itself or of none.
   void validate() const;
 };
 
-/// Largest distance of a hinge's point, and largest angle of its axis, as its two bodies carry them.
+/// Largest distance of a hinge's point, and largest angle of its axis, between its two bodies.
 struct FreeLinkageGap {
   double point = 0;  ///< in the linkage's unit of length
   double axis = 0;   ///< rad

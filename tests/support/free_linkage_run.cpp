@@ -27,7 +27,7 @@ btTransform bullet(const model::Pose& pose) {
   return btTransform(basis, bullet(pose.p));
 }
 
-/// @param shape of no meaning, which the engine wants of every body
+/// @param shape unused, but the engine requires one for every body
 std::unique_ptr<btRigidBody> make_body(const FreeLinkageBody& body, btCollisionShape& shape) {
   btRigidBody::btRigidBodyConstructionInfo info(body.mass, nullptr, &shape, bullet(body.inertia));
   info.m_startWorldTransform = bullet(body.pose);

@@ -28,8 +28,8 @@ struct FreeLinkageResult {
   std::vector<model::Twist> motion;  ///< last; v of the centres of mass
   FreeLinkageGap gap;                ///< largest at any time
   double energy_start = 0;           ///< as linkage_energy(), kg length^2 / s^2
-  double energy_drift = 0;  ///< largest difference from the start at any time, likewise in kg length^2 / s^2
-  double energy_end = 0;    ///< kg length^2 / s^2
+  double energy_drift = 0;           ///< largest difference from the start at any time, kg length^2 / s^2
+  double energy_end = 0;             ///< kg length^2 / s^2
   int steps = 0;
   double seconds = 0;  ///< wall-clock time, s
 };
@@ -37,9 +37,9 @@ struct FreeLinkageResult {
 using FreeLinkageObserver = std::function<void(double simulated_s, const std::vector<model::Pose>& poses,
                                                const std::vector<model::Twist>& motion)>;
 
-/// Lets a linkage move by itself from where it stands, in the engine and with the joints that verify designs:
-/// what they make of mechanisms whose answers are known. No contact, no friction, no damping; the engine adds
-/// the gyroscopic moments. Not thread-safe, as run_compression.
+/// Runs the free motion of a linkage from its start, in the engine and with the joints that verify designs. It tests
+/// these on mechanisms with known answers. There is no contact, no friction and no damping; the engine adds the
+/// gyroscopic moments. Not thread-safe, as run_compression.
 /// @throws InvalidInput for a linkage or options that do not validate; whatever the observer throws
 FreeLinkageResult run_linkage(const FreeLinkage& linkage, const FreeLinkageOptions& options,
                               const FreeLinkageObserver& observer = {});

@@ -17,12 +17,12 @@ namespace kinetix::testing {
 
 using Eigen::Vector3d;
 
-/// A linkage, and how far a motion of it is from what is known: 0 in exact arithmetic.
+/// Linkage, and the difference of a motion of it from the known answer: 0 in exact arithmetic.
 struct Mechanism {
   std::string name;
   FreeLinkage linkage = {};
   double seconds = 1;
-  double energy_scale = 1;  ///< J: what its energy drift is held against
+  double energy_scale = 1;  ///< J: reference for its energy drift
   std::string relation;     ///< in words
   std::function<double(double simulated_s, const std::vector<model::Pose>& poses)> miss = {};
 };
@@ -77,9 +77,9 @@ inline Mechanism pendulum() {
   return m;
 }
 
-/// The planar N-four-bar of the IFToMM library of benchmark problems: N + 1 uprights and N bars of 1 m and
-/// 1 kg, tips at 1 m/s. All bars come to lie on one line twice a turn, where each loop may leave the
-/// parallelogram. The closed form is that of the parallelogram, a pendulum of angle phi from upright:
+/// Returns the planar N-four-bar of the IFToMM library of benchmark problems: N + 1 uprights and N bars of 1 m and 1
+/// kg, tips at 1 m/s. All bars are on one line twice a turn, where each loop may leave the parallelogram. The closed
+/// form is that of the parallelogram, a pendulum of angle phi from upright:
 /// (N m + (N + 1) m / 3) phi'' = g m (N + (N + 1) / 2) sin(phi).
 inline Mechanism four_bars(int loops) {
   Mechanism m{.name = std::to_string(loops) + "-four-bar",
@@ -195,9 +195,9 @@ inline Mechanism bennett() {
   return m;
 }
 
-/// The doubly mirrored unit (beta_m, -beta_n, beta_m, -beta_n) of kinematics.md, cell edge 1, parts of mass
-/// 1, free of forces: cos(u) cos(v) = cos(beta_m) cos(beta_n) for half the angles u, v between the axes of
-/// opposite hinges.
+/// Returns the doubly mirrored unit (beta_m, -beta_n, beta_m, -beta_n) of kinematics.md, with cell edge 1 and parts of
+/// mass 1, free of forces. Half the angles u, v between the axes of opposite hinges follow cos(u) cos(v) = cos(beta_m)
+/// cos(beta_n).
 inline Mechanism mirrored_unit() {
   constexpr double tilt_m = 0.5, tilt_n = 0.8, start = 0.3, rate = 0.5, small = 1e-6;
   Mechanism m{
@@ -240,7 +240,7 @@ inline Mechanism mirrored_unit() {
   return m;
 }
 
-/// What a run of a mechanism came to.
+/// Result of a run of a mechanism.
 struct MechanismRun {
   FreeLinkageResult result;
   double miss = 0;   ///< largest at any time

@@ -9,11 +9,11 @@
 /// Miura's pattern on hexagons, for tests.
 namespace kinetix::testing {
 
-/// Hexagons in rows, drawn so that walls are halved by the lines between the middles of the hexagons that share them, and
-/// at right angles to them: middles lie 2 cos(angle) apart in a row, and rows so that the steps between them rise by
-/// `angle`. At 60 deg they are regular, times 1 / sqrt(3). In every hexagon four creases meet: two along its row, two of a
-/// zigzag that goes from row to row.
-/// @param angle rad, in (45 deg, 90 deg): between both   @param multiplier of the zigzags
+/// Returns hexagons in rows. The lines between the middles of hexagons that share a wall halve it at right angles.
+/// Middles are 2 cos(angle) apart in a row, and the steps between rows rise by `angle`. At 60 deg the hexagons are
+/// regular, times 1 / sqrt(3). Four creases meet in every hexagon: two along its row, and two of a zigzag from row to
+/// row.
+/// @param angle between both, rad, in (45 deg, 90 deg)   @param multiplier of the zigzags
 inline model::PlanarStructure miura_of_hexagons(int columns, int rows, double angle, double multiplier) {
   model::PlanarGraph graph = lattice_graph(model::honeycomb_lattice, columns, rows);
   const double step = 2 * std::cos(angle), rise = std::sin(angle);

@@ -10,13 +10,13 @@
 #include "model/lattice/square/structure.hpp"
 #include "model/linkage/linkage.hpp"
 
-/// How much play rigid pins need, by geometry alone: no energy, no stiffness, no code of the elastic model.
+/// Clearance that rigid pins need, by geometry alone: no energy, no stiffness, no code of the elastic model.
 namespace kinetix::testing {
 
-/// How far the gaps of a linkage's hinges can be kept while one of them is turned: the least over all states of
-/// the largest distance, across the axis or along it, of the points at +-reach on all axes. Lawson's method: each
-/// round minimises the sum of squares weighted by w, then multiplies each weight by its distance. A weighted mean
-/// can only lie below the largest distance, so each round brackets the least one (of the valley that it is in).
+/// Least gap of a linkage's hinges while one of them is turned. It is the least, over all states, of the largest
+/// distance of the points at +-reach on all axes, across the axis or along it. Lawson's method: each round minimises
+/// the sum of squares weighted by w, then multiplies each weight by its distance. A weighted mean can only be below the
+/// largest distance, so each round brackets the least one (of the valley that it is in).
 class LeastGap {
  public:
   struct Bracket {
@@ -31,7 +31,7 @@ class LeastGap {
         state_(model::rest_state(linkage)),
         weights_(Eigen::VectorXd::Constant(count(), 1.0 / static_cast<double>(count()))) {}
 
-  /// From where the last call ended. @param turn of the hinge, rad
+  /// Brackets the least gap at a turn, starting from the state of the last call. @param turn of the hinge, rad
   Bracket at(double turn) {
     turn_ = turn;
     Bracket best;
@@ -54,10 +54,10 @@ class LeastGap {
   static constexpr double hold = 1e3;           // weight of the turn and of the first body's place
   static constexpr double difference = 1e-6;    // rad, cell edges: of the Jacobian's columns
 
-  /// Across and along, of two points a hinge.
+  /// Returns the number of distances: across and along, of two points per hinge.
   Eigen::Index count() const { return 4 * static_cast<Eigen::Index>(linkage_.hinges.size()); }
 
-  /// Of each point the part across the axis (3 numbers) and that along it; cell edges.
+  /// Returns the part of each point's gap across the axis (3 numbers) and along it, cell edges.
   Eigen::VectorXd gaps(const model::State& state) const {
     Eigen::VectorXd out(2 * count());
     Eigen::Index row = 0;
@@ -96,7 +96,7 @@ class LeastGap {
     return out;
   }
 
-  /// Gauss and Newton; the first body stays.
+  /// Runs Gauss-Newton steps; the first body stays.
   void settle() {
     const Eigen::Index unknowns = 6 * (static_cast<Eigen::Index>(state_.size()) - 1);
     for (int step = 0; step < 50; ++step) {
@@ -132,9 +132,9 @@ class LeastGap {
   Eigen::VectorXd weights_;
 };
 
-/// The play that rigid pins need for a hinge to turn from flat to a given angle. Every such motion passes every
-/// angle between, so that it needs at least the largest of their least gaps; and the states of these gaps, which
-/// follow each other without a jump, are a motion that needs no more.
+/// Returns the clearance that rigid pins need for a hinge to turn from flat to a given angle. Every such motion passes
+/// all angles between, so it needs at least the largest of their least gaps. The states of these gaps follow each other
+/// without a jump. They are a motion that needs no more.
 /// @param turns rad, in the order of the motion; flat comes before them
 inline LeastGap::Bracket needed_play(const model::Linkage& linkage, double reach, int turned_hinge,
                                      const std::vector<double>& turns) {

@@ -8,8 +8,8 @@
 #include "model/lattice/square/cell_tuple.hpp"
 #include "model/lattice/square/family/exact_family.hpp"
 
-/// The structures of the paper's figures, by its own cell tuples. Where text and figures leave a number open
-/// (tilts of 30 deg, twisting angles of 80 deg, the lengths of strips), it is chosen here.
+/// Structures of the paper's figures, by its cell tuples. Numbers that text and figures leave open are chosen here:
+/// tilts of 30 deg, twisting angles of 80 deg, the lengths of strips.
 namespace kinetix::testing {
 
 inline constexpr double bend_tilt = 30 * radians_per_degree;    ///< rad; the paper gives no number
@@ -40,7 +40,7 @@ inline model::Structure single_unit_panel() { return make_structure(model::recta
 /// P of the cells in a column of Fig. 14: 0.8 on the left to 0.2 on the right.
 inline double gradient_fraction(int column) { return 0.8 - 0.6 * column / 7; }
 
-/// Fig. 14: neighbouring columns want different hinges on the wall they share, and get the mean.
+/// Returns Fig. 14: neighbouring columns need different hinges on the wall they share, and get the mean.
 inline model::Structure gradient_panel() {
   model::Structure s = make_structure(model::rectangle(8, 8), {});
   for (model::Hinge& hinge : s.hinges) {
@@ -53,7 +53,7 @@ inline model::Structure gradient_panel() {
   return s;
 }
 
-/// Basic cells, and cells that scale where the picture is: tA = k on their walls.
+/// Returns basic cells, and cells that scale inside the picture: tA = k on their walls.
 inline model::Structure rule_panel(double k, int cells, const std::function<bool(int i, int j)>& in_picture) {
   model::Structure s = make_structure(model::rectangle(cells, cells), {});
   for (model::Hinge& hinge : s.hinges) {
@@ -74,22 +74,22 @@ inline model::Structure letter_panel(double k, int cells = 10) {
   });
 }
 
-/// What the hinges of a column's x-walls do in the two-unit tessellations. The y-walls, which neighbouring
-/// units share, are basic: a strip bends or twists by its x-walls alone.
+/// Hinges of a column's x-walls in the two-unit tessellations. Neighbouring units share the y-walls, which are basic,
+/// so a strip bends or twists by its x-walls alone.
 struct ColumnUnit {
   double t = 0.5;         ///< fraction of a wall that belongs to its class A vertex
   double alpha = pi / 2;  ///< rad, of the walls in even rows; pi - alpha in odd ones
-  double beta = 0;        ///< rad, likewise, -beta in odd ones
+  double beta = 0;        ///< rad, of the walls in even rows; -beta in odd ones
 };
 
 /// The units of the paper.
 inline constexpr ColumnUnit basic_unit{};
 inline constexpr ColumnUnit scaling_unit{.t = 0.3};   ///< a fraction: k = 0.3, as in Fig. 10
-inline constexpr ColumnUnit shearing_unit{.t = 0.7};  ///< likewise, 1 - k
+inline constexpr ColumnUnit shearing_unit{.t = 0.7};  ///< a fraction: 1 - k, with k = 0.3
 inline constexpr ColumnUnit bending_unit{.beta = bend_tilt};
 inline constexpr ColumnUnit twisting_unit{.alpha = twist_alpha};
 
-/// Two units in alternation along x, `s` the part of every y-wall that belongs to class A.
+/// Returns two units in alternation along x. @param s_of_class_a part of every y-wall that belongs to class A
 inline model::Structure alternating(int columns, int rows, const ColumnUnit& even, const ColumnUnit& odd,
                                     double s_of_class_a = 0.5) {
   model::Structure s = make_structure(model::rectangle(columns, rows), {});

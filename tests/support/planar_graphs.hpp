@@ -30,14 +30,14 @@ inline model::PlanarGraph growing_squares(int cells, double growth) {
   return graph;
 }
 
-/// Those of cells x cells squares whose corners all lie in the circle that fits.
+/// Returns the cells x cells squares whose corners are all inside the inscribed circle.
 inline model::PlanarGraph disc_of_squares(int cells) {
   const Eigen::Vector2d middle = Eigen::Vector2d::Constant(cells / 2.0);
   return trimmed(model::square_graph(cells, cells),
                  [&](const Eigen::Vector2d& p) { return (p - middle).norm() <= cells / 2.0; });
 }
 
-/// A motion with |s| and |2 o| of up to about `size`.
+/// Returns a motion with |s| and |2 o| of up to about `size`.
 inline model::Redrawing random_redrawing(const model::PlanarStructure& s, double size, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> by(-size / 3, size / 3);
@@ -46,7 +46,7 @@ inline model::Redrawing random_redrawing(const model::PlanarStructure& s, double
   return y;
 }
 
-/// The lowest and the highest row of vertices, which plates normal to y grip.
+/// Returns the lowest and the highest row of vertices, which plates normal to y grip.
 inline std::vector<std::vector<int>> rim_rows(const model::PlanarGraph& graph) {
   const auto by_y = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.y() < b.y(); };
   const auto [low, high] = std::minmax_element(graph.vertices.begin(), graph.vertices.end(), by_y);

@@ -9,8 +9,8 @@
 #include "model/matter/made_hinge.hpp"
 #include "tests/support/needed_play.hpp"
 
-/// The paper's twist unit as it was printed (section 5.1): a cell of 30 mm, walls 2 mm thick, with play in its pins.
-/// What the paper does not say is taken as walls 6 mm high and rods of 1 mm in a plastic of 2.5 GPa.
+/// The paper's twist unit as it was printed (section 5.1): a cell of 30 mm, walls 2 mm thick, with clearance in its
+/// pins. Values that the paper does not state are assumed: walls 6 mm high, and rods of 1 mm in a plastic of 2.5 GPa.
 namespace kinetix::testing {
 
 constexpr double twist_unit_modulus = 2500;  // MPa: data sheets of VeroBlack, 2000 to 3000
@@ -24,7 +24,7 @@ inline model::Structure paper_twist_unit(double alpha) {
   return s;
 }
 
-/// Stretch alone. @param stiffer factor on the modulus
+/// Returns pins that resist stretch alone. @param stiffer factor on the modulus
 inline model::Elasticity played_pins(const model::Structure& unit, double play_mm, double stiffer = 1) {
   model::Elasticity pins = elasticity_of(
       model::MadeHinge{.kind = model::HingeKind::pin,
@@ -37,7 +37,7 @@ inline model::Elasticity played_pins(const model::Structure& unit, double play_m
   return pins;
 }
 
-/// The drive of an upright hinge to the side on which the unit flips. @param theta rad; pi / 4: to where it is
+/// Returns the drive of an upright hinge to the side on which the unit flips. @param theta rad; pi / 4: to where it is
 /// twisted
 inline model::DrivenLinkage flipping(const model::Structure& unit, double theta = pi / 4) {
   return driven(unit, search_drives(unit, theta)).back();
@@ -50,8 +50,8 @@ inline model::EquilibriumPathOptions flip_options() {
   return options;
 }
 
-/// Largest energy on the way from flat to twisted, N mm: that of the summit where there is one, else that of the
-/// states that the path took. NaN where the path neither gets there nor falls into the valley beyond a summit.
+/// Returns the largest energy on the path from flat to twisted, N mm. It is that of the summit, or of the path's states
+/// if there is no summit. NaN if the path neither gets there nor falls into the valley beyond a summit.
 inline double flip_barrier(double alpha, double play_mm, double stiffer = 1) {
   const model::Structure unit = paper_twist_unit(alpha);
   const model::DrivenLinkage flip = flipping(unit);
@@ -71,7 +71,7 @@ inline double flip_barrier(double alpha, double play_mm, double stiffer = 1) {
   return most;
 }
 
-/// The play that the flip needs if nothing gives, by geometry (needed_play), mm.
+/// Returns the clearance that the flip needs if nothing yields, by geometry (needed_play), mm.
 inline LeastGap::Bracket flip_play(double alpha) {
   const model::Structure unit = paper_twist_unit(alpha);
   const model::DrivenLinkage flip = flipping(unit);
@@ -82,7 +82,8 @@ inline LeastGap::Bracket flip_play(double alpha) {
                      turns);
 }
 
-/// Where the barrier of two plays goes to 0, mm: stretch grows as the square of what play leaves over.
+/// Returns the clearance at which the barrier of two clearances extrapolates to 0, mm. The barrier grows as the square
+/// of the missing clearance.
 inline double vanishing_play(double alpha, double play_mm, double more_mm) {
   const double a = std::sqrt(flip_barrier(alpha, play_mm)), b = std::sqrt(flip_barrier(alpha, more_mm));
   return (a * more_mm - b * play_mm) / (a - b);

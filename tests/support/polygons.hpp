@@ -11,8 +11,8 @@ namespace kinetix::testing {
 
 using Complex = std::complex<double>;
 
-/// One cell of any even number of walls, all hinges upright: the smallest structure of a lattice of one's
-/// own, made without model/lattice. Its closed form is the theorem of kinematics.md section 5.
+/// Cell of any even number of walls, all hinges upright: the smallest structure of a user-defined lattice, made without
+/// model/lattice. Its closed form is the theorem of kinematics.md section 5.
 struct Polygon {
   std::vector<Complex>
       corners;            ///< counter-clockwise, cell edges; bodies turn by +theta, -theta, +theta, ...
@@ -87,7 +87,7 @@ inline model::ExactMotion exact_motion(const Polygon& polygon, double edge_mm) {
           "planar cell of any shape"};
 }
 
-/// Its first hinge turned so that all bodies turn by theta.
+/// Returns the drive that turns the first hinge so that all bodies turn by theta.
 inline model::DrivenLinkage driven(const Polygon& polygon, double theta) {
   model::DrivenLinkage out{linkage_of(polygon), {}, {}};
   out.exact = exact_motion(polygon, out.linkage.size.edge_mm);

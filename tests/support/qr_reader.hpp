@@ -11,7 +11,7 @@
 
 namespace kinetix::testing {
 
-/// What a command prints. @throws std::runtime_error where it cannot be started
+/// Returns the output of a command. @throws std::runtime_error if it cannot be started
 inline std::string output_of(const std::string& command) {
   FILE* const pipe = popen(command.c_str(), "r");
   if (!pipe) throw std::runtime_error("cannot run " + command);
@@ -22,8 +22,8 @@ inline std::string output_of(const std::string& command) {
   return text;
 }
 
-/// The text of the QR code that zbar finds in a picture, as a camera holds it: at a few distances and exposures;
-/// empty where it finds none. @param png a file's content
+/// Returns the text of the QR code that zbar finds in a picture, at a few distances and exposures as of a camera. Empty
+/// if it finds none. @param png a file's content
 inline std::string read_qr_code(const std::string& png) {
   const TemporaryFolder folder;
   PIX* const picture = pixReadMemPng(reinterpret_cast<const l_uint8*>(png.data()), png.size());
@@ -48,7 +48,7 @@ inline std::string read_qr_code(const std::string& png) {
   return text;
 }
 
-/// A PNG file of the QR code of version 1 with this text, a pixel a module, with a margin of two modules.
+/// Returns a PNG file of the QR code of version 1 with this text, one pixel per module, with a margin of two modules.
 inline std::string draw_qr_code(const std::string& text, const std::string& file) {
   output_of("qrencode -o '" + file + "' -s 1 -m 2 -l L -v 1 '" + text + "'");
   return file;

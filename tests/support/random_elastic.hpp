@@ -8,7 +8,8 @@
 
 namespace kinetix::testing {
 
-/// A panel with hinges anywhere: t in 0.2..0.8, alpha within 0.4 rad of upright, beta up to 0.5 rad; flat, no walls overlap.
+/// Returns a panel with hinges anywhere: t in 0.2..0.8, alpha within 0.4 rad of upright, beta up to 0.5 rad; flat, no
+/// walls overlap.
 inline model::Structure random_panel(int columns, int rows, std::mt19937& random, bool planar = false) {
   std::uniform_real_distribution<double> unit(-1, 1);
   model::Structure s = make_structure(model::rectangle(columns, rows), {10, 0.8, 6});
@@ -23,7 +24,7 @@ inline model::Structure random_panel(int columns, int rows, std::mt19937& random
   return s;
 }
 
-/// Every body moved at random, by up to `size` rad and cell edges a coordinate.
+/// Returns the state with every body moved at random, by up to `size` rad and cell edges per coordinate.
 inline model::State shaken(const model::Linkage& s, const model::State& state, double size,
                            std::mt19937& random, bool planar = false) {
   std::uniform_real_distribution<double> unit(-size, size);

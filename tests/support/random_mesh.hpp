@@ -21,7 +21,7 @@ inline model::MarchedMesh<double> disturbed_miura(int columns, int rows, double 
   return model::march(data);
 }
 
-/// The first of them that can be a sheet: sectors from 52 to 128 deg, edges of at least 0.3.
+/// Returns the first disturbed_miura() that can be a sheet: sectors from 52 to 128 deg, edges of at least 0.3.
 inline model::MarchedMesh<double> random_mesh(int columns, int rows, double amount, std::mt19937& random) {
   const double least = 52 * radians_per_degree;
   while (true) {

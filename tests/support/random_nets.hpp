@@ -61,8 +61,8 @@ inline model::Structure cube_net(double tilt) {
   return structure;
 }
 
-/// A fishbone: a spine one cell wide along y, whose even rows carry ribs of `half` cells to both sides. Its
-/// odd rows bend by the tilt, the ribs' columns by up to it, at random, all downwards.
+/// Returns a fishbone: a spine one cell wide along y, whose even rows carry ribs of `half` cells to both sides. Its odd
+/// rows bend by the tilt. The ribs' columns bend by up to it, at random, all downwards.
 inline model::Structure fishbone(int half, int rows, double tilt, unsigned seed = 1) {
   std::vector<model::Cell> cells;
   for (int j = 0; j < rows; ++j)

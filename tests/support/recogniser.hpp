@@ -19,8 +19,8 @@ inline app::FarViewOptions as_ink_on_paper(app::FarViewOptions options, bool neg
 }
 inline const app::FarViewOptions as_ink = as_ink_on_paper({});
 
-/// The capitals that tesseract-ocr reads in a picture, as one raw line of text; empty where it reads nothing.
-/// @param png a file's content   @throws std::runtime_error where the program does not run
+/// Returns the capitals that tesseract-ocr reads in a picture, as one raw line of text; empty if it reads nothing.
+/// @param png a file's content   @throws std::runtime_error if the program does not run
 inline std::string read_capitals(const std::string& png) {
   const TemporaryFolder folder;
   const std::string file = folder.path("letter.png");

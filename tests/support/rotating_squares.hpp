@@ -7,8 +7,9 @@
 
 namespace kinetix::testing {
 
-/// Unit squares in a closed grid, joined at one corner with each neighbour: the mechanism of rotating squares. With its target
-/// where each has turned by `turn` about the normal, rad, to one side and the other by turns: centers are cos + sin of it apart.
+/// Returns unit squares in a closed grid, joined at one corner with each neighbour: the mechanism of rotating squares.
+/// In its target each has turned by `turn` about the normal, rad, to alternating sides. Centers are cos + sin of it
+/// apart.
 inline model::TileSheet rotating_squares(int columns, int rows, double turn) {
   using Eigen::Vector3d;
   model::TileSheet sheet;

@@ -7,9 +7,10 @@
 
 namespace kinetix::testing {
 
-/// A block whose edges of each of the six directions have arms of their own: it moves exactly (kinematics.md section 8).
-/// @param t of both hinges of an edge, (0, 1): arms over half of the edge; along (0, 1, 1), (0, 1, -1), (1, 0, 1),
-/// (1, 0, -1), (1, 1, 0), (1, -1, 0)
+/// Returns a block with a separate arm length for the edges of each of the six directions. It moves exactly
+/// (kinematics.md section 8).
+/// @param t of both hinges of an edge, (0, 1): arms over half of the edge; along (0, 1, 1), (0, 1, -1), (1, 0, 1), (1,
+/// 0, -1), (1, 1, 0), (1, -1, 0)
 inline model::SodaliteStructure block_with_arms(std::array<int, 3> cells, const std::array<double, 6>& t,
                                                 const model::CellSize& size) {
   model::SodaliteStructure block = model::make_sodalite(cells, 0.2, size);

@@ -6,7 +6,7 @@
 
 namespace kinetix::testing {
 
-/// Of a binary STL file's bytes, mm^3; in doubles, since slicers add up in floats.
+/// Returns the volume of a binary STL file's bytes, mm^3; in doubles, since slicers add up in floats.
 inline double volume_of_stl(const std::string& bytes) {
   constexpr std::size_t header = 84, triangle = 50;  // bytes
   double volume = 0;

@@ -10,7 +10,8 @@
 
 namespace kinetix::testing {
 
-/// A solid along s whose section in (m, n) goes from n = -half(m) to half(m), at each of the given m, ascending. mm
+/// Returns a solid along s whose section in (m, n) goes from n = -half(m) to half(m), at each of the given m,
+/// ascending. mm
 inline model::Polyhedron strip_solid(const std::vector<double>& ms, const std::function<double(double)>& half,
                                      double height) {
   model::Polyhedron solid;
@@ -33,7 +34,7 @@ inline model::Polyhedron strip_solid(const std::vector<double>& ms, const std::f
   return solid;
 }
 
-/// A box from one m to another, as thick and high.
+/// Returns a box from one m to another, with this thickness and height.
 inline model::Polyhedron box_solid(double from, double to, double thickness, double height) {
   return strip_solid(
       {from, to}, [=](double) { return thickness / 2; }, height);
@@ -44,7 +45,8 @@ inline model::Polyhedron moved(model::Polyhedron solid, const Eigen::Isometry3d&
   return solid;
 }
 
-/// A round bar about s, as a polygon of so many sides whose corners are on the circle, or whose sides touch it.
+/// Returns the section of a round bar about s as a polygon of `sides` sides. Its corners are on the circle, or its
+/// sides touch it.
 inline std::vector<Eigen::Vector2d> ring(double radius, int sides, bool corners_on_it) {
   std::vector<Eigen::Vector2d> out;
   const double r = corners_on_it ? radius : radius / std::cos(pi / sides);
@@ -53,7 +55,8 @@ inline std::vector<Eigen::Vector2d> ring(double radius, int sides, bool corners_
   return out;
 }
 
-/// Between two rings of as many corners, the inner one empty for a full bar. @param from, to of s, mm
+/// Returns the solid between two rings of equally many corners, the inner one empty for a full bar. @param from, to of
+/// s, mm
 inline model::Polyhedron tube(const std::vector<Eigen::Vector2d>& outer,
                               const std::vector<Eigen::Vector2d>& inner, double from, double to) {
   model::Polyhedron solid;

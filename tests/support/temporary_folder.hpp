@@ -10,7 +10,7 @@
 
 namespace kinetix::testing {
 
-/// A fresh folder that goes away with the object.
+/// Fresh folder that is removed with the object.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

@@ -4,7 +4,7 @@
 
 #include "tests/targets/meshes.hpp"
 
-/// Stand-ins for scans of heads, mm, z up, y to the front. They are no scans: bumps stand for ears and nose.
+/// Stand-ins for scans of heads, mm, z up, y to the front. Bumps represent ears and nose.
 namespace kinetix::testing {
 
 /// How far a bump of height 1 lifts a place, 1 at its centre and 0 beyond its radius.
@@ -31,8 +31,8 @@ inline targets::TriangleMesh head_with_ears(int around = 180, int down = 120) {
 /// mm: half axes of a thin ear, and its middle beside the head, so that a part of it is inside.
 inline const Eigen::Vector3d ear_axes{30, 3, 25}, ear_centre{85, -5, 40};
 
-/// An ellipsoid with two ears that stand out from it across, 38 mm long and 6 mm thick at most, closed shells
-/// of their own that reach into the head.
+/// Returns an ellipsoid with two ears that stand out sideways, 38 mm long and at most 6 mm thick. The ears are separate
+/// closed shells that reach into the head.
 inline targets::TriangleMesh head_with_thin_ears(int around = 120, int down = 80) {
   targets::TriangleMesh mesh = ellipsoid(head_axes, around, down);
   for (const double side : {-1.0, 1.0})
@@ -40,18 +40,18 @@ inline targets::TriangleMesh head_with_thin_ears(int around = 120, int down = 80
   return mesh;
 }
 
-/// How far out a point is from the middle of the ellipsoid, 1 on it.
+/// Returns how far out a point is from the middle of the ellipsoid, 1 on it.
 inline double level(const Eigen::Vector3d& p, const Eigen::Vector3d& axes) {
   return p.cwiseQuotient(axes).norm();
 }
 
-/// Whether the head with thin ears holds p: the equations of its parts.
+/// Returns whether the head with thin ears contains p, by the equations of its parts.
 inline bool is_in_head_or_ear(const Eigen::Vector3d& p) {
   const Eigen::Vector3d mirrored(std::abs(p.x()), p.y(), p.z());
   return level(p, head_axes) < 1 || level(mirrored - ear_centre, ear_axes) < 1;
 }
 
-/// A cone cut off at both ends, open there, its upper rim at z = 0.
+/// Returns a cone cut off at both ends, open there, its upper edge at z = 0.
 inline targets::TriangleMesh lampshade(double top = 45, double bottom = 110, double height = 170) {
   targets::TriangleMesh mesh;
   constexpr int around = 96, down = 40;
@@ -69,9 +69,9 @@ inline targets::TriangleMesh lampshade(double top = 45, double bottom = 110, dou
   return mesh;
 }
 
-/// The same with what scans have: noise of `noise` mm (standard deviation) along the normal, `holes` round
-/// holes of 4 to 10 mm radius, doubled, flipped and degenerate triangles, flaps that hang on an edge, an
-/// inner shell, and a speck beside the head.
+/// Returns head_with_ears() with the defects of scans. Noise of `noise` mm (standard deviation) acts along the normal,
+/// and there are `holes` round holes of 4 to 10 mm radius. It has doubled, flipped and degenerate triangles, flaps on
+/// an edge, an inner shell, and a speck next to the head.
 inline targets::TriangleMesh scanned_head(unsigned seed, double noise = 0.2, int holes = 8) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;

@@ -13,7 +13,7 @@
 
 namespace kinetix::testing {
 
-/// Anywhere in a cube of twice the size round the origin.
+/// Returns a random point in a cube of twice the size about the origin.
 inline Eigen::Vector3d random_point(std::mt19937& random, double size) {
   std::uniform_real_distribution<double> unit(-size, size);
   return {unit(random), unit(random), unit(random)};
@@ -56,7 +56,7 @@ inline targets::TriangleMesh tetrahedron(double edge = 100) {
           {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
 }
 
-/// Adds a part, moved.
+/// Adds a moved part.
 inline void add_part(targets::TriangleMesh& mesh, const targets::TriangleMesh& part,
                      const Eigen::Vector3d& shift) {
   const int first = static_cast<int>(mesh.vertices.size());
@@ -74,7 +74,7 @@ inline targets::TriangleMesh cube(double half) {
   return mesh;
 }
 
-/// Without the triangles that have a corner where `is_gone` says so.
+/// Returns the mesh without the triangles that have a corner for which `is_gone` is true.
 inline targets::TriangleMesh cut(targets::TriangleMesh mesh,
                                  const std::function<bool(const Eigen::Vector3d&)>& is_gone) {
   std::erase_if(mesh.triangles, [&](const targets::Triangle& t) {

@@ -23,11 +23,11 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-# What a clock measured, and what a release is called.
+# Keys with times and versions.
 TIMES = re.compile(r"^(timing_s|seconds|seconds_.*|.*_seconds|.*_per_second|per_second|rate|kinetix_version|"
                    r"threads|processes|started|written)$")
 MOST_DIFFERENCES_SHOWN = 5
-# Reports are pages around result.json; the others are the program's notes.
+# Reports are pages made from result.json. The others are internal files of the program.
 NOT_COMPARED = re.compile(r"^(report\.html|sweep\.sqlite|\..*)$")
 MODELS = ("exact", "equilibrium", "bullet")
 
@@ -90,7 +90,7 @@ def run(program, out, only, jobs):
             ended = subprocess.run([program, *call, "--quiet"], capture_output=True, text=True)
             done.append({"exit": ended.returncode, "error": without_paths(ended.stderr, target),
                          "console": without_paths(ended.stdout, target).splitlines()})
-        # A code of 2 may be the right answer (no closed form): it is compared like a number.
+        # A code of 2 may be the right answer (no closed form), so it is compared as a number.
         with open(os.path.join(target, "runs.json"), "w") as file:
             json.dump(done, file, indent=1)
         return f"{name}: exit {', '.join(str(d['exit']) for d in done)}"

@@ -1,8 +1,10 @@
 #!/bin/sh
-# compilers.sh [REGEX]: the program by GCC and clang, each at -O0 and -O3, on the shipped targets whose names match (a few quick ones of
-# every kind by default). Each build runs them twice, which must give the same numbers to the last bit; between builds numbers
-# may differ by BOUND, relative above 1 and absolute below: searches stop by tolerances, and rounding decides at which step.
-# Builds go to build/compilers, and take as long as four of `make program`. Exit code 1 if any number is out of its bound.
+# compilers.sh [REGEX]: compares the program built by GCC and by clang, at -O0 and at -O3, on shipped targets. REGEX
+# selects their names; the default is a few quick ones of every kind.
+# Each build runs them twice and must give the same numbers to the last bit. Numbers of different builds may differ by
+# BOUND, relative above 1 and absolute below. Searches stop at tolerances, and rounding decides at which step.
+# Builds go to build/compilers and take as long as four of `make program`. The exit code is 1 if any number exceeds its
+# bound.
 set -eu
 source=$(cd "$(dirname "$0")/../.." && pwd)
 only=${1:-'^(half_circle|helmet_rib|cube|octahedron|letter_t|honeycomb_t|helix|miura|shrinking_block|rosette|disc|cap)\.yaml'}

@@ -1,4 +1,4 @@
-// What a person types for the bed of a printer, without a browser.
+// Tests of the size that a person types for a printer's bed, without a browser.
 import assert from "node:assert/strict";
 import {test} from "node:test";
 import {bedSides} from "../../app/viewer/src/studio/make_panel.js";

@@ -1,5 +1,5 @@
-// What both pages reach in a browser: figures of the benchmarks, which read the lines that these write. No test of the project:
-// they depend on the machine.
+// Frame rates of both pages in a browser. The benchmarks read the lines that this script prints. It is not a test of the project,
+// since the figures depend on the machine.
 import assert from "node:assert/strict";
 import {statSync} from "node:fs";
 import path from "node:path";

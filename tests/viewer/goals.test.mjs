@@ -50,7 +50,7 @@ async function drawOn(page) {
   await page.mouse.up();
 }
 
-/** What `check` says of a target with its files beside it. */
+/** Returns the output of `check` for a target with its files next to it. */
 async function checked(name, text, file) {
   const beside = path.join(home, `${name}.yaml`);
   if (file) writeFileSync(path.join(home, path.basename(file)), readFileSync(file));
@@ -133,8 +133,8 @@ test("a drawn arch is searched for, and stands beside what was found", () => inS
 }));
 
 /**
- * The ghost in the frame of the poses: how many lines, triangles and pictures, its box and the thing's, mm; how far it is from the
- * thing at most, cell edges; its points and the poses.
+ * Returns the ghost in the frame of the poses: its numbers of lines, triangles and pictures, its box and the thing's, mm. Also
+ * returns its largest distance from the thing, cell edges, its points, and the poses.
  */
 const ghostOf = (page) => page.evaluate(() => {
   const {scene, design} = window.kinetix, poses = window.kinetix.poses(), cell = design.structure.cell_mm;

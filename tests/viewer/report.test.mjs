@@ -12,7 +12,7 @@ let chrome;
 before(async () => (chrome = await browser()));
 after(() => chrome?.close());
 
-/** What a reader sees before scrolling: the picture, the sheet, one verdict, sizes. */
+/** Returns the parts that a reader sees before scrolling: the picture, the sheet, one verdict, sizes. */
 async function firstScreen(page) {
   return page.evaluate(() => {
     const low = (selector) => Math.max(...[...document.querySelectorAll(selector)].map((node) => node.getBoundingClientRect().bottom));

@@ -6,7 +6,7 @@ import js from "@eslint/js";
 import {ESLint} from "eslint";
 import globals from "globals";
 
-/** What ESLint finds in files, a line each. */
+/** Returns the faults that ESLint finds in files, one line each. */
 async function faults(cwd, files, languageOptions, rules = {}) {
   const eslint = new ESLint({cwd, overrideConfigFile: true, baseConfig: [js.configs.recommended, {languageOptions, rules}]});
   const results = await eslint.lintFiles(files);
@@ -20,7 +20,7 @@ test("the studio's scripts", async () => {
 });
 
 test("the reports' scripts, page by page as browsers read them", async () => {
-  // The three-dimensional view is a script of its own.
+  // The three-dimensional view is a separate script.
   const names = {...globals.browser, KinetixScene: "readonly"};
   const inPage = (page, rules) => faults(process.env.KINETIX_PAGES, [page], {sourceType: "script", globals: names}, rules);
   assert.deepEqual(await inPage("page.js"), []);

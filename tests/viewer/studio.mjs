@@ -9,7 +9,7 @@ export {folder, PROGRAM, run, SHAPES} from "./program.mjs";
 const BROWSER = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const SOFTWARE = ["--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
 
-/** {address, stop, kill} of `view SOURCE`, run in a folder of its own, which also keeps what is not saved. */
+/** Returns {address, stop, kill} of `view SOURCE`, run in a separate folder, which also contains the unsaved state. */
 export async function serve(source, cwd = folder()) {
   const child = spawn(PROGRAM, ["view", "--no-open", ...(source ? [source] : [])], {cwd, env: {...process.env, XDG_STATE_HOME: path.join(cwd, "state")}});
   child.stderr.resume();

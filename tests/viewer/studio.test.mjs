@@ -280,7 +280,7 @@ test("both stable states are reached by a press of a button", async () => {
   const fresh = await serve(path.join(SHAPES, "..", "sweeps", "twist.yaml"), folder()), other = await open(chrome, fresh.address), twist = other.page;
   const snapped = async () => {
     const before = await twist.evaluate(() => window.kinetix.theta());
-    // Where it goes when it is let go is known a while after the path.
+    // The studio finds the state after release some time after the path.
     for (let k = 0; k < 100; ++k) {
       await twist.click("#snap");
       await wait(100);

@@ -1,4 +1,4 @@
-// What the studio's page says of the present: it goes when it no longer holds, and names the design that was saved.
+// Tests of the page's messages about the present state. They vanish when they no longer hold, and name the saved design.
 import assert from "node:assert/strict";
 import {existsSync, mkdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import path from "node:path";
@@ -10,7 +10,7 @@ let chrome;
 before(async () => (chrome = await browser()));
 after(() => chrome?.close());
 
-/** With a page of the studio, in a folder of its own; nothing may go wrong in it. */
+/** Runs `use` with a page of the studio, in a separate folder; no error may occur in it. */
 async function inStudio(source, use, home = folder(), end = "stop") {
   const studio = await serve(source, home);
   try {

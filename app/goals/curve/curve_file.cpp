@@ -21,17 +21,16 @@ namespace {
 namespace value = targets::value;
 
 constexpr int least_default_columns = 8;  // fewer are corners, not a curve
-constexpr int max_columns = 1000;         // of cells: the tilt of each is a variable of the search
-// rad, at which a strip gets the length of the curve where the file gives no cell edge: far enough from
-// both ends of the usual range of theta (2 to 44 deg) for the search to make the strip longer or shorter.
+constexpr int max_columns = 1000;         // the tilt of each column is a variable of the search
+
+// Theta (rad) at which a strip has the length of the curve if the file gives no cell edge. It is far from both ends of
+// the usual range (2 to 44 deg), so the search can make the strip longer or shorter.
 constexpr double default_theta = 30 * radians_per_degree;
-// mm: where cells would be smaller than that, points in metres are likelier than a strip to be looked at
-// through a lens.
+// mm: smaller cells suggest that the points are in metres.
 constexpr double smallest_default_cell_mm = 0.1;
 
-constexpr double share_of_rise = 0.05;  // of how far a curve strays: 1.2 mm of an arch of 25 mm
-constexpr double least_shape_tolerance =
-    0.001;  // of the diagonal: nearly straight strips need not be straighter
+constexpr double share_of_rise = 0.05;           // ratio to the rise of a curve: 1.25 mm for an arch of 25 mm
+constexpr double least_shape_tolerance = 0.001;  // ratio to the diagonal: limit for nearly straight curves
 
 targets::Curve read_goal(const targets::Section& root) {
   const targets::Section target = root.section("target");
@@ -39,7 +38,8 @@ targets::Curve read_goal(const targets::Section& root) {
       target.required("points", "the path of a CSV file or a list of points [[x, z], ...] in mm"));
 }
 
-/// How far the curve strays from the straight line between its ends, mm; of a closed one how large it is.
+/// Returns the largest distance (mm) of the curve from the chord between its ends. For a closed curve, returns the
+/// largest distance from its first point.
 double rise(const targets::Curve& curve) {
   const Eigen::Vector2d from = curve.points().front(), chord = curve.points().back() - from;
   const bool is_closed = chord.norm() < 1e-9 * curve.diagonal();
@@ -61,7 +61,7 @@ void check_cell_against_curve(const targets::Node& cell_mm, double edge_mm, doub
                         length_text(curve_mm) + " long; points are in millimetres; are these metres?");
 }
 
-/// default_theta, or what is nearest to it of `variables.theta.range_deg`.
+/// Returns default_theta, clamped to `variables.theta.range_deg`.
 double length_theta(const targets::Section& root, const optim::AngleRange& usual) {
   optim::AngleRange range = usual;
   root.section("variables").section("theta").read("range_deg", range);
@@ -78,14 +78,14 @@ double default_edge(const targets::Section& root, double curve_mm, int columns, 
   return edge;
 }
 
-/// As many as the process can print with walls that follow default_size.
+/// Returns the number of columns that the process can print with walls by default_size, between 8 and `usual`.
 int default_columns(double curve_mm, double theta, const model::Process& process, int usual) {
   const double printed = curve_mm / (least_cell_mm(process, default_size(1), {}) * std::cos(theta));
   return static_cast<int>(std::clamp(std::floor(printed), static_cast<double>(least_default_columns),
                                      static_cast<double>(usual)));
 }
 
-/// Columns and rows of the cells that the file asks for; nothing where they are left out.
+/// Reads columns and rows of the cells; nullopt if the file leaves them out.
 std::optional<std::array<int, 2>> read_sides(const targets::Section& structure) {
   const auto node = structure.optional("cells");
   if (!node) return std::nullopt;
@@ -144,7 +144,8 @@ void read_variables(const targets::Section& root, CurveFile& file) {
   file.theta = read_theta(root, file.size, file.theta);
 }
 
-/// The smallest of what a miss is seen by: the curve's size, its cells, and how far it strays from a straight line.
+/// Returns the default tolerance: the least of 0.01, half a cell and a twentieth of the curve's rise, and at least
+/// 0.001. All are ratios to the diagonal.
 double usual_shape_tolerance(const CurveFile& file) {
   const double diagonal = file.curve.diagonal();
   const double seen = std::min(GoalSettings::grain * file.size.edge_mm / diagonal,

@@ -9,13 +9,12 @@
 
 namespace kinetix::app {
 
-/// A target.yaml of kind curve, as asked for or by default. Angles in radians, lengths in mm.
+/// Content of a target.yaml of kind curve, with defaults filled in. Angles in radians, lengths in mm.
 ///
-/// `kinetix: 1` and a `target` are enough. Left out, the structure is a strip [40, 1], or of fewer columns, at least 8, where
-/// the process could not print the walls of so many, whose cells give it the
-/// curve's length at theta = 30 deg: cell_mm = length / (columns cos 30 deg); where cell_mm alone is given,
-/// the number of columns follows from it in the same way. Walls follow default_size
-/// (app/files/structure_section.hpp).
+/// Required are `kinetix: 1` and a `target`. The default structure is a strip [40, 1]. It has fewer columns, at least
+/// 8, if the process cannot print the walls of 40. The strip has the curve's length at theta = 30 deg:
+/// cell_mm = length / (columns cos 30 deg). If only cell_mm is given, this equation gives the number of columns.
+/// Walls follow default_size (app/files/structure_section.hpp).
 struct CurveFile : GoalSettings {
   explicit CurveFile(targets::Curve goal) : curve(std::move(goal)) {}
 
@@ -30,20 +29,20 @@ struct CurveFile : GoalSettings {
   optim::Symmetry symmetry = optim::Symmetry::none;  ///< rotate_4 only where columns == rows
   optim::AngleRange theta = {2 * radians_per_degree, 44 * radians_per_degree};  ///< within (0, 45) deg
 
-  double shape_tolerance = 0.01;  ///< of shape_rms, over the curve's bounding-box diagonal, (0, 1]
+  double shape_tolerance = 0.01;  ///< largest shape_rms, over the curve's bounding-box diagonal, (0, 1]
 
-  bool free_size = false;  ///< structure.cell_mm was left out: cells follow from the curve's length
-  bool free_walls = true;  ///< structure.wall_mm was left out: walls follow from the cells
+  bool free_size = false;  ///< no structure.cell_mm: cells follow from the curve's length
+  bool free_walls = true;  ///< no structure.wall_mm: walls follow from the cells
 };
 
-/// Every key of a target.yaml of kind curve.
+/// Returns all keys of a target.yaml of kind curve.
 const targets::KeyTable& curve_keys();
 
-/// @param root a target whose kind is curve
+/// Reads the target. @param root a target whose kind is curve
 /// @throws InvalidInput for whatever formats.md does not allow
 CurveFile read_curve_file(const targets::Node& root);
 
-/// Makes the goal: the search, the closed form, and the physics run of its folding.
+/// Makes the goal: the search, the closed form, and the simulation of its folding.
 std::unique_ptr<Goal> make_goal(CurveFile file);
 
 }  // namespace kinetix::app

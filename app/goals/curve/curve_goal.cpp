@@ -32,7 +32,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct CurveMeasure final : Measure {
-  std::vector<Eigen::Vector2d> midline_mm;  ///< (x, z), as the model's state lies
+  std::vector<Eigen::Vector2d> midline_mm;  ///< (x, z), in the frame of the model's state
   targets::CurveError error;
 };
 
@@ -97,13 +97,13 @@ optim::MultiStartOptions curve_search(const CurveFile& file, const RunOptions& o
   });
 }
 
-/// The curve's part of a result. It is met with the shape within tolerance and no walls in the way.
+/// Curve section of a result. The goal is met if the shape is within tolerance and no walls collide.
 struct CurveOutcome final : GoalOutcome {
   explicit CurveOutcome(CurveStrip strip) : file(std::move(strip.file)), found(std::move(strip.found)) {}
 
   CurveFile file;
   optim::FreeCurveDesign found;
-  std::optional<RobustCurve> robust;  ///< where `found` was chosen by what its prints come to
+  std::optional<RobustCurve> robust;  ///< candidates, if `found` was chosen by its print tolerance analysis
 
   optim::SolverName solver() const { return curve_search(file, {}).solver.name; }
 
@@ -192,7 +192,7 @@ std::vector<std::string> why_too_far(const CurveFile& file, const optim::FreeCur
   return why;
 }
 
-/// Returns what walls are in the way and what helps. @pre found.contact.touches
+/// Describes the colliding walls and how to avoid them. @pre found.contact.touches
 std::string obstacle(const optim::FreeCurveDesign& found, const model::Lattice& sheet) {
   return overlap_words(found.contact, found.design.design.theta, sheet) +
          ": use lower or thinner walls, or larger cells";
@@ -228,7 +228,8 @@ class CurveGoal final : public Goal {
     return found_for(std::move(best), std::move(robust));
   }
 
-  /// In the equilibrium how elastic hinges keep the goal. The physics run is judged by its distance from the model alone.
+  /// Measures the model's state and the equilibrium of elastic hinges. Returns nullptr for the simulation, which is
+  /// judged by its distance from the model alone.
   std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State& state,
                                          const RunOptions&) const override {
     if (of == StateOf::physics) return nullptr;
@@ -250,7 +251,7 @@ class CurveGoal final : public Goal {
     return out;
   }
 
-  /// Each column's place against the goal as it is laid over the midline.
+  /// Observes the distance of each column from the goal, after the goal is aligned with the midline.
   std::optional<Observed> observe(const Found& found, const model::Lattice& sheet,
                                   const model::State& state) const override {
     const model::Pose motion = motion_onto(state, found.own);

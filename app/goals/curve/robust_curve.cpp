@@ -19,18 +19,18 @@
 namespace kinetix::app {
 namespace {
 
-// Numbers of columns that are tried, as ratios to that of the file: fewer have fewer hinges to err and follow the curve less well.
+// Numbers of columns to try, as ratios to the file's. Fewer columns have fewer hinge errors but larger design errors.
 constexpr double column_shares[] = {1, 0.8, 0.65, 0.5};
-// Starts of each strip's search, a count: the plain search, which has more, has found that they end alike.
+// Number of starts per strip. The plain search uses more starts, and they lead to the same result.
 constexpr int starts = 2;
 constexpr int fewest_columns = 4;
-// Of the gaps of blocks and films of the best of them, over that of the file: longer ones turn softer, and are weaker
-// across.
+// Gaps of elastomer and living hinges to try for the best strip, as ratios to the file's gap. Longer gaps turn more
+// softly and are weaker across.
 constexpr double strip_gap_shares[] = {0.5, 0.7, 1.4, 2};
-// rad below the theta at which basic cells of these walls close.
+// Margin (rad) below the theta at which basic cells with these walls close.
 constexpr double below_closing = 0.02;
 
-/// The same strip with other gaps; nothing where they cannot be made.
+/// Returns the strip with its gaps scaled by `share`; nullopt if such a hinge cannot be made.
 std::optional<CurveFile> with_gaps(CurveFile file, double share) {
   model::MadeHinge& made = *file.hinge.made;
   made.gap_mm *= share;
@@ -44,7 +44,7 @@ std::optional<CurveFile> with_gaps(CurveFile file, double share) {
 
 using FoundFor = std::function<Found(const CurveStrip&)>;
 
-/// Judges a strip by its closed form.
+/// Fills in the candidate of a strip from its closed form and the first-order print tolerance.
 CurveStrip judged(const Goal& goal, CurveStrip strip, const FoundFor& found_for, const RunOptions& options) {
   const optim::CurveDesign& design = strip.found.design;
   CurveCandidate out{not_judged(design.design.theta, strip.file.size.edge_mm, strip.file.hinge),
@@ -64,14 +64,14 @@ CurveStrip judged(const Goal& goal, CurveStrip strip, const FoundFor& found_for,
   return strip;
 }
 
-/// k-th of the values of theta that are tried, rad.
+/// Returns the k-th theta to try, rad.
 double theta_at(const CurveFile& file, int k) {
   const double upper = std::min(file.theta.upper, closing_theta(file.size) - below_closing);
   return file.theta.lower + narrow_theta +
          (upper - file.theta.lower - 2 * narrow_theta) * k / (robust_thetas - 1);
 }
 
-/// The file with theta given, and cells that give the strip the curve's length.
+/// Returns the file with theta fixed and, if the cell size is free, with cells that give the strip the curve's length.
 CurveFile with(CurveFile file, int columns, double theta) {
   file.columns = columns;
   file.theta = {theta - narrow_theta / 2, theta + narrow_theta / 2};
@@ -88,8 +88,8 @@ CurveFile with(CurveFile file, int columns, double theta) {
   return file;
 }
 
-/// Judges the plain strip and those whose closed forms promise most once more, with what makes up for their hinges.
-/// @return the best of them
+/// Compensates the plain strip and the best strips by closed form for elastic hinges, and measures them again.
+/// @return index of the best
 std::size_t best_in_matter(const Goal& goal, std::vector<CurveStrip>& all, const FoundFor& found_for,
                            const RunOptions& options) {
   const double weight = *all.front().file.robust;

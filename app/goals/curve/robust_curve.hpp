@@ -10,20 +10,20 @@
 
 namespace kinetix::app {
 
-/// A strip that was tried for how its prints come out.
+/// Candidate strip of a robust search.
 struct CurveCandidate : RobustCandidate {
   int columns = 0;
-  double shape_rms = 0;    ///< of the design, over the goal's diagonal
-  bool in_matter = false;  ///< with what makes up for elastic hinges, not by the closed form
+  double shape_rms = 0;    ///< shape error of the design, over the goal's diagonal
+  bool in_matter = false;  ///< measured with elastic hinges and compensated, not by the closed form
 };
 
-/// Strips from which a robust search chose.
+/// All candidates of a robust search and its choice.
 struct RobustCurve {
-  std::vector<CurveCandidate> tried;  ///< first the plain search's
-  std::size_t chosen = 0;             ///< in tried
+  std::vector<CurveCandidate> tried;  ///< the first is the strip of the plain search
+  std::size_t chosen = 0;             ///< index in tried
 };
 
-/// A strip that was found, with the cells and hinges of its file.
+/// Search result, with the cells and hinges of its file.
 struct CurveStrip {
   CurveFile file;
   optim::FreeCurveDesign found;
@@ -33,15 +33,16 @@ struct CurveStrip {
 /// Returns the variables of a search for the file's curve.
 optim::CurveVariables curve_variables(const CurveFile& file);
 
-/// Strips whose elastic hinges are made up for, which takes about a second each: their closed forms rank the others.
+/// Number of strips that are compensated for elastic hinges, about a second each. The closed form ranks the others.
 inline constexpr std::size_t robust_finalists = 6;
 
-/// Returns the strip with the least robust_cost(), prints to first order, among those whose design meets the curve: over theta,
-/// over numbers of columns and sizes of cells where the file leaves them open, and over gaps of blocks and films. Where hinges
-/// are elastic the best half dozen of their closed forms, the plain one among them, are judged once more as the run would leave
-/// them, and the choice is among these.
-/// @pre plain.file.robust   @param plain what a search for the least error of the design found
-/// @param found_for makes of a strip what the pipeline takes
+/// Returns the strip with the least robust_cost(), prints to first order, among those whose design meets the curve.
+///
+/// The search varies theta, the number of columns with the cell size if the file leaves them open, and the gaps of
+/// elastomer and living hinges. With elastic hinges, robust_finalists strips are compensated and measured again. These
+/// are the plain strip and the best by closed form, and the choice is among them.
+/// @pre plain.file.robust   @param plain strip with the least error of the design
+/// @param found_for converts a strip to the input of the pipeline
 std::pair<CurveStrip, RobustCurve> robust_curve(const Goal& goal, CurveStrip plain,
                                                 const optim::MultiStartOptions& search,
                                                 const RunOptions& options,

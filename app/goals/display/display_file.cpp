@@ -22,17 +22,17 @@ namespace value = targets::value;
 using model::Axis;
 using optim::Channel;
 
-constexpr double display_cell_mm = 10;  // a cell that a hand takes hold of, as in a design
-// Of the plates' first distance, a fraction: a basic sheet has closed at 1 - cos 45 deg = 0.29 already.
+constexpr double display_cell_mm = 10;  // mm: easy to grip by hand, and the default of a design
+// Fraction of the plates' initial distance. A basic sheet is already closed at 1 - cos 45 deg = 0.29.
 constexpr targets::Bounds allowed_compression = {0, 0.5, false, true};
-// Of tolerances in cell edges: 0 cannot be met, and an error of a whole cell is no agreement.
-// Those that use gradients of a single cost, the default first.
+// Offset or stretch of a hinge, as a fraction of cell_mm.
 const targets::Bounds allowed_offset = {0, 0.5, true, false, "mm (below half of cell_mm)"};
+// Solvers that use gradients of a single cost, the default first.
 const std::vector<optim::SolverName> fitting_solvers = {optim::SolverName::mma, optim::SolverName::ccsa,
                                                         optim::SolverName::slsqp};
-// Of a driven hinge, degrees: as far as plates may go, 2 theta at a compression of 0.5.
+// Turn of a driven hinge, degrees: 120 is 2 theta at the plates' largest compression of 0.5.
 const targets::Bounds allowed_turn = {0, 120, false, true, "degrees"};
-// What the keys `channel`, `axis` and `kind` may say.
+// Values of the keys `channel`, `axis` and `kind`.
 constexpr targets::Word<Channel> channels[] = {{"light", Channel::light},
                                                {"aperture", Channel::aperture},
                                                {"area", Channel::area},
@@ -124,12 +124,12 @@ std::optional<targets::Node> under(const targets::Section& root, std::string_vie
 
 targets::Section t_section(const targets::Section& root) { return root.section("variables").section("t"); }
 
-/// Whether a file asks for what only hinges on their walls have.
+/// Returns whether a file has settings that only apply to hinges on their walls.
 bool asks_for_walls(const targets::Section& root, const DisplayFile& file) {
   return root.optional("solver") || file.channel != Channel::light || file.symmetry != optim::Symmetry::none;
 }
 
-/// A made hinge can sit so far off the middle of its wall and no further.
+/// Limits the offset to the largest at which a made hinge fits on its wall. @throws InvalidInput for a larger offset_mm
 void limit_offset(const targets::Section& root, DisplayFile& file) {
   if (!file.hinge.made) return;
   const double most_mm = largest_offset_mm(*file.hinge.made, file.size);
@@ -141,7 +141,7 @@ void limit_offset(const targets::Section& root, DisplayFile& file) {
     throw node->error(offset_limit_text(*file.hinge.made, file.size));
 }
 
-/// Before all whose defaults depend on it.
+/// Reads offset_mm and stretch_mm. It runs before the keys whose defaults depend on the offset.
 void read_offset(const targets::Section& root, DisplayFile& file) {
   std::optional<double> offset_mm;
   root.section("variables").read_length("offset_mm", offset_mm, file.size.edge_mm);
@@ -183,7 +183,7 @@ void read_goal(const targets::Section& root, DisplayFile& file) {
   read_offset(root, file);
 }
 
-/// What takes plates, of all that a file may ask for.
+/// Rejects settings that need plates, for a driven hinge.
 void refuse_what_takes_plates(const targets::Section& root, const targets::Section& drive,
                               const DisplayFile& file) {
   const targets::Section variables = root.section("variables");
@@ -214,14 +214,16 @@ void read_drive(const targets::Section& root, DisplayFile& file) {
   if (file.by_hinge) read_driven_hinge(root, section, file);
 }
 
-/// A symmetry turns walls end to end, or onto themselves: those have their hinges at 1 - t, or in the middle.
+/// Checks that t ranges on both sides of 0.5 with a symmetry. A symmetry maps a wall to another one with the ends
+/// exchanged, which has its hinge at 1 - t, or to itself, which puts the hinge in the middle.
 void check_tied_t(const targets::Section& t, const DisplayFile& file) {
   if (file.symmetry == optim::Symmetry::none || (file.t[0] < 0.5 && file.t[1] > 0.5)) return;
   throw t.optional("range")->error(
       "must hold 0.5 inside with a symmetry, which has hinges at t, at 1 - t and in the middle of walls");
 }
 
-/// Walls are scaled alike in all of the panel: nothing of it is mirrored, and hinges sit to both sides.
+/// Checks t and symmetry for panels with offsets. All walls of the panel share one scaling, so no part is mirrored and
+/// hinges are on both sides of the middle.
 void check_scaled_t(const targets::Section& t, const DisplayFile& file) {
   if (!(file.offset > 0)) return;
   const auto range = t.optional("range");

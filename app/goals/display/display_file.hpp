@@ -15,74 +15,75 @@
 
 namespace kinetix::app {
 
-/// Turn of a hinge, rad, where plates have come closer by `compression`, (0, 0.5], between straight rows: 2 theta.
+/// Returns the turn 2 theta (rad) of a hinge between straight rows at this compression, (0, 0.5].
 double turn_of_compression(double compression);
 
-/// A target.yaml of kind display, as asked for or by default. `kinetix: 1` and a `target` are enough.
+/// Content of a target.yaml of kind display, with defaults filled in. Required are `kinetix: 1` and a `target`.
 ///
-///     target: {kind: display, glyph: T, channel: light}         # or image, or rows: read_display.hpp
-///     drive: {axis: y, compression: 0.12}                       # of the plates, or
-///     drive: {kind: hinge, angle_deg: 70}                       # of a hinge, all rows free
-///     variables:
-///       offset_mm: 0.8                                          # of hinges across their walls
-///       stretch_mm: 0.05                                        # of hinges, on purpose
-///       t: {range: [0.2, 0.8], corner_mm: 1, symmetry: none}
-///       compression: {range: [0.05, 0.2]}                       # searched for, from drive.compression
-///       axis: [x, y]                                            # each is tried, the best taken
-///     tolerance: {stretch: 0.12, auc: 0.97, contrast: 3, verify: 0.05}
+/// `target: {kind: display, glyph: T, channel: light}`. Instead of a glyph: image or rows, see read_display.hpp.
+/// `drive: {axis: y, compression: 0.12}` for plates, or
+/// `drive: {kind: hinge, angle_deg: 70}` for one driven hinge with all rows free.
+/// `variables:`
+/// - `offset_mm: 0.8`: offset of hinges across their walls.
+/// - `stretch_mm: 0.05`: intended stretch of hinges.
+/// - `t: {range: [0.2, 0.8], corner_mm: 1, symmetry: none}`
+/// - `compression: {range: [0.05, 0.2]}`: search range; the search starts at drive.compression.
+/// - `axis: [x, y]`: directions to try; the best is used.
 ///
-/// `hinge` is elastic, `solver` mma, ccsa or slsqp, its starts for each axis.
+/// `tolerance: {stretch: 0.12, auc: 0.97, contrast: 3, verify: 0.05}`.
+///
+/// `hinge` is elastic. `solver` is mma, ccsa or slsqp, and its starts count per axis.
 struct DisplayFile : GoalSettings {
   DisplayFile() { verify_tolerance = usual_verify; }
 
   targets::DisplayGoal goal;
   optim::Channel channel = optim::Channel::light;
   model::CellSize size = {};   ///< structure.cell_mm (default 10), structure.wall_mm
-  LatticeChoice lattice = {};  ///< structure.lattice, angle_deg, rim; others than squares with offsets alone
-  bool by_hinge = false;       ///< drive.kind: one hinge is turned, in place of plates that close in
+  LatticeChoice lattice = {};  ///< structure.lattice, angle_deg, rim; all but squares need offsets
+  bool by_hinge = false;       ///< drive.kind: one hinge is driven instead of plates
   std::vector<model::Axis> axes = {
       model::Axis::y};  ///< drive.axis or variables.axis: normals of the plates to try
-  /// drive.compression: fraction by which the plates come closer, (0, 0.5], within the range if there is one
+  /// drive.compression: reduction of the plates' distance as a fraction, (0, 0.5], within compression_range if given
   double compression = 0.185;
-  /// drive.angle_deg: turn of the driven hinge to whichever side shows the picture, rad, (0, 2 pi / 3]
+  /// drive.angle_deg: turn of the driven hinge toward the side that shows the picture, rad, (0, 2 pi / 3]
   double angle = turn_of_compression(0.185);
-  std::optional<int> driven_hinge =
-      {};              ///< drive.wall: the driven one; nothing: one in the middle (middle_hinge)
-  bool press = false;  ///< drive.press: plates that push and do not hold
-  /// variables.compression.range, within (0, 0.5], likewise a fraction of the first distance
+  std::optional<int> driven_hinge = {};  ///< drive.wall; nullopt: a hinge in the middle (middle_hinge)
+  bool press = false;                    ///< drive.press: plates push but do not pull
+  /// variables.compression.range, within (0, 0.5], fractions of the initial distance
   std::optional<std::array<double, 2>> compression_range = {};
-  /// variables.t.range, fractions of a wall, (0, 1), no nearer to a corner than corner_mm
+  /// variables.t.range, fractions of a wall, (0, 1), at least corner_mm from a corner
   std::array<double, 2> t = {0.2, 0.8};
-  /// variables.offset_mm over cell_mm: largest of a hinge across its wall, cell edges, [0, 0.5). 0: hinges on
-  /// their walls, which have to stretch.
+  /// variables.offset_mm over cell_mm: largest offset of a hinge across its wall, cell edges, [0, 0.5). With 0 the
+  /// hinges are on their walls and have to stretch.
   double offset = 0.08;
-  /// variables.stretch_mm over cell_mm: most that hinges with offsets may stretch on purpose, cell edges, [0, 0.5).
+  /// variables.stretch_mm over cell_mm: largest intended stretch of hinges with offsets, cell edges, [0, 0.5)
   double strain = 0;
   optim::Symmetry symmetry = optim::Symmetry::none;  ///< variables.t.symmetry
-  double stretch = 0.12;  ///< tolerance.stretch: most of a hinge, cell edges, (0, 1]
-  double auc = 0.97;      ///< tolerance.auc: least, (0.5, 1]; rank correlation for grey goals
-  double contrast = 3;    ///< tolerance.contrast: least d', dimensionless, of goals with two levels, >= 0
+  double stretch = 0.12;  ///< tolerance.stretch: largest stretch of a hinge, cell edges, (0, 1]
+  double auc = 0.97;      ///< tolerance.auc: least value, (0.5, 1]; rank correlation for grey goals
+  double contrast = 3;    ///< tolerance.contrast: least d', dimensionless, >= 0, for goals with two levels
   HingeLimits limits = {};
-  static constexpr double usual_verify = 0.05;  ///< tolerance.verify, cell edges: panels strain
+  static constexpr double usual_verify = 0.05;  ///< tolerance.verify, cell edges; large because panels strain
 };
 
-// Defaults of searches with hinges on their walls, as the paper's displays are: local texture, which is read
-// cell by cell.
+// Default channel for hinges on their walls, as in the paper's displays: local texture, read cell by cell.
 inline constexpr optim::Channel channel_on_walls = optim::Channel::aperture;
-// Fraction of the plates' distance: where a letter's cells differ most before walls meet.
+// Default compression for hinges on their walls, a fraction of the plates' distance: a letter's cells differ most here
+// before walls collide.
 inline constexpr double compression_on_walls = 0.12;
-// Fractions of a wall: beyond, the shorter half is no longer than a wall is thick.
+// Default range of t for hinges on their walls, fractions of a wall: beyond it the shorter half is no longer than the
+// wall is thick.
 inline constexpr std::array<double, 2> t_on_walls = {0.08, 0.92};
 
-/// Every key of a target.yaml of kind display.
+/// Returns all keys of a target.yaml of kind display.
 const targets::KeyTable& display_keys();
 
-/// @param root a target whose kind is display
+/// Reads the target. @param root a target whose kind is display
 /// @throws InvalidInput for whatever formats.md does not allow
 DisplayFile read_display_file(const targets::Node& root);
 
-/// Makes the goal: the search, the panel's equilibrium from flat, and the physics run of its compression. Its search throws
-/// InvalidInput for a panel whose walls overlap, and for one that the machine's memory does not hold.
+/// Makes the goal: the search, the panel's equilibrium from flat, and the simulation of its compression. Its search
+/// throws InvalidInput for a panel with overlapping walls, and for one that exceeds the machine's memory.
 std::unique_ptr<Goal> make_goal(DisplayFile file);
 
 }  // namespace kinetix::app

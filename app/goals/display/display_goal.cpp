@@ -24,8 +24,8 @@
 namespace kinetix::app {
 namespace {
 
-// Dimensionless: over what light is off by where walls of 0.4 cell edges have no place to overlap but their vertices
-// (blurred_light_test: 0.016).
+// Transmittance below which a cell counts as overlapped by walls, dimensionless. Light is off by up to 0.016 if walls
+// of 0.4 cell edges overlap at their vertices only (blurred_light_test).
 constexpr double least_light = -0.02;
 
 std::string lost_strokes(const targets::DisplayGoal& goal) {
@@ -35,7 +35,7 @@ std::string lost_strokes(const targets::DisplayGoal& goal) {
                             (*goal.needed)[1]);
 }
 
-/// Describes which parts of letters cannot be told apart; empty if all can, or if the picture is not text.
+/// Describes indistinguishable parts of letters. Empty if all are distinguishable, or if the picture is not text.
 std::string describe_melting(const targets::DisplayGoal& goal, const DisplayReading& reading) {
   const targets::Topology drawn = topology(goal);
   if (!reading.seen || *reading.seen == drawn) return "";
@@ -49,7 +49,7 @@ std::string describe_estimate(targets::PanelSize size) {
   return fmt::format("estimate: a panel of [{}, {}] cells shows it clearly enough", size[0], size[1]);
 }
 
-/// What the search did to keep the limits of the file, in words.
+/// Describes what the search reduced to keep the limits of the file.
 std::string pressed_less(const DisplayFile& file, const DisplayOutcome& display) {
   const bool turned = display.design.view.turn.has_value();
   const std::string less = turned ? "less turning" : "less compression";
@@ -60,7 +60,7 @@ std::string pressed_less(const DisplayFile& file, const DisplayOutcome& display)
                         : fmt::format(", down to {:.2g} %,", 100 * least.compression));
 }
 
-/// What keeps a picture from the equilibrium whose exact motion shows it; empty where that does not show it either.
+/// Explains why the equilibrium misses a picture that the exact motion shows. Empty if the exact motion misses it too.
 std::string lost_in_equilibrium(const DisplayFile& file, const DisplayOutcome& display, const Run& run) {
   if (!display.design.scaled || !violations(file, display.exact.score, display.exact.rank, "").empty())
     return "";
@@ -74,22 +74,22 @@ std::string lost_in_equilibrium(const DisplayFile& file, const DisplayOutcome& d
                      touch ? "walls that touch and hinges that give" : "hinges that give");
 }
 
-/// Greys have no contrast to judge them by.
+/// Returns the tolerances of the goal. Grey pictures have no contrast tolerance.
 Tolerances tolerances_of(const DisplayFile& file) {
   Tolerances tolerances = {{"stretch", file.stretch}, {"auc", file.auc}};
   if (file.goal.is_binary()) tolerances.emplace_back("contrast", file.contrast);
   return tolerances;
 }
 
-/// Whether a larger panel can help: the picture has all its strokes and is not clear enough between plates, not even in the exact
-/// motion if there is one. The contrast of panels that one hinge drives does not grow with their size.
+/// Returns whether a larger panel can help. The picture must be whole, the panel pressed by plates, and the exact
+/// motion must not show the picture either. The contrast of panels with a driven hinge does not grow with their size.
 bool can_use_more_cells(const DisplayFile& file, const DisplayOutcome& display, const Run& run) {
   const optim::DisplayView& view = display.design.view;
   return file.goal.whole && view.at_equilibrium && !view.turn &&
          lost_in_equilibrium(file, display, run).empty();
 }
 
-/// Cells that are darker than dark, which is where walls lie over each other.
+/// Describes cells with negative light, which means that their walls overlap. Empty if there are none.
 std::string below_zero(const DisplayOutcome& display, const DisplayReading& after) {
   const std::vector<double>& light = after.channel;
   const auto dark =
@@ -126,13 +126,13 @@ std::vector<std::string> all_violations(const DisplayFile& file, const DisplayOu
   return why;
 }
 
-constexpr int most_bodies_of_physics = 5000;  // an hour on one core, about
-// Measured, s: by convex problems where hinges may sit beside their walls, by searches in the elastic model where not.
+constexpr int most_bodies_of_physics = 5000;  // count: the simulation takes about an hour on one core
+// Search time in s per cell, measured: convex problems for hinges with offsets, elastic searches for hinges on walls.
 constexpr double seconds_a_cell = 2e-4, seconds_a_cell_stretched = 0.07;
-// s, of the path from flat: 0.92 s for 32 x 32 cells, 51 s for 100 x 100.
+// Time in s of the equilibrium path from flat: 0.92 s for 32 x 32 cells, 51 s for 100 x 100.
 constexpr double path_seconds_of_1024 = 0.92, path_exponent = 1.76;
 
-/// A state that the search knows of its design.
+/// Returns the state that the search computed for its design; nullopt if it found no equilibrium.
 std::optional<Found::Known> known_state(const optim::DisplayDesign& design) {
   if (!design.view.at_equilibrium || design.view.state.empty()) return std::nullopt;
   return Found::Known{design.scaled ? Model::exact : Model::equilibrium, design.view.state};
@@ -219,7 +219,7 @@ class DisplayGoal final : public Goal {
     return elasticity_of(file_.hinge, file_.physics, file_.size.edge_mm);
   }
 
-  /// Strains a panel on purpose as far as it keeps its limits: where it would not, it stays as it was.
+  /// Strains a panel on purpose. If the strained panel exceeds its limits, the panel stays as it was.
   void strain(const model::Lattice& panel, const RunOptions& options, DisplayOutcome& display) const {
     const DisplayFile pressed = pressed_by(file_, display.pressed);
     optim::DisplayDesign strained = display.design;
@@ -238,7 +238,7 @@ class DisplayGoal final : public Goal {
     if (!display.unlimited && !display.least_pressed) display.unlimited = loads;
   }
 
-  /// Returns the settings of the panel and its drive: that of the search, or of the file where the search found no equilibrium.
+  /// Returns the settings of the panel and its drive. If the search found no equilibrium, the drive is the file's.
   Found described(optim::DisplayView& view) const {
     Found out;
     out.model = Model::equilibrium;
@@ -254,10 +254,10 @@ class DisplayGoal final : public Goal {
   DisplayFile file_;
 };
 
-constexpr double bytes_a_cell = 50e3;  // of one search, as measured on panels of 30 x 30 and 60 x 60 cells
+constexpr double bytes_a_cell = 50e3;  // per search, measured on panels of 30 x 30 and 60 x 60 cells
 
-constexpr double widest_stroke = 2.7;  // cells: contrast was measured to grow less beyond
-constexpr double largest_factor = 4;   // of the sides
+constexpr double widest_stroke = 2.7;  // cells: for wider strokes contrast grows less (measured)
+constexpr double largest_factor = 4;   // largest enlargement of a side, ratio
 
 targets::PanelSize scaled_panel(const targets::DisplayGoal& goal, double factor) {
   const auto side = [factor](int cells) { return static_cast<int>(std::ceil(factor * cells - 1e-9)); };

@@ -12,12 +12,13 @@
 namespace kinetix::app {
 namespace {
 
-// Of a search for the largest compression that keeps the limits: to a hundredth of the compression asked for.
+// Halvings in the search for the largest allowed compression: 2^-7 is below a hundredth of the requested compression.
 constexpr int press_halvings = 7;
-// Of the way: where the search goes first, since most panels keep their limits there, and below what it gives up. There
-// hinges turn by a tenth of what they would, and cells differ by a tenth.
+// Shares of the requested compression. The search starts at first_share, where most panels keep their limits. It tries
+// no share below least_share, at which turns of hinges and differences of cells are a tenth of the full ones.
 constexpr double first_share = 0.1, least_share = 0.01;
-// Of the mean of the rest: what letter and rest have to differ by. An eye tells about 1 % apart (Weber's fraction).
+// Least difference of letter and rest, as a ratio to the mean of the rest. An eye distinguishes about 1 % (Weber's
+// fraction).
 constexpr double least_apart = 0.01;
 
 }  // namespace

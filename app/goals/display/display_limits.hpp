@@ -8,17 +8,20 @@
 
 namespace kinetix::app {
 
-/// The same with a part of the drive's way, (0, 1], which is not searched then. @param share 1: as it is
+/// Returns the file with compression and angle scaled by `share`, (0, 1], and without a search range for compression.
+/// @param share 1: the file is returned unchanged
 DisplayFile pressed_by(DisplayFile file, double share);
 
-/// What a panel asks of who presses it and of its hinges.
+/// Computes force and strain of a panel along its equilibrium path from flat, and the reading of its last state.
 PanelLoads panel_loads(const DisplayFile& file, const model::Lattice& panel, optim::DisplayView view,
                        const model::Elasticity& elasticity);
 
-/// Presses the panel less, until it keeps the limits of the file, and keeps what it showed without them. Down to a
-/// hundredth of the way, and as far as an eye tells letter and rest apart; where that does not keep them, the panel stays
-/// as it was and least_pressed says so.
-/// @param search finds the design for a compression   @param stop what a search finds after it is not taken
+/// Reduces the compression until the panel stays within the file's limits. The loads without limits are kept in
+/// `unlimited`.
+///
+/// The search ends at a hundredth of the compression, or when an eye cannot distinguish letter and rest. If the limits
+/// are still exceeded, the panel stays as it was and least_pressed is set.
+/// @param search finds the design for a compression   @param stop results after a stop are discarded
 void keep_limits(const DisplayFile& file, const model::Elasticity& elasticity, DisplayOutcome& display,
                  model::Lattice& panel, const std::function<optim::DisplayDesign(const DisplayFile&)>& search,
                  const std::stop_token& stop = {});

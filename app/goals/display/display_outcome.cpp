@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Transmittance of letter and rest; nothing for pictures of grey levels.
+/// Returns the mean transmittance of letter and rest; nullopt for grey pictures.
 std::optional<std::array<double, 2>> light_of(const DisplayOutcome& display, const DisplayReading& reading) {
   if (display.channel != optim::Channel::light || !display.goal.is_binary()) return reading.light;
   return std::array{reading.score.letter, reading.score.rest};
@@ -113,7 +113,7 @@ std::string loads_text(const PanelLoads& loads) {
                      loads.contrast);
 }
 
-/// What the picture asks of each of its cells, beside their bodies and hinges.
+/// Adds the required level of each cell, next to its bodies and hinges.
 void add_levels(const std::vector<double>& levels, Json& cells) {
   for (std::size_t k = 0; k < levels.size(); ++k) {
     cells[k]["on"] = levels[k] >= targets::letter_level;
@@ -162,8 +162,8 @@ Json optimiser_json(const DisplayOutcome& display) {
 }  // namespace
 
 bool PrintedDisplay::is_confirmed() const {
-  constexpr double near = 0.3;   // of the contrast
-  constexpr double lost = 0.05;  // of the prints: those beyond what 95 of 100 keep
+  constexpr double near = 0.3;   // largest difference, ratio to the contrast
+  constexpr double lost = 0.05;  // largest share of failed prints: the results state what 95 of 100 keep
   if (prints + failed == 0) return true;
   return failed <= lost * (prints + failed) &&
          std::abs(seen.contrast - first_order_contrast) <= near * std::abs(first_order_contrast);

@@ -13,61 +13,58 @@
 
 namespace kinetix::app {
 
-/// What a state of a panel shows.
+/// Reading of a panel's state.
 struct DisplayReading {
-  std::vector<double> channel;  ///< of each cell, in its unit (optim::Channel)
+  std::vector<double> channel;  ///< value of each cell, in the channel's unit (optim::Channel)
   targets::DisplayScore score;
   double rank = 0;  ///< rank correlation of channel and levels, [-1, 1]
-  /// Mean transmittance of letter and rest, blurred as from a distance, fractions of the lamp's light; of binary pictures
-  /// that are read by another channel.
+  /// Mean transmittance of letter and rest, blurred as from a distance, fractions of the lamp's light. Set for binary
+  /// pictures that are read by another channel.
   std::optional<std::array<double, 2>> light = {};
-  std::optional<targets::Topology> seen = {};  ///< parts and holes of letters that can be told apart
+  std::optional<targets::Topology> seen = {};  ///< distinguishable parts and holes of letters
 };
 
-/// What a panel asks of who presses it and of its hinges, and what it shows.
+/// Loads of a panel's drive and hinges, and the reading of the loaded state.
 struct PanelLoads {
   HingeLoads hinges;
-  double compression = 0;           ///< fraction of the plates' distance; NaN where a hinge is driven
-  std::optional<double> turn = {};  ///< of that hinge, rad
+  double compression = 0;           ///< fraction of the plates' distance; NaN if a hinge is driven
+  std::optional<double> turn = {};  ///< turn of the driven hinge, rad
   double auc = 0;                   ///< ratio, [0, 1]
   double contrast = 0;              ///< d', dimensionless
   double rank = 0;                  ///< rank correlation of channel and levels, [-1, 1]
   double stretch = 0;               ///< largest gap of a hinge, cell edges
-  double apart = 0;  ///< of the means of letter and rest, over that of the rest, without sign; ratio
+  double apart = 0;                 ///< |mean of letter - mean of rest| / |mean of rest|, ratio
 };
 
-/// What prints of a panel show.
+/// Print tolerance analysis of a panel.
 struct PrintedDisplay {
-  optim::AsMadeDisplay
-      expected;  ///< to first order, corrected where the prints that were looked at differ from it
-  optim::AsMadeDisplay seen;        ///< in prints that were brought to their equilibrium
-  double first_order_contrast = 0;  ///< dimensionless, of the same prints, as first order has each of them
-  int prints = 0, failed = 0;       ///< of those: that settled near the design, and that did not
-  std::vector<std::string> why =
-      {};  ///< prints do not show the picture as it was asked for; empty where they do
+  optim::AsMadeDisplay expected;    ///< first-order estimate, corrected if the sampled prints differ from it
+  optim::AsMadeDisplay seen;        ///< sampled prints in their equilibrium
+  double first_order_contrast = 0;  ///< mean first-order estimate for the sampled prints, dimensionless
+  int prints = 0, failed = 0;  ///< counts of sampled prints that settled near the design, and that did not
+  std::vector<std::string> why = {};  ///< requirements that prints miss; empty if they meet all
 
   bool holds() const { return why.empty(); }
-  /// Whether first order comes near to the prints that were looked at; true where there are none.
+  /// Returns whether the first-order estimate is close to the sampled prints; true if there are none.
   bool is_confirmed() const;
 };
 
-/// What a search for a display contributes to a result.
+/// Display section of a result.
 class DisplayOutcome final : public GoalOutcome {
  public:
   targets::DisplayGoal goal;
   optim::Channel channel = optim::Channel::aperture;
   optim::DisplayOptions options;
   optim::DisplayDesign design;
-  DisplayReading exact;                 ///< of a search by the scales of walls: its state, without any strain
-  std::optional<PanelLoads> loads;      ///< of a panel with limits
-  std::optional<PanelLoads> unlimited;  ///< what it would be without them, where they made a difference
-  double pressed = 1;                   ///< part of the drive's way that they leave
-  std::optional<double>
-      least_pressed;            ///< the smallest part that was tried, where none that was tried keeps them
-  bool faint = false;           ///< a smaller part does, but then an eye does not tell letter and rest apart
-  bool limits_stopped = false;  ///< the search for such a part was, before it found one
+  DisplayReading exact;                 ///< strain-free state, if the search scales walls
+  std::optional<PanelLoads> loads;      ///< loads of a panel with limits
+  std::optional<PanelLoads> unlimited;  ///< loads without limits, if the limits made a difference
+  double pressed = 1;                   ///< share of the drive's motion that keeps the limits
+  std::optional<double> least_pressed;  ///< smallest share that exceeds the limits, if no share was accepted
+  bool faint = false;           ///< a smaller share keeps the limits but letter and rest look the same
+  bool limits_stopped = false;  ///< the search for a share was stopped before it found one
 
-  /// What found the design, in words.
+  /// Returns the name of the solver that found the design.
   std::string solver() const;
 
   /// Adds `display` (channel, levels and readings of all cells in the order of structure.cells, starts,
@@ -81,12 +78,11 @@ class DisplayOutcome final : public GoalOutcome {
 class DisplayMeasure final : public Measure {
  public:
   DisplayReading reading;
-  // Set for the equilibrium under the drive alone, not for the physics run:
-  DisplayReading before;  ///< flat
-  double stretch = 0;     ///< largest gap of a hinge, cell edges
-  std::optional<targets::PanelSize>
-      estimated;  ///< an estimate of the panel that is clear enough, if this one is not
-  std::optional<PrintedDisplay> printed;  ///< of pictures of two levels
+  // Set only for the equilibrium under the drive, not for the simulation:
+  DisplayReading before;                        ///< flat
+  double stretch = 0;                           ///< largest gap of a hinge, cell edges
+  std::optional<targets::PanelSize> estimated;  ///< estimated size of a panel with enough contrast, in cells
+  std::optional<PrintedDisplay> printed;        ///< print tolerance analysis, for pictures of two levels
 };
 
 }  // namespace kinetix::app

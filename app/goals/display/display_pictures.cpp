@@ -10,15 +10,15 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int large_panel = 40;     // cells: smaller ones hold a letter or two, larger ones pictures
-constexpr int pixels_of_large = 6;  // px a cell: 600 for a hundred cells
-constexpr double cells_a_blur =
-    80;  // cells of a side for each cell of blur: a QR code of 100 cells is read best at 1 to 1.33
-constexpr double surroundings = 12;  // cells: three modules of a QR code of four cells a module
+constexpr int large_panel = 40;     // cells: smaller panels show a letter or two, larger ones pictures
+constexpr int pixels_of_large = 6;  // px per cell: 600 for a hundred cells
+// Cells of a side per cell of blur: a QR code of 100 cells is read best at a blur of 1 to 1.33 cells.
+constexpr double cells_a_blur = 80;
+constexpr double surroundings = 12;  // cells: three modules of a QR code with four cells per module
 
-constexpr double pixels_of_frame = 1000;  // a side: a dozen of them are a film for a screen
+constexpr double pixels_of_frame = 1000;  // px per side: a dozen frames make a film for a screen
 
-/// As SVG and as PNG.
+/// Adds the picture of a state as SVG and as PNG.
 void add_panel(std::vector<NamedContent>& files, const std::string& name, const model::Linkage& panel,
                const model::State& state, bool hinges = false) {
   for (const PictureFormat format : {PictureFormat::svg, PictureFormat::png})

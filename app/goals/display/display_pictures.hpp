@@ -8,15 +8,15 @@
 
 namespace kinetix::app {
 
-/// Pictures of a run's panel: before.svg and .png, after, hinges (the map of t), physics where there is a
-/// settled run, afar_before.png and afar_after.png (far_view) in true luminance, the same with `_enhanced` and stretched
-/// contrast, and the motion as frames/00.png and on.
+/// Draws the pictures of a run's panel. `before`, `after` and `hinges` (the map of t) are .svg and .png, and so is
+/// `physics` if a simulation settled. `afar_before.png` and `afar_after.png` (far_view) are in true luminance. Names
+/// with `_enhanced` have stretched contrast. The motion is in `frames/00.png` and on.
 std::vector<NamedContent> display_pictures(const Run& run);
 
-/// How the panel of a goal is to be seen from a distance: the further away the more cells it has, and against its
-/// surroundings where it has many, as an eye adapts to the light of a large panel.
+/// Returns the settings of the view from a distance. Panels with more cells are seen from further away. Large panels
+/// are seen with their surroundings, because an eye adapts to the light of a large panel.
 FarViewOptions far_view_options(const targets::DisplayGoal& goal);
-/// The four pictures from a distance alone.
+/// Draws only the four pictures from a distance.
 std::vector<NamedContent> far_pictures(const Run& run);
 
 }  // namespace kinetix::app

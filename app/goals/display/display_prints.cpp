@@ -18,11 +18,12 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Beyond, the derivatives of all cells take longer than the search.
+// Cells: for more, the derivatives of all cells take longer than the search.
 constexpr int most_printed_cells = 400;
 
-/// Readings of all cells by every hinge's t, alpha, beta and offset, times its standard deviation: those of the smooth
-/// stand-in (optim::SmoothChannel), which alone has any.
+/// Computes the derivatives of all readings by every hinge's t, alpha, beta and offset, times its standard deviation.
+/// They belong to the smooth approximation of the channel (optim::SmoothChannel), because the channel has none.
+/// @param state moved to the equilibrium   @return nullopt without a stable equilibrium
 std::optional<MatrixXd> derivatives(const DisplayFile& file, const Run& run,
                                     const model::HingeScatter& scatter, model::State& state,
                                     Eigen::Index cells) {
@@ -48,10 +49,10 @@ std::optional<MatrixXd> derivatives(const DisplayFile& file, const Run& run,
   return out;
 }
 
-/// Readings of prints as first order has them.
+/// First-order model of the readings of prints.
 struct FirstOrderPanel {
-  std::vector<double> levels, readings;  ///< by cell; those of the design
-  MatrixXd by_errors;                    ///< readings by each error, one standard deviation each
+  std::vector<double> levels, readings;  ///< levels and design readings of each cell
+  MatrixXd by_errors;                    ///< change of readings per standard deviation of each error
 
   targets::DisplayScore score(const Eigen::Matrix4Xd& errors, const model::HingeScatter& scatter) const {
     const Eigen::Matrix4Xd sd = scatter.by_hinge(errors.cols());
@@ -63,10 +64,10 @@ struct FirstOrderPanel {
   }
 };
 
-/// Contrasts and auc of some prints.
+/// Contrasts and auc of sampled prints.
 struct PrintScores {
   std::vector<double> contrasts;
-  double auc = 0;  ///< sum
+  double auc = 0;  ///< sum over all prints
 
   void add(const targets::DisplayScore& score) {
     contrasts.push_back(score.contrast);
@@ -84,10 +85,10 @@ struct PrintScores {
   }
 };
 
-// Share of the contrast by which prints may differ from their first-order estimate without correcting it.
+// Ratio to the contrast: sampled prints that differ less from their first-order estimate do not correct it.
 constexpr double first_order_will_do = 0.05;
 
-/// Corrects the first-order estimate by how far prints differ from the estimate of the same prints.
+/// Corrects the first-order estimate by the difference between the sampled prints and their own first-order estimate.
 void correct_expected(const PrintScores& seen, const PrintScores& first_order,
                       optim::AsMadeDisplay& expected) {
   const double more = seen.mean() - first_order.mean(), below = expected.contrast - expected.contrast_p05;
@@ -99,7 +100,7 @@ void correct_expected(const PrintScores& seen, const PrintScores& first_order,
   expected.auc = std::clamp(expected.auc + (seen.auc - first_order.auc) / count, 0.0, 1.0);
 }
 
-/// Contrast and auc of prints, one after the other.
+/// Samples prints, solves each for its equilibrium, and adds their contrast and auc.
 void add_prints(const DisplayFile& file, const Run& run, const model::HingeScatter& scatter,
                 const model::State& state, const FirstOrderPanel& panel, const RunOptions& options,
                 PrintedDisplay& out) {
@@ -124,7 +125,7 @@ void add_prints(const DisplayFile& file, const Run& run, const model::HingeScatt
   out.seen.contrast_p05 = scores.contrasts[static_cast<std::size_t>(0.05 * (out.prints - 1))];
 }
 
-/// Why prints of the panel are not judged; empty where they are.
+/// Explains why there is no print tolerance analysis of the panel. Empty if there is one.
 std::string unjudged(const DisplayFile& file, const Run& run) {
   if (!file.goal.is_binary()) return "only pictures of two levels are judged as made";
   if (!run.equilibrium->reached()) return "the panel did not reach its equilibrium";
@@ -135,7 +136,7 @@ std::string unjudged(const DisplayFile& file, const Run& run) {
   return "";
 }
 
-/// What some prints lack of the picture as it was asked for. @param who in words
+/// Adds the requirements on the picture that prints miss. @param who name of these prints in the text
 void add_missing(const DisplayFile& file, const optim::AsMadeDisplay& made, const std::string& who,
                  std::vector<std::string>& why) {
   if (made.auc < file.auc)

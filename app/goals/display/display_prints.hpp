@@ -11,9 +11,9 @@
 
 namespace kinetix::app {
 
-/// What prints of the panel show, in its equilibrium: to first order, and in so many prints at least that are brought
-/// to their own.
-/// @return or why there is nothing: of grey pictures, of panels that are too large, and without a stable equilibrium
+/// Analyses print tolerances of the panel in its equilibrium: to first order, and with sampled prints that are solved
+/// for their equilibrium.
+/// @return the analysis, or nullopt with the reason: a grey picture, a large panel or no stable equilibrium
 std::pair<std::optional<PrintedDisplay>, std::string> display_prints(const DisplayFile& file, const Run& run,
                                                                      const RunOptions& options);
 

@@ -60,7 +60,7 @@ void refine_panel(const DisplayFile& file, const targets::DisplayGoal& goal, con
   progress("strain on purpose", 1);
 }
 
-// Offsets as they come back from a file, where they are in mm.
+// Offsets pass through mm, so that they equal those read back from a file to the last bit.
 void place_hinges(const optim::DisplayView& view, model::Lattice& panel) {
   const double mm = panel.size().edge_mm;
   for (int h = 0; h < panel.hinges(); ++h) {

@@ -11,7 +11,7 @@ namespace {
 
 namespace value = targets::value;
 
-constexpr double fold_cell_mm = 10;  // as of a design; how a net folds does not depend on it
+constexpr double fold_cell_mm = 10;  // the default of a design; the folding of a net does not depend on it
 
 targets::KeyTable fold_structure_keys() {
   return targets::KeyTable({cell_mm_key(targets::by_default(fold_cell_mm)), wall_mm_key()});
@@ -40,7 +40,7 @@ void read_structure(const targets::Section& root, FoldFile& file) {
   file.size = read_size(root.section("structure"), fold_cell_mm);
 }
 
-/// Walls for any cell edge, whatever edge the file gives: its own sizes, and what follows from the edge.
+/// Returns a function that gives the walls for any cell edge: sizes from the file, and defaults from the edge.
 std::function<model::CellSize(double)> walls_for(const targets::Section& structure,
                                                  const model::CellSize& given) {
   const targets::Section wall = structure.section("wall_mm");
@@ -54,7 +54,7 @@ std::function<model::CellSize(double)> walls_for(const targets::Section& structu
   };
 }
 
-/// Cells and their edge for a box of given size.
+/// Chooses the cells and their edge for a box of given size.
 void choose_cells(const targets::Section& root, FoldFile& file) {
   const targets::Node target = root.required("target", "");
   const targets::Section structure = root.section("structure");
@@ -81,7 +81,7 @@ void check_force_limit(const targets::Node& force, const FoldFile& file) {
   if (file.drive) throw force.key_error("is for a drive from outside; springs in the hinges need none");
 }
 
-/// Hinges that cannot stretch are not followed to their equilibrium, which tells what they bear.
+/// Rejects a strain limit without elastic hinges, because strain is known only in their equilibrium.
 void check_strain_limit(const targets::Node& strain, const FoldFile& file) {
   if (file.hinge.model != HingeSection::Model::elastic)
     throw strain.key_error("applies to elastic hinges; leave out `model: rotary` of `hinge`");

@@ -20,7 +20,7 @@
 namespace kinetix::app {
 namespace {
 
-/// Size of the tilts of a crease, rad: those that make up for elastic hinges differ a little.
+/// Returns the mean |tilt| of a crease, rad. Tilts compensated for elastic hinges differ a little.
 double mean_tilt(const model::Lattice& net, const std::vector<int>& hinges) {
   double sum = 0;
   for (const int h : hinges) sum += std::abs(net.hinge(h).beta);
@@ -32,7 +32,7 @@ double usual_theta(const optim::AngleRange& allowed) {
   return std::clamp(26 * radians_per_degree, allowed.lower, allowed.upper);
 }
 
-/// How far a search may go.
+/// Returns the options of a search: sizes, bounds of tilt and theta, threads.
 optim::FoldOptions search_of(const FoldFile& file, const RunOptions& run) {
   optim::FoldOptions options;
   options.size = file.size;
@@ -43,21 +43,21 @@ optim::FoldOptions search_of(const FoldFile& file, const RunOptions& run) {
   return options;
 }
 
-// Rad: two columns a right angle, in most nets; no search tries more than four.
+// Turn of a column, rad: most nets have two columns per right angle, and no search tries more than four.
 constexpr double most_turn_of_a_column = 45 * radians_per_degree,
                  least_turn_of_a_column = most_turn_of_a_column / 2;
-constexpr double paths_to_limits =
-    2;  // of elastic hinges that keep limits: one where they do, six where theta is searched
-constexpr double seconds_of_175 = 0.15;  // s: a search of 175 bodies; it grows with their number to 1.5
+// Mean number of equilibrium paths for limits: one if the limits are kept at once, six if theta is searched.
+constexpr double paths_to_limits = 2;
+constexpr double seconds_of_175 = 0.15;  // s: a search of 175 bodies; time grows as bodies^1.5
 
 double search_seconds(double bodies) { return seconds_of_175 * std::pow(bodies / 175, 1.5); }
 
-// Of small boxes, for each choice of other cells: two or three, until theta and the cells agree.
+// Searches of a small box per choice of other cells: two or three, until theta and the cells agree.
 constexpr double looks_a_box = 3;
 
 double cells_of_box(const std::array<int, 3>& e) { return 2.0 * (e[0] * e[1] + e[1] * e[2] + e[2] * e[0]); }
 
-/// Of each crease: as few as tilts and theta allow, and no fewer than walls usually leave room for.
+/// Estimates the columns of each crease: the fewest that tilts and theta allow. Walls usually limit a column to 45 deg.
 std::vector<int> usual_columns(const targets::FoldNet& net, double theta, double tilt) {
   const double turn = std::clamp(2 * std::atan(std::tan(tilt) * std::sin(theta)), least_turn_of_a_column,
                                  most_turn_of_a_column);
@@ -69,7 +69,7 @@ std::vector<int> usual_columns(const targets::FoldNet& net, double theta, double
   return out;
 }
 
-/// Cells along the shortest edge of a box, at a theta: their edge, mm.
+/// Returns the cell edge (mm) with which this many cells fold to the shortest edge of the box. @param across cells
 double edge_of_cells(const FoldFile& file, const optim::FoldedNet& net, int across) {
   const auto& asked_mm = *file.goal.box_mm;
   const auto shortest = std::min_element(asked_mm.begin(), asked_mm.end());
@@ -78,7 +78,8 @@ double edge_of_cells(const FoldFile& file, const optim::FoldedNet& net, int acro
   return *shortest / edges[shortest - asked_mm.begin()];
 }
 
-/// A box of a given size is another one than its cells fold to: tolerance.size is for that.
+/// Names the solid that a state is compared with. A box of given size is compared with the box that its cells fold to,
+/// and tolerance.size limits the difference between the two.
 std::string judged_against(const targets::FoldGoal& goal) {
   if (!goal.box_mm) return "the goal";
   return goal.open ? "the open box of these cells" : "the closed box of these cells";
@@ -86,13 +87,14 @@ std::string judged_against(const targets::FoldGoal& goal) {
 
 bool looks_for_other_cells(const FoldFile& file) { return !file.robust && !file.limits.any(); }
 
-/// What of such cells the file's process does not print, in words; empty where it prints them.
+/// Describes why the file's process cannot print such cells. Empty if it can.
 std::string too_fine(const FoldFile& file, const model::CellSize& size) {
   const auto problems = print_problems(file.process, size, file.hinge.made);
   return problems.empty() ? "" : ", where " + problems.front().what;
 }
 
-/// Other cells that give a box its size, found by a search of each; where there are none the box that these cells give.
+/// Describes other cells that give the box its size, found by a search of each. If there are none, describes the size
+/// that the present cells give.
 std::string other_size(const FoldFile& file, const optim::FoldDesign& found, const RunOptions& options) {
   const char* looser = "a larger tolerance.size";
   if (!looks_for_other_cells(file))
@@ -120,7 +122,7 @@ std::string other_size(const FoldFile& file, const optim::FoldDesign& found, con
       mm[0], mm[1], mm[2], looser);
 }
 
-/// Edges of the box around a solid that stands on its first face, with that face's first edge along x.
+/// Returns the edges of the box around a solid. It stands on its first face, with that face's first edge along x.
 Eigen::Vector3d standing_size(const targets::Solid& solid) {
   const auto corner = [&](int k) -> const Eigen::Vector3d& { return solid.corners[solid.faces[0][k]]; };
   const Eigen::Vector3d x = (corner(1) - corner(0)).normalized();
@@ -131,10 +133,10 @@ Eigen::Vector3d standing_size(const targets::Solid& solid) {
   return box.sizes();
 }
 
-// Rad, where searches for solids end that the tilts limit: at a smaller theta these would be larger than is allowed.
+// Typical final theta (rad) of searches for solids that the tilts limit. A smaller theta would need larger tilts.
 constexpr double steep_theta = 22 * radians_per_degree;
 
-/// Returns the columns of a crease: the fewest that fold the solid's sharpest edge at steep_theta, with which its search begins.
+/// Returns the columns of a crease at the start of a search: the fewest that fold the sharpest edge at steep_theta.
 int columns_of_solid(const targets::Solid& solid, const FoldFile& file) {
   if (file.goal.solid->columns > 0) return file.goal.solid->columns;
   double sharpest = 0;
@@ -144,7 +146,7 @@ int columns_of_solid(const targets::Solid& solid, const FoldFile& file) {
   return static_cast<int>(std::clamp(std::ceil(sharpest / turn), 1.0, 1.0 * optim::most_solid_columns));
 }
 
-constexpr double seconds_a_solid_body = 0.005;  // measured: of a search of columns and theta
+constexpr double seconds_a_solid_body = 0.005;  // s per body, measured: search of columns and theta
 
 class FoldGoal final : public Goal {
  public:
@@ -210,7 +212,7 @@ class FoldGoal final : public Goal {
     return out;
   }
 
-  /// Each vertex of a face, in all directions, from the solid of the size that the search chose.
+  /// Observes the offset of each face's vertices, in all directions, from the solid of the size that the search chose.
   std::optional<Observed> observe(const Found& found, const model::Lattice& sheet,
                                   const model::State& state) const override {
     const FoldShape& shape = outcome_of<FoldOutcome>(found).shape;
@@ -224,7 +226,7 @@ class FoldGoal final : public Goal {
   }
 
  private:
-  /// What is asked of any design.
+  /// Returns the settings of the file that apply to any design.
   static Found asked(const FoldFile& file) {
     Found out;
     take_settings(out, file);
@@ -282,19 +284,19 @@ class FoldGoal final : public Goal {
     return out;
   }
 
-  /// Of edges, over those that are asked for; 0 of what is asked for in cells.
+  /// Returns the expected error of a box's edges as a ratio to those required; 0 if the box is given in cells.
   double likely_miss() const {
     return file_.box ? optim::size_miss(file_.box_folded_mm, file_.box->asked_mm) : 0;
   }
 
-  /// What other_size() takes: looks at small boxes, and for cells that nearly fit a search of the whole one.
+  /// Adds the time of other_size() to a forecast: searches of small boxes, and of whole boxes if cells nearly fit.
   void add_other_cells(double miss, Forecast& forecast) const {
     const std::string off =
         fmt::format("with these cells the box would be off by {:.1f} %; {:.1f} % is allowed", 100 * miss,
                     100 * file_.size_tolerance);
     if (!looks_for_other_cells(file_)) return forecast.notes.push_back(off);
     const double bodies_a_cell = forecast.sheet.bodies() / cells_of_box(*file_.goal.box);
-    double looks = 0, folds = 0;  // s
+    double looks = 0, folds = 0;  // s: searches of small boxes and of whole boxes
     for (std::array<int, 3> edges : optim::tried_cells(*file_.box, file_.size_tolerance)) {
       folds += search_seconds(bodies_a_cell * cells_of_box(edges));
       for (int& edge : edges) edge = std::min(edge, optim::telling_cells);
@@ -306,7 +308,7 @@ class FoldGoal final : public Goal {
         about(looks), about(looks + folds)));
   }
 
-  /// How far the box is from its size and what to do about it; empty where it is met.
+  /// Describes the size error of the box, with advice. Empty if the size is met.
   std::string why_size_is_missed(const FoldFile& file, const optim::FoldDesign& design,
                                  const RunOptions& options) const {
     if (!file.goal.box_mm || !design.folds) return "";

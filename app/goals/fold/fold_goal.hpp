@@ -6,21 +6,20 @@
 
 namespace kinetix::app {
 
-/// What a net asks of its drive and its hinges.
+/// Loads on the drive and the hinges of a net.
 struct FoldLoads {
   double theta = 0;  ///< rad
   HingeLoads hinges;
 };
 
-/// What a search for a fold contributes to a result.
+/// Fold section of a result.
 struct FoldOutcome final : GoalOutcome {
   explicit FoldOutcome(FoldShape folded) : shape(std::move(folded)) {}
 
   FoldShape shape;
-  std::optional<FoldLoads> loads;      ///< as the search has them, where the file limits them
-  std::optional<FoldLoads> unlimited;  ///< what it would be without limits, where they made a difference
-  std::string
-      size_missed;  ///< how far the box is from its size and what to do about it; empty where it is met
+  std::optional<FoldLoads> loads;      ///< loads found by the search, if the file limits them
+  std::optional<FoldLoads> unlimited;  ///< loads without limits, if the limits made a difference
+  std::string size_missed;             ///< size error of the box with advice; empty if the size is met
 
   /// Adds `fold` (faces and creases on the lattice with their angles and errors, unfoldings tried, reasons)
   /// and `optimiser`.
@@ -31,8 +30,8 @@ struct FoldOutcome final : GoalOutcome {
 
 struct FoldMeasure final : Measure {
   targets::FoldError error;
-  std::vector<double> tilt;        ///< size of those along each crease, rad
-  std::optional<FoldLoads> loads;  ///< where the file limits them
+  std::vector<double> tilt;        ///< |tilt| of the hinges of each crease, rad
+  std::optional<FoldLoads> loads;  ///< set if the file limits them
 };
 
 }  // namespace kinetix::app

@@ -9,11 +9,11 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int theta_halvings = 5;  // of the range of theta, to a degree: a fold's loads change slowly with it
-// rad: ranges as narrow as a robust search tries hold one theta.
+constexpr int theta_halvings = 5;  // down to a degree of theta: loads of a fold change slowly with it
+// rad: narrower ranges count as one theta, as in the trials of a robust search.
 constexpr double one_theta = 0.5 * radians_per_degree;
 
-/// What a design that makes up for its elastic hinges bears, and whether it still folds into its goal.
+/// Loads of a design compensated for its elastic hinges, and whether it still folds into its goal.
 struct Borne {
   FoldLoads loads;
   bool meets_goal = false;
@@ -40,7 +40,7 @@ KeptLoads keep_limits(const FoldFile& file, const Found& asked_of, const Goal& g
                       const RunOptions& options) {
   if (!file.limits.any() || !design.folds) return {};
   const FoldLoads asked = borne_by(file, asked_of, goal, design, options.stop).loads;
-  if (options.stop.stop_requested()) return {};  // cut short, its path says nothing of the fold
+  if (options.stop.stop_requested()) return {};  // an interrupted path does not reach the fold
   KeptLoads out{asked, {}};
   if (share_of(file.limits, asked.hinges) <= HingeLimits::in_hand) return out;
   const auto keeps = [&](double theta, double share) -> std::optional<bool> {
@@ -51,7 +51,7 @@ KeptLoads keep_limits(const FoldFile& file, const Found& asked_of, const Goal& g
     const Borne borne = borne_by(file, asked_of, goal, next, options.stop);
     if (options.stop.stop_requested()) return std::nullopt;
     if (!(share_of(file.limits, borne.loads.hinges) <= HingeLimits::in_hand)) return false;
-    // Hinges of a sheet that stays short of its goal are strained little: that is no way to keep limits.
+    // A sheet that does not reach its goal strains its hinges little, which is not a way to keep the limits.
     if (!borne.meets_goal) return true;
     design = std::move(next);
     out = {borne.loads, asked};

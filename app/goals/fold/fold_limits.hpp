@@ -5,15 +5,17 @@
 
 namespace kinetix::app {
 
-/// What a fold bears, as FoldOutcome has it.
+/// Loads of a fold with and without limits, for FoldOutcome.
 struct KeptLoads {
   std::optional<FoldLoads> loads, unlimited;
 };
 
-/// Folds at a smaller theta, with steeper tilts, until drive and hinges bear no more than the limits of the file and the sheet
-/// still folds into its goal, and keeps what they bore without them. Where no theta will do, the design stays as it was; so it does
-/// where the options say stop, of which no loads are known before its own path is through.
-/// @param asked_of has what the file asks of any design   @param goal of the file
+/// Reduces theta, with steeper tilts, until drive and hinges stay within the file's limits and the sheet still folds
+/// into its goal. Returns the loads of this design and those without limits.
+///
+/// The design stays as it was if no theta works, or after a stop. Loads are empty if the stop comes before the first
+/// design is followed to its equilibrium.
+/// @param asked_of settings of the file that apply to any design   @param goal of the file
 /// @param search finds the design for a largest theta, rad
 KeptLoads keep_limits(const FoldFile& file, const Found& asked_of, const Goal& goal,
                       optim::FoldDesign& design, const std::function<optim::FoldDesign(double)>& search,

@@ -21,7 +21,7 @@ std::string loads_text(const FoldLoads& loads) {
                      loads.hinges.force_N, lever_words(loads.hinges), loads.hinges.strain);
 }
 
-/// The faces of the ideal solid where the folded state has them, as closed lines.
+/// Lists the faces of the ideal solid, aligned with the folded state, as closed lines.
 Json ideal_json(const FoldShape& shape, const model::State& state) {
   std::map<int, Eigen::Vector3d> places;
   for (const targets::IdealPoint& one : shape.ideal(shape.sheet, state)) places[one.body] = one.place;
@@ -37,7 +37,7 @@ Json ideal_json(const FoldShape& shape, const model::State& state) {
   return out;
 }
 
-/// fold_deg, fold_miss_deg and face_rms. @param state "", or "_physics" for those of the physics run
+/// Adds fold_deg, fold_miss_deg and face_rms. @param state "", or "_physics" for the simulation
 void add_fold_metrics(const FoldShape& shape, const targets::FoldError& error, const std::string& state,
                       Json& metrics) {
   Json& folds = metrics["fold" + state + "_deg"] = Json::array();

@@ -13,9 +13,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double told_miss = 0.001;  // degrees of a crease, and share of a face's edge: less is no matter
+constexpr double told_miss = 0.001;  // degrees of a crease, and ratio to a face's edge: less is irrelevant
 
-/// "2 columns", or "1 to 4 columns"
+/// Describes the columns of all creases: "2 columns", or "1 to 4 columns".
 std::string columns_in_words(const targets::NetLayout& layout) {
   int least = targets::max_crease_columns, most = 0;
   for (const targets::PlacedCrease& crease : layout.creases) {
@@ -38,7 +38,7 @@ std::string size_text(const targets::FoldGoal& goal, const std::array<double, 3>
 
 std::string face_name(int face) { return std::to_string(face + 1); }
 
-/// "3-7", by the numbers of its faces.
+/// Returns the name of a crease, made of the numbers of its faces: "3-7".
 std::string crease_name(const targets::SolidCrease& crease) {
   return face_name(crease.first) + "-" + face_name(crease.second);
 }
@@ -50,7 +50,7 @@ Json places_json(const targets::SolidNet& net, const std::vector<int>& bodies) {
   return out;
 }
 
-/// The corners of a face round it and back to the first, as bodies.
+/// Lists the bodies at the corners of a face in order, with the first one repeated at the end.
 std::vector<int> round_face(const targets::SolidFace& face) {
   std::vector<int> corners;
   for (const std::vector<int>& side : face.sides)
@@ -136,7 +136,7 @@ void add_face(const targets::SolidNet& net, std::size_t f, FoldShape& shape) {
   shape.outlines.push_back(round_face(net.faces[f]));
 }
 
-/// Adds what both searches know alike.
+/// Adds the results that both searches have: attempts, evaluations, and whether it folds or was stopped.
 template <class Design>
 void add_search(const Design& design, FoldShape& shape) {
   shape.attempts = design.attempts;

@@ -8,13 +8,13 @@
 
 namespace kinetix::app {
 
-/// A net that was searched for, of rectangles of squares or of the faces of a solid, in the state that its model holds it in.
+/// Search result: a net of rectangles of squares, or of the faces of a solid, in the state of its model.
 struct FoldShape {
   struct Crease {
     std::string name;
-    double angle = 0;                ///< that is asked for, rad
-    std::vector<int> hinges;         ///< that lean
-    nlohmann::ordered_json section;  ///< its place in the flat net
+    double angle = 0;                ///< required angle, rad
+    std::vector<int> hinges;         ///< tilted hinges
+    nlohmann::ordered_json section;  ///< position in the flat net
   };
 
   model::Lattice sheet;
@@ -22,37 +22,36 @@ struct FoldShape {
   nlohmann::ordered_json target = {};
   std::vector<nlohmann::ordered_json> faces = {};  ///< as Crease::section
   std::vector<Crease> creases = {};
-  std::vector<std::vector<int>> outlines = {};  ///< of faces: bodies from corner to corner, closed
-  double side = 0;                              ///< mean of faces, cell edges
+  std::vector<std::vector<int>> outlines = {};  ///< closed outline of each face: bodies at its corners
+  double side = 0;                              ///< mean side of the faces, cell edges
 
-  targets::FoldError error = {};  ///< of the closed form at theta
-  std::vector<double> tilt = {};  ///< size of those along each crease, rad
+  targets::FoldError error = {};  ///< error of the closed form at theta
+  std::vector<double> tilt = {};  ///< |tilt| of the hinges of each crease, rad
   std::vector<optim::FoldAttempt> attempts = {};
-  int evaluations = 0;  ///< motions that were checked for walls in the way
+  int evaluations = 0;  ///< count of motions checked for collisions of walls
   bool folds = false, stopped = false;
-  std::vector<std::string> obstacles = {};  ///< why none folds
-  std::string why_not = {};                 ///< the same, for the search
-  std::size_t unfoldings = 1;               ///< that the goal has
-  int unfolding = 0;                        ///< of them
-  std::optional<std::array<double, 3>> edges_mm =
-      {};                               ///< of a box: faces, and what the creases add at their ends
-  std::vector<SummaryLine> lines = {};  ///< net and size
+  std::vector<std::string> obstacles = {};             ///< reasons if no attempt folds
+  std::string why_not = {};                            ///< one sentence for the search if no attempt folds
+  std::size_t unfoldings = 1;                          ///< number of unfoldings of the goal
+  int unfolding = 0;                                   ///< index of the chosen unfolding
+  std::optional<std::array<double, 3>> edges_mm = {};  ///< boxes only: faces plus the creases at their ends
+  std::vector<SummaryLine> lines = {};                 ///< net and size
 
   std::function<targets::FoldError(const model::State&)> error_of = {};
-  /// Places of vertices on the ideal solid, laid over a state. @pre the state is finite
+  /// Positions of vertices on the ideal solid after alignment with a state. @pre the state is finite
   std::function<std::vector<targets::IdealPoint>(const model::Lattice& sheet, const model::State&)> ideal =
       {};
 
-  /// What a state lacks of what the file asks, a line each. @param who shows the state: "model"
+  /// Describes violations of the file's tolerances, one line each. @param who name of the state, such as "model"
   std::vector<std::string> violations(const FoldFile& file, const targets::FoldError& of,
                                       const std::string& who) const;
-  /// The most that a crease folds too far or not far enough, rad.
+  /// Returns the largest angle error of a crease, rad.
   double largest_miss(const targets::FoldError& of) const;
-  /// "12 creases within 0.001 deg, faces less than 0.001 of their edge from the solid (rms)"
+  /// Describes the error: "12 creases within 0.001 deg, faces less than 0.001 of their edge from the solid (rms)".
   std::string in_words(const targets::FoldError& of) const;
 };
 
-/// Edges of the ideal box, mm, to the rim of an open one. @pre goal.box
+/// Returns the edges of the ideal box in mm; an open box ends at its rim. @pre goal.box
 std::array<double, 3> edges_mm(const targets::FoldGoal& goal, const optim::FoldDesign& design);
 
 FoldShape shape_of(const targets::FoldGoal& goal, const optim::FoldDesign& design);

@@ -18,11 +18,11 @@ namespace {
 
 namespace value = targets::value;
 
-constexpr double share_of_coverage = 1.0 / 30;  // of how far the head is covered: 3 mm of the usual 90
+constexpr double share_of_coverage = 1.0 / 30;  // allowed error over coverage: 3 mm for the usual 90 mm
 constexpr double helmet_cell_mm = 6;            // a tenth of a head's radius: ribs can follow its curves
-constexpr int most_ribs = 200;              // one every other millimetre of a head: a limit on what is read
-constexpr double least_helmet_cell_mm = 1;  // of cells, and between ribs: smaller ones make too many cells
-constexpr double most_cell_mm = 60;         // about a head's radius: larger cells cannot follow it
+constexpr int most_ribs = 200;                  // input limit: one rib per two millimetres of a head
+constexpr double least_helmet_cell_mm = 1;      // for cells and rib spacing: less makes too many cells
+constexpr double most_cell_mm = 60;             // about a head's radius: larger cells cannot follow it
 
 targets::KeyTable helmet_target_keys() {
   using Spec = optim::RibsSpec;
@@ -72,7 +72,7 @@ void read_variables(const targets::Section& root, optim::RibsSpec& spec) {
   spec.start_theta = std::clamp(spec.start_theta, spec.theta.lower, spec.theta.upper);
 }
 
-/// As large a miss as can be let pass on a man's head, less on a doll's and where cells are small.
+/// Returns the default maximum error in mm: the value for adults, scaled down for small heads and small cells.
 double usual_max_mm(const HelmetFile& file) {
   return std::min({HelmetFile::usual_max_mm, GoalSettings::grain * file.spec.size.edge_mm,
                    share_of_coverage * file.head.coverage_mm});
@@ -84,7 +84,7 @@ void read_tolerance(const targets::Section& root, HelmetFile& file) {
   root.read_into(file);
 }
 
-/// Says why, where a solver or a key of it would suit another kind of goal.
+/// Rejects solvers and solver keys that only apply to other kinds of goals.
 void check_solver(const targets::Section& root) {
   const auto solver = root.optional("solver");
   if (!solver || solver->kind() != targets::Node::Kind::map) return;
@@ -132,7 +132,8 @@ const targets::KeyTable& helmet_keys() {
 HelmetFile read_helmet_file(const targets::Node& node) {
   const targets::Section root = read_root(node, helmet_keys());
   const targets::Section target = root.section("target");
-  targets::Head head = read_head(target);  // apart: GCC 12 frees bases twice where a later initializer throws
+  // A separate statement, because GCC 12 frees bases twice if a later initializer throws.
+  targets::Head head = read_head(target);
   HelmetFile file{{}, std::move(head)};
   read_structure(root, file);
   read_variables(root, file.spec);

@@ -16,10 +16,10 @@ using Eigen::Vector3d;
 using Json = nlohmann::ordered_json;
 
 const Vector3d crown = Vector3d::Zero();  // mm, the origin of the head's frame
-constexpr int points_a_curve = 60;        // of a line to be drawn: one every 6 mm or so over a head
-constexpr int head_curves = 9;  // sections that show the head in the report: enough to see its shape
+constexpr int points_a_curve = 60;        // points per drawn line: about one every 6 mm over a head
+constexpr int head_curves = 9;            // sections of the head in the report: enough to show its shape
 
-/// The head itself, for pictures: its profile and sections across it, in its own frame.
+/// Returns curves of the head for pictures: its profile and sections across it, in the head's frame.
 std::vector<std::vector<Eigen::Vector3d>> head_curves_of(const targets::Head& head) {
   std::vector<std::vector<Eigen::Vector3d>> out = {head.profile.evenly(points_a_curve)};
   for (int k = 0; k < head_curves; ++k) {
@@ -29,7 +29,7 @@ std::vector<std::vector<Eigen::Vector3d>> head_curves_of(const targets::Head& he
   return out;
 }
 
-/// Mean of each cell's four bodies, in the order of the structure's cells.
+/// Returns the mean distance of each cell's four bodies, in the order of the structure's cells.
 Json by_cell(const model::Structure& structure, const optim::RibsError& error) {
   Json cells = Json::array();
   for (const model::CellHinges& cell : structure.cell_members) {
@@ -68,7 +68,7 @@ std::string in_words(const optim::RibsError& error) {
                      error.rms, error.max, worst_rib(error));
 }
 
-/// Warns that the mesh has holes where the helmet should follow the head; empty without holes.
+/// Describes holes of the mesh in the covered part of the head. Empty without holes.
 std::string invented(const std::vector<targets::DomeOpening>& openings) {
   if (openings.empty()) return "";
   double widest = 0;
@@ -80,7 +80,7 @@ std::string invented(const std::vector<targets::DomeOpening>& openings) {
       holes, openings.size() == 1 ? "" : "the widest ", widest);
 }
 
-/// That walls lie in the head, and whether the clearance alone makes them.
+/// Describes walls inside the head, and names the clearance if it is too small for the wall height.
 std::string in_words(const targets::WallsInside& inside, const HelmetFile& file, const std::string& who) {
   const double reach = file.spec.size.height_mm / 2;
   std::string text = fmt::format("{}: {} wall{} in the head", who, inside.hinges.size(),
@@ -92,7 +92,7 @@ std::string in_words(const targets::WallsInside& inside, const HelmetFile& file,
   return text;
 }
 
-/// What a search for a helmet contributes to a result.
+/// Helmet section of a result.
 class HelmetOutcome final : public RibsOutcome {
  public:
   HelmetOutcome(const RibsTask& task, HelmetFile file, optim::RibsDesign found)
@@ -205,7 +205,8 @@ class HelmetOutcome final : public RibsOutcome {
   HelmetFile file_;
 };
 
-/// Of the head down to where it is covered, and of walls around it, whose middles the clearance ends at.
+/// Returns the size of the covered part of the head plus the walls around it. The clearance is measured to the middle
+/// of the walls.
 Eigen::Vector3d covered_size(const HelmetFile& file) {
   Eigen::AlignedBox3d head;
   for (const Vector3d& vertex : file.head.dome.mesh().vertices)

@@ -14,14 +14,15 @@ namespace {
 
 namespace value = targets::value;
 
-constexpr double default_offset = 0.08;  // cell edges: a film at the face of a wall of a sixth of the edge
-// Cells: the search for a thousand takes about a second, for this many a minute.
+// Cell edges: a living hinge at the face of a wall that is a sixth of the edge thick.
+constexpr double default_offset = 0.08;
+// Cells: a search takes about a second for a thousand cells and a minute for this number.
 constexpr int most_cells = 10'000;
-// What `trim` may say.
+// Values of the key `trim`.
 constexpr targets::Word<bool> trims[] = {{"outline", true}, {"none", false}};
-// Of an offset, cell edges: half a wall to either side.
+// Offset of a hinge, cell edges: half a wall to either side.
 const targets::Bounds offset = {0, 0.5, true, false, "mm (below half of cell_mm)"};
-// Of theta, degrees: at 45 basic cells are closed.
+// Theta, degrees: at 45 basic cells are closed.
 const targets::Bounds fold_range = targets::between(0, 45, "degrees");
 
 targets::KeyTable outline_structure_keys(const OutlineFile& usual) {
@@ -91,7 +92,7 @@ void read_variables(const targets::Section& root, OutlineFile& file) {
         ->error("must hold 0.5, where hinges start");
 }
 
-/// A made hinge can sit so far off the middle of its wall and no further.
+/// Limits the offset to the largest at which a made hinge fits on its wall. @throws InvalidInput for a larger offset_mm
 void limit_outline_offset(const targets::Section& root, OutlineFile& file) {
   if (!file.hinge.made || !file.cell_mm) return;
   const model::CellSize size = file.size(*file.cell_mm);

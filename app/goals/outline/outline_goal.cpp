@@ -23,13 +23,13 @@ Json error_json(const targets::OutlineError& error) {
   return {{"rms", error.rms}, {"max", error.max}, {"iou", error.iou}};
 }
 
-/// Which bound holds the rim back, for a panel that misses.
+/// Describes the active bounds of a panel that misses its outline.
 std::string what_binds(const optim::OutlineDesign& design) {
   return fmt::format("{:.0f} % of the walls have the largest offset, {:.0f} % turn as far as they may",
                      100 * design.at_bounds_offset, 100 * design.at_bounds_shift);
 }
 
-/// Of a panel whose walls do not meet.
+/// Describes how the search ended, for a panel whose walls do not collide.
 std::string ended_words(const optim::OutlineDesign& design) {
   const std::string moves = design.settled
                                 ? "no vertex moves any more"
@@ -46,7 +46,7 @@ model::Pose turned_about_z(double angle) {
   return {Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix(), Eigen::Vector3d::Zero()};
 }
 
-/// Of a state anywhere in space, laid over the exact one.
+/// Computes the outline error of `state` after rigid alignment with the exact state. @param edge_mm cell edge, mm
 targets::OutlineError error_of(const OutlineOutcome& outline, const model::State& exact,
                                const model::State& state, double edge_mm) {
   const model::State placed = aligned(state, exact);
@@ -55,8 +55,8 @@ targets::OutlineError error_of(const OutlineOutcome& outline, const model::State
   return outline_error(targets::Outline(outline.placed(edge_mm)), rim);
 }
 
-/// Families lay a sheet down each in their own place, and the search has the outline as it lies on the lattice: the outline
-/// goes where the first body of the state is that results show. @param edge_mm cell edge of the sheet, mm
+/// Moves the outline from the frame of the search, which is the lattice, to the frame of the reported state. Each
+/// lattice family has a different frame, so the first body gives the translation. @param edge_mm cell edge, mm
 void move_outline(const model::State& shown, double edge_mm, double turn, optim::OutlineDesign& design) {
   const model::PlanarStructure& panel = design.panel;
   const model::Pose searched =
@@ -65,7 +65,7 @@ void move_outline(const model::State& shown, double edge_mm, double turn, optim:
   design.origin = shown[0].p.head<2>() / edge_mm + Eigen::Rotation2Dd(-turn) * from_first;
 }
 
-/// @param who the state is of that results show
+/// Describes violations of shape, area, flat outline and collisions. @param who name of the reported state
 std::vector<std::string> all_violations(const OutlineFile& file, const OutlineOutcome& outline,
                                         const targets::OutlineError& error, const std::string& who) {
   std::vector<std::string> why = violations(file, error, who);
@@ -79,7 +79,7 @@ std::vector<std::string> all_violations(const OutlineFile& file, const OutlineOu
   return why;
 }
 
-// Measured, s: where the folded outline alone is asked for, and where the flat one is, too.
+// Search time in s per wall, measured: for the folded outline alone, and for the folded and flat outlines.
 constexpr double seconds_a_wall = 0.005, seconds_a_wall_of_both = 0.02;
 
 class OutlineGoal final : public Goal {
@@ -112,7 +112,7 @@ class OutlineGoal final : public Goal {
     if (!out.plan.exact)
       throw InvalidInput("no panel with such offsets moves exactly: " + out.plan.exact.why,
                          {"", 0, 0, "variables.offset_mm"});
-    // As the outline was drawn; along the lattice its drive goes.
+    // Results show the orientation of the drawing; the drive acts along the lattice.
     if (outline->turn != 0) out.to_shown = turned_about_z(-outline->turn);
     const model::State exact = shown(out.plan.exact.at(out.theta), outline->turn);
     move_outline(exact, out.design.structure.size().edge_mm, outline->turn, outline->design);
@@ -134,7 +134,7 @@ class OutlineGoal final : public Goal {
     return out;
   }
 
-  /// Each vertex of the rim.
+  /// Observes the distance of each boundary vertex from the outline.
   std::optional<Observed> observe(const Found& found, const model::Lattice&,
                                   const model::State& state) const override {
     const auto& outline = outcome_of<OutlineOutcome>(found);
@@ -153,7 +153,7 @@ class OutlineGoal final : public Goal {
   }
 
  private:
-  /// As the outline was drawn. @param own as the panel lies on the lattice
+  /// Returns the state in the orientation of the drawing. @param own state in the frame of the lattice
   static model::State shown(model::State own, double turn) {
     return turn == 0 ? own : moved(std::move(own), turned_about_z(-turn));
   }

@@ -7,26 +7,26 @@
 
 namespace kinetix::app {
 
-/// What a search for an outline contributes to a result. Met: shape and area within tolerance, no walls in the way.
+/// Outline section of a result. The goal is met if shape and area are within tolerance and no walls collide.
 class OutlineOutcome final : public GoalOutcome {
  public:
   explicit OutlineOutcome(OutlineFile asked) : file(std::move(asked)) {}
 
   OutlineFile file;
-  double turn = 0;  ///< of the outline as it lies on the lattice from where it was drawn, rad
+  double turn = 0;  ///< rotation of the outline from the drawing to the lattice, rad
   optim::OutlineDesign design;
-  int cuts = 0;          ///< of the lattice that were tried
-  std::vector<int> rim;  ///< bodies round the outside, counter-clockwise
-  /// Points of the outline where the panel in the model's state should lie on it, mm.
+  int cuts = 0;          ///< number of cuts of the lattice that were tried
+  std::vector<int> rim;  ///< bodies along the outer boundary, counter-clockwise
+  /// Returns the points of the outline aligned with the panel in the model's state, mm.
   std::vector<Eigen::Vector2d> placed(double edge_mm) const;
-  /// mm of the panel a mm of the outline: 1 where the panel comes out as large as drawn.
+  /// Returns the scale of the panel, mm per mm of the drawn outline. 1: the panel is as large as drawn.
   double size(double edge_mm) const { return edge_mm / design.scale; }
 
-  /// Adds `outline` (placed outline, rim, errors, what binds) and `optimiser`.
+  /// Adds `outline` (placed outline, boundary, errors, active bounds) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
   void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
-  /// The panel from above, flat and pressed, as SVG and as PNG.
+  /// Draws the panel from above, flat and pressed, as SVG and as PNG.
   std::vector<NamedContent> pictures(const Run& run, bool of_report) const override;
 };
 
@@ -35,7 +35,7 @@ class OutlineMeasure final : public Measure {
   targets::OutlineError error;
 };
 
-/// What a state lacks, in words. @param who "model" or "physics run"
+/// Describes violations of the tolerances. @param who name of the state, such as "model" or "physics run"
 std::vector<std::string> violations(const OutlineFile& file, const targets::OutlineError& error,
                                     const std::string& who);
 

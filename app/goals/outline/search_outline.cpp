@@ -21,15 +21,16 @@ namespace {
 using model::LatticeCell;
 using Cells = std::vector<LatticeCell>;
 
-constexpr int most_tried_cells = 1500;  // above, one cut alone is tried: a search takes seconds
-constexpr double same_size = 1e-3;      // ratio: walls and offsets in mm are then those of the search
-constexpr std::size_t most_cuts = 12;   // that are fitted: as many as one way to lay the outline has
-constexpr double as_drawn = 1e-9;       // rad: an outline that lies so on the lattice is not turned at all
-constexpr double as_good = 0.01;        // ratio of misses: mirror images differ by less
-constexpr double same_miss =
-    1e-6;  // of cuts that are turned into each other: their order is then the same, however drawn
+constexpr int most_tried_cells = 1500;  // larger panels try one cut only: a search takes seconds
+constexpr double same_size = 1e-3;      // ratio: with less difference, walls and offsets match the search
+constexpr std::size_t most_cuts = 12;   // cuts that are fitted: as many as one orientation has
+constexpr double as_drawn = 1e-9;       // rad: smaller angles do not turn the outline
+constexpr double as_good = 0.01;        // ratio of errors: mirror images differ by less
+// Rounding step of a cut's error, ratio. Cuts that are rotations of each other get equal errors, so their order does
+// not depend on the orientation of the drawing.
+constexpr double same_miss = 1e-6;
 
-/// Of the panel that these cells make, mm, as long as nothing is known but areas.
+/// Returns the cell edge (mm) of the panel that these cells make: the file's, else an estimate from areas.
 double edge_of(const OutlineFile& file, const Cells& cells) {
   if (file.cell_mm) return *file.cell_mm;
   const model::PlanarStructure panel = planar_structure(make_sheet(file.lattice, cells, {1, 0.1, 1}));
@@ -41,7 +42,7 @@ double edge_of(const OutlineFile& file, const Cells& cells) {
   return std::sqrt(file.folded.area() / area) / std::cos(file.theta[1]);
 }
 
-/// Ways to cut a lattice along an outline, not empty.
+/// Returns the possible cuts of the lattice along an outline, at least one. @throws InvalidInput if there is none
 std::vector<Cells> cuts_of(const OutlineFile& file, const targets::Outline& folded) {
   const auto& [lattice, angle] = file.lattice.lattice ? std::pair(file.lattice.lattice, file.lattice.angle)
                                                       : std::pair(&model::rhombus_lattice, pi / 2);
@@ -51,8 +52,8 @@ std::vector<Cells> cuts_of(const OutlineFile& file, const targets::Outline& fold
   return cuts;
 }
 
-/// Angles by which an outline is turned to lie on the lattice, rad: in steps of 45 deg from its own direction.
-/// @param steps 4 where a panel turned by half a turn is the same panel, else 8
+/// Returns the angles (rad) that turn an outline onto the lattice, in steps of 45 deg from the outline's direction.
+/// @param steps 4 if the panel has two-fold rotational symmetry, else 8
 std::vector<double> turns_of(const targets::Outline& outline, int steps) {
   const std::optional<double> direction = direction_of(outline);
   if (!direction) return {0};
@@ -64,7 +65,7 @@ std::vector<double> turns_of(const targets::Outline& outline, int steps) {
   return out;
 }
 
-/// The rim of a panel at rest, as large as an outline and in its middle.
+/// Returns the boundary of a panel at rest, scaled to the area of the outline and centred on it.
 std::vector<Eigen::Vector2d> rim_over(const targets::Outline& outline, const model::PlanarStructure& panel) {
   std::vector<Eigen::Vector2d> rim;
   for (const int v : outer_rim(panel.graph).vertices) rim.push_back(panel.graph.vertices[v]);
@@ -75,14 +76,14 @@ std::vector<Eigen::Vector2d> rim_over(const targets::Outline& outline, const mod
   return rim;
 }
 
-/// A way to lay the outline on the lattice and to cut the panel there.
+/// Orientation of the outline on the lattice, with a cut of the panel.
 struct Lay {
-  double turn = 0;  ///< of the outline, rad
+  double turn = 0;  ///< rotation of the outline, rad
   Cells cells;
-  double miss = 0;  ///< of a rim from the outline: 2 is as much as tolerances allow
+  double miss = 0;  ///< error of the boundary as a ratio to the tolerances; 2: both are just met
 };
 
-/// The first of those that are as good as the best, so that rounding does not choose between mirror images.
+/// Returns the best candidate, the first of those within as_good: rounding does not choose between mirror images.
 const Lay& best_of(const std::vector<Lay>& lays) {
   const Lay* best = &lays.front();
   for (const Lay& lay : lays)
@@ -107,7 +108,7 @@ class OutlineSearch {
     for (int pass = 0; pass < 3 && !is_same && !found.design.stopped; ++pass) {
       optim::OutlineDesign design =
           fit(planar_structure(make_sheet(file_.lattice, cells, file_.size(came_out))), options_of(came_out));
-      if (pass > 0 && design.stopped) {  // it was cut short, and the one before it is nearer
+      if (pass > 0 && design.stopped) {  // an interrupted pass is worse than the one before it
         found.design.stopped = true;
         break;
       }
@@ -116,13 +117,13 @@ class OutlineSearch {
       if (!file_.flat && !file_.cell_mm) came_out = found.design.scale;
       is_same = same_in_edges(edge_mm, came_out);
     }
-    // Of a search that was stopped, walls and offsets are of the edge that it was made with.
+    // After a stop, walls and offsets belong to the edge with which the design was fitted.
     place(found.design.stopped && !is_same ? edge_mm : came_out, cells, found);
     return found;
   }
 
  private:
-  /// Whether walls and offsets have the same ratio to both cell edges, so that a search would find the same.
+  /// Returns whether walls and offsets have the same ratio to both cell edges. A search then finds the same design.
   bool same_in_edges(double a, double b) const {
     const auto near = [](double x, double y) { return std::abs(x - y) <= same_size * std::abs(x); };
     return near(file_.size(a).thickness_mm / a, file_.size(b).thickness_mm / b) &&
@@ -143,7 +144,7 @@ class OutlineSearch {
     return fit_outline(panel, folded_, flat_ ? &*flat_ : nullptr, options, run_.progress);
   }
 
-  /// Turns the flat outline as the rectangle comes nearest to it, before anything moves.
+  /// Returns the turn of the flat outline with which the rectangle at rest is nearest to it, rad.
   double turn_of_flat() const {
     std::vector<Lay> lays;
     for (const double turn : turns_of(*file_.flat, 4))
@@ -152,7 +153,7 @@ class OutlineSearch {
     return best_of(lays).turn;
   }
 
-  /// Chooses the turn of a whole rectangle: each way is fitted at the largest theta alone, very large panels not at all.
+  /// Chooses the turn of a rectangle. Turns are fitted at the largest theta, or compared at rest for large panels.
   Lay best_turn() const {
     std::vector<Lay> lays;
     for (const double turn : turns_of(file_.folded, flat_ ? 8 : 4))
@@ -165,7 +166,8 @@ class OutlineSearch {
     return best_of(lays);
   }
 
-  /// Of the cuts that look most like the outline already at rest, each is fitted at the largest theta alone.
+  /// Chooses the cut of the lattice. The cuts nearest to the outline at rest are fitted at the largest theta, and the
+  /// best of them is returned. @param count set to the number of cuts tried
   Lay best_cut(int& count) const {
     std::vector<Lay> lays;
     for (const double turn : turns_of(file_.folded, 4))
@@ -206,7 +208,7 @@ class OutlineSearch {
                            [&](int k) { lays[k].miss = miss_or_none([&] { return miss_folded(lays[k]); }); });
   }
 
-  /// Infinite for cells that make no panel.
+  /// Returns the measured error, or infinity for cells that do not make a panel.
   template <class Measure>
   static double miss_or_none(const Measure& measure) {
     try {
@@ -232,7 +234,7 @@ class OutlineSearch {
     return miss(design.error) + (flat_ ? miss(design.flat) : 0) + (design.clear ? 0 : 10);
   }
 
-  /// The hinges into the sheet, as they come back from a file, where offsets are in mm.
+  /// Writes the hinges into the sheet. Offsets pass through mm, so that they equal those read back from a file.
   void place(double edge_mm, const Cells& cells, FoundOutline& found) const {
     const model::CellSize size = file_.size(edge_mm);
     const auto in_mm = [edge_mm](double offset) { return offset * edge_mm / edge_mm; };
@@ -252,8 +254,8 @@ class OutlineSearch {
 
   const OutlineFile& file_;
   const RunOptions& run_;
-  targets::Outline folded_;               ///< as it lies on the panel
-  std::optional<targets::Outline> flat_;  ///< likewise
+  targets::Outline folded_;               ///< turned onto the panel
+  std::optional<targets::Outline> flat_;  ///< turned onto the panel
 };
 
 }  // namespace

@@ -6,26 +6,28 @@
 
 namespace kinetix::app {
 
-/// The panel that a search came to.
+/// Result of an outline search.
 struct FoundOutline {
-  model::Lattice sheet;  ///< with its hinges, and its size in mm
+  model::Lattice sheet;  ///< panel with its hinges and its size in mm
   optim::OutlineDesign design;
-  int cuts = 0;     ///< of the lattice that were tried; 0: the panel is a whole rectangle
-  double turn = 0;  ///< of the outline as it lies on the panel from where it was drawn, rad
+  int cuts = 0;     ///< number of cuts of the lattice that were tried; 0: the panel is a whole rectangle
+  double turn = 0;  ///< rotation of the outline from the drawing to the panel, rad
 };
 
-/// The search that a file asks for: of the ways to lay the outline on the lattice, and of the cuts of the lattice that look like it
-/// there, the one that comes nearest to it, then hinges and theta. The ways follow from the shape of the outline
-/// (targets::direction_of), so that the panel does not depend on how it was drawn; a disc lies as it was drawn.
+/// Runs the search of a file. First it chooses the orientation of the outline on the lattice and the cut of the lattice
+/// that are nearest to the outline. Then it fits hinges and theta.
+///
+/// The orientations to try follow from the shape of the outline (targets::direction_of). The panel therefore does not
+/// depend on the orientation of the drawing. A disc keeps the orientation of the drawing.
 /// @throws InvalidInput for a panel that its sizes do not allow
 FoundOutline search_outline(const OutlineFile& file, const RunOptions& options);
 
-/// What a search begins with.
+/// First panel of a search, for the forecast.
 struct OutlineStart {
-  std::vector<model::LatticeCell> cells;  ///< of the first way to cut the lattice
-  double edge_mm = 0;                     ///< by the areas of outline and panel, where the file gives none
+  std::vector<model::LatticeCell> cells;  ///< cells of the first cut of the lattice
+  double edge_mm = 0;                     ///< from the file, else from the areas of outline and panel
 };
-/// @throws InvalidInput where no cells of the lattice lie within the outline
+/// Returns the first panel of a search. @throws InvalidInput if no cells of the lattice are within the outline
 OutlineStart outline_start(const OutlineFile& file);
 
 }  // namespace kinetix::app

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double seconds_a_body = 3e-4;  // of search, measured
+constexpr double seconds_a_body = 3e-4;  // search time in s per body, measured
 
 class RibsGoal final : public Goal {
  public:
@@ -70,7 +70,7 @@ class RibsGoal final : public Goal {
     return out;
   }
 
-  /// Every body, from the surface plus the clearance.
+  /// Observes the distance of every body from the surface plus the clearance, mm.
   std::optional<Observed> observe(const Found& found, const model::Lattice&,
                                   const model::State& state) const override {
     const model::Pose motion = motion_onto(state, found.own);

@@ -12,11 +12,10 @@ namespace {
 
 namespace value = targets::value;
 
-constexpr int most_block_cells = 10;     // along a direction: a block of 10 x 10 x 10 has 40 000 bodies
-constexpr int most_block_bodies = 6000;  // those of 5 x 5 x 5 cells, whose physics run takes minutes
-constexpr int bodies_a_cell =
-    36;  // inside: 12 rotors and 24 gussets; blocks have some at their sides besides
-// Of theta, degrees: at 45 rotors have turned by a right angle.
+constexpr int most_block_cells = 10;     // cells per direction: a block of 10 x 10 x 10 has 40 000 bodies
+constexpr int most_block_bodies = 6000;  // bodies of 5 x 5 x 5 cells, whose simulation takes minutes
+constexpr int bodies_a_cell = 36;        // 12 rotors and 24 gussets per inner cell; sides have a few more
+// Theta, degrees: at 45 rotors have turned by a right angle.
 const targets::Bounds block_turns = targets::between(0, 45, "degrees");
 const targets::Bounds gusset_lengths = targets::from_to(0.02, 0.9);
 

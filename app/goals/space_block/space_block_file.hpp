@@ -6,8 +6,8 @@
 
 namespace kinetix::app {
 
-/// A target.yaml of kind space_block, as asked for or by default. Angles in radians, lengths in mm. `kinetix: 1` and a
-/// `target` are enough.
+/// Content of a target.yaml of kind space_block, with defaults filled in. Angles in radians, lengths in mm. Required
+/// are `kinetix: 1` and a `target`.
 ///
 ///     target: {kind: space_block, factor: [0.82, 0.86, 0.88], size_mm: [120, 120, 60]}
 ///     structure: {cells: [2, 2, 1], cell_mm: 20, wall_mm: {thickness: 1.6, height: 3}}
@@ -17,22 +17,22 @@ struct SpaceBlockFile : GoalSettings {
   targets::SpaceBlockGoal goal;
   optim::SpaceBlockVariables variables = {};
   ThinWalls walls = {};             ///< structure.wall_mm
-  double factor_tolerance = 0.005;  ///< of each direction's factor, (0, 1]
-  double size_tolerance = 0.05;     ///< of each length at rest, over it, (0, 1]
+  double factor_tolerance = 0.005;  ///< largest error of a direction's factor, (0, 1]
+  double size_tolerance = 0.05;     ///< largest relative error of a length at rest, (0, 1]
 
-  optim::SpaceBlockDesign found;  ///< in closed form, while the file is read
+  optim::SpaceBlockDesign found;  ///< closed-form design, computed while the file is read
 
   model::CellSize size() const { return walls.size(found.edge_mm); }
 };
 
-/// Every key of a target.yaml of kind space_block.
+/// Returns all keys of a target.yaml of kind space_block.
 const targets::KeyTable& space_block_keys();
 
-/// @param root a target whose kind is space_block
+/// Reads the target. @param root a target whose kind is space_block
 /// @throws InvalidInput for whatever formats.md does not allow, and for a factor out of reach
 SpaceBlockFile read_space_block_file(const targets::Node& root);
 
-/// Makes the goal: the lattice, its closed form, and the physics run between plates.
+/// Makes the goal: the lattice, its closed form, and the simulation between plates.
 std::unique_ptr<Goal> make_goal(SpaceBlockFile file);
 
 }  // namespace kinetix::app

@@ -31,8 +31,8 @@ std::string factors_text(const Eigen::Vector3d& v) {
   return fmt::format("{:.4f}, {:.4f}, {:.4f}", v.x(), v.y(), v.z());
 }
 
-/// What a block that shrinks contributes to a result. Met: factors and lengths at rest within tolerance, and no walls in the
-/// way.
+/// Section of a result for a shrinking block. The goal is met if factors and lengths at rest are within tolerance and
+/// no walls collide.
 struct SpaceBlockOutcome final : GoalOutcome {
   explicit SpaceBlockOutcome(SpaceBlockFile asked) : file(std::move(asked)) {}
 
@@ -89,7 +89,7 @@ struct SpaceBlockOutcome final : GoalOutcome {
   }
 };
 
-/// Describes what a state lacks. @param who "model" or "physics run"
+/// Describes violations of the factor tolerance. @param who name of the state, such as "model" or "physics run"
 std::vector<std::string> violations(const SpaceBlockFile& file, const targets::SpaceBlockError& error,
                                     const std::string& who) {
   if (error.off <= file.factor_tolerance) return {};
@@ -99,7 +99,7 @@ std::vector<std::string> violations(const SpaceBlockFile& file, const targets::S
                   who, factors_text(error.factors), error.off, file.factor_tolerance)};
 }
 
-/// What of the file to change for lengths at rest nearer to those asked for.
+/// Describes which keys to change for lengths at rest nearer to the required ones.
 std::string size_advice(const optim::SpaceBlockVariables& given) {
   if (!given.cells) return "give smaller cells";
   return given.edge_mm ? "give other `cells` or another `cell_mm`" : "give other `cells`";
@@ -144,7 +144,7 @@ class SpaceBlockGoal final : public Goal {
     return out;
   }
 
-  /// Outermost rotors against the sides of the exact state.
+  /// Observes the distance of the outermost rotors from the sides of the exact state.
   std::optional<Observed> observe(const Found& found, const model::Lattice&,
                                   const model::State& state) const override {
     const model::Pose motion = motion_onto(state, found.own);
@@ -164,7 +164,7 @@ class SpaceBlockGoal final : public Goal {
  private:
   model::Lattice block() const { return block_of(file_.found, file_.size()); }
 
-  /// @param state with its sides along the axes
+  /// Computes the error of the factors. @param state with its sides along the axes
   targets::SpaceBlockError error_of(const Run& run, const model::State& state) const {
     const model::SodaliteStructure& block = *run.design.structure.sodalite();
     const auto lengths = [&](const model::State& of) {

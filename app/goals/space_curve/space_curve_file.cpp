@@ -15,15 +15,15 @@ namespace {
 
 namespace value = targets::value;
 
-constexpr int least_columns = 4, most_columns = 400;  // the search takes some seconds for the most
-// rad: at which a strip gets the length of the curve where the file gives its cell edge but no cells.
+constexpr int least_columns = 4, most_columns = 400;  // the search takes some seconds for 400 columns
+// Theta (rad) at which a strip has the length of the curve, if the file does not fix both cell edge and cells.
 constexpr double usual_strip_theta = 30 * radians_per_degree;
-// By default: of a helix of two turns the search misses its tolerance with fewer (16 miss it, 24 meet it).
+// Fewest columns by default: for a helix of two turns, 16 columns miss the tolerance and 24 meet it.
 constexpr int least_usual_columns = 24;
-// Of its length a curve is seen from above a strip that climbs along it (measured: 0.96 to 1).
+// Length of a climbing strip in plan view, as a ratio to the length of the curve (measured: 0.96 to 1).
 constexpr double seen_length = 0.95;
-constexpr double smallest_cell_mm = 0.1;  // mm: below, points are likelier in metres than cells so small
-// Of theta, degrees: at 45 basic cells are closed.
+constexpr double smallest_cell_mm = 0.1;  // mm: smaller cells suggest that the points are in metres
+// Theta, degrees: at 45 basic cells are closed.
 const targets::Bounds folds = targets::between(0, 45, "degrees");
 const targets::Bounds tilt = targets::between(-89, 89, "degrees");
 
@@ -71,8 +71,10 @@ double usual_edge(const SpaceCurveFile& file) {
   return file.wanted.length() / (file.variables.columns * std::cos(usual_strip_theta));
 }
 
-/// Of a file that leaves all sizes open: as many as the process can print with walls that follow default_size, at the theta at
-/// which cells are smallest, if columns so wide can follow the curve.
+/// Returns the default number of columns, for a file that leaves all sizes open. It is the largest number that the
+/// process can print with walls by default_size, at the lower end of theta, where cells are smallest.
+///
+/// The number is between 24 and the usual one. It is the usual one if such wide columns cannot follow the curve.
 int printable_columns(const SpaceCurveFile& file, const model::Process& process) {
   const double least_mm = least_cell_mm(process, default_size(1), {}),
                most = seen_length * file.wanted.length() / (least_mm * std::cos(file.variables.theta.lower));
@@ -93,7 +95,7 @@ void check_unit(const targets::Section& root, const SpaceCurveFile& file) {
                          file.wanted.length(), file.variables.columns, usual_edge(file)));
 }
 
-/// @pre the variables are read
+/// Reads `structure`. @pre the variables are read
 void read_structure(const targets::Section& root, SpaceCurveFile& file) {
   const targets::Section structure = root.section("structure");
   const double length = file.wanted.length();
@@ -132,13 +134,13 @@ void read_variables(const targets::Section& root, SpaceCurveFile& file) {
     throw variables.section("t").optional("range")->error("must hold 0.5, where hinges start");
 }
 
-/// Cells of a given size and number have a length range of their own.
+/// Checks that cells of a given size and number can have the length of the curve.
 void check_length(const targets::Section& root, const SpaceCurveFile& file) {
   const optim::SpaceVariables& v = file.variables;
   if (v.free_edge) return;
   const double straight = v.columns * v.size.edge_mm;
   const double least = straight * std::cos(v.theta.upper), most = straight * std::cos(v.theta.lower);
-  // What climbs is longer than it looks along the strip: a third at the steepest slope.
+  // A climbing curve is longer than the strip below it, by up to a third at the steepest slope.
   if (file.wanted.length() >= 0.9 * least && file.wanted.length() <= 1.33 * most) return;
   throw root.section("structure")
       .optional("cell_mm")

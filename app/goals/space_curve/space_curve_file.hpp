@@ -7,8 +7,8 @@
 
 namespace kinetix::app {
 
-/// A target.yaml of kind space_curve, as asked for or by default. Angles in radians, lengths in mm. `kinetix: 1` and a
-/// `target` are enough.
+/// Content of a target.yaml of kind space_curve, with defaults filled in. Angles in radians, lengths in mm. Required
+/// are `kinetix: 1` and a `target`.
 ///
 ///     target: {kind: space_curve, points: helix.csv}
 ///     structure: {cells: [96, 1], cell_mm: 6}
@@ -19,17 +19,17 @@ struct SpaceCurveFile : GoalSettings {
 
   targets::SpaceGoal wanted;             ///< target.points
   optim::SpaceVariables variables = {};  ///< structure and variables
-  double shape_tolerance = 0.01;  ///< of shape_rms, over the diagonal of the goal's bounding box, (0, 1]
+  double shape_tolerance = 0.01;         ///< largest shape_rms, over the goal's bounding-box diagonal, (0, 1]
 };
 
-/// Every key of a target.yaml of kind space_curve.
+/// Returns all keys of a target.yaml of kind space_curve.
 const targets::KeyTable& space_curve_keys();
 
-/// @param root a target whose kind is space_curve
-/// @throws InvalidInput for whatever formats.md does not allow, and at the point where a goal is out of reach
+/// Reads the target. @param root a target whose kind is space_curve
+/// @throws InvalidInput for whatever formats.md does not allow. For a goal out of reach, the error names the point.
 SpaceCurveFile read_space_curve_file(const targets::Node& root);
 
-/// Makes the goal: the search, the closed form, and the physics run of its folding.
+/// Makes the goal: the search, the closed form, and the simulation of its folding.
 std::unique_ptr<Goal> make_goal(SpaceCurveFile file);
 
 }  // namespace kinetix::app

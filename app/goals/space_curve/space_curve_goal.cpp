@@ -40,8 +40,8 @@ Json distances_json(const targets::SpaceError& error) {
   return out;
 }
 
-/// What each column does: it bends or it shears. A column that bends has half of its turn behind it where its midline goes.
-/// @param midline of a state whose width lies along y
+/// Lists the turn of each bending column and the climb of each shearing column. The midline of a bending column has
+/// half of the column's turn. @param midline of a state whose width is along y
 Json columns_json(const std::vector<Eigen::Vector3d>& midline) {
   Json out = Json::array();
   double before = 0;  // heading, rad
@@ -57,13 +57,13 @@ Json columns_json(const std::vector<Eigen::Vector3d>& midline) {
   return out;
 }
 
-/// What a search for a curve in space contributes to a result. Met: shape within tolerance, and no walls in the way.
+/// Section of a result for a curve in space. The goal is met if the shape is within tolerance and no walls collide.
 struct SpaceCurveOutcome final : GoalOutcome {
   explicit SpaceCurveOutcome(SpaceCurveFile asked) : file(std::move(asked)) {}
 
   SpaceCurveFile file;
   optim::SpaceDesign found;
-  model::Pose place;  ///< of the goal, in the frame of the state in which the model holds the strip
+  model::Pose place;  ///< pose of the goal in the frame of the model's state, mm
 
   void add_sections(const Run& run, Json& result) const override {
     result["target"] = {{"kind", "space_curve"}, {"points_mm", space_points_json(file.wanted.points())}};
@@ -112,7 +112,7 @@ struct SpaceCurveOutcome final : GoalOutcome {
   }
 };
 
-/// Describes what a state lacks. @param who "model", "equilibrium" or "physics run"
+/// Describes violations of the shape tolerance. @param who "model", "equilibrium" or "physics run"
 std::vector<std::string> violations(const SpaceCurveFile& file, const targets::SpaceError& error,
                                     const std::string& who) {
   if (error.rms <= file.shape_tolerance) return {};
@@ -120,13 +120,13 @@ std::vector<std::string> violations(const SpaceCurveFile& file, const targets::S
                       error.rms, file.shape_tolerance)};
 }
 
-// Measured: s for 96 columns; it grows with the third power of their number.
+// Search time in s for 96 columns, measured; it grows with the third power of their number.
 constexpr double seconds_of_96 = 0.3;
 
-// Measured: simulated s in which the ends of a strip that is folded by its middle come to rest, a column.
+// Simulated time in s per column until the ends of a strip driven at its middle are at rest, measured.
 constexpr double settle_seconds_a_column = 0.06;
 
-// Part of the goal's length to either side of a point over which its direction there is taken.
+// Half width of the interval that gives the goal's direction at a point, as a ratio to the goal's length.
 constexpr double direction_reach = 1e-3;
 
 class SpaceCurveGoal final : public Goal {
@@ -173,7 +173,7 @@ class SpaceCurveGoal final : public Goal {
     return out;
   }
 
-  /// Each column's place against the goal, where that is nearest.
+  /// Observes the offset of each column from the nearest point of the goal, in two directions.
   std::optional<Observed> observe(const Found& found, const model::Lattice& sheet,
                                   const model::State& state) const override {
     const auto& outcome = outcome_of<SpaceCurveOutcome>(found);
@@ -186,7 +186,7 @@ class SpaceCurveGoal final : public Goal {
     for (std::size_t k = 0; k < midline.size(); ++k) {
       const double s = goal.nearest(midline[k]);
       const Eigen::Vector3d place = back * (midline[k] - motion.p), off = midline[k] - goal.at(s);
-      // Both square to the goal: what moves along it comes no further off.
+      // Both directions are perpendicular to the goal: a motion along it does not change the distance.
       const Eigen::Vector3d along = goal.direction(s, direction_reach * file_.wanted.length());
       const Eigen::Vector3d square = off - off.dot(along) * along;
       const Eigen::Vector3d away =
@@ -223,7 +223,7 @@ class SpaceCurveGoal final : public Goal {
     return out;
   }
 
-  /// What a robust search may try.
+  /// Returns the range of theta for a robust search; nullopt if the cell edge is fixed.
   std::optional<optim::AngleRange> tried_theta() const {
     return file_.variables.free_edge ? std::optional(file_.variables.theta) : std::nullopt;
   }

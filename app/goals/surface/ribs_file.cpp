@@ -11,8 +11,8 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double cells_a_diagonal = 25;  // a rib of them follows what a picture of the surface shows
-constexpr double largest_tilt = 75 * radians_per_degree;  // rad, as of sheets of facets
+constexpr double cells_a_diagonal = 25;  // cells per diagonal: ribs follow the visible shape of the surface
+constexpr double largest_tilt = 75 * radians_per_degree;  // rad, the default for sheets of facets too
 
 void refuse_keys_of_sheets(const targets::Section& root) {
   const auto refuse = [&](const char* section, std::initializer_list<const char*> keys) {

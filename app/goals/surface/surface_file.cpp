@@ -11,13 +11,13 @@ namespace {
 
 namespace value = targets::value;
 
-constexpr int most_facets = 24;       // a side: a search of as many takes minutes
-constexpr double most_curvature = 1;  // rad over a facet: a facet stands for so much of a turn at most
+constexpr int most_facets = 24;       // facets per side: a search with 24 takes minutes
+constexpr double most_curvature = 1;  // rad: largest turn of the surface over one flat facet
 // Shares of a whole, ratio.
 const targets::Bounds share = {0, 1, true, true};
-// deg, of creases: near 90 deg walls would lie in the sheet.
+// Tilt of creases, degrees: near 90 walls would be in the plane of the sheet.
 const targets::Bounds tilts = targets::between(0, 85, "degrees");
-// Of theta: planar cells close at 45 deg.
+// Theta, degrees: planar cells close at 45.
 const targets::Bounds turns = targets::between(0, 45, "degrees");
 const targets::Bounds sectors = targets::between(0, 180, "degrees");
 const targets::Bounds edges = targets::between(0, 10);
@@ -54,7 +54,7 @@ void read_variables_and_tolerance(const targets::Section& root, SurfaceFile& fil
     throw covered->key_error("belongs to `target.ribs`; of a sheet give `tolerance.cover`");
 }
 
-/// Facets are flat: one cannot stand for a turn of a rad.
+/// Rejects a surface that turns by more than most_curvature over one flat facet.
 void check_curvature(const targets::Section& target, const SurfaceFile& file) {
   const targets::SurfaceCurvature curvature = curvature_of(file.patch);
   const double facet = 2 * std::max(file.patch.half.x() / file.columns, file.patch.half.y() / file.rows);

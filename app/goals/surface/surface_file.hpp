@@ -11,8 +11,8 @@
 
 namespace kinetix::app {
 
-/// A target.yaml of kind surface, as asked for or by default. Angles in radians, lengths in mm. `kinetix: 1` and a
-/// `target` are enough.
+/// Content of a target.yaml of kind surface, with defaults filled in. Angles in radians, lengths in mm. Required are
+/// `kinetix: 1` and a `target`.
 ///
 ///     target: {kind: surface, shape: cap, width_mm: 100, arc_deg: 60}
 ///     structure: {facets: [8, 8], wall_mm: {thickness: 0.4, height: 0.8}}
@@ -26,30 +26,29 @@ struct SurfaceFile : GoalSettings {
   double tilt = 75 * radians_per_degree;  ///< variables.beta_deg, rad
   std::array<double, 2> sector = {60 * radians_per_degree,
                                   120 * radians_per_degree};  ///< variables.sector_deg
-  std::array<double, 2> edge = {0.75, 1.3};                   ///< variables.edge, of the mean edge
-  double shape_tolerance = 0.015;                             ///< of the vertices, over the diagonal, (0, 1]
+  std::array<double, 2> edge = {0.75, 1.3};                   ///< variables.edge, ratio to the mean edge
+  double shape_tolerance = 0.015;                             ///< rms error over the diagonal, (0, 1]
   double cover_tolerance = 0.75;                              ///< least share of the area, [0, 1]
-  double curvature_tolerance = 0.5;  ///< least share of the curvature that is wanted, [0, 1]
+  double curvature_tolerance = 0.5;                           ///< least share of the curvature, [0, 1]
 
-  /// Of a sheet whose mean wall has this length, mm.
+  /// Returns the size of walls for a sheet with this mean wall length, mm.
   model::CellSize size(double edge_mm) const { return walls.size(edge_mm); }
 };
 
-/// `tolerance.covered_share` of ribs over a surface where the file has none, ratio: less is not the surface any more.
+/// Default of `tolerance.covered_share` for ribs over a surface, ratio: less no longer shows the surface.
 inline constexpr double usual_covered_share = 0.5;
 
-/// `target.ribs`: one every other millimetre of a hand's breadth, a limit on what is read.
+/// Input limit of `target.ribs`: one rib per two millimetres of 400 mm.
 inline constexpr int most_ribs = 200;
 
-/// Every key of a target.yaml of kind surface.
+/// Returns all keys of a target.yaml of kind surface.
 const targets::KeyTable& surface_file_keys();
 
-/// @param root a target whose kind is surface
-/// @throws InvalidInput for whatever formats.md does not allow, and a surface that curves too
-/// much for its facets
+/// Reads the target. @param root a target whose kind is surface
+/// @throws InvalidInput for whatever formats.md does not allow, and for a surface that curves too much for its facets
 SurfaceFile read_surface_file(const targets::Node& root);
 
-/// Makes the goal: the search, the closed form, and the physics run.
+/// Makes the goal: the search, the closed form, and the simulation.
 std::unique_ptr<Goal> make_goal(SurfaceFile file);
 
 }  // namespace kinetix::app

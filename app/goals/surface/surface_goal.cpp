@@ -24,8 +24,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int grid_lines = 9;    // of the surface in pictures, each way: its shape shows between them
-constexpr int grid_points = 25;  // on each line: they look smooth on a page
+constexpr int grid_lines = 9;    // lines per direction in pictures: enough to show the shape
+constexpr int grid_points = 25;  // points per line: lines look smooth on a page
 
 Json point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -45,7 +45,7 @@ Json grid(const targets::SurfacePatch& patch) {
   return lines;
 }
 
-/// What the folded sheet lacks of the surface.
+/// Describes why the folded sheet misses the surface, one sentence each.
 std::vector<std::string> why_off_surface(const SurfaceOutcome& o) {
   std::vector<std::string> why;
   const optim::SurfaceError& error = o.design.error;
@@ -78,11 +78,10 @@ std::vector<std::string> why_off_surface(const SurfaceOutcome& o) {
 
 Json degrees(const std::array<double, 2>& range) { return {to_degrees(range[0]), to_degrees(range[1])}; }
 
-// Rounds of four searches each, about as long as the search before them: later ones gain a few percent.
+// Rounds of four searches each, together about as long as the search before them. Later rounds gain a few percent.
 constexpr int shakes_where_it_misses = 4;
 
-/// What the vertices of a sheet that curves both ways are off the surface at most, over the diagonal; infinite for one
-/// that hardly does.
+/// Returns the largest allowed rms of a doubly curved sheet, over the diagonal; infinity for other surfaces.
 double most_rms_to_curve(const targets::SurfacePatch& patch) {
   if (!(curvature_of(patch).total > targets::curved_both_ways))
     return std::numeric_limits<double>::infinity();
@@ -108,14 +107,14 @@ optim::SurfaceOptions options_of(const SurfaceFile& file, const RunOptions& run)
   return out;
 }
 
-/// The mesh as a sheet of its size in mm: a mean wall has length 1 in cell edges.
+/// Makes the sheet of a mesh, sized in mm. The mean wall has length 1 in cell edges.
 model::OrigamiSheet sheet_of(const model::QuadMesh& mesh, const SurfaceFile& file) {
   const model::OrigamiSheet unit = origami_sheet(mesh, model::CellSize{});
   const double edge_mm = mean_edge(mesh) / mean_edge(unit.mesh);
   return origami_sheet(mesh, file.size(edge_mm));
 }
 
-/// The rigid motion, mm, of the sheet's exact state to where its vertices lie on the surface.
+/// Returns the rigid motion (mm) that aligns the sheet's exact state with the vertices of the design.
 model::Pose onto_surface(const model::OrigamiSheet& sheet, const optim::SurfaceDesign& design) {
   model::QuadMesh mesh = sheet.mesh;
   for (Eigen::Vector2d& vertex : mesh.vertices) vertex *= std::cos(design.theta);
@@ -130,7 +129,7 @@ model::Pose onto_surface(const model::OrigamiSheet& sheet, const optim::SurfaceD
   return {motion.topLeftCorner<3, 3>(), motion.topRightCorner<3, 1>()};
 }
 
-/// The bodies next to vertex (i, j) of a mesh, one in each of its facets.
+/// Returns the bodies next to vertex (i, j) of a mesh, one in each adjacent facet.
 std::vector<int> bodies_at(const model::QuadMesh& mesh, int i, int j) {
   std::vector<int> out;
   for (const int row : {2 * j - 1, 2 * j})
@@ -146,7 +145,7 @@ Eigen::Vector3d mean_place(const std::vector<int>& bodies, const model::State& s
   return sum / static_cast<double>(bodies.size());
 }
 
-// Measured, s: a start's search, a vertex; it grows with the square of their number.
+// Search time in s for 81 vertices, measured; it grows with the square of their number.
 constexpr double seconds_of_81 = 4;
 
 class SurfaceGoal final : public Goal {
@@ -199,7 +198,7 @@ class SurfaceGoal final : public Goal {
     return out;
   }
 
-  /// Measures the sheet that was found, and ribs beside it for comparison. Other states are not measured.
+  /// Measures the model's state, and ribs for comparison. Returns nullptr for other states.
   std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State&,
                                          const RunOptions& options) const override {
     if (of != StateOf::model) return nullptr;
@@ -222,7 +221,8 @@ class SurfaceGoal final : public Goal {
     return out;
   }
 
-  /// By the vertices of its mesh, as the search has it: each moves as the bodies next to it do.
+  /// Observes the distance of each mesh vertex from its layer of the surface. A vertex moves with the mean of the
+  /// bodies next to it.
   std::optional<Observed> observe(const Found& found, const model::Lattice&,
                                   const model::State& state) const override {
     const auto& surface = outcome_of<SurfaceOutcome>(found);

@@ -9,28 +9,29 @@
 
 namespace kinetix::app {
 
-/// Of the rms of the best cylinder or cone, at most of a sheet that curves both ways: another could be one of them.
+/// Largest rms of a doubly curved sheet, as a ratio to the rms of the best cylinder or cone. A sheet with a larger rms
+/// could itself be a cylinder or cone.
 inline constexpr double most_of_cone = 0.5;
 
-/// What a search for a surface contributes to a result. Met: vertices on the surface's layers within tolerance, bounds
-/// kept, no walls in the way.
+/// Surface section of a result. The goal is met if the vertices are within tolerance of the surface's layers, all
+/// bounds are kept and no walls collide.
 class SurfaceOutcome final : public GoalOutcome {
  public:
   explicit SurfaceOutcome(SurfaceFile asked) : file(std::move(asked)) {}
 
   SurfaceFile file;
   optim::SurfaceDesign design;
-  model::State exact;                  ///< on the surface
-  double free_height = 0;              ///< largest height of plates with which no walls meet, cell edges
-  bool clear = false;                  ///< none meet as they are
-  double diagonal_mm = 0;              ///< of the surface's box
-  targets::GaussShare curvature = {};  ///< of the sheet's middle over the surface's
-  double cone_rms = 0;                 ///< of the surface from the best cylinder or cone, over the diagonal
+  model::State exact;                  ///< exact state, aligned with the surface
+  double free_height = 0;              ///< largest plate height without collisions, cell edges
+  bool clear = false;                  ///< no walls collide at the present height
+  double diagonal_mm = 0;              ///< diagonal of the surface's bounding box
+  targets::GaussShare curvature = {};  ///< curvature of the sheet's middle over the surface's
+  double cone_rms = 0;  ///< rms of the surface from the best cylinder or cone, over the diagonal
 
-  /// Whether the surface curves both ways by so much that a sheet which bends one way alone is not it.
+  /// Returns whether the surface is so doubly curved that a sheet bent in one direction cannot match it.
   bool needs_curvature() const { return curvature.wanted > targets::curved_both_ways; }
 
-  /// Adds `surface` (grid of the surface, vertices of the mesh, errors, what binds) and `optimiser`.
+  /// Adds `surface` (grid of the surface, vertices of the mesh, errors) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
   void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
@@ -38,10 +39,10 @@ class SurfaceOutcome final : public GoalOutcome {
 
 class SurfaceMeasure final : public Measure {
  public:
-  std::vector<SurfaceWay> ways;  ///< the sheet, a fishbone with a rib a facet, and the same ribs loose
+  std::vector<SurfaceWay> ways;  ///< the sheet, a fishbone with one rib per facet, and the same ribs loose
 };
 
-/// What the design lacks, in sentences.
+/// Describes violations of the tolerances, bounds and collision limits, one sentence each.
 std::vector<std::string> violations(const SurfaceOutcome& outcome);
 
 }  // namespace kinetix::app

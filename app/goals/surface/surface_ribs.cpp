@@ -13,10 +13,10 @@ namespace {
 using Eigen::Vector3d;
 using Json = nlohmann::ordered_json;
 
-constexpr int lines_of_surface = 11;  // across the spine: they show the shape
-constexpr int points_a_rib = 60;      // of a line to be drawn: it looks smooth on a page
+constexpr int lines_of_surface = 11;  // sections across the spine: enough to show the shape
+constexpr int points_a_rib = 60;      // points per drawn line: it looks smooth on a page
 
-/// Sections of the surface, across the spine's plane and by it, in the frame of the ribs.
+/// Returns sections of the surface across the spine and along it, in the frame of the ribs.
 std::vector<std::vector<Vector3d>> lines_of(const targets::RibbedSurface& surface) {
   const targets::TriangleMesh mesh = joined(surface.surface.mesh());
   const Eigen::AlignedBox3d box = bounds(mesh);
@@ -37,7 +37,7 @@ std::vector<std::vector<Vector3d>> lines_of(const targets::RibbedSurface& surfac
   return out;
 }
 
-/// What a search for ribs over a surface contributes to a result.
+/// Section of a result for ribs over a surface.
 class SurfaceRibs final : public RibsOutcome {
  public:
   SurfaceRibs(const RibsTask& task, RibsFile file, optim::RibsDesign found)

@@ -51,7 +51,7 @@ std::vector<NamedContent> write_dxf(const PrintJob& job) {
 
 }  // namespace
 
-// Name, meaning and how it is written: dxf.
+// Entry of the format dxf: name, meaning and writer.
 const PrintFormat dxf_format = {.name = "dxf",
                                 .meaning = "the same drawing for CAD and cutters",
                                 .write = write_dxf,

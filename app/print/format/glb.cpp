@@ -13,16 +13,16 @@ static_assert(std::endian::native == std::endian::little, "glb is little-endian"
 
 using GltfJson = nlohmann::ordered_json;
 
-// Of glTF 2.0.
-constexpr int gltf_float = 5126;                    // type of a component
-constexpr int gltf_uint = 5125;                     // likewise
-constexpr int gltf_ushort = 5123;                   // likewise
+// Constants of glTF 2.0.
+constexpr int gltf_float = 5126;                    // type of a component, float
+constexpr int gltf_uint = 5125;                     // type of a component, unsigned int
+constexpr int gltf_ushort = 5123;                   // type of a component, unsigned short
 constexpr std::uint32_t gltf_magic = 0x46546C67;    // "glTF"
 constexpr std::uint32_t json_chunk = 0x4E4F534A;    // "JSON"
 constexpr std::uint32_t binary_chunk = 0x004E4942;  // "BIN"
 constexpr double seconds = 4;                       // s: of the motion from flat to the fold
 
-/// The binary part and what describes it.
+/// Binary part of the file, with its views and accessors.
 class Buffer {
  public:
   template <class Number>
@@ -37,7 +37,7 @@ class Buffer {
                           {"type", type}});
     return static_cast<int>(accessors_.size()) - 1;
   }
-  /// With the least and largest of each component, which positions and times need.
+  /// Adds numbers with the least and largest of each component, which positions and times need.
   int add_ranged(const std::vector<float>& numbers, const char* type, int width) {
     const int accessor = add(numbers, type, width, gltf_float);
     GltfJson low = GltfJson::array(), high = GltfJson::array();
@@ -88,7 +88,7 @@ std::vector<float> translations(const PrintSheet& sheet, int body) {
   return out;
 }
 
-/// Each by the shorter way from the one before.
+/// Returns a body's quaternions. Each has the sign that gives the shorter way from the one before.
 std::vector<float> rotations(const PrintSheet& sheet, int body) {
   std::vector<float> out;
   Eigen::Quaterniond before = Eigen::Quaterniond::Identity();
@@ -140,7 +140,8 @@ class Scene3 {
     }
   }
 
-  /// Of its own, since Blender names what hangs on a bone by its mesh; bodies of one shape share the numbers.
+  /// Adds a mesh for one body, since Blender names what hangs on a bone by its mesh. Bodies of one shape share the
+  /// numbers.
   std::size_t mesh_of(const std::string& name, const model::Polyhedron& solid) {
     const auto [known, is_new] = known_.try_emplace(positions(solid));
     if (is_new)
@@ -153,7 +154,7 @@ class Scene3 {
     return meshes_.size() - 1;
   }
 
-  /// All blocks are one mesh whose corners each go with one body: so they stretch as they should.
+  /// Adds all soft parts as one mesh. Each corner moves with one body, so the parts stretch.
   void add_soft() {
     model::Polyhedron all;
     std::vector<std::uint16_t> joints;
@@ -189,7 +190,7 @@ class Scene3 {
     loose_ = static_cast<int>(nodes_.size()) - 1;
   }
 
-  /// Metres, and y up.
+  /// Adds the root node: metres, and y up.
   void add_root() {
     const double half = std::sqrt(0.5);
     nodes_.push_back({{"name", sheet_.name},
@@ -241,7 +242,7 @@ class Scene3 {
   const PrintSheet& sheet_;
   GltfJson gltf_, nodes_ = GltfJson::array(), meshes_ = GltfJson::array();
   std::vector<int> children_;
-  int loose_ = -1;  // node of the blocks: skins ignore where their node is
+  int loose_ = -1;  // node of the soft parts: skins ignore the place of their node
   struct Shape {
     int points = 0, triangles = 0;  // accessors
   };
@@ -255,7 +256,7 @@ std::vector<NamedContent> write_glb(const PrintJob& job) {
 
 }  // namespace
 
-// Name, meaning and how it is written: glb.
+// Entry of the format glb: name, meaning and writer.
 const PrintFormat glb_format = {"glb", "viewers, folding as an animation", write_glb};
 
 }  // namespace kinetix::app

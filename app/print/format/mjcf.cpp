@@ -17,21 +17,20 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double density = 1200;  // kg/m^3: of PLA and of the resins of PolyJet and SLA, 1150 to 1250
-constexpr double quickness = 30;  // rad/s: of the actuator: the sheet follows its control within 0.1 s
-constexpr double stiffer =
-    10;  // times what hinges hold back, at least: so that no mode but the fold gives way
+constexpr double density = 1200;   // kg/m^3: of PLA and of the resins of PolyJet and SLA, 1150 to 1250
+constexpr double quickness = 30;   // rad/s of the actuator: the sheet follows its control within 0.1 s
+constexpr double stiffer = 10;     // least ratio of actuator to hinge stiffness: only the fold mode yields
 constexpr double resolved = 0.2;   // of a period over 2 pi: the longest step in which the actuator is stable
-constexpr double step_s = 2e-3;    // s: of MuJoCo's own default
-constexpr double loop_step = 2.5;  // times step_s: in which gaps of loops close
-constexpr double least_mass = 1e-12;  // kg: below it the actuator would have nothing to move
+constexpr double step_s = 2e-3;    // s: MuJoCo's default
+constexpr double loop_step = 2.5;  // times the step: time in which gaps of loops close
+constexpr double least_mass = 1e-12;  // kg m^2: with less the actuator would have nothing to move
 
 std::string text(const Vector3d& v) { return fmt::format("{:.10g} {:.10g} {:.10g}", v.x(), v.y(), v.z()); }
 
-/// A body as the scene has it, in a tree of fewest hinges from its root.
+/// Body of the scene, in a tree with the fewest hinges to its root.
 struct TreeLink {
   int parent = -1, hinge = -1;
-  int root = -1;  ///< held by the world: the middle of the sheet, and a body of each part beside it
+  int root = -1;  ///< body held by the world: the sheet's middle, or one of each separate part
   std::vector<int> children = {};
 };
 
@@ -119,7 +118,7 @@ class MujocoFile {
     return {density * 1e-9 * volume_mm3, metres_per_mm * m.center, density * 1e-15 * m.inertia};
   }
 
-  /// A point of mass. @param place m
+  /// Adds a point mass. @param place m
   static void add_mass(double kg, const Vector3d& place, Mass& to) {
     const Vector3d apart = place - to.center;
     const double reduced = kg * to.kg / (kg + to.kg);
@@ -134,7 +133,7 @@ class MujocoFile {
     return static_cast<int>(sheet_.hinges.size()) - static_cast<int>(in_trees);
   }
   int rows() const { return 6 * loops(); }
-  /// Numbers that its solver works with: its Jacobian, what it is multiplied by, and a Hessian, some times over.
+  /// Returns the size of the solver's stack, numbers: its Jacobian, a Hessian and vectors, several times over.
   long stack() const {
     const long rows_ = rows() + 100, dofs = static_cast<long>(links_.size());
     return 8 * (rows_ * dofs + dofs * dofs + rows_) + 1000000;
@@ -146,7 +145,7 @@ class MujocoFile {
            (hinge.lower == body ? hinge.lower_arm : hinge.upper_arm);
   }
 
-  /// Turn of each hinge of the tree from flat to the fold, rad.
+  /// Finds the turn of each hinge of the trees from flat to the fold, rad.
   void find_turns() {
     turns_.assign(sheet_.hinges.size(), 0);
     const model::State& folded = sheet_.path.back();
@@ -159,8 +158,8 @@ class MujocoFile {
     }
   }
 
-  /// Hinges of loops have no joint of their own: what they resist with at the fold is shared by those of the tree. Where
-  /// some hinges are pins all share alike, so that the actuator moves what turns freely, too.
+  /// Adds the resistance of hinges of loops, which have no joint, to the joints of the trees. If some hinges are pins,
+  /// all joints share it equally, so that the actuator also moves what turns freely.
   void share_loops() {
     double all = 0;
     const model::State& folded = sheet_.path.back();
@@ -220,12 +219,12 @@ class MujocoFile {
         stiffness(h), damping());
   }
 
-  /// N m s/rad: what brings the whole sheet to rest as fast as its actuator moves it, shared by all joints.
+  /// Returns the damping of each joint, N m s/rad. Together they stop the sheet as fast as its actuator moves it.
   double damping() const {
     return turned_ > 0 ? 2 * std::sqrt(moved_mass() * (gain() + held())) / turned_ : 0;
   }
 
-  /// kg m^2: twice the energy of the sheet that folds within a second.
+  /// Returns twice the kinetic energy of the sheet that folds within a second, kg m^2.
   double moved_mass() const {
     double sum = least_mass;
     const model::State &flat = sheet_.path.front(), &folded = sheet_.path.back();
@@ -238,7 +237,7 @@ class MujocoFile {
     return sum;
   }
 
-  /// Hinges outside the tree, each by two points on its axis.
+  /// Adds the hinges outside the trees, each by two points on its axis.
   void add_loops() {
     std::set<int> in_tree;
     for (const TreeLink& link : links_) in_tree.insert(link.hinge);
@@ -256,27 +255,28 @@ class MujocoFile {
   }
 
   static bool is_pin(const model::HingePrint& hinge) { return hinge.made.kind == model::HingeKind::pin; }
-  /// Of a joint of the tree, N m/rad.
+  /// Returns the stiffness of a joint of the trees, N m/rad.
   double stiffness(int h) const {
     if (shared_) return *shared_;
     const model::HingePrint& hinge = sheet_.hinges[h];
     return is_pin(hinge) ? 0 : with_loops_ * model::stiffness(hinge.made).turn * metres_per_mm;
   }
-  /// N m: by the hinges of the tree at the fold, over their part of the tendon.
+  /// Returns the force of the trees' hinges on the tendon at the fold, N m: the sum of stiffness times turn^2.
   double held() const {
     double sum = 0;
     for (int h = 0; h < static_cast<int>(turns_.size()); ++h) sum += stiffness(h) * turns_[h] * turns_[h];
     return sum;
   }
-  /// N m.
+  /// Returns the gain of the actuator, N m.
   double gain() const { return std::max(moved_mass() * quickness * quickness, stiffer * held()); }
-  /// s.
+  /// Returns the time step, s.
   double step() const {
     return turned_ > 0 ? std::min(step_s, resolved * std::sqrt(moved_mass() / (gain() + held()))) : step_s;
   }
 
-  /// All hinges of the tree by one tendon that is 1 longer when each has turned as far as the fold turns it. It pulls at
-  /// each as hard as that resists there: so all come to rest in the fold, however many ways the sheet can move.
+  /// Adds one tendon for all hinges of the trees. It is 1 longer when each has turned to the fold. It pulls at each
+  /// hinge as hard as that hinge resists there. All hinges then rest in the fold, for any number of degrees of
+  /// freedom.
   void add_actuator() {
     out_ += "<tendon>\n<fixed name=\"fold\">\n";
     const double all = held();
@@ -284,7 +284,8 @@ class MujocoFile {
       if (turns_[h] != 0)
         out_ += fmt::format("<joint joint=\"j{}\" coef=\"{:.10g}\"/>\n", h,
                             turns_[h] * (all > 0 ? stiffness(h) / all : 1 / turned_));
-    // It pushes as much harder as the hinges hold back at the fold: there its length is exactly what was asked for.
+    // The resistance of the hinges at the fold adds to the push, so that the tendon's length is exactly the control
+    // there.
     out_ += fmt::format(
         "</fixed>\n</tendon>\n<actuator>\n<general name=\"fold\" tendon=\"fold\" gainprm=\"{:.10g}\" "
         "biastype=\"affine\" biasprm=\"0 {:.10g} 0\" ctrllimited=\"true\" ctrlrange=\"0 1\"/>\n</actuator>\n",
@@ -307,7 +308,7 @@ std::vector<NamedContent> write_mjcf(const PrintJob& job) {
 
 }  // namespace
 
-// Name, meaning and how it is written: mjcf.
+// Entry of the format mjcf: name, meaning and writer.
 const PrintFormat mjcf_format = {.name = "mjcf",
                                  .meaning = "MuJoCo, with an actuator that folds it",
                                  .write = write_mjcf,

@@ -12,7 +12,7 @@ namespace {
 constexpr double apart = 2;          // diameters, from one lying rod to the next: one is left free
 constexpr double rods_apart_mm = 2;  // mm, from one column of lying rods to the next: they stay apart
 
-/// Of a loose rod: its sections below and above by turns, as rod_solid has them.
+/// Returns the length of a loose rod. Its points are alternately of the section below and above, as in rod_solid.
 double length_of(const model::Polyhedron& rod) { return (rod.points[1] - rod.points[0]).norm(); }
 
 double radius_of(const model::Polyhedron& rod) {
@@ -22,7 +22,7 @@ double radius_of(const model::Polyhedron& rod) {
   return (arm - arm.dot(axis) * axis).norm();
 }
 
-/// A rod lying along x, from (x, y, 0) on.
+/// Returns a rod that lies along x, from (x, y, 0) on.
 model::Polyhedron lying(const model::Polyhedron& rod, double x, double y) {
   const double length = length_of(rod), radius = radius_of(rod);
   model::Polyhedron out = rod;
@@ -37,13 +37,12 @@ model::Polyhedron lying(const model::Polyhedron& rod, double x, double y) {
 
 constexpr double usual_radius_mm = 0.049;  // mm: PrusaSlicer's default, which mends meshes
 constexpr double share_of_gap = 0.4;       // of a clearance: a radius of a half would close it
-constexpr double usual_foot_mm =
-    0.2;  // mm: of PrusaSlicer's own printers: about half a line that is squashed
+constexpr double usual_foot_mm = 0.2;      // mm, of PrusaSlicer's own printers: about half a squashed line
 
 }  // namespace
 
 model::Polyhedron as_filed(model::Polyhedron solid) {
-  // Number by number: Eigen 3.4 takes two casts of a vector in one expression for none.
+  // Casts each number: Eigen 3.4 treats two casts of a vector in one expression as none.
   for (Eigen::Vector3d& p : solid.points)
     for (double& x : p) x = static_cast<float>(x);
   return solid;
@@ -90,7 +89,7 @@ model::Polyhedron laid_out_rods(const PrintSheet& sheet) {
     }
   const int count = sheet.loose_rods();
   if (count == 0) return all;
-  // As many in a column as make the field about square, like a bed.
+  // Enough rows per column to make the field about square, like a bed.
   const int rows = static_cast<int>(std::ceil(std::sqrt(count * (length + rods_apart_mm) / width)));
   int placed = 0;
   for (const model::Polyhedron& rod : sheet.rods) {

@@ -9,7 +9,7 @@
 namespace kinetix::app {
 namespace {
 
-// What a scene uses: by OpenSCAD's `use`, which takes modules and functions alone.
+// Head of the file, for OpenSCAD's `use`, which imports modules and functions only.
 constexpr const char* scad_head = R"(// {name}, designed by kinetix: {bodies} bodies, {hinges} hinges; mm.
 //   use <{name}.scad>
 //   sheet();            // all of it where it was asked for: {shown} of the way from flat (0) to the fold (1)
@@ -54,7 +54,7 @@ std::string scad_list(const std::vector<Item>& items, Text text, const char* bet
   return out + "]";
 }
 
-/// As all files hold places: in floats.
+/// Formats points, rounded to floats as in all files.
 std::string scad_points(const model::Polyhedron& solid) {
   return scad_list(as_filed(solid).points, [](const Eigen::Vector3d& p) {
     return fmt::format("[{},{},{}]", static_cast<float>(p.x()), static_cast<float>(p.y()),
@@ -62,7 +62,7 @@ std::string scad_points(const model::Polyhedron& solid) {
   });
 }
 
-/// OpenSCAD wants corners clockwise from outside.
+/// Formats faces: OpenSCAD needs corners clockwise from outside.
 std::string scad_faces(const model::Polyhedron& solid) {
   return scad_list(solid.triangles,
                    [](const std::array<int, 3>& t) { return fmt::format("[{},{},{}]", t[2], t[1], t[0]); });
@@ -70,7 +70,7 @@ std::string scad_faces(const model::Polyhedron& solid) {
 
 using Table = std::vector<std::array<double, 7>>;
 
-/// Of two quaternions of one turn the one nearer to that of the state before.
+/// Returns the poses of a state. Each quaternion has the sign that is nearer to the state before.
 Table scad_poses(const model::State& state, const Table& before) {
   Table out;
   for (std::size_t b = 0; b < state.size(); ++b) {
@@ -96,7 +96,8 @@ std::string poses_text(const std::vector<model::State>& path) {
       ",\n");
 }
 
-/// A soft part's points: half of them about the lower body, half about the upper one, each about where it is at rest.
+/// Returns a soft part whose first half of points is relative to the lower body's rest position, the second to the
+/// upper's.
 model::Polyhedron by_its_ends(const PrintSheet& sheet, int hinge) {
   const model::RestHinge& rest = sheet.linkage.hinges[hinge];
   model::Polyhedron out = sheet.soft[hinge];
@@ -130,7 +131,7 @@ std::vector<NamedContent> write_scad(const PrintJob& job) { return {{job.sheet.n
 
 }  // namespace
 
-// Name, meaning and how it is written: scad.
+// Entry of the format scad: name, meaning and writer.
 const PrintFormat scad_format = {"scad", "modules of OpenSCAD for its parts", write_scad};
 
 }  // namespace kinetix::app

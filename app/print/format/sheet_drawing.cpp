@@ -24,7 +24,7 @@ bp::point_data<int> on_grid(const Eigen::Vector3d& p) {
   return {static_cast<int>(std::lround(p.x() / grid_mm)), static_cast<int>(std::lround(p.y() / grid_mm))};
 }
 
-/// Counter-clockwise (Andrew's monotone chain), exact.
+/// Returns the convex hull of corners seen from above, counter-clockwise and exact (Andrew's monotone chain).
 Points shadow(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& at) {
   Points points, out;
   for (const Eigen::Vector3d& p : corners) points.push_back(on_grid(p + at));
@@ -82,15 +82,15 @@ void find_bounds(SheetDrawing& drawing) {
 }
 
 constexpr double knife_mm = 3;     // mm, between strips: room for a knife
-constexpr double tab_share = 0.5;  // of the way to the nearest hinge, or of the wall's height
+constexpr double tab_share = 0.5;  // of the distance to the nearest hinge, or of the wall's height
 constexpr double chamfer = 0.3;    // of a tab's length: narrower at its end, so that no two meet in a corner
 
-// Of a label: shares of the wall's height and of the room that it has; where there is hardly any, it stays readable.
+// Heights of labels in shares of the wall's height, widths in shares of the room. In little room they stay readable.
 constexpr double most_high = 0.3, least_high = 0.1, most_wide = 0.9;
-// Of a wall's height: where the lower and the upper labels stand, and how far up and down they reach.
+// Shares of a wall's height: middle of the lower and of the upper labels, and how far up and down they reach.
 constexpr double lower_row = 0.28, upper_row = 0.72, half_row = 0.18;
 
-/// Of one wall, in its own plane: x from the lower vertex along the wall, y up from its foot. mm
+/// Wall in its own plane, mm: x from the lower vertex along the wall, y up from its foot.
 struct Wall {
   double hinge_x, length, height;
   Vector2d axis;  ///< of the hinge, in the wall's plane
@@ -112,7 +112,7 @@ Wall wall_of(const PrintSheet& sheet, int h) {
           {hinge.axis.dot(arm.edge), hinge.axis.dot(arm.up)}};
 }
 
-/// The hinge's line as far as the wall reaches.
+/// Returns the hinge's line within the wall.
 std::pair<Vector2d, Vector2d> score(const Wall& wall) {
   const Vector2d middle(wall.hinge_x, wall.height / 2), most(wall.length, wall.height);
   double low = -std::numeric_limits<double>::infinity(), high = -low;
@@ -125,7 +125,7 @@ std::pair<Vector2d, Vector2d> score(const Wall& wall) {
   return {middle + low * wall.axis, middle + high * wall.axis};
 }
 
-/// Of a wall beside its score, below or above its middle: where a label stands clear of lines.
+/// Room of a wall next to its score, below or above its middle. A label there is clear of lines.
 struct Room {
   double from, to;  ///< along the wall, mm
   double row;       ///< of the wall's height
@@ -133,7 +133,7 @@ struct Room {
   double width() const { return to - from; }
 };
 
-/// On the left below and above, on the right below and above.
+/// Returns the rooms on the left below and above, then on the right below and above.
 std::array<Room, 4> rooms_of(const Wall& wall, const std::pair<Vector2d, Vector2d>& line) {
   const auto score_at = [&](double share) {
     const auto& [low, high] = line;
@@ -156,7 +156,7 @@ Room& widest(std::span<Room> rooms) {
   });
 }
 
-/// @param at of the wall's lower left corner, mm
+/// Places a label in a room. @param at lower left corner of the wall, mm
 Strips::Label label_in(Room& room, const Vector2d& at, double wall_height, const std::string& text) {
   room.taken = true;
   const double fitting = most_wide * room.width() / (digit_share * static_cast<double>(text.size()));
@@ -173,7 +173,7 @@ class StripMaker {
 
   Strips made() {
     const double wide = longest_ + 2 * tab_ + knife_mm, high = highest_ + knife_mm;
-    // As many in a column as make the page about square.
+    // Enough rows per column to make the page about square.
     const int rows = std::max(1, static_cast<int>(std::ceil(std::sqrt(hinges() * wide / high))));
     for (int h = 0; h < hinges(); ++h)
       add(h, {(h / rows) * wide + knife_mm + tab_, (h % rows) * high + knife_mm});
@@ -201,7 +201,7 @@ class StripMaker {
     std::vector<Vector2d> cut{at};
     add_end(cut, at + Vector2d(wall.length, 0), wall.height, last ? tab_ : 0);
     add_end(cut, at + Vector2d(0, wall.height), -wall.height, first ? -tab_ : 0);
-    cut.pop_back();  // where it began
+    cut.pop_back();  // the first point again
     out_.cuts.push_back(cut);
     const std::pair<Vector2d, Vector2d> line = score(wall);
     out_.folds.emplace_back(at + line.first, at + line.second);
@@ -216,7 +216,7 @@ class StripMaker {
     out_.numbers.push_back(label_in(widest(all), at, wall.height, std::to_string(h + 1)));
   }
 
-  /// The edge from `from` up by `rise`, with a tab beyond it. @param tab mm, along x; 0: none
+  /// Adds the edge from `from` up by `rise`, with a tab beyond it. @param tab mm, along x; 0: none
   void add_end(std::vector<Vector2d>& cut, const Vector2d& from, double rise, double tab) {
     const Vector2d to = from + Vector2d(0, rise);
     cut.push_back(from);

@@ -9,7 +9,7 @@
 
 namespace kinetix::app {
 
-/// The flat sheet as seen from above, mm, in the coordinates of all other files.
+/// Flat sheet as seen from above, mm, in the coordinates of all other files.
 struct SheetDrawing {
   struct Part {
     std::string name;
@@ -26,30 +26,29 @@ struct SheetDrawing {
   Eigen::Vector2d low, high;  ///< corners of the least box about all parts, mm
 };
 
-inline constexpr double digit_share =
-    0.65;  ///< of a digit's width over the height of letters, in common fonts
-inline constexpr double capital_share = 0.75;  ///< of a digit's height, likewise
+inline constexpr double digit_share = 0.65;    ///< digit's width over the height of letters, in common fonts
+inline constexpr double capital_share = 0.75;  ///< digit's height over the height of letters, in common fonts
 
-/// Of a hinge's number in drawings, mm.
+/// Returns the height of a hinge's number in drawings, mm.
 double number_height_mm(const PrintSheet& sheet);
 
-/// Each part by its shadow, to 1e-5 mm.
+/// Draws each part as its shadow from above, to 1e-5 mm.
 SheetDrawing sheet_drawing(const PrintSheet& sheet);
 
-/// Every wall as a strip of card to be cut out, scored and glued by hand, side by side on one page, mm, y up. A strip is a
-/// wall in its own plane from vertex to vertex, its hinge a line to score. Where it meets other walls it ends in a tab:
-/// folded about the vertex, the tab is glued to the next wall counter-clockwise. Tabs are half as long as the way from
-/// vertex to nearest hinge, or half the wall's height where that is less.
+/// Walls as strips of card to be cut out, scored and glued by hand, side by side on one page, mm, y up. A strip is a
+/// wall in its own plane from vertex to vertex. Its hinge is a line to score. A strip ends in a tab at a vertex with
+/// other walls. The tab is folded about the vertex and glued to the next wall counter-clockwise. Tabs are half as long
+/// as the distance from vertex to nearest hinge, or half the wall's height if that is less.
 struct Strips {
   struct Label {
-    Eigen::Vector2d place;  ///< of the middle of its foot, mm
+    Eigen::Vector2d place;  ///< middle of its foot, mm
     std::string text;
-    double height;  ///< of its letters' font, mm
+    double height;  ///< font size of its letters, mm
   };
 
-  std::vector<std::vector<Eigen::Vector2d>> cuts;                  ///< outlines, one of each strip
+  std::vector<std::vector<Eigen::Vector2d>> cuts;                  ///< outlines, one per strip
   std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> folds;  ///< hinges and tabs
-  std::vector<Label> numbers;   ///< of hinges, as sheet_drawing has them, beside the score
+  std::vector<Label> numbers;   ///< of hinges, as in sheet_drawing, next to the score
   std::vector<Label> vertices;  ///< at both ends, within the wall
   Eigen::Vector2d size;         ///< of the page, mm
 };

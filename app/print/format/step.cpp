@@ -12,9 +12,9 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using model::ArmSolid;
 
-constexpr double same_mm = 1e-6;  // mm: within which corners make bodies of one shape
+constexpr double same_mm = 1e-6;  // mm: bodies whose corners differ by less have one shape
 
-// Red, green and blue of the screen from 0 to 1: as the 3MF files have them.
+// Red, green and blue of the screen from 0 to 1, as in the 3MF files.
 constexpr std::array<double, 3> hard_colour = {0.847, 0.847, 0.824};
 constexpr std::array<double, 3> soft_colour = {0.180, 0.435, 0.718};
 
@@ -34,7 +34,7 @@ cad::Circle circle_of(const ArmSolid& arm, double radius, double s) {
   return {arm.point({0, arm.end.axis_across}, s), arm.axis, arm.towards_axis, radius};
 }
 
-/// Where the line from a point outside touches a circle. @param turn 1: counter-clockwise of it
+/// Returns the point at which a line from an outside point touches a circle. @param turn 1: counter-clockwise, else -1
 Vector2d touching(const Vector2d& from, const Vector2d& middle, double radius, double turn) {
   const Vector2d u = (from - middle).normalized();
   const double angle = turn * std::acos(radius / (from - middle).norm());
@@ -42,7 +42,7 @@ Vector2d touching(const Vector2d& from, const Vector2d& middle, double radius, d
                                     std::sin(angle) * u.x() + std::cos(angle) * u.y());
 }
 
-/// From the wall's corners tangents to the knuckle's circle.
+/// Returns a knuckle's outline: tangents from the wall's corners to the knuckle's circle.
 cad::Contour knuckle_contour(const ArmSolid& arm, double s) {
   const model::HingeEnd& end = arm.end;
   const Vector2d middle(0, end.knuckle_across), low = end.section.front(), high = end.section.back(),
@@ -61,14 +61,14 @@ cad::Contour section_contour(const ArmSolid& arm, double s) {
   return contour;
 }
 
-/// From a rim about the axis on. @param up 1: upwards, else -1   @param end_radius mm
+/// Returns a cone that begins at a rim about the axis. @param up 1: upwards, else -1   @param end_radius mm
 cad::Frustum cone_of(const ArmSolid& arm, double s, double up, double end_radius, double along) {
   cad::Circle rim = circle_of(arm, arm.end.rim_radius, s);
   rim.axis *= up;
   return {rim, end_radius, along};
 }
 
-/// The cone of a sink goes on within the bore, to half its radius: no face of it ends on the bore's.
+/// Returns a lug. The cone of a sink continues within the bore, to half its radius: no face of it ends on the bore's.
 cad::Prism lug(const ArmSolid& arm, const model::HingeEnd::Lug& at) {
   const model::HingeEnd& end = arm.end;
   cad::Prism prism{section_contour(arm, at.from), {}, (at.to - at.from) * arm.axis};
@@ -104,7 +104,7 @@ std::vector<cad::Piece> pieces_of(const model::BodySolid& body) {
   return pieces;
 }
 
-/// A loose rod, relative to the lower body.
+/// Returns a loose rod, relative to the lower body.
 cad::Prism rod_of(const PrintSheet& sheet, int hinge) {
   Vector3d at = Vector3d::Zero();
   const std::vector<Vector3d>& corners = sheet.rods[hinge].points;
@@ -116,7 +116,7 @@ cad::Prism rod_of(const PrintSheet& sheet, int hinge) {
           made.height_mm * axis};
 }
 
-/// A block at rest has flat faces; one that was stretched is given by its triangles.
+/// Returns the solid of a soft part. At rest it has flat faces. A stretched one is given by its triangles.
 cad::Faceted block_of(const model::Polyhedron& block, bool stretched) {
   if (!stretched) return {block.points, box_faces};
   cad::Faceted solid{block.points, {}};
@@ -131,7 +131,7 @@ Eigen::Isometry3d place_of(const model::Pose& pose) {
   return where;
 }
 
-/// The sheet's parts; bodies of one shape refer to it.
+/// Parts of the sheet for a CAD file. Bodies of one shape refer to the same shape.
 class SheetParts {
  public:
   explicit SheetParts(const PrintJob& job) : job_(job) {
@@ -184,7 +184,7 @@ std::vector<NamedContent> write_step(const PrintJob& job) {
 
 }  // namespace
 
-// Name, meaning and how it is written: step.
+// Entry of the format step: name, meaning and writer.
 const PrintFormat step_format = {.name = "step",
                                  .meaning = "CAD, with true cylinders",
                                  .write = write_step,

@@ -27,7 +27,7 @@ std::vector<NamedContent> write_stl(const PrintJob& job) {
 
 }  // namespace
 
-// Name, meaning and how it is written: stl.
+// Entry of the format stl: name, meaning and writer.
 const PrintFormat stl_format = {
     .name = "stl", .meaning = "triangles for any slicer", .write = write_stl, .lies_on_bed = true};
 

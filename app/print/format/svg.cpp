@@ -19,20 +19,20 @@ using Eigen::Vector2d;
 
 constexpr double line_mm = 0.1;              // mm: as laser cutters and pens draw
 constexpr double points_per_mm = 72 / 25.4;  // the unit of PDF
-constexpr double paper_mm[] = {210, 297};    // mm, of A4: what is larger is often printed smaller, to fit
-// Mm, of the line to measure below such a drawing: long enough to see 1 % with a ruler, as wide as any printer prints.
+constexpr double paper_mm[] = {210, 297};    // mm, of A4: printers often scale larger drawings down to fit.
+// Length of the line to measure below such a drawing, mm. It shows 1 % with a ruler, and any printer prints it.
 constexpr double check_mm = 100;
-constexpr double check_foot_mm = 10;   // mm, of the page, for that line and its words
+constexpr double check_foot_mm = 10;   // mm of the page, for that line and its words
 constexpr double check_margin_mm = 2;  // mm, from the line to the page's edge, and of its end marks
 constexpr double check_text_mm = 4;    // mm: read at arm's length
 
-/// What a drawing is printed on, mm, y down. SVG goes to cutters too, which would cut the line.
+/// Page of a drawing, mm, y down. SVG has no line to measure: it also goes to cutters, which would cut the line.
 struct DrawnPage {
   Vector2d size;
-  std::optional<Vector2d> check = {};  ///< where the line to measure begins, below the drawing
+  std::optional<Vector2d> check = {};  ///< start of the line to measure, below the drawing
 };
 
-/// As large as what is drawn; with a line to measure where that is larger than a sheet of paper.
+/// Returns a page as large as the drawing. It has a line to measure if it is larger than a sheet of paper.
 DrawnPage drawn_page(const Vector2d& drawn_mm) {
   if (drawn_mm.minCoeff() <= paper_mm[0] && drawn_mm.maxCoeff() <= paper_mm[1]) return {drawn_mm};
   const double high = drawn_mm.y() + check_foot_mm;
@@ -42,7 +42,7 @@ DrawnPage drawn_page(const Vector2d& drawn_mm) {
 
 using CheckLine = std::pair<Vector2d, Vector2d>;
 
-/// The line and a mark at each of its ends.
+/// Returns the line and a mark at each of its ends.
 std::array<CheckLine, 3> check_lines(const Vector2d& from) {
   const Vector2d to = from + Vector2d(check_mm, 0), up(0, -check_margin_mm);
   return {CheckLine{from, to}, CheckLine{from, from + up}, CheckLine{to, to + up}};
@@ -50,12 +50,12 @@ std::array<CheckLine, 3> check_lines(const Vector2d& from) {
 
 std::string check_words() { return fmt::format("{:g} mm, if printed at 1:1", check_mm); }
 
-/// Middle of the foot of its words.
+/// Returns the middle of the foot of the line's words.
 Vector2d check_words_place(const Vector2d& from) {
   return from + Vector2d(check_mm / 2, -check_margin_mm / 2);
 }
 
-/// Middle of a number's foot, mm: at its hinge, but for what would be cut off by the drawing's edge.
+/// Returns the middle of a number's foot, mm: at its hinge, moved inwards if the drawing's edge would cut the number.
 Vector2d number_place(const SheetDrawing& drawing, const SheetDrawing::Hinge& hinge, double height) {
   const double half = digit_share * height * static_cast<double>(std::to_string(hinge.number).size()) / 2;
   const Vector2d low = drawing.low + Vector2d(half, 0),
@@ -84,7 +84,7 @@ std::string group(const SheetDrawing& drawing, const char* name, const char* fil
   return out + "</g>\n";
 }
 
-/// 1:1, its box that of the parts.
+/// Draws a sheet 1:1, in the box of its parts.
 std::string svg(const PrintSheet& sheet, const SheetDrawing& drawing) {
   const Vector2d size = drawing.high - drawing.low;
   std::string out = fmt::format(
@@ -124,7 +124,7 @@ void draw(cairo_t* page, const SheetDrawing& drawing, const std::vector<SheetDra
   }
 }
 
-/// @param foot of the text, its middle
+/// Shows centred text. @param foot middle of the text's foot
 void show_centred(cairo_t* page, const Vector2d& foot, const std::string& text) {
   cairo_text_extents_t extents;
   cairo_text_extents(page, text.c_str(), &extents);
@@ -143,7 +143,7 @@ void draw_check(cairo_t* page, const Vector2d& at) {
   show_centred(page, check_words_place(at), check_words());
 }
 
-/// One page. @param drawn_mm size of what is drawn   @param drawn in mm, y down
+/// Draws a page. @param drawn_mm size of the drawing   @param drawn function that draws in mm, y down
 std::string pdf_page(const Vector2d& drawn_mm, const std::function<void(cairo_t*)>& drawn) {
   const DrawnPage whole = drawn_page(drawn_mm);
   const Vector2d size = points_per_mm * whole.size;
@@ -166,7 +166,7 @@ std::string pdf_page(const Vector2d& drawn_mm, const std::function<void(cairo_t*
   return out;
 }
 
-/// The same drawing, one page as large as it.
+/// Draws a sheet 1:1, on one page as large as it.
 std::string pdf(const PrintSheet& sheet, const SheetDrawing& drawing) {
   return pdf_page(drawing.high - drawing.low, [&](cairo_t* page) {
     draw(page, drawing, drawing.bodies, 0.85);
@@ -255,7 +255,7 @@ std::vector<NamedContent> write_svg(const PrintJob& job) {
 
 }  // namespace
 
-// Name, meaning and how it is written: svg.
+// Entry of the format svg: name, meaning and writer.
 const PrintFormat svg_format = {.name = "svg",
                                 .meaning = "a drawing 1:1 with numbered hinges, and the same as PDF",
                                 .write = write_svg,

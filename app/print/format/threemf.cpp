@@ -34,7 +34,7 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-/// Triangles of one material, as they follow each other in the file's one mesh.
+/// Consecutive triangles of one material in the file's mesh.
 struct Range {
   std::string name;
   int material;  // position in the file's list
@@ -59,7 +59,7 @@ std::string model_xml(const std::string& name, const model::Polyhedron& all,
                                 escaped(name), escaped(name));
   const auto end = std::back_inserter(out);
   for (const Eigen::Vector3d& p : all.points) {
-    const Eigen::Vector3f corner = p.cast<float>();  // exactly: what hard_part and soft_part give
+    const Eigen::Vector3f corner = p.cast<float>();  // exact: hard_part and soft_part have rounded it
     fmt::format_to(end, "<vertex x=\"{}\" y=\"{}\" z=\"{}\"/>\n", corner.x(), corner.y(), corner.z());
   }
   out += "    </vertices>\n    <triangles>\n";
@@ -85,7 +85,7 @@ std::string gap_config(const GapSettings& gaps) {
   return out;
 }
 
-/// What PrusaSlicer reads: the ranges as volumes, each with its extruder.
+/// Returns the settings for PrusaSlicer: the ranges as volumes, each with its extruder.
 std::string slicer_config(const std::string& name, const std::vector<Range>& ranges, const Gaps& gaps) {
   std::string out = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<config>\n <object id=\"2\" instances_count=\"1\">\n"
@@ -102,7 +102,7 @@ std::string slicer_config(const std::string& name, const std::vector<Range>& ran
   return out + " </object>\n</config>\n";
 }
 
-/// What files of one sheet have in common.
+/// Settings that all files of one sheet share.
 struct Making {
   Gaps gaps;
   bool one_material;  // soft parts come from the walls' extruder
@@ -140,7 +140,7 @@ std::vector<NamedContent> write_threemf(const PrintJob& job) {
 
 }  // namespace
 
-// Name, meaning and how it is written: 3mf.
+// Entry of the format 3mf: name, meaning and writer.
 const PrintFormat threemf_format = {
     .name = "3mf", .meaning = "slicers, with both materials", .write = write_threemf, .lies_on_bed = true};
 

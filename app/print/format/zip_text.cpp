@@ -8,7 +8,7 @@
 namespace kinetix::app {
 namespace {
 
-// 1980-01-01, the first day that zip knows: a file's time would make archives differ. Read as local time.
+// 1980-01-01 in local time, the first day of zip: the times of files would make archives differ.
 constexpr zip_uint16_t first_day = (1 << 5) | 1;
 
 void check(bool fine, const char* what) {

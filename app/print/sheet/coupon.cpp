@@ -16,16 +16,16 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int gaps = 6;                      // of 0.1, 0.2, ... 0.6 mm: round the 0.25 and 0.3 of SLA and FDM
-constexpr double gap_step_mm = 0.1;          // mm: what printers differ by
+constexpr int gaps = 6;              // of 0.1, 0.2, ... 0.6 mm: around the 0.25 and 0.3 of SLA and FDM
+constexpr double gap_step_mm = 0.1;  // mm: typical difference between printers
 constexpr double tilts_deg[] = {0, 30, 60};  // degrees from upright: layers step sideways by their tangent
 constexpr double edge_mm = 26;               // mm, of a wall with room for the largest knuckle and its number
 constexpr double flat = 1e-9;                // of a unit vector: less is rounding
-constexpr double wall_mm = 0.8;              // mm: that of the shipped targets
+constexpr double wall_mm = 0.8;              // mm: as in the shipped targets
 constexpr double height_mm = 8;              // mm: room for three knuckles
 constexpr double column_mm = 32, row_mm = 20;  // mm, from one hinge to the next: walls stay apart
 
-/// @param column of its gap   @param row of its tilt
+/// Adds a hinge. @param column index of its gap   @param row index of its tilt
 void add_hinge(int column, int row, const model::Process& process, PrintSheet& sheet) {
   model::Linkage& linkage = sheet.linkage;
   const Eigen::Vector3d at = Eigen::Vector3d(column * column_mm, row * row_mm, 0) / edge_mm;
@@ -54,7 +54,7 @@ std::string coupon_hinge_name(int hinge) {
   return fmt::format("{:.1f} mm, {:g} degrees", gap_step_mm * (column + 1), tilts_deg[row]);
 }
 
-/// The gap, on the side of the fork's wall that looks up, or to the front.
+/// Raises the gap's number on the side of the fork's wall that looks up, or to the front.
 void add_number(int hinge, PrintSheet& sheet) {
   const int body = sheet.linkage.hinges[hinge].lower;
   const model::ArmSolid& arm = sheet.bodies[body].arms.front();
@@ -66,7 +66,7 @@ void add_number(int hinge, PrintSheet& sheet) {
   raise_text(fmt::format("{:.1f}", sheet.hinges[hinge].made.clearance_mm), face, sheet.meshes[body]);
 }
 
-/// Both bodies of a hinge on one tile.
+/// Cuts the coupon into tiles. Both bodies of a hinge are on one tile.
 Tiles coupon_tiles(const PrintSheet& sheet, const Eigen::Vector2d& bed_mm) {
   std::vector<Eigen::AlignedBox2d> pairs(sheet.hinges.size());
   const int bodies = static_cast<int>(sheet.meshes.size());
@@ -84,17 +84,16 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using model::Polyhedron;
 
-constexpr int rows = 5;           // squares, of a letter's height: as the figures below are drawn
-constexpr double flat_mm = 1e-7;  // mm: corners of one face are the same numbers but for rounding
-constexpr double start_angle =
-    0.1;  // rad: at which the merging of two outlines starts, of no edge of upright text
+constexpr int rows = 5;              // squares, of a letter's height: as the figures below are drawn
+constexpr double flat_mm = 1e-7;     // mm: corners of one face differ by rounding only
+constexpr double start_angle = 0.1;  // rad: start of merging two outlines; no edge of upright text has it
 
-/// Seven strokes on 3 x 5 squares, from the top. No two squares touch by a corner alone.
+/// Digits of seven strokes on 3 x 5 squares, from the top. No two squares touch only at a corner.
 constexpr const char* digits[10] = {
     "111101101101111", "001001001001001", "111001111100111", "111001111001111", "101101111001001",
     "111100111001111", "111100111101111", "111001001001001", "111101111101111", "111101111001111"};
 
-/// Squares of a text, [row from below][column].
+/// Returns the squares of a text, [row from below][column].
 std::vector<std::vector<bool>> squares_of(std::string_view text) {
   std::vector<std::vector<bool>> out(rows);
   for (std::size_t k = 0; k < text.size(); ++k) {
@@ -142,7 +141,7 @@ class Raised {
     return std::abs((solid_.points[point] - face_.middle).dot(outwards())) < flat_mm;
   }
 
-  /// Removes its triangles. @return its outline, counter-clockwise
+  /// Removes the triangles of the face. @return its outline, counter-clockwise
   std::vector<int> take_out_face() {
     std::map<std::pair<int, int>, int> edges;
     const auto on_face = [&](const std::array<int, 3>& t) {
@@ -163,7 +162,7 @@ class Raised {
     return loop;
   }
 
-  /// A corner of the grid of squares, on the face or raised; made once.
+  /// Returns a corner of the grid of squares, on the face or raised. It is made once.
   int corner(int column, int row, bool raised) {
     const auto [at, is_new] = corners_.try_emplace({column, row, raised ? 1 : 0}, 0);
     if (!is_new) return at->second;
@@ -172,7 +171,7 @@ class Raised {
                                          (raised ? face_.raised_mm : 0) * outwards());
   }
 
-  /// Of all squares together, counter-clockwise.
+  /// Returns the outline of all squares together, counter-clockwise.
   std::vector<int> rim() {
     std::vector<int> out;
     for (int c = 0; c < columns_; ++c) out.push_back(corner(c, 0, false));
@@ -193,14 +192,14 @@ class Raised {
     }
   }
 
-  /// Direction of an outline's edge, rad from start_angle on, [0, 2 pi).
+  /// Returns the direction of an outline's edge, rad from start_angle on, [0, 2 pi).
   double direction(const std::vector<int>& loop, std::size_t k) const {
     const Vector2d d = flat(loop[(k + 1) % loop.size()]) - flat(loop[k % loop.size()]);
     const double angle = std::atan2(d.y(), d.x()) - start_angle;
     return angle < 0 ? angle + 2 * pi : angle;
   }
 
-  /// The same, from its first direction on.
+  /// Returns an outline that starts with its edge of least direction.
   std::vector<int> started(std::vector<int> loop) const {
     std::size_t first = 0;
     for (std::size_t k = 0; k < loop.size(); ++k)
@@ -209,8 +208,8 @@ class Raised {
     return loop;
   }
 
-  /// Two convex outlines, the one in the other: edges of both by their directions, as the sides of the convex hull of
-  /// the two in parallel planes.
+  /// Fills the area between two convex outlines, one inside the other. Edges of both are taken by their directions,
+  /// like the sides of the convex hull of the two in parallel planes.
   void fill_between(const std::vector<int>& around, const std::vector<int>& within) {
     const std::vector<int> outer = started(around), inner = started(within);
     std::size_t o = 0, i = 0;

@@ -8,14 +8,14 @@
 
 namespace kinetix::app {
 
-/// A test piece that tells what clearance a printer keeps: pins with the process's rod and gaps of 0.1 to 0.6 mm a side,
-/// each leaning by 0, 30 and 60 degrees. Raised numbers on the forks tell the gap, mm: columns run from 0.1 to 0.6 mm, rows from
-/// upright to 60 degrees. Each hinge joins two bodies of its own.
-/// @param bed_mm of the printer: a coupon that it does not hold is cut into tiles between its hinges
+/// Makes a test piece that shows the least clearance of a printer. It has pins with the process's rod and gaps of 0.1
+/// to 0.6 mm per side, each leaning by 0, 30 and 60 degrees. Raised numbers on the forks give the gap, mm. Columns run
+/// from 0.1 to 0.6 mm, rows from upright to 60 degrees. Each hinge joins two separate bodies.
+/// @param bed_mm of the printer: a coupon that it does not hold is cut into tiles between its hinges.
 /// @throws BedTooSmall for a bed that does not hold each hinge
 PrintSheet make_coupon(const model::Process& process, const std::optional<Eigen::Vector2d>& bed_mm = {});
 
-/// A flat convex face of a solid, and how text on it stands. mm
+/// Flat convex face of a solid, with the place of text on it. mm
 struct TextFace {
   Eigen::Vector3d middle;     ///< of the text, on the face
   Eigen::Vector3d right, up;  ///< unit vectors, square to each other, right x up outwards
@@ -23,13 +23,13 @@ struct TextFace {
   double raised_mm = 0.4;     ///< over the face, > 0
 };
 
-/// Raises digits and points from a face: the solid stays one closed surface, whose volume grows by the squares of the
-/// digits' seven strokes, each pixel_mm^2 raised_mm.
-/// @param text of 0 to 9 and '.'; not empty
-/// @throws std::invalid_argument for other text, where no face lies there, and where the face is smaller than the text
+/// Raises digits and points from a face. The solid stays one closed surface. Its volume grows by pixel_mm^2 raised_mm
+/// for each square of the digits' seven strokes.
+/// @param text of 0 to 9 and '.'; not empty.
+/// @throws std::invalid_argument for other text, without a face there, and for a face smaller than the text
 void raise_text(std::string_view text, const TextFace& face, model::Polyhedron& solid);
 
-/// Squares that a text raises.
+/// Counts the squares that a text raises.
 int raised_squares(std::string_view text);
 
 }  // namespace kinetix::app

@@ -16,10 +16,10 @@ using Eigen::Vector3d;
 using model::Pose;
 using model::State;
 
-constexpr double widest_rad = 0.1;  // rad, of a stretch that is looked at as a whole, as in certified ranges
-constexpr double rounding = 1e-9;   // cell edges: of poses of thousands of bodies is below it
-constexpr int finer = 8;            // states for each of the path, of a motion that keeps no law
-constexpr double no_angle = 1e-7;   // rad: below, a screw is a shift
+constexpr double widest_rad = 0.1;  // rad, of an interval that is checked as a whole, as in certified ranges
+constexpr double rounding = 1e-9;   // cell edges: rounding in poses of thousands of bodies is below it
+constexpr int finer = 8;            // states per state of the path, for a motion without hinge laws
+constexpr double no_angle = 1e-7;   // rad: below it a screw is a translation
 constexpr double caution = 2;       // times the error that three states show
 
 Pose relative(const State& state, int from, int body) {
@@ -27,7 +27,7 @@ Pose relative(const State& state, int from, int body) {
   return {back * state[body].R, back * (state[body].p - state[from].p)};
 }
 
-/// From one pose to another: r' = v + omega x r, for the time of 1.
+/// Screw motion from one pose to another, in a time of 1: r' = v + omega x r.
 struct Screw {
   Vector3d omega = Vector3d::Zero(), v = Vector3d::Zero();
 
@@ -46,7 +46,7 @@ struct Screw {
   }
 
  private:
-  /// Integral of the turn over a time, over the time.
+  /// Returns the integral of the turn over a time, divided by the time.
   Matrix3d left(double time) const {
     const double angle = time * omega.norm();
     if (!(angle > no_angle)) return Matrix3d::Identity();
@@ -58,7 +58,7 @@ struct Screw {
   }
 };
 
-/// The largest distance of points within reach of a body between two poses of it.
+/// Bounds the distance between two poses of a body, for points within its reach.
 double largest_distance(const Pose& a, const Pose& b, double reach) {
   return (a.p - b.p).norm() + reach * Eigen::AngleAxisd(Matrix3d(a.R.transpose() * b.R)).angle();
 }
@@ -99,7 +99,7 @@ class LawfulMotion : public PrintMotion {
         sign_(sheet.thetas.back() < 0 ? -1 : 1),
         end_(std::abs(sheet.thetas.back())) {}
 
-  /// Whether its hinges turn as their laws have it; notes by how much they do not.
+  /// Checks whether the hinges turn by their laws. Records the deviations.
   bool is_lawful() {
     if (linkage_.loose_body() >= 0) return false;
     for (double s = 0; s < end_; s = next(s)) {
@@ -130,19 +130,20 @@ class LawfulMotion : public PrintMotion {
 
 // ---- from state to state
 
-/// What the states of a path know of it.
+/// States of a path, with estimates of the motion between them.
 struct Samples {
   std::vector<State> states;
   std::vector<double> thetas;  // rad
-  std::vector<bool> is_jump;   // to the next
+  std::vector<bool> is_jump;   // from this state to the next
   const std::vector<double>& reach;
 
-  /// Where a body is in one of the states as another one, or -1: space, sees it.
+  /// Returns the pose of a body in a state as the body `from` sees it. -1 is space.
   Pose at(std::size_t k, int from, int body) const {
     return from < 0 ? states[k][body] : relative(states[k], from, body);
   }
 
-  /// Error that the screw from the state before to the one after has at a state, as it were over the step from `k`.
+  /// Estimates the error of a screw over the step from `k`. It is the error at state `middle` of the screw between the
+  /// states before and after, scaled by the square of the step.
   double error(std::size_t middle, std::size_t k, int from, int body) const {
     if (middle < 1 || middle + 1 >= states.size() || is_jump[middle - 1] || is_jump[middle]) return 0;
     const double whole = thetas[middle + 1] - thetas[middle - 1];
@@ -233,7 +234,7 @@ class SampledMotion : public PrintMotion {
   Samples samples_;
 };
 
-constexpr double touching_mm = 1e-9;  // mm: below, two witnesses have no direction
+constexpr double touching_mm = 1e-9;  // mm: nearer witnesses have no direction
 
 btVector3 to_bullet(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 Vector3d from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
@@ -265,7 +266,7 @@ Eigen::Matrix3Xd matrix_of(const std::vector<Vector3d>& points) {
   return out;
 }
 
-/// Both ends of a block at a hinge, each relative to its own body.
+/// Returns both ends of a soft part at a hinge, each relative to its own body.
 std::vector<PieceEnd> soft_ends(const PrintSheet& sheet, int h) {
   const model::RestHinge& hinge = sheet.linkage.hinges[h];
   const Eigen::Matrix3Xd points = matrix_of(sheet.soft[h].points);
@@ -276,7 +277,7 @@ std::vector<PieceEnd> soft_ends(const PrintSheet& sheet, int h) {
           end_of(hinge.upper, points.rightCols(points.cols() - half).colwise() + between)};
 }
 
-/// In space, with a pose of its own: of several ends the hull of where they are.
+/// Piece in space, with a pose. Several ends form the hull of their places.
 struct Placed {
   explicit Placed(const PlacedPiece& at) {
     if (at.piece.hull) {

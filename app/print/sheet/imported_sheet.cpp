@@ -9,8 +9,8 @@
 namespace kinetix::app {
 namespace {
 
-/// Corners on the first body's side first, as many as on the other's: each half goes with its body. Corners that no triangle
-/// uses fill the shorter one.
+/// Sorts the corners of a soft part: first those on the first body's side, then as many on the other's. Each half
+/// moves with its body. Corners that no triangle uses fill the shorter half.
 model::Polyhedron in_halves(const model::AssemblyHinge& hinge) {
   std::array<std::vector<int>, 2> sides;
   for (int p = 0; p < static_cast<int>(hinge.soft.points.size()); ++p)
@@ -37,11 +37,13 @@ model::HingePrint print_of(const model::AssemblyHinge& h) {
   print.made.kind = h.kind;
   print.made.clearance_mm = h.clearance_mm;
   print.made.gap_mm = print.made.thickness_mm = print.made.height_mm = print.made.diameter_mm =
-      1;  // its mesh says
+      1;  // the mesh has the sizes
   return print;
 }
 
-/// A way that ends before the drive's goal has no folded state; its files say so.
+/// Adds the motion to a sheet. A motion that ends before the drive's goal has no folded state, which a warning
+/// reports.
+/// @throws InvalidInput in this case if the folded state is requested
 void add_way(const Run& run, bool folded, PrintSheet& sheet) {
   for (const NamedState& s : run.states)
     if (s.name == "frame") {

@@ -4,8 +4,9 @@
 
 namespace kinetix::app {
 
-/// What is written of a design of imported bodies: its meshes as they are, at rest or turned as its drive says, and the way there.
-/// @throws InvalidInput for a folded state that its drive does not come to
+/// Makes the sheet of a design of imported bodies: its meshes as they are, at rest or turned by its drive, and the
+/// motion.
+/// @throws InvalidInput for a folded state that its drive does not reach
 PrintSheet imported_sheet(const Design& design, const model::Process& process, bool folded);
 
 }  // namespace kinetix::app

@@ -16,17 +16,16 @@ using Eigen::Vector3d;
 using model::HingeChain;
 using model::SweptHull;
 
-constexpr double polygon_mm = 0.01;  // mm: by which polygons differ from their circles
-constexpr double nothing_mm = 1e3;   // mm: where there are no two bodies
-constexpr double first_rad = 2e-3;   // rad: 0.1 degrees, as messages say it
-constexpr double slack_mm =
-    0.005;                       // mm: between two states that were looked at, parts come no nearer than that
-constexpr double looked_mm = 1;  // mm: parts that come nearer are looked for where no others are near
-constexpr double wander = 1;     // cell edges, by which bodies may move in a stretch: keeps neighbours few
+constexpr double polygon_mm = 0.01;  // mm: distance of polygons from their circles
+constexpr double nothing_mm = 1e3;   // mm: distance if there are no two bodies
+constexpr double first_rad = 2e-3;   // rad: 0.1 degrees, the precision of messages
+constexpr double slack_mm = 0.005;   // mm: between two checked states, parts come nearer by at most this
+constexpr double looked_mm = 1;      // mm: nearer parts are searched if no others are near
+constexpr double wander = 1;         // cell edges that bodies may move in an interval: keeps neighbours few
 
 constexpr int few = 4096;  // tasks: fewer are done before other threads have started
 
-/// On all cores where that is worth it.
+/// Runs tasks on all cores if there are enough of them.
 void run_all(int count, const std::function<void(int)>& run) {
   model::run_in_parallel(count, count < few ? 1 : 0, run);
 }
@@ -49,7 +48,7 @@ void take_nearer(const LeastDistance& other, LeastDistance& known) {
   if (other.mm < known.mm) known = other;
 }
 
-/// Two pieces that are not proven apart, and the direction along which they were last.
+/// Two pieces that are not proven apart, with the direction between their nearest points.
 struct PiecePair {
   int first = 0, second = 0;
   Vector3d normal = Vector3d::Zero();  // as the first body of the parts sees it; 0: none is known
@@ -60,25 +59,25 @@ struct PartPair {
   int first = 0, second = 0;
   bool is_hinged = false;
   double asked_mm = 0;
-  std::vector<int> bodies = {};         // that the two go with: the first of them sees the others
-  std::vector<HingeChain> chains = {};  // to each of the others
+  std::vector<int> bodies = {};         // bodies of both parts: the first sees the others
+  std::vector<HingeChain> chains = {};  // of hinges, to each of the others
   std::vector<PiecePair> open = {};
 };
 
-/// A pair over a stretch of the path.
+/// Pair of parts over an interval of the path.
 struct Task {
   double low = 0, high = 0;
   PartPair pair;
 };
 
-/// What came of it.
+/// Result of a task.
 struct PairResult {
   std::vector<PiecePair> open;         // not proven
   std::optional<LeastDistance> least;  // of those that were measured
-  bool is_uncertain = false;           // the path's margin is more than what is left: no halving tells
+  bool is_uncertain = false;           // the path's margin exceeds the spare distance: halving does not help
 };
 
-/// Which parts must keep which distance.
+/// Distances that parts must keep.
 class PairRules {
  public:
   explicit PairRules(const PrintSheet& sheet)
@@ -96,7 +95,7 @@ class PairRules {
     }
   }
 
-  /// Nothing of two parts that belong together.
+  /// Returns a pair with its required distance; empty for two parts that belong together.
   std::optional<PartPair> pair(int a, int b) const {
     if (a == b || is_own(a, b) || is_own(b, a)) return std::nullopt;
     std::optional<double> clearance;
@@ -109,7 +108,7 @@ class PairRules {
 
   double most_asked() const { return most_asked_; }
 
-  /// The bodies that a part goes with.
+  /// Returns the bodies that a part moves with.
   std::vector<int> bodies_of(int part) const {
     if (part < bodies_) return {part};
     const model::RestHinge& hinge = sheet_.linkage.hinges[part - bodies_];
@@ -117,7 +116,7 @@ class PairRules {
   }
 
  private:
-  /// Whether a body is one of the two that a soft part joins.
+  /// Checks whether a body is one of the two that a soft part joins.
   bool is_own(int soft, int body) const {
     if (soft < bodies_) return false;
     const model::RestHinge& hinge = sheet_.linkage.hinges[soft - bodies_];
@@ -133,12 +132,12 @@ class PairRules {
   const PrintSheet& sheet_;
   const int bodies_;
   double most_asked_ = 0;      // mm
-  std::vector<double> asked_;  // of each body, the least of its pins, mm
-  // Bodies after each body that share a hinge with it, and the clearance, mm: 0 of blocks and films.
+  std::vector<double> asked_;  // of each body, the least clearance of its pins, mm.
+  // Bodies after each body that share a hinge with it, and the clearance, mm: 0 for soft parts.
   std::vector<std::vector<std::pair<int, double>>> hinged_;
 };
 
-/// The parts of a sheet in single states.
+/// Distances of a sheet's parts in single states.
 class Distances {
  public:
   Distances(const PrintSheet& sheet, ClearanceLook look)
@@ -179,7 +178,7 @@ class Distances {
     return least;
   }
 
-  /// Rods and bores are cylinders whose axes differ by as much as the bodies disagree about the hinge, at both ends of the eye.
+  /// Compares rods with bores at both ends of the eye. Both are cylinders, with axes apart by the joint separation.
   void compare_bores(double theta, const model::State& state, PathClearance& least) const {
     for (std::size_t h = 0; h < sheet_.hinges.size(); ++h)
       if (sheet_.hinges[h].made.kind == model::HingeKind::pin) compare_bore(h, theta, state, least);
@@ -192,7 +191,7 @@ class Distances {
     return out;
   }
 
-  /// About the middle of its ends.
+  /// Returns the radius of a sphere about the middle of a piece's ends.
   static double radius(const PlacedPiece& at, const Vector3d& center) {
     double most = 0;
     for (std::size_t k = 0; k < at.poses.size(); ++k) {
@@ -230,7 +229,7 @@ class Distances {
   const PairRules rules;
 };
 
-/// One pair of parts over a stretch of the path.
+/// Check of one pair of parts over an interval of the path.
 class PairLook {
  public:
   PairLook(const MovingParts& parts, const MotionInterval& interval, const PartPair& pair, ClearanceLook look)
@@ -241,7 +240,7 @@ class PairLook {
     }
   }
 
-  /// @param goal_mm that is to be proven of all their pieces   @param needed_mm which they must keep wherever they may be
+  /// Compares all their pieces. @param goal_mm distance to prove   @param needed_mm distance to keep in any case
   PairResult compare(double goal_mm, double needed_mm) {
     needed_ = needed_mm + margin_;
     goal_ = std::max(goal_mm, needed_);
@@ -256,7 +255,7 @@ class PairLook {
   }
 
  private:
-  /// A piece as the first body sees it, and a sphere round it.
+  /// Piece as the first body sees it, and a sphere around it.
   struct SeenPiece {
     SweptHull hull;
     Vector3d center = Vector3d::Zero();
@@ -284,7 +283,7 @@ class PairLook {
     return out;
   }
 
-  /// Each once.
+  /// Returns a piece as the first body sees it. It is computed once.
   const SeenPiece& see(int piece) {
     const auto known =
         std::find_if(pieces_.begin(), pieces_.end(), [&](const auto& p) { return p.first == piece; });
@@ -298,7 +297,7 @@ class PairLook {
     return (a.center - b.center).norm() - a.radius - b.radius - a.way - b.way >= goal;
   }
 
-  /// Whether the spheres round the two parts are.
+  /// Checks whether the spheres around the two parts are apart.
   bool are_apart() {
     const auto whole = [&](int part) {
       return part < parts_.bodies ? see(std::vector{&parts_.whole[part]})
@@ -356,7 +355,7 @@ class PairLook {
 
 double needed_mm(double asked_mm) { return asked_mm > 0 ? asked_mm - polygon_mm : 0; }
 
-/// Goes from flat to the fold, in stretches that are halved for those pairs of which nothing is proven.
+/// Search from flat to the fold, in intervals. They are halved for the pairs that are not proven apart.
 class PathSearch {
  public:
   PathSearch(const PrintSheet& sheet, const Distances& distances, ClearanceLook look, PathClearance& all)
@@ -373,7 +372,7 @@ class PathSearch {
     motion_ = fold_motion(sheet, reach_);
   }
 
-  /// Where parts first come too near, to within first_rad.
+  /// Returns where parts first come too near, to within first_rad; empty: nowhere.
   std::optional<LeastDistance> run() {
     double width = motion_->end();
     for (double low = 0; low < motion_->end() && !hit_;) {
@@ -393,7 +392,8 @@ class PathSearch {
  private:
   using Stretch = std::pair<double, double>;
 
-  /// What is to be proven of a pair: that it has no less to spare than is known, and is no nearer than the nearest.
+  /// Returns the distance to prove for a pair. It then has no less spare distance than the least known, and is no
+  /// nearer than the nearest.
   double goal_mm(const PartPair& pair) const {
     const LeastDistance& known = pair.is_hinged ? all_.in_hinges : all_.elsewhere;
     const double spare = known.first < 0 ? looked_mm : known.spare_mm();
@@ -409,7 +409,7 @@ class PathSearch {
     double radius = 0;
   };
 
-  /// Round all that a part may take up over a stretch.
+  /// Returns a ball around all that a part may take up over an interval.
   Ball ball(int part, const MotionInterval& whole, const std::vector<model::SweptMotion>& motions) const {
     Ball out;
     std::vector<const PieceEnd*> ends;
@@ -427,7 +427,7 @@ class PathSearch {
     return out;
   }
 
-  /// Nothing where parts move too far to tell neighbours.
+  /// Returns the pairs of parts that may come too near. Empty if parts move too far to find neighbours.
   std::optional<std::vector<Task>> near_pairs(const MotionInterval& whole, double low, double high) {
     const std::vector<model::SweptMotion> motions = whole.motions();
     const double margin = whole.margin_mm();
@@ -482,7 +482,7 @@ class PathSearch {
         pair.chains.push_back(known_chains_.at({body, pair.bodies[k]}));
   }
 
-  /// Level by level, each with what the ones before have found: so the answer is the same for any number of threads.
+  /// Checks tasks level by level, each with the results before. The answer is the same for any number of threads.
   void split(std::vector<Stretch> stretches, std::vector<std::shared_ptr<const MotionInterval>> intervals,
              std::vector<Task> tasks) {
     while (!tasks.empty()) {
@@ -518,7 +518,7 @@ class PathSearch {
     hit_at_ = middle;
   }
 
-  /// Those that are not proven, up to where parts come too near; there as short as is told.
+  /// Halves the tasks that are not proven, up to where parts come too near. There it stops at first_rad.
   std::vector<Task> halved(std::vector<Task> tasks, std::vector<PairResult>& outcomes) const {
     std::vector<Task> out;
     for (std::size_t k = 0; k < tasks.size(); ++k) {
@@ -539,7 +539,7 @@ class PathSearch {
   const Distances& distances_;
   const ClearanceLook look_;
   const MovingParts& parts_;
-  std::vector<double> reach_;  // of all that goes with each body from its rest position, mm
+  std::vector<double> reach_;  // of all parts of each body from its rest position, mm
   std::unique_ptr<PrintMotion> motion_;
   model::HingeChains chains_;
   std::map<std::pair<int, int>, HingeChain> known_chains_;

@@ -7,25 +7,25 @@
 
 namespace kinetix::app {
 
-/// The distance of two parts that leaves least over what it must be.
+/// Distance of two parts that has the least spare over what is required.
 struct LeastDistance {
   double mm = 0;                ///< negative: how deep they are in each other, mm
-  int first = -1, second = -1;  ///< parts: bodies, then blocks and films by hinge; -1: there are no two
+  int first = -1, second = -1;  ///< parts: bodies, then soft parts by hinge; -1: there are no two
   double theta = 0;             ///< rad
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< between them, in the state at theta, mm
-  double asked_mm =
-      0;  ///< what has to be left: a pin's clearance; of blocks and films 0: they may not run into others
+  double asked_mm = 0;  ///< required, mm: a pin's clearance; 0 for soft parts, which may not collide
 
-  /// What is left over what has to be, but for 0.01 mm of the circles' polygons, mm; negative: too near.
+  /// Returns `mm` less the required distance, mm; negative: too near. A pin's clearance may be short by 0.01 mm, the
+  /// error of circles as polygons.
   double spare_mm() const;
 };
 
-/// What is left between the solids from flat to the fold.
+/// Distances between the solids from flat to the fold.
 struct PathClearance {
   LeastDistance in_hinges;  ///< of two bodies that share a hinge, mm
   LeastDistance elsewhere;  ///< of all other parts, mm
-  LeastDistance nearest;    ///< of all, whatever they must keep: where pins differ, others have less to spare
-  std::optional<LeastDistance> first_too_near = {};  ///< on the way, to within 0.1 degrees
+  LeastDistance nearest;    ///< of all, whatever is required: if pins differ, others may have less spare
+  std::optional<LeastDistance> first_too_near = {};  ///< along the path, to within 0.1 degrees
   double flat_mm = 0;                                ///< least distance of any two parts in the flat state
 
   const LeastDistance& least() const {
@@ -33,24 +33,26 @@ struct PathClearance {
   }
 };
 
-/// How far parts are looked at.
+/// Extent of a search for clearance.
 enum class ClearanceLook {
-  least,       ///< until it is known how near parts come
-  until_near,  ///< the same, but stops at any two parts that come too near: first_too_near need not be the first
-  verdict,     ///< until it is known whether any come too near: what is left elsewhere is not looked for
+  least,       ///< until the least distance is known
+  until_near,  ///< like `least`, but stops at any parts that are too near: first_too_near need not be the first
+  verdict,     ///< only whether any parts come too near: the least distance is not searched
 };
 
-/// Distances of the solids' convex pieces (Gilbert, Johnson and Keerthi's method, Bullet's in double precision) from flat to the
-/// fold, flat and folded and wherever between it takes to prove that no two parts come nearer than what is returned, but for
-/// 0.005 mm (model::least_gap, PrintMotion). A rod and its bore are compared by their axes, as both are round. Two bodies that
-/// share a pin must keep its clearance, two others the least of the pins at either; where neither has one, and of blocks and
-/// films, they may not run into each other. A block or film is the convex hull of its two ends; its own two bodies do not count.
+/// Computes distances of the solids' convex pieces from flat to the fold. The method is that of Gilbert, Johnson and
+/// Keerthi, Bullet's in double precision. It checks the flat state, the fold and as many states between as the proof
+/// needs. No two parts come nearer than what is returned by more than 0.005 mm (model::least_gap, PrintMotion). A rod
+/// and its bore are compared by their axes, as both are round.
+/// Two bodies that share a pin must keep its clearance. Two others must keep the least clearance of the pins at
+/// either. They may not collide if neither has a pin. Soft parts may not collide with other parts. A soft part is the
+/// convex hull of its two ends. Its own two bodies do not count.
 PathClearance path_clearance(const PrintSheet& sheet, ClearanceLook look = ClearanceLook::least);
 
-/// Whether all is left that was asked.
+/// Checks whether all parts keep their required distance.
 bool is_kept(const PathClearance& clearance);
 
-/// As messages name it. @param part of a LeastDistance
+/// Returns a part's name for messages. @param part of a LeastDistance
 std::string part_name(const PrintSheet& sheet, int part);
 
 }  // namespace kinetix::app

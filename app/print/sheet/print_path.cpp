@@ -16,9 +16,9 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double told_mm = 0.01;    // mm: no printer tells folds apart that are nearer
-constexpr double known_mm = 0.005;  // mm: to which a path is to be known between its states
-constexpr int most_rounds = 3;      // of halving the steps of a path that is not
+constexpr double told_mm = 0.01;    // mm: no printer resolves a smaller difference of folds
+constexpr double known_mm = 0.005;  // mm: required accuracy of a path between its states
+constexpr int most_rounds = 3;      // of halving the steps of a path that is less accurate
 
 PrintPath exact_path(const Design& design, const model::ExactMotion& exact, PrintPath path) {
   const double theta = exact_theta_of(design, exact);
@@ -46,7 +46,7 @@ model::EquilibriumPathOptions steps_of(const Design& design, int steps) {
   return options;
 }
 
-/// The states that a path comes to just after a snap, less one.
+/// Returns the indices of the states just before a snap.
 std::vector<int> jumps_of(const model::EquilibriumPath& traced, const std::vector<double>& thetas) {
   std::vector<int> out;
   for (const model::PathEvent& event : traced.events) {
@@ -57,7 +57,7 @@ std::vector<int> jumps_of(const model::EquilibriumPath& traced, const std::vecto
   return out;
 }
 
-/// At steps as even as the path allows.
+/// Traces the equilibrium at steps as even as the path allows.
 PrintPath traced_path(const Design& design, const model::ExactMotion& exact, int steps, PrintPath path) {
   const model::EquilibriumPath traced = trace_equilibrium(
       {design.structure, drive_of(design), exact}, elasticity_of(design), steps_of(design, steps),
@@ -87,7 +87,7 @@ PrintPath equilibrium_path(const Design& design, const model::ExactMotion& exact
   return path;
 }
 
-constexpr double file_rounding_mm = 1e-3;  // mm: files have floats, and nobody knows a bed to less
+constexpr double file_rounding_mm = 1e-3;  // mm: files have floats, and beds are not known better
 constexpr int halvings = 40;               // of a width: from any bed to less than a rounding of files
 
 using PrintBoxes = std::vector<Eigen::AlignedBox2d>;
@@ -98,7 +98,7 @@ bool is_held(const Eigen::Vector2d& size_mm, const Eigen::Vector2d& bed_mm) {
 
 Eigen::Vector2d turned_by_a_quarter(const Eigen::Vector2d& bed_mm) { return bed_mm.reverse(); }
 
-/// Boxes along one axis, one part after the other. Filling from the lower end gives the fewest parts.
+/// Boxes along one axis, in one part after the other. Filling from the lower end gives the fewest parts.
 class BoxesInARow {
  public:
   BoxesInARow(const PrintBoxes& boxes, int axis) : boxes_(boxes), axis_(axis) {
@@ -107,7 +107,7 @@ class BoxesInARow {
     std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) { return low(a) < low(b); });
   }
 
-  /// The part of each box, none wider than room_mm.
+  /// Returns the part of each box. No part is wider than room_mm.
   std::vector<int> filled(double room_mm) const {
     std::vector<int> part(boxes_.size(), 0);
     int now = 0;
@@ -121,7 +121,7 @@ class BoxesInARow {
     return part;
   }
 
-  /// As few parts, about equally wide.
+  /// Returns the part of each box, with as few parts as possible, about equally wide.
   std::vector<int> evenly_filled(double room_mm) const {
     const int least = count(filled(room_mm));
     double narrow = 0, wide = room_mm;
@@ -156,8 +156,8 @@ bool holds_each(const PrintBoxes& boxes, const Eigen::Vector2d& bed_mm) {
   });
 }
 
-/// The bed as given, or turned where only that holds each body, or takes fewer tiles.
-/// @throws BedTooSmall
+/// Checks whether the bed should be turned: only then it holds each body, or the sheet takes fewer tiles.
+/// @throws BedTooSmall if it does not hold each body either way
 bool is_better_turned(const PrintBoxes& boxes, const Eigen::Vector2d& bed_mm) {
   const auto tiles_of = [&](const Eigen::Vector2d& bed) {
     return BoxesInARow::count(BoxesInARow(boxes, 0).filled(bed.x())) *

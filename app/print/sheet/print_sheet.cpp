@@ -25,7 +25,7 @@ model::Lattice resized(model::Lattice sheet, const PrintChoice& choice, const mo
   return sheet;
 }
 
-/// By which the upper body of a hinge turns against the lower about the axis from flat to a state, rad.
+/// Returns the turn of a hinge's upper body against the lower one about the axis, from flat to a state, rad.
 double turn_of(const model::RestHinge& hinge, const model::State& state) {
   const Eigen::Matrix3d turn = state[hinge.lower].R.transpose() * state[hinge.upper].R;
   const Eigen::Vector3d twice_sine(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
@@ -38,7 +38,8 @@ void check_process(const model::Process& process, const model::CellSize& size,
   if (!problems.empty()) throw InvalidInput(problems.front().what);
 }
 
-/// Along the axis an eye has half of what its two clearances leave of a pin's height.
+/// Checks that an eye is at least as high as one clearance. It has half of what two clearances leave of a pin's
+/// height.
 void check_eye(const model::HingePrint& pin) {
   const double eye = pin.made.height_mm / 2 - pin.axial_clearance_mm;
   if (pin.made.kind != HingeKind::pin || eye >= pin.axial_clearance_mm) return;
@@ -89,7 +90,8 @@ class SheetMaker {
     make_solids(sheet_);
   }
 
-  /// Of the bodies, from above, flat, each with the soft parts that are printed with it (tile_parts), mm.
+  /// Returns the boxes of the flat bodies from above, each with the soft parts that are printed with it (tile_parts),
+  /// mm.
   std::vector<Eigen::AlignedBox2d> boxes() const {
     const model::State& flat = sheet_.path.front();
     std::vector<Eigen::AlignedBox2d> all(sheet_.meshes.size());
@@ -110,7 +112,7 @@ class SheetMaker {
 
   int hinges() const { return static_cast<int>(sheet_.linkage.hinges.size()); }
 
-  /// On the way, rad: in an equilibrium hinges may turn back before its end.
+  /// Returns the largest turn along the path, rad: in an equilibrium hinges may turn back before its end.
   double largest_turn(int hinge) const {
     double most = 0;
     for (const model::State& state : sheet_.path)
@@ -119,7 +121,7 @@ class SheetMaker {
     return most;
   }
 
-  /// Largest on the way, of a block or film of this height, mm: none along an exact motion.
+  /// Returns the largest stretch along the path of a soft hinge of this height, mm; 0 along an exact motion.
   double stretch_mm(int h, double height_mm) const {
     if (sheet_.is_path_exact) return 0;
     double most = 0;
@@ -128,14 +130,14 @@ class SheetMaker {
     return most;
   }
 
-  /// Of a block or film, mm.
+  /// Returns the gap that an elastomer or living hinge needs, mm.
   double gap_mm(const model::MadeHinge& hinge, int h) const {
     const model::CellSize& size = sheet_.linkage.size;
     const double offset = structure_.hinge(h).offset * size.edge_mm;
     return open_gap_mm(hinge, size.thickness_mm, offset, turns_[h], stretch_mm(h, hinge.height_mm));
   }
 
-  /// Of an axis from the middle of its wall, mm.
+  /// Returns the largest offset of an axis from the middle of its wall, mm.
   double largest_offset_mm() const {
     double most = 0;
     for (int h = 0; h < hinges(); ++h) most = std::max(most, std::abs(structure_.hinge(h).offset));
@@ -176,7 +178,7 @@ class SheetMaker {
   const PrintChoice choice_;
   const model::Lattice structure_;
   PrintSheet sheet_;
-  std::vector<double> turns_;  // of each hinge, the largest on the way, rad
+  std::vector<double> turns_;  // of each hinge, the largest along the path, rad
 };
 
 }  // namespace

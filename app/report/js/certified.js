@@ -1,4 +1,4 @@
-// Free of contact, proven: how far the sheet folds to both sides before walls meet, as designed and as printed.
+// Certified collision-free range of theta to both sides, as designed and as printed.
 
 function readLimit(raw) {
   const limit = dictionary(raw);
@@ -10,7 +10,7 @@ function readRange(raw) {
   return {growth: finite(range.growth_mm), low: readLimit(range.low), high: readLimit(range.high), leftOut: finite(range.left_out) ?? 0};
 }
 
-/** null where nothing was looked for. */
+/** Reads the section `certified`; null without a check. */
 function readCertified(raw) {
   if (!someDictionary(raw)) return null;
   if (typeof raw.why_not === "string") return {whyNot: raw.why_not};
@@ -32,7 +32,7 @@ function thetaPlace(covers, {hasLeft}) {
   return covers ? "lies within" : "lies beyond: walls may meet on the way";
 }
 
-/** A bar from end to end of each range, and a line at the theta of the state shown. */
+/** Draws a bar for each range, and a line at the theta of the reported state. */
 function drawRanges({certified, metrics}, width) {
   const bars = [["as designed", certified.design], ["as printed", certified.printed]], row = 34, left = 92, height = bars.length * row + 34;
   const theta = certified.hasLeft ? null : toDegrees(metrics.theta_rad), ends = [...bars.flatMap(([, {low, high}]) => [low.theta, high.theta]), theta ?? 0, 0];

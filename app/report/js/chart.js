@@ -26,13 +26,13 @@ function padded([low, high], share = 0.06) {
   return [low - pad, high + pad];
 }
 
-/** From 0 to the values on both sides of it, with room at the ends that are not 0: for bars. */
+/** Returns the axis range for bars: from 0 to the values on both sides, with a margin at ends other than 0. */
 function barRange(values, share = 0.06) {
   const low = Math.min(0, ...values), high = Math.max(0, ...values), pad = (high - low || 1) * share;
   return [low < 0 ? low - pad : 0, high > 0 || low === 0 ? high + pad : 0];
 }
 
-/** Whole decades around positive values. */
+/** Returns the whole decades around positive values. */
 function decades(values) {
   const low = Math.floor(Math.log10(Math.min(...values)) + 1e-9),
         high = Math.ceil(Math.log10(Math.max(...values)) - 1e-9);
@@ -45,10 +45,7 @@ function mapping(axis, from, to) {
   return (v) => from + ((f(v) - low) / (high - low || 1)) * (to - from);
 }
 
-/**
- * Axes of a plot; axis: {range, label, log, ticks}.
- * The caller appends marks to `root` at X(value), Y(value).
- */
+/** Makes the axes of a plot; axis: {range, label, log, ticks}. Callers append marks to `root` at X(value), Y(value). */
 function plot({width, height = 240, label, x, y, left = 58}) {
   const area = {left, right: width - 14, top: 30, bottom: height - 42};
   const X = mapping(x, area.left, area.right), Y = mapping(y, area.bottom, area.top);
@@ -74,7 +71,7 @@ function plot({width, height = 240, label, x, y, left = 58}) {
   return {root, X, Y, area};
 }
 
-/** Ticks under bars that are numbered first .. first + count - 1. */
+/** Returns the ticks under bars with numbers first .. first + count - 1. */
 function columnTicks(first, count, width) {
   const step = Math.max(1, niceStep(count, Math.max(2, Math.min(count, width / 34))));
   const ticks = [];

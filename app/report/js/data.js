@@ -1,4 +1,4 @@
-// The result as the sections want it: everything optional, nothing thrown for what is missing.
+// Reads the result for the sections. Every key is optional; a missing key is not an error.
 
 function list(value) {
   return Array.isArray(value) ? value : [];
@@ -12,13 +12,13 @@ function dictionary(value) {
   return someDictionary(value) ?? {};
 }
 
-/** Rows of numbers of a given length; rows that hold anything else are dropped. */
+/** Returns the rows that start with `length` numbers; other rows are dropped. */
 function numberRows(value, length) {
   return list(value).filter(
       (row) => list(row).length >= length && row.slice(0, length).every((v) => finite(v) !== null));
 }
 
-/** A vertex is [i, j] in a lattice of squares and [number] in any other. */
+/** Reads a body. Its vertex is [i, j] in a lattice of squares and [number] in any other. */
 function readBody(raw) {
   const vertex = list(raw?.vertex), [i = 0, j = 0] = vertex;
   return {i, j, isSquare: vertex.length === 2, number: i, name: raw?.name, rest: numberRows([raw?.position_mm], 3)[0] ?? null};
@@ -50,13 +50,13 @@ function readHinge(raw, bodies) {
   };
 }
 
-/** A wall as a reader finds it. */
+/** Describes the position of a wall. */
 function wallWords({name, along, column, row, ends}) {
   return name ? name : along ? `column ${column}, row ${row}, wall along ${along}` :
                  `wall from vertex ${ends[0]} to ${ends[1]}`;
 }
 
-/** The first index and how many there are up to the last. */
+/** Returns the first index and the count up to the last index. */
 function span(first, number, indices) {
   const low = indices.reduce((a, b) => Math.min(a, b), Infinity),
         high = indices.reduce((a, b) => Math.max(a, b), -Infinity);
@@ -64,7 +64,7 @@ function span(first, number, indices) {
                           {["first" + first]: 0, [number]: 0};
 }
 
-/** Surfaces of imported bodies and their soft parts; null where the page has none. */
+/** Reads the surfaces of imported bodies and their soft parts; null if the page has none. */
 function readMeshes(raw) {
   if (!someDictionary(raw) || typeof KinetixScene === "undefined") return null;
   return {bodies: list(raw.bodies).map(KinetixScene.decoded), hinges: list(raw.hinges).map((mesh) => mesh && KinetixScene.decoded(mesh))};
@@ -94,7 +94,7 @@ function readStructure(raw, meshes) {
   };
 }
 
-/** As result.json has it, or a row of seven numbers as the page has it. */
+/** Reads a pose: an object of result.json, or a row of seven numbers of the page. */
 function readPose(raw) {
   if (Array.isArray(raw)) return numberRows([raw], 7).length ? {p: raw.slice(0, 3), q: raw.slice(3, 7)} : null;
   const p = numberRows([raw?.position_mm], 3)[0];
@@ -102,7 +102,7 @@ function readPose(raw) {
   return p && q ? {p, q} : null;
 }
 
-/** A state with one sound pose per body, or null. */
+/** Reads a state; null unless it has one valid pose per body. */
 function readState(raw, structure) {
   const poses = list(raw?.rows ?? raw?.poses).map(readPose);
   const sound = poses.length > 0 && poses.length === structure.bodies.length && poses.every(Boolean);
@@ -133,7 +133,7 @@ function readRun(raw, index) {
   return {start: finite(raw?.start) ?? index, status: raw?.status, rms: finite(raw?.fit_rms), history};
 }
 
-/** `verdict` of the result: flags (null where the run did not ask) and problems, errors first. */
+/** Reads `verdict`: flags (null if the run did not request the check), errors and warnings. */
 function readVerdict(raw) {
   const given = dictionary(raw.verdict), flag = (name) => (typeof given[name] === "boolean" ? given[name] : null);
   const problems = list(given.problems).filter((problem) => typeof problem?.text === "string");
@@ -142,7 +142,7 @@ function readVerdict(raw) {
     errors: texts("error"), warnings: texts("warning")};
 }
 
-/** What prints of it come to; null where that is not known. */
+/** Reads the print tolerance analysis; null without one. */
 function readAsMade(raw) {
   if (!raw || finite(raw.p95_mm) === null) return null;
   const sources = list(raw.sources).filter((source) => finite(source?.share) !== null);
@@ -152,25 +152,25 @@ function readAsMade(raw) {
     places: list(raw.places).filter((place) => finite(place?.share) !== null)};
 }
 
-/** What a slicer said of the print, after an export; null before. */
+/** Reads the slicer's estimate for the print; null before an export. */
 function readPrint(raw) {
   if (!someDictionary(raw) || finite(raw.seconds) === null || finite(raw.material_mm3) === null) return null;
   return {process: String(raw.process), hinges: String(raw.hinges), seconds: raw.seconds, material: raw.material_mm3, prints: finite(raw.prints) ?? 1};
 }
 
-/** A goal that was met exactly, once its hinges are elastic; null where they are not. */
+/** Reads the compensation for elastic hinges of a goal that was met exactly; null without elastic hinges. */
 function readMatter(raw) {
   if (!raw || typeof raw !== "object") return null;
   return {before: finite(raw.before_mm), after: finite(raw.after_mm), tolerance: finite(raw.tolerance_mm),
     change: toDegrees(raw.largest_change_rad), why: typeof raw.why === "string" ? raw.why : ""};
 }
 
-/** The kind of goal that was searched for; null for a design. Results that name no kind are of the first. */
+/** Returns the kind of goal of the search; null for a design. Results without a kind belong to the first one. */
 function kindOf(raw) {
   return GOALS.find(({name}) => raw[name]) ?? (raw.target ? GOALS[0] : null);
 }
 
-/** How the folded shape is best seen: goals say so; a design alone is a strip, a panel or a net. */
+/** Returns the best view of the folded shape: from the goal, else from the family of the design. */
 function viewFor(kind, raw, equilibrium) {
   if (kind) return kind.view;
   const {family} = dictionary(raw.plan);

@@ -1,4 +1,4 @@
-// Elements, and figures that are drawn again when their width changes. Text goes in as text, never as markup.
+// Makes elements, and figures that are redrawn when their width changes. Text is inserted as text, never as markup.
 
 function fill(node, attributes, children) {
   for (const [key, value] of Object.entries(attributes ?? {}))
@@ -31,14 +31,14 @@ function path(points, closed = false) {
 
 const pageFigures = [];
 
-/** A box whose content is `draw(width in px)`. */
+/** Makes a box whose content is `draw(width in px)`. */
 function responsive(draw) {
   const box = html("div", {class: "figure"});
   pageFigures.push({box, draw, width: 0});
   return box;
 }
 
-/** What is in its place already stays untouched: taken out and put back it would lose the focus and the pointer. */
+/** Replaces the content of a box unless it is already there: reinsertion would lose the focus and the pointer. */
 function keepInPlace(box, content) {
   if (box.childNodes.length !== 1 || box.firstChild !== content) box.replaceChildren(content);
 }
@@ -57,7 +57,7 @@ function redraw(box) {
   if (figure?.width) guarded(() => keepInPlace(figure.box, figure.draw(figure.width)));
 }
 
-/** What goes wrong is shown at the top of the page; the rest of the report still comes. */
+/** Shows an error at the top of the page. The rest of the report is still drawn. */
 function problem(message) {
   const box = document.getElementById("problems");
   box.hidden = false;
@@ -81,12 +81,12 @@ function channels(hex) {
   return [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
 }
 
-/** Between two "#rrggbb" colours, t in [0, 1]. */
+/** Interpolates between two "#rrggbb" colours, t in [0, 1]. */
 function blend(from, to, t) {
   return `rgb(${mix(channels(from), channels(to), t).map(Math.round).join(",")})`;
 }
 
-/** Diverging scale of tilts; the middle is a tilt of 0. */
+/** Returns the colour of a tilt on a diverging scale; the middle is a tilt of 0. */
 function tiltColour(beta, largest) {
   const share = largest > 0 ? Math.max(-1, Math.min(1, beta / largest)) : 0;
   return blend(colour("tilt-none"), colour(share < 0 ? "tilt-minus" : "tilt-plus"), Math.abs(share));

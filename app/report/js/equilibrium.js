@@ -1,4 +1,4 @@
-// The equilibrium of elastic hinges: load and energy along the drive, and where in the sheet the energy is.
+// Equilibrium of elastic hinges: load and energy along the drive, and the distribution of energy in the sheet.
 
 const EVENT_NAMES = {
   bifurcation: "buckles",
@@ -10,7 +10,7 @@ const EVENT_NAMES = {
   departure: "leaves the closed form",
 };
 
-/** A limit point is a maximum or a minimum, as its sentence says. */
+/** Names an event. A limit point is a maximum or a minimum of the load, depending on its sentence. */
 function eventName({kind, what}) {
   if (kind === "limit point") return /minimum/.test(what) ? "load is least" : "load peaks";
   return EVENT_NAMES[kind] ?? words(kind);
@@ -28,7 +28,7 @@ function readEnergies(raw) {
   return list(raw).map((e) => ({stretch: finite(e?.stretch), turn: finite(e?.turn)}));
 }
 
-/** What each kind of drive does, what its load is, and its coordinate on an axis. */
+/** Texts for each kind of drive: action, load, axis label, coordinate in words; `shown` converts to the axis' unit. */
 const DRIVES = {
   plates: {
     holds: "The plates press with",
@@ -69,7 +69,7 @@ function capital(text) {
   return text[0].toUpperCase() + text.slice(1);
 }
 
-/** The section `equilibrium` of a result, or null. */
+/** Reads the section `equilibrium`; null without a path. */
 function readEquilibrium(raw) {
   const path = list(raw?.path).filter((step) => finite(step?.drive) !== null && finite(step.load) !== null);
   if (!path.length) return null;
@@ -100,12 +100,12 @@ function driveWords(equilibrium, drive) {
   return equilibrium.drive.words(drive);
 }
 
-/** Of the drive, as its axis shows it: percent, mm, or degrees. */
+/** Converts the drive's coordinate to the unit of its axis: percent, mm or degrees. */
 function driveShown(equilibrium, drive) {
   return equilibrium.drive.shown(drive);
 }
 
-/** {mark, tone, title, text} */
+/** Returns the verdict on an equilibrium: {mark, tone, title, text}. */
 function equilibriumVerdict(data) {
   const {equilibrium} = data, load = force(equilibrium.last.load, equilibrium.unit);
   const reached = equilibrium.stop === "reached";
@@ -165,9 +165,7 @@ function equilibriumNumbers(data) {
   ];
 }
 
-/**
- * Numbered marks at the events, moved until no two cover each other, with their names where there is room.
- */
+/** Makes numbered marks at the events. They are moved apart, and have names if there is room. */
 function eventMarks(axes, events, at) {
   const placed = [];
   const mark = (event, k) => {

@@ -1,27 +1,27 @@
-// The first screen: the thing folded, the flat sheet beside it, one sentence, sizes in mm, force, what prints come to.
+// First screen: pictures of the folded and the flat sheet, verdict, sizes in mm, force, print tolerance.
 
-const LONG_SHEET = 3;         // times as wide as high: such sheets lie below the folded thing instead of beside it
-const SHOT_HEIGHT = 330;      // CSS pixels, at most: both pictures and the verdict fit a screen of 800
+const LONG_SHEET = 3;         // ratio of width to height: longer sheets are below the folded picture, not beside it
+const SHOT_HEIGHT = 330;      // largest height, CSS pixels: both pictures and the verdict fit a screen of 800
 const SHOT_MARGIN = 10;       // CSS pixels around a picture
-const FOLDED_COLUMN = 1.35;   // width of the column of the folded thing over that of the flat sheet, as in the style sheet
-const NARROW = "(max-width: 700px)";  // where they stand one below the other, as in the style sheet
+const FOLDED_COLUMN = 1.35;   // column width of the folded picture over that of the flat one, as in the style sheet
+const NARROW = "(max-width: 700px)";  // screens with one picture below the other, as in the style sheet
 const FIRST_SLANT = [-0.55, 0.42], FIRST_TOP = [0, 1.1];  // azimuth and elevation, rad
-const MOST_FACES = 6000;      // of bodies in a picture: more take a browser seconds, and the view in space shows them
-const OWN_SPRINGS = "its own springs";  // as `effort` of results calls a drive that nobody presses
+const MOST_FACES = 6000;      // faces of bodies per picture: more take a browser seconds; the view in space shows them
+const OWN_SPRINGS = "its own springs";  // `effort` of a result with a shape-memory drive
 
-/** Whether no plates hold a panel's sides: its equilibrium then lies in its plane turned by whatever moved it. */
+/** Returns whether a panel may be rotated in its plane. That is so without plates, which align its sides. */
 function liesAslant({view, equilibrium, goal, states}) {
   if (view !== "top" || !states.flat) return false;
   return equilibrium ? equilibrium.drive !== DRIVES.plates : finite(goal?.angle) !== null;
 }
 
-/** Turned in its plane so that its bodies lie as nearly as they can where they were flat. */
+/** Returns a map that rotates a panel in its plane to the best fit with its flat bodies. */
 function squarePlace({states: {model, flat}}) {
   const inPlane = ({p: [x, y]}) => [x, y], {move} = planeMotion(model.poses.map(inPlane), flat.poses.map(inPlane));
   return ([x, y, z]) => [...move([x, y]), z];
 }
 
-/** A fold with its bottom along x and y and the rest above it. @param corners bodies of the bottom: one, and others along x and along y */
+/** Returns a map that puts the bottom along x and y. @param corners bottom bodies: one, and others along x and y */
 function bottomPlace({states: {model: {poses}}}, corners) {
   const [origin, along, across] = corners.map((k) => poses[k].p), x = unit(subtract(along, origin));
   const normal = unit(cross(x, subtract(across, origin))), rest = subtract(mean(poses.map(({p}) => p)), origin);
@@ -29,7 +29,7 @@ function bottomPlace({states: {model: {poses}}}, corners) {
   return (p) => [x, y, up].map((axis) => dot(p, axis));
 }
 
-/** Into the frame that the goal was drawn in, where a strip stands as its curve does and a box on its bottom. */
+/** Returns a map into the frame of the goal: a strip is aligned with its curve, a box stands on its bottom. */
 function standingPlace(data) {
   if (liesAslant(data)) return squarePlace(data);
   const corners = data.states.model && data.kind?.bottom?.(data);
@@ -42,7 +42,7 @@ function standingPlace(data) {
   };
 }
 
-const standing = new WeakMap();  // by state: facts and pictures ask for the same
+const standing = new WeakMap();  // cache by state, for facts and pictures
 
 function standingPlates(data, state) {
   if (!standing.has(state)) standing.set(state, placedPlates(data, state));
@@ -58,7 +58,7 @@ function placedPlates(data, state) {
   });
 }
 
-/** Goal lines that stand beside the thing: both edges of a strip's curve, the lines of a head. */
+/** Returns the goal lines next to the folded sheet: both edges of a strip's curve, or the lines of a head. */
 function firstGoal(data) {
   const {model} = data.states, lines = data.goal?.backdrop ?? [], goal = seenFromSide(data) ? data.goal?.goal ?? [] : [];
   if (goal.length < 2) return lines;
@@ -66,18 +66,18 @@ function firstGoal(data) {
   return [...lines, ...[Math.min(...ys), Math.max(...ys)].map((y) => line.map(([x, z]) => [x, y, z]))];
 }
 
-/** In the middle of a drawing that is `width` wide. */
+/** Returns height and map of a drawing of this width, with the points in the middle. */
 function fitted(points, width, perMm) {
   const box = extent(points), height = box.size[1] * perMm + 2 * SHOT_MARGIN, left = (width - box.size[0] * perMm) / 2;
   return {height, to: ([x, y]) => [left + (x - box.low[0]) * perMm, SHOT_MARGIN + (box.high[1] - y) * perMm]};
 }
 
-/** Whether a face is seen by the eye, from outside. */
+/** Returns whether the outside of a face points to the eye. */
 function isFaced([a, b, c], eye) {
   return dot(cross(subtract(b, a), subtract(c, a)), eye.away) < 0;
 }
 
-/** A picture: what it takes up, mm, and what draws it; null of bodies with too many faces. */
+/** Returns a picture: its label, its points in mm and its drawing function. Null for bodies with too many faces. */
 function foldedShot(data, state = data.states.model, label = "The thing, folded") {
   const {isBodies} = data.structure;
   if (data.kind?.standing && data.states.flat) return data.kind.standing(data);
@@ -87,7 +87,7 @@ function foldedShot(data, state = data.states.model, label = "The thing, folded"
   const shapes = seen.map((plate) => ({
     polygon: outline(plate, project), depth: dot(mean(plate.corners), eye.away), corners: plate.corners, mesh: plate.mesh
   }));
-  const depths = new Map();  // of bodies and soft parts, which hide each other as a whole
+  const depths = new Map();  // depth per body or soft part, because each of them is sorted as a whole
   for (const {mesh, depth} of shapes) depths.set(mesh, Math.max(depths.get(mesh) ?? -Infinity, mesh ? depth : 0));
   shapes.sort((a, b) => depths.get(b.mesh) - depths.get(a.mesh) || b.depth - a.depth);
   const lines = firstGoal(data).map((line) => line.map(project));
@@ -111,19 +111,19 @@ function flatShot({structure, states: {flat}}) {
   };
 }
 
-/** The largest scale at which a picture fits, CSS pixels a mm. */
+/** Returns the largest scale at which a picture fits, CSS pixels per mm. */
 function shotScale({points}, width) {
   const {size} = extent(points);
   return Math.min((width - 2 * SHOT_MARGIN) / (size[0] || 1), (SHOT_HEIGHT - 2 * SHOT_MARGIN) / (size[1] || 1));
 }
 
-/** One scale for both pictures, so that they can be compared. @param wider how much wider the other picture's column is */
+/** Draws a picture at the common scale of both pictures. @param wider ratio of the other picture's column width */
 function drawShot(shot, other, width, wider) {
   const perMm = Math.min(shotScale(shot, width), other ? shotScale(other, width * wider) : Infinity), {to, height} = fitted(shot.points, width, perMm);
   return drawing(width, height, shot.label, shot.marks(to));
 }
 
-/** Edges of the box around walls, mm. */
+/** Returns the edges of the box around all walls, mm. */
 function boxOfPlates(all) {
   const solid = all.flatMap(({corners, side}) => corners.flatMap((corner) => [add(corner, side), subtract(corner, side)]));
   return [0, 1, 2].map((k) => {
@@ -142,7 +142,7 @@ function cellsText(structure) {
   return `${count(structure.cells, "cell", "cells")}, edges of ${millimetres(structure.cell)}`;
 }
 
-/** What the drive needs, N or N mm, and of whom; nothing where no elastic model was run. */
+/** Describes the peak load of the drive, N or N mm, with its effort; null if no elastic model was run. */
 function forceText({equilibrium, raw, asMade}) {
   if (!equilibrium) return takenForceText(asMade?.taken);
   const {effort} = raw.equilibrium, steps = list(raw.equilibrium.path).filter((step) => finite(step.load) !== null);
@@ -152,7 +152,7 @@ function forceText({equilibrium, raw, asMade}) {
   return `${figures(most, 2)} ${unit} at most` + (effort ? `: a matter for ${effort}` : "");
 }
 
-/** Of hinges that the file leaves open. */
+/** Describes the load on assumed hinges, which the file leaves open; null if it is unknown. */
 function takenForceText(taken) {
   const load = someDictionary(taken?.load);
   if (!load || finite(load.value) === null) return null;
@@ -160,7 +160,7 @@ function takenForceText(taken) {
   return `${figures(Math.abs(load.value), 2)} ${unit} with soft blocks in its hinges: a matter for ${load.effort}`;
 }
 
-/** Of hinges that are made as blocks or films. */
+/** Describes the strain of elastomer and living hinges; null if it is unknown. */
 function strainText({metrics: {strain_max: most, strain_allowed: allowed}}) {
   if (finite(most) === null || finite(allowed) === null) return null;
   return `${figures(most, 2)} of the ${neat(allowed)} that the hinges' material bears${most > allowed ? ": more than it bears" : ""}`;
@@ -215,7 +215,7 @@ function firstShots(data) {
       flat ? figure((width) => drawShot(flat, folded, width, wider()), words[2]) : null);
 }
 
-/** Problems, a sentence each: all errors, and warnings that fold away where there are several problems. */
+/** Lists all problems, one sentence each. Several problems: warnings are collapsed. */
 function problemLines({verdict: {errors, warnings}}) {
   const line = (level) => (text) => html("p", {class: "why"}, `${level}: ${text}`);
   const lines = warnings.map(line("Warning"));

@@ -1,6 +1,6 @@
-// The large picture: the folded strip from the side, over the target curve.
+// Large picture: the folded strip from the side, over the target curve.
 
-/** Whether the side view x-z shows the shape; nets and panels are shown from above at a slant instead. */
+/** Returns whether the side view x-z shows the shape. Other views are from above and at a slant. */
 function seenFromSide(data) {
   return data.view === "side";
 }
@@ -28,7 +28,7 @@ function viewOf(data) {
   return data.view === "top" ? topView() : slantView();
 }
 
-/** From the side the nearest two rows are enough: the rows behind hide exactly behind them. */
+/** Returns the visible plates. In side view the nearest two rows hide all rows behind them. */
 function shownPlates(data, state) {
   const all = plates(data.structure), {firstRow} = data.structure;
   const shown = seenFromSide(data) ? all.filter((plate) => plate.hinge.row < firstRow + 2) : all;
@@ -42,7 +42,7 @@ function wallShapes(data, state, view) {
       .sort((a, b) => b.depth - a.depth);
 }
 
-/** Keeps the physics run's own shape, but lays it on the model: its frame may have drifted. */
+/** Returns the midline of the simulation, aligned with the model because its frame may have drifted. */
 function physicsLine(data, modelLine) {
   if (!data.states.physics || data.verdict.verified === false) return [];
   const flat = (p) => [p[0], p[2]];
@@ -61,7 +61,7 @@ function curveLines(data, view) {
   };
 }
 
-/** Equal scales on both axes; `x`, `z` map mm to px. */
+/** Returns a map with equal scales on both axes; `to` maps mm to px. */
 function mapOf(points, width, margin) {
   const box = extent(points);
   const room = width - margin.left - margin.right;
@@ -117,7 +117,7 @@ function drawFolded(data, width) {
       line("goal", goalWidth), line("model"), line("physics"));
 }
 
-/** Of lines of a goal that no rib is near to. */
+/** Returns the legend entry for parts of the goal without a rib nearby. */
 function bareKey({goal}) {
   return goal?.bare?.length > 0 && ["bare", `bare, more than a cell edge from a rib: ${percent(1 - goal.covered)} of its area`];
 }

@@ -1,4 +1,4 @@
-// Numbers into words. Whatever is not a finite number (NaN is null in JSON) reads as a dash.
+// Formats numbers as text. A value that is not a finite number (NaN is null in JSON) becomes a dash.
 
 const DASH = "\u2013";
 const MINUS = "\u2212";
@@ -30,7 +30,7 @@ function scientific(value) {
   return (value < 0 ? MINUS : "") + mantissa + SPACE + "\u00d7" + SPACE + powerOfTen(Number(exponent));
 }
 
-/** A pure number with a few significant digits; very small and very large ones as powers of ten. */
+/** Formats a pure number with a few significant digits; very small and very large ones as powers of ten. */
 function figures(value, significant = 3) {
   if (finite(value) === null) return DASH;
   const size = Math.abs(value);
@@ -38,12 +38,12 @@ function figures(value, significant = 3) {
   return withSign(value, plain(value, significant, 6));
 }
 
-/** A limit somebody chose: without the zeros nobody wrote. */
+/** Formats a limit from a file, without trailing zeros. */
 function neat(value) {
   return finite(value) === null ? DASH : String(Number(value.toPrecision(3)));
 }
 
-/** A length or angle for people: never more than `most` decimals, and "< 0.001" below the last of them. */
+/** Formats a length or angle with at most `most` decimals; smaller values as "< 0.001". */
 function measured(value, unit, most) {
   if (finite(value) === null) return DASH;
   const least = 10 ** -most;
@@ -80,7 +80,7 @@ function count(value, one, many) {
   return `${value}${SPACE}${value === 1 ? one : many}`;
 }
 
-/** "no_progress" -> "no progress" */
+/** Converts an identifier to words: "no_progress" -> "no progress". */
 function words(identifier) {
   return String(identifier ?? "").replace(/_/g, " ");
 }

@@ -11,7 +11,7 @@ function cross(a, b) {
   return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 }
 
-/** v turned by the unit quaternion (w, x, y, z). */
+/** Rotates v by the unit quaternion (w, x, y, z). */
 function turned([w, x, y, z], v) {
   const u = [x, y, z];
   const t = scale(cross(u, v), 2);
@@ -22,12 +22,12 @@ function carried(pose, rest, point) {
   return add(pose.p, turned(pose.q, subtract(point, rest)));
 }
 
-/** Where the two half walls of a hinge meet at rest. */
+/** Returns the point at which the two half walls of a hinge meet at rest. */
 function wallTip(structure, hinge) {
   return hinge.offset ? mix(structure.bodies[hinge.a].rest, structure.bodies[hinge.b].rest, hinge.t) : hinge.point;
 }
 
-/** The two half walls of a hinge at rest: one plate per body, cut along the hinge axis. */
+/** Returns the two half walls of a hinge at rest: one plate per body, cut along the hinge axis. */
 function halfWalls(structure, hinge) {
   const from = structure.bodies[hinge.a].rest, to = structure.bodies[hinge.b].rest;
   const e = unit(subtract(to, from));
@@ -50,7 +50,7 @@ function halfWalls(structure, hinge) {
   return [plate(hinge.a, from), plate(hinge.b, to)];
 }
 
-/** Faces of imported bodies and of the halves of their soft parts at rest, drawn as plates without thickness. */
+/** Returns the faces of imported bodies and of the halves of soft parts at rest, as plates without thickness. */
 function solidFaces({hinges, meshes}) {
   const faces = (mesh, bodyOf) => mesh.triangles.map((triangle) => {
     const corners = triangle.map((p) => mesh.points[p]);
@@ -75,7 +75,7 @@ function carriedPlate(structure, state, plate) {
   };
 }
 
-/** Convex hull of plane points, counter-clockwise (Andrew's monotone chain). */
+/** Computes the convex hull of plane points, counter-clockwise (Andrew's monotone chain). */
 function hull(points) {
   const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
   const turn = (o, a, b) => (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]);
@@ -90,7 +90,7 @@ function hull(points) {
   return [...chain(sorted), ...chain(sorted.reverse())];
 }
 
-/** Outline of a plate with its thickness, seen through `project`. */
+/** Returns the outline of a plate with its thickness, projected by `project`. */
 function outline(plate, project) {
   const solid = plate.corners.flatMap((corner) => [add(corner, plate.side), subtract(corner, plate.side)]);
   return hull(solid.map(project));
@@ -110,7 +110,7 @@ function mean(points) {
   return scale(points.reduce(add), 1 / points.length);
 }
 
-/** Mean position of the bodies of each column of vertices. */
+/** Returns the mean position of the bodies in each column of vertices. */
 function midline(structure, state) {
   const columns = new Map();
   structure.bodies.forEach((body, k) => {
@@ -120,7 +120,7 @@ function midline(structure, state) {
   return [...columns.entries()].sort((a, b) => a[0] - b[0]).map(([, points]) => mean(points));
 }
 
-/** `count` points evenly spaced along a polyline. */
+/** Returns `count` points evenly spaced along a polyline. */
 function resampled(line, count) {
   const at = [0];
   for (let k = 1; k < line.length; ++k) at.push(at[k - 1] + Math.hypot(...subtract(line[k], line[k - 1])));
@@ -133,7 +133,7 @@ function resampled(line, count) {
   });
 }
 
-/** The turn and shift of the plane that best lays `from` on `to`, point by point. */
+/** Computes the rotation and translation in the plane that best align `from` with `to`, point by point. */
 function planeMotion(from, to) {
   const a = mean(from), b = mean(to);
   let real = 0, imaginary = 0;
@@ -151,9 +151,7 @@ function planeMotion(from, to) {
   return {move, misfit};
 }
 
-/**
- * Takes the structure's x, z to the frame in which the target was drawn; the identity when that is unclear.
- */
+/** Returns a map from the structure's x, z to the frame of the target's drawing. Identity if that frame is unclear. */
 function frameOfDrawing(goal, drawn) {
   const identity = (p) => p;
   if (goal.length < 2 || drawn.length < 2) return identity;

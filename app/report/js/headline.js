@@ -15,7 +15,7 @@ function failing(data) {
   return data.physics.status && data.physics.status !== "settled" ? "failed" : "disagrees";
 }
 
-/** Of a design, which had no target to meet. */
+/** Returns the verdict on a design, which has no target. */
 function designVerdict(data) {
   const {met, verified} = data.verdict;
   if (verified === false)
@@ -32,7 +32,7 @@ function designVerdict(data) {
   };
 }
 
-/** Of hinges that the file leaves open: a sentence, or nothing. */
+/** Describes assumed hinges, which the file leaves open, in one sentence; "" if there are none. */
 function takenWords(taken) {
   if (!taken) return "";
   return ` Its hinges are left open: they are taken for blocks of ${taken.material}, ${millimetres(taken.gap_mm)} long, that keep the ` +
@@ -43,13 +43,13 @@ const CONTACT_WORDS = " Walls of prints may meet on the way: its fold lies beyon
 
 const UNPROVEN_WORDS = " That walls of prints stay apart on the way is not proven.";
 
-/** What walls of prints do on the way to the fold: a sentence, or nothing. */
+/** Describes collisions of printed walls during the motion, in one sentence; "" if none are expected. */
 function contactWords({touching, mayTouch, isUnproven}) {
   if (touching > 0) return ` Walls touch on the way to the fold in ${percent(touching)} of simulated prints.`;
   return mayTouch ? CONTACT_WORDS : isUnproven ? UNPROVEN_WORDS : "";
 }
 
-/** What prints come to, where that is known: a sentence. */
+/** Describes the print tolerance analysis; null without one. */
 function asMadeWords({asMade}) {
   if (!asMade) return null;
   const source = asMade.sources[0], place = asMade.places[0];
@@ -63,7 +63,7 @@ function asMadeWords({asMade}) {
       takenWords(asMade.taken) + contactWords(asMade) + (asMade.confirmed ? "" : " That is to first order, and does not hold here: " + printsWords(asMade.prints));
 }
 
-/** What elastic hinges make of a goal that was met exactly: a sentence. */
+/** Describes the compensation for elastic hinges; null without one. */
 function matterWords({matter}) {
   if (!matter) return null;
   if (matter.after === null) return `With hinges as elastic as they are made it finds no equilibrium: ${matter.why}.`;
@@ -81,7 +81,7 @@ function printsWords({count, failed, kept, rms_mm: rms, p95_mm: p95}) {
 const parameterPlurals = {t: "places", alpha: "directions", beta: "tilts", offset: "offsets"};
 const parameterWords = {t: "the place", alpha: "the direction", beta: "the tilt", offset: "the offset"};
 
-/** Red where any flag is false, amber where there are warnings. */
+/** Makes the verdict red if any flag is false, and amber if there are warnings. */
 function judged(found, {verdict: {printable, reaches, warnings}}) {
   if (found.tone === "bad") return found;
   const fault = reaches === false ? "but its drive does not take it there" : printable === false ? "but it cannot be printed like this" : null;
@@ -90,7 +90,7 @@ function judged(found, {verdict: {printable, reaches, warnings}}) {
   return {...found, mark: "!", tone: "unsure", title: `${found.title}, with ${count(warnings.length, "warning", "warnings")}`};
 }
 
-/** {mark, tone, title, text} */
+/** Returns the verdict: {mark, tone, title, text}. */
 function verdict(data) {
   const found = data.kind ? data.kind.verdict(data) : data.equilibrium ? equilibriumVerdict(data) : designVerdict(data);
   return judged(found, data);
@@ -106,7 +106,7 @@ function limitNote(tolerance, key, word = "allowed") {
   return finite(tolerance[key]) === null ? "" : `; ${word} ${neat(tolerance[key])}`;
 }
 
-/** Numbers of result.json under `metrics`: [key, name, note, the tolerance that judges it, "allowed"]. */
+/** Makes key numbers from `metrics`. @param shown rows of [key, name, note, key of the tolerance, word "allowed"] */
 function measures({metrics, tolerance}, shown) {
   return shown.filter(([key]) => finite(metrics[key]) !== null)
       .map(([key, name, note, ...limit]) => keyNumber(name, figures(metrics[key]), note + limitNote(tolerance, ...limit)));
@@ -155,7 +155,7 @@ function keyNumbers(data) {
   return numbers.length ? html("dl", {class: "numbers"}, numbers) : null;
 }
 
-/** The verdict in full, and all key numbers. */
+/** Makes the section with the full verdict and all key numbers. */
 function wordsSection(data) {
   return [
     html("p", {}, verdict(data).text),

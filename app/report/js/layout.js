@@ -1,9 +1,9 @@
-// Section 2: the sheet as it is printed, flat, seen from above.
+// Flat layout: the sheet as it is printed, seen from above.
 
 const CELL_PX = {
   least: 42,
-  leastOfPanels: 20,  // of more rows than a strip has: cut into lines of columns they say nothing of their shape
-  labelled: 38,       // above it a tilt has room below its column
+  leastOfPanels: 20,  // for more rows than a strip has: lines of columns would hide the shape of a panel
+  labelled: 38,       // larger cells have room for a tilt below their column
   most: 72
 };
 const STRIP_ROWS = 3;
@@ -12,7 +12,7 @@ function largestTilt(structure) {
   return Math.max(0, ...structure.hinges.map((hinge) => Math.abs(hinge.beta)));
 }
 
-/** Columns per line so that cells stay legible; lines of nearly equal length. */
+/** Returns the columns per line. Cells stay legible and lines have nearly equal length. */
 function wrapped({columns, rows}, room) {
   const least = rows > STRIP_ROWS ? CELL_PX.leastOfPanels : CELL_PX.least;
   const lines = Math.ceil(columns / Math.max(1, Math.floor(room / least)));
@@ -38,7 +38,7 @@ function flatWalls(structure, flat, to, hinges) {
   ];
 }
 
-/** The way the top edge leans: w = cos(beta) z + sin(beta) (e x z). */
+/** Returns the direction in which the top edge leans: w = cos(beta) z + sin(beta) (e x z). */
 function leanOf(structure, hinge) {
   const from = structure.bodies[hinge.a].rest, to = structure.bodies[hinge.b].rest;
   const [x, y] = subtract(to, from), length = Math.hypot(x, y) || 1, sign = Math.sign(hinge.beta);
@@ -94,7 +94,7 @@ function flatLine(data, line, wrap, largest) {
       Array.from({length: last - first}, (_, k) => label(first + k)));
 }
 
-/** Where no columns can be counted: the whole sheet at once. */
+/** Draws the whole sheet at once, for lattices without columns. */
 function drawWhole(data, width) {
   const {structure} = data, margin = {left: 16, right: 16, top: 16, bottom: 16};
   const {to, height, perMm} = mapOf(structure.bodies.map((body) => body.rest), width, margin);
@@ -134,7 +134,7 @@ function mostTilted(walls) {
   return walls.reduce((a, b) => (Math.abs(b.beta) > Math.abs(a.beta) + 1e-9 ? b : a));
 }
 
-/** The front two walls of the most tilted column, seen from the right end, true angles. */
+/** Draws the front two walls of the most tilted column from the right end, at true angles. */
 function drawEndView(structure) {
   const walls = structure.hinges.filter((h) => h.along === "x"), most = mostTilted(walls);
   const pair = walls.filter((h) => h.column === most.column).sort((a, b) => a.row - b.row).slice(0, 2);
@@ -165,13 +165,13 @@ function drawEndView(structure) {
               most.column}, the most tilted, seen from the right end. Positive tilt: the top leans to the front.`));
 }
 
-/** Hinge axes that lean within upright walls. */
+/** Describes hinge axes that lean within their walls; "" if there are none. */
 function slantWords({hinges}) {
   const slant = Math.max(0, ...hinges.map((hinge) => Math.abs(hinge.alpha - Math.PI / 2)));
   return slant > 1e-4 ? `; hinge axes lean within their walls by up to ${degrees(toDegrees(slant))}` : "";
 }
 
-/** Hinges beside the middle of their walls. */
+/** Describes the largest offset of hinges across their walls; "" if it is zero. */
 function offsetWords({hinges}) {
   const most = Math.max(0, ...hinges.map((hinge) => Math.abs(hinge.offset)));
   return most > 1e-6 ? `; hinges sit up to ${millimetres(most)} to one side of the middle of their walls, across the wall` : "";
@@ -179,13 +179,13 @@ function offsetWords({hinges}) {
 
 const LATTICE_WORDS = {graph: "cells of a drawing"};
 
-/** As many cells as there are, which need not fill their columns and rows. */
+/** Describes the number of cells. They may not fill all columns and rows. */
 function squaresWords({columns, rows, cells, cell}) {
   if (!cells || cells === columns * rows) return `${columns} \u00d7 ${rows} cells of ${millimetres(cell)}`;
   return `${count(cells, "cell", "cells")} of ${millimetres(cell)} in ${count(columns, "column", "columns")} and ${count(rows, "row", "rows")}`;
 }
 
-/** Over all, walls as thick as they are. */
+/** Describes the cells and the overall size, including the thickness of walls. */
 function sizeWords(data) {
   const {structure} = data, [x, y] = boxOfPlates(standingFlat(data)).map(millimetres);
   const cells = structure.isSquare ?
@@ -195,7 +195,7 @@ function sizeWords(data) {
   return `${cells}, ${x} \u00d7 ${y}`;
 }
 
-/** Whether walls of a column lean to the other side from row to row, as those do that bend a strip; sheets of one's own need not. */
+/** Returns whether tilts in each column alternate in sign from row to row. They do in strips that bend. */
 function tiltsAlternate({hinges}) {
   const leans = ({beta}) => (Math.abs(beta) > 1e-4 ? Math.sign(beta) : 0), columns = new Map();
   for (const hinge of hinges.filter(({along}) => along === "x").sort((a, b) => a.row - b.row))

@@ -1,9 +1,9 @@
-/** Designs from which a robust search chose: `robust` of result.json. */
+/** Reads the candidates of a robust search: `robust` of result.json. */
 function readMadeChoices(raw) {
   return list(raw).map((one, k) => ({...one, plain: k === 0})).filter((one) => finite(one?.as_made_rms_mm) !== null && finite(one?.designed_mm) !== null);
 }
 
-/** Those that no other one beats in both errors. */
+/** Returns the Pareto front: candidates that no other candidate beats in both errors. */
 function madeFront(choices) {
   let least = Infinity;
   return [...choices].sort((a, b) => a.designed_mm - b.designed_mm).filter((one) => one.as_made_rms_mm < least && ((least = one.as_made_rms_mm), true));

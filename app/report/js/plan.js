@@ -1,4 +1,4 @@
-// Section 8: what was computed, why, and where it came from.
+// Plan and provenance: model, reasons, settings, times and origin of the result.
 
 const FAMILIES = {
   F1: "F1, planar sheet: all hinges upright, moves within its plane",
@@ -16,12 +16,12 @@ const MODELS = {
   bullet: "physics engine (Bullet)",
 };
 
-/** What the times of a result are for, where the key is no verb. */
+/** Words for keys of `timing_s` that are not a verb. */
 const TASKS = {
   balance: "trace the equilibrium path",
 };
 
-/** "step_s" -> "Step, s" */
+/** Converts a key to a title: "step_s" -> "Step, s". */
 function title(key) {
   const text = words(key.replace(/_(s|mm|deg|rad|hz)$/, ", $1"));
   return text.charAt(0).toUpperCase() + text.slice(1);
@@ -87,7 +87,7 @@ function planGroup(data) {
 function stiffnessGroup({equilibrium, structure}) {
   if (!equilibrium) return null;
   const {k_point: point, k_turn: turn, reach_mm: reach, k_contact: contact} =
-      structure.isBodies ? {k_contact: equilibrium.stiffness.k_contact} : equilibrium.stiffness;  // bodies have that of each hinge
+      structure.isBodies ? {k_contact: equilibrium.stiffness.k_contact} : equilibrium.stiffness;  // else per hinge
   return group("Hinges and walls", facts([
                  ["Stretch of a point", finite(point) === null ? null : `${neat(point)} N/mm`],
                  ["Rotation", finite(turn) === null ? null : `${neat(turn)} N mm/rad`],

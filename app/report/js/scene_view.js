@@ -1,9 +1,9 @@
-// The folded sheet in space as one can turn, play and take pictures of it: where the page holds the script of the scene
-// and the browser draws in three dimensions. view3d.js is for all others.
+// Interactive view of the folded sheet: rotate, play, take pictures. It needs the script of the scene in the page and a
+// browser with WebGL 2. Otherwise the page uses view3d.js.
 
-const NEAR_GOAL = 0.06;  // rad of theta: farther from the goal it is not drawn
-const SAME_THETA = 1e-3; // rad: a drive and its sheet that are nearer have one theta
-const PLAY_S = 5;        // seconds of one way there and back
+const NEAR_GOAL = 0.06;  // rad of theta: the goal is drawn only if theta is this near to it
+const SAME_THETA = 1e-3; // rad: smaller differences between drive and sheet count as one theta
+const PLAY_S = 5;        // seconds of the motion there and back
 
 function hasScene() {
   if (typeof KinetixScene === "undefined") return false;
@@ -16,16 +16,14 @@ function numbersOf(state) {
   return Float64Array.from(state.poses.flatMap((pose) => [...pose.p, ...pose.q]));
 }
 
-/** Where on the way of the drive a state is, rad: an equilibrium is the end of that way, wherever its own theta is. */
+/** Returns the theta of the drive at the model's state, rad. For an equilibrium it is the end of the drive's motion. */
 function wayOf(model, frames) {
   if (model.model !== "equilibrium" || !frames.length) return model.theta;
   return frames.reduce((end, {theta}) => (Math.abs(theta) > Math.abs(end) ? theta : end), 0);
 }
 
-/**
- * {poses(theta), from, to (rad), words, at (theta of the state at `to`, rad)}: by the closed form, or between the states that are
- * stored; `to` is the state that the result is about.
- */
+// Returns the motion: {poses(theta), from, to (rad), words, at (theta of the state at `to`, rad)}.
+// It uses the closed form, or interpolates between stored states. The reported state is at `to`.
 function motionOf(data) {
   const {model, frames, flat} = data.states, {family} = data.plan, to = model.theta ?? 0;
   const exact = family !== "none" && model.model === "exact" && to !== 0 ? KinetixScene.exactMotion(data.raw.structure, family) : null;
@@ -41,13 +39,13 @@ function motionOf(data) {
         (other ? ` It stands at the state that was reached, \u03b8 ${degrees(toDegrees(to))}; on the way \u03b8 is that of the drive, ${degrees(toDegrees(end))} at its end.` : "")};
 }
 
-/** Takes points of the frame of the results to that of the motion: they share body 0. */
+/** Returns a map from the frame of the results to the frame of the motion. Both share body 0. */
 function intoMotion(state, poses) {
   const {p, q} = state.poses[0], back = [q[0], -q[1], -q[2], -q[3]];
   return (point) => add(turned([...poses.slice(3, 7)], turned(back, subtract(point, p))), [...poses.slice(0, 3)]);
 }
 
-/** The goal beside the folded sheet: a ribbon under a strip, the lines of a head. */
+/** Returns the drawing of the goal: a ribbon for a strip, a picture below a panel, the lines of a head. */
 function goalOf(data, motion) {
   const {model} = data.states, to = intoMotion(model, motion.poses(motion.to)), goal = seenFromSide(data) ? data.goal?.goal ?? [] : [];
   const lines = [...(data.goal?.backdrop ?? []), ...(data.goal?.ideal ?? [])].map((line) => line.map(to));
@@ -62,13 +60,13 @@ function goalOf(data, motion) {
   return {lines: [...lines, front, back], triangles};
 }
 
-/** Results hold lengths and angles of every hinge; what old ones lack is filled in. */
+/** Returns the structure of the result with wall sizes filled in if the file has none. */
 function fullStructure(data) {
   const {raw, structure} = data;
   return {...raw.structure, wall_mm: {thickness: structure.thickness, height: structure.height}};
 }
 
-/** Numbers as shares of the largest, unknown ones as 0. @param of hinge or body */
+/** Converts numbers to shares of the largest; unknown numbers become 0. @param of "hinge" or "body" */
 function shares(numbers, of) {
   const sizes = numbers.map((value) => Math.abs(value ?? 0)), most = Math.max(...sizes, 1e-9);
   return {values: sizes.map((size) => size / most), of, most};
@@ -89,11 +87,11 @@ class SceneView {
     });
     this.canvas.addEventListener("click", (event) => this.name(event));
     window.addEventListener("beforeprint", () => this.scene);
-    // The frame after the one with the first picture begins once that one is painted.
+    // The second animation frame starts after the browser has painted the first picture.
     requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => this.scene)));
   }
 
-  /** Made once the page's first picture stands, or when it is first used: it takes as long as all the rest of the page. */
+  /** Makes the scene after the page's first picture, or at its first use. It takes as long as the rest of the page. */
   get scene() {
     if (this.made) return this.made;
     const {data, motion} = this;
@@ -115,14 +113,14 @@ class SceneView {
     this.made.draw(performance.now());
   }
 
-  /** Which body and hinge are under the pointer. */
+  /** Marks and names the body or hinge under the pointer. */
   name({clientX, clientY}) {
     const found = this.scene.pick(clientX, clientY), {bodies, hinges, isBodies} = this.data.structure, isHinge = found?.hinge !== undefined;
     this.scene.setMarked(!found ? {} : isHinge ? {chosen: [found.hinge]} : {bodies: [found.body]});
     this.named.textContent = found && isBodies ? (isHinge ? hinges[found.hinge] : bodies[found.body]).name : found ? `body ${found.body}, hinge ${found.hinge}: tilt ${degrees(toDegrees(this.data.structure.hinges[found.hinge]?.beta ?? 0))}` : "";
   }
 
-  /** What colours can show of this result, each as shares from 0 to 1 of hinges or bodies. */
+  /** Returns the quantities that colours can show, each as shares from 0 to 1 of hinges or bodies. */
   colours() {
     const {structure, raw} = this.data;
     const out = structure.isBodies ? {} : {tilt: {text: "tilt", show: () => shares(structure.hinges.map(({beta}) => toDegrees(beta)), "hinge"), unit: degrees}};

@@ -1,4 +1,4 @@
-// Sections 6 and 7: how the search went, and speed against error of the models.
+// Convergence of the search, and speed against error of the models.
 
 function positive(history) {
   const least = Math.min(...history.map(([, cost]) => cost).filter((cost) => cost > 0));
@@ -6,7 +6,7 @@ function positive(history) {
                                                                              cost]) => Number.isFinite(cost));
 }
 
-/** Best so far as a staircase. */
+/** Converts a history of best costs to a staircase line. */
 function stairs(history) {
   return history.flatMap(([at, cost], k) => (k === 0 ? [[at, cost]] : [[at, history[k - 1][1]], [at, cost]]));
 }
@@ -18,7 +18,7 @@ function bestRun(data) {
   return known.length ? known.reduce((a, b) => (b.rms < a.rms ? b : a)) : null;
 }
 
-/** What follows "error": errors of goals of one's own are in a unit of theirs, all others shares of the goal's size. */
+/** Returns the suffix of "error": "" for custom goals, which have a separate unit, else ", rms". */
 function fitName({kind}) {
   return kind?.fitText ? "" : ", rms";
 }
@@ -78,7 +78,7 @@ function modelClass(name) {
   return /^exact/i.test(name) ? "model" : "other";
 }
 
-/** The number of the point's row in the table. */
+/** Makes the label of a point: the number of its row in the table. */
 function pointLabel(axes, x, y, number) {
   const toLeft = x > (axes.area.left + axes.area.right) / 2;
   return svg(

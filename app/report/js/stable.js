@@ -1,9 +1,9 @@
-// The states that a structure keeps by itself, and the barriers between them.
+// Stable states of a structure, and the energy barriers between them.
 
 const MOST_PICTURES = 12;
 const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
 
-/** States with their letters, poses and numbers; barriers between two of them. */
+/** Reads stable states with their letters, poses and numbers, and the barriers between pairs of them. */
 function readStable(raw, structure) {
   const states = list(raw?.stable_states)
                      .map((state, k) => ({
@@ -27,7 +27,7 @@ function readStable(raw, structure) {
   return {states: states.filter((state) => state.energy !== null), barriers, unresolved};
 }
 
-/** Marks of the stable states and barriers on the chart of the energy. */
+/** Marks the stable states and barriers on the energy chart. */
 function stableMarks(axes, {equilibrium, stable}) {
   if (stable.states.length < 2) return [];
   const at = ({drive, energy}) => [axes.X(driveShown(equilibrium, drive)), axes.Y(energy)];
@@ -51,7 +51,7 @@ function stableMarks(axes, {equilibrium, stable}) {
   return [...stable.states.filter(inside).map(state), ...stable.barriers.filter(inside).map(barrier)];
 }
 
-/** All states on one scale, seen at a slant. */
+/** Draws a state at the common scale of all states, at a slant. */
 function drawStable(data, index, width) {
   const {structure, stable} = data, eye = camera(...VIEWS.Slant), parts = plates(structure);
   const shapes = stable.states.map(({shape}) => shape && centredFaces(structure, shape, parts, false));

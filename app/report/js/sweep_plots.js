@@ -1,6 +1,6 @@
-// Plots of a sweep: how a response is spread, what matters for it, where on the sheet, and how.
+// Plots of a sweep: the distribution of a response, and the effect of factors on it, also on the flat sheet.
 
-/** How often a response has which value, with the middle and the limits of most samples, all of the same samples. */
+/** Draws the histogram of a response, with its median and the limits of most samples. */
 function drawSpread(response, width) {
   const {words: said, unit} = named(response.name), {spread: s, histogram: bars} = response, {from, to} = within(response);
   const range = padded([s.least, s.most], 0.02), most = Math.max(...bars);
@@ -26,7 +26,7 @@ function drawSpread(response, width) {
   return axes.root;
 }
 
-/** How much each factor matters for a response: [{value, low, high}], a second one beside it, and what the numbers are. */
+/** Returns the importance of each factor: bars [{value, low, high}], second bars if there are any, and their names. */
 function importance(response) {
   const bars = (list, get) => list.map((entry) => ({value: get(entry)[0], low: get(entry)[1], high: get(entry)[2]}));
   if (response.sobol)
@@ -62,7 +62,7 @@ function whisker(axes, y, bar) {
   return svg("path", {class: "turn-limit", d: path([[axes.X(bar.low), y], [axes.X(bar.high), y]])});
 }
 
-/** Bars one below the other. @param rows [{words, bar, second}] */
+/** Draws horizontal bars. @param rows [{words, bar, second}] */
 function drawBars(rows, what, width) {
   const all = rows.flatMap(({bar, second}) => [bar, second].flatMap((b) => [b?.value, b?.low, b?.high]))
                   .filter((v) => finite(v) !== null);
@@ -99,7 +99,7 @@ function drawBars(rows, what, width) {
   return axes.root;
 }
 
-/** A bar for each family where families have shares, else for each of the factors that are plotted. */
+/** Draws a bar for each family if families have shares, else for each plotted factor. */
 function drawImportance(data, response, width) {
   const {what, bars, second} = importance(response), shares = response.families ?? [];
   if (data.families.length < data.factors.length && shares.some(Boolean)) {
@@ -114,13 +114,13 @@ function drawImportance(data, response, width) {
       what, width);
 }
 
-/** Whether a sheet is so long that two do not stand side by side. */
+/** Returns whether a sheet is too long for two of them side by side. */
 function isLong(layout) {
   const span = (values) => Math.max(...values) - Math.min(...values);
   return span(layout.walls_mm.flatMap(([a, , c]) => [a, c])) > 6 * span(layout.walls_mm.flatMap(([, b, , d]) => [b, d]));
 }
 
-/** Families of factors that are one for each wall of the layout: [{name, walls: [[wall, factor], ...]}]. */
+/** Returns the families with one factor per wall of the layout: [{name, walls: [[wall, factor], ...]}]. */
 function familiesOnWalls(data) {
   const walls = data.layout?.walls_mm.length ?? 0;
   return data.families.map(({name, factors}) => ({
@@ -130,7 +130,7 @@ function familiesOnWalls(data) {
       .filter(({walls: list}) => list.length > 1 && list.every(([wall]) => wall < walls));
 }
 
-/** How a response goes with the factor of each wall, by correlation: [[wall, value], ...]; nothing where there is none. */
+/** Returns the effect of each wall's factor on a response: [[wall, value], ...]. */
 function sensitivities(response, family) {
   const factors = response.linear?.factors;
   const list = factors ? family.walls.map(([wall, f]) => [wall, factors[f].correlation]) :
@@ -140,7 +140,7 @@ function sensitivities(response, family) {
   return list.filter(([, value]) => finite(value) !== null);
 }
 
-/** The flat sheet with each wall in the colour of what its factor does to the response. */
+/** Draws the flat sheet with each wall coloured by the effect of its factor on the response. */
 function drawOnLayout(data, response, family, width) {
   const list = sensitivities(response, family), lines = data.layout.walls_mm;
   const xs = lines.flatMap(([a, , c]) => [a, c]), ys = lines.flatMap(([, b, , d]) => [b, d]);
@@ -169,7 +169,7 @@ function levelX(level) {
   return (level.range[0] + level.range[1]) / 2;
 }
 
-/** Samples as dots, the mean level by level as a line with two standard errors. */
+/** Draws samples as dots, and the mean of each level as a line with two standard errors. */
 function drawEffect(data, r, k, width) {
   const response = data.responses[r],
         levels = (response.main_effects?.[k]?.levels ?? []).filter((l) => finite(l.mean) !== null);

@@ -1,4 +1,4 @@
-// What a sweep's report says in words: names with their units, values of factors, the answer.
+// Texts of a sweep's report: names with their units, values of factors, the answer.
 
 const UNIT_WORDS = {
   mm: "mm",
@@ -12,14 +12,14 @@ const UNIT_WORDS = {
   mm3: "mm\u00b3"
 };
 
-// Responses whose names say no unit.
+// Responses in cell edges, whose names have no unit.
 const IN_CELL_EDGES = ["gap_peak", "stretch_max", "hinge_gap_max", "hinge_gap_rms", "exact_rms", "exact_max", "verify_rms", "verify_max", "unrest"];
 
-const TIMES = "times the base's";  // unit of factors that multiply what the base has
+const TIMES = "times the base's";  // unit of factors that multiply a value of the base file
 
-const LEAST_SHARE = 0.1;  // of the variance: a factor with less does not stand out
+const LEAST_SHARE = 0.1;  // share of the variance: a factor with less does not stand out
 
-/** "moved_rms_mm" -> {words: "moved rms", unit: "mm"}; any other name that ends in no unit is a pure number. */
+/** Splits a name: "moved_rms_mm" -> {words: "moved rms", unit: "mm"}. A name without a unit is a pure number. */
 function named(name) {
   if (IN_CELL_EDGES.includes(name)) return {words: words(name), unit: "cell edges"};
   const parts = name.split("_"), unit = UNIT_WORDS[parts[parts.length - 1]];
@@ -31,10 +31,7 @@ function withUnit(text, unit) {
   return text === DASH || unit === "" ? text : text + (unit === "\u00b0" ? "" : SPACE) + unit;
 }
 
-/**
- * A factor's or family's path for people: "design.walls[*].t_mm" -> {words: "t, each wall", unit: "mm"}. The unit may stand in any
- * part: "structure.wall_mm.height" is the height of walls, in mm.
- */
+/** Names a path: "design.walls[*].t_mm" -> {words: "t, each wall", unit: "mm"}. Any part of it may have the unit. */
 function factorNamed(path) {
   const parts = path.replace(/^design\./, "").split(".").map(named), [last] = parts.slice(-1);
   const where = parts.slice(0, -1).map(
@@ -43,7 +40,7 @@ function factorNamed(path) {
   return {words: [last.words, ...where].join(", "), unit};
 }
 
-/** A factor of the list, with the unit of its values: what multiplies a number of the base has not that number's. */
+/** Names a factor, with the unit of its values. A factor that multiplies a value of the base has the unit TIMES. */
 function factorSaid({name, scale}) {
   const {words: said, unit} = factorNamed(name);
   return {words: said, unit: scale ? TIMES : unit};
@@ -54,9 +51,9 @@ function valuesWords(factor) {
   return factor.add ? `${said}, added to the base's` : said;
 }
 
-const MOST_KINDS = 3;  // of values that are told one by one: more fill the table
+const MOST_KINDS = 3;  // kinds of values to list: more would fill the table
 
-/** The values of a family's factors: each kind once. */
+/** Describes the values of a family's factors, each kind once. */
 function valuesOfFamily(data, factors) {
   const kinds = [...new Set(factors.map((f) => valuesWords(data.factors[f])))];
   return kinds.length > MOST_KINDS ? `${kinds.length} kinds, from ${kinds[0]} on` : kinds.join("; ");
@@ -72,12 +69,12 @@ function valuesAlone(factor, unit) {
       values.map(neat).join(", ") + (unit ? ` ${unit}` : "");
 }
 
-/** Estimates of shares may lie a little outside of what shares can be. */
+/** Clamps a share to [0, 1], because estimates may be a little outside. */
 function clampedShare(value) {
   return finite(value) === null ? value : Math.min(Math.max(value, 0), 1);
 }
 
-/** [0.83, 0.7, 0.96] -> "83 % (70 to 96)"; what chance alone may give is said to be none. */
+/** Formats a share with its interval: [0.83, 0.7, 0.96] -> "83 % (70 to 96)". */
 function shareWords(share) {
   if (!share || finite(share[0]) === null) return DASH;
   const [value, low, high] = share.map(clampedShare), whole = (x) => String(Math.round(100 * x));
@@ -89,14 +86,14 @@ function isConstant({spread}) {
   return !(spread.count > 1) || spread.least === spread.most;
 }
 
-const LEAST_SAMPLES = 20;  // of which one lies beyond each limit of 90 of 100: fewer tell no such limit
+const LEAST_SAMPLES = 20;  // one sample beyond each limit of 90 of 100: fewer samples give no such limit
 
-/** What a response of so many samples lies within: {from, to, words}, 90 of 100 of them, or all where these are few. */
+/** Returns the range of a response: {from, to, words}, for 90 of 100 samples, or for all samples if there are few. */
 function within({spread: s}) {
   return s.count < LEAST_SAMPLES ? {from: s.least, to: s.most, words: `all ${s.count}`} : {from: s.p05, to: s.p95, words: "90 of 100"};
 }
 
-/** "moved rms: 5.39 mm in the middle, 2.23 to 10.5 mm in 90 of 100 samples" */
+/** Summarises a response: "moved rms: 5.39 mm in the middle, 2.23 to 10.5 mm in 90 of 100 samples". */
 function answer(response) {
   const {spread: s, name} = response, {words: said, unit} = named(name);
   if (!s.count) return `${said}: no sample has it`;
@@ -105,7 +102,7 @@ function answer(response) {
   return `${said}: ${withUnit(figures(s.median), unit)} in the middle, ${figures(from)} to ${withUnit(figures(to), unit)} in ${most} samples`;
 }
 
-/** The family with the largest share of a response, and the share; nothing where none has one. */
+/** Returns the family with the largest share of a response, and the share; null if no share is known. */
 function leading(data, response) {
   const shares = response.families ?? [];
   let best = null;
@@ -115,10 +112,7 @@ function leading(data, response) {
   return best === null || isConstant(response) ? null : {family: data.families[best], share: shares[best]};
 }
 
-/**
- * Words of how much a response goes with its leading factor: {start of a sentence, of a card, family and share where one stands out};
- * nothing where no shares are known.
- */
+/** Describes the leading factor of a response: {sentence, card}. Null if no share is known. */
 function leadWords(data, response) {
   const found = leading(data, response);
   if (!found) return null;
@@ -129,7 +123,7 @@ function leadWords(data, response) {
     card: `${most ? "mostly" : "the largest part:"} ${name}`};
 }
 
-/** Which way a response goes with a single factor: " (more with more)"; "" where that is not known. */
+/** Describes the direction of a single factor's effect: ", which raises it"; "" if it is weak or unknown. */
 function direction(response, family) {
   const e = family.factors.length === 1 ? response.linear?.factors[family.factors[0]] : null;
   if (!e || finite(e.correlation) === null || Math.abs(e.correlation) < 0.3) return "";

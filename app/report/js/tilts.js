@@ -1,6 +1,6 @@
-// Section 5: tilts per column, as bars and as a table to copy.
+// Tilts per column, as bars and as a table to copy.
 
-/** Column -> hinge of its front wall along x. */
+/** Returns the hinge of each column's front wall along x. */
 function tiltsByColumn(structure) {
   const tilts = new Map();
   for (const hinge of structure.hinges)
@@ -55,7 +55,7 @@ function copyBySelection(text) {
   return done;
 }
 
-/** Every hinge of the sheet, for those who build it elsewhere. */
+/** Formats all hinges of the sheet as a table, for use in other programs. */
 function hingesAsText({hinges}) {
   const number = (value) => String(Number(value.toFixed(4)));
   const isSquare = hinges.every((h) => h.along);
@@ -79,7 +79,7 @@ function copyButton(label, text) {
   return button;
 }
 
-/** Side by side blocks, so that 80 columns do not make a page of their own. */
+/** Makes tables side by side, so that 80 columns do not fill a page. */
 function tiltTables(rows) {
   const perBlock = Math.ceil(rows.length / Math.min(4, Math.ceil(rows.length / 8))), blocks = [];
   for (let k = 0; k < rows.length; k += perBlock) blocks.push(rows.slice(k, k + perBlock));

@@ -1,9 +1,9 @@
-// The flat sheet at 1:1, as pages of A4 that are laid side by side.
+// Flat sheet at 1:1, on A4 pages to put side by side.
 
-const PAGE_MM = [180, 250];  // A4 less margins of 15 mm and a line of words
-const ALONG_MM = 10;         // from a page to the next one shown again, so that pages can be laid over each other
+const PAGE_MM = [180, 250];  // A4 minus margins of 15 mm and a line of text
+const ALONG_MM = 10;         // overlap of neighbouring pages, for alignment
 
-/** Windows of a page each that cover a box: [low x, high y, column, row], row 0 at the top. */
+/** Returns the windows of the pages that cover a box: {x: low, y: high, column, row}, row 0 at the top. */
 function pagesOver({low, high}) {
   const step = PAGE_MM.map((side) => side - ALONG_MM), counts = [0, 1].map((k) => Math.max(1, Math.ceil((high[k] - low[k] - ALONG_MM) / step[k])));
   return Array.from({length: counts[0] * counts[1]}, (_, n) => {

@@ -1,4 +1,4 @@
-// The folded sheet in space on a canvas, painted from back to front: where there is no scene (scene_view.js).
+// Folded sheet in space on a canvas, painted from back to front. It replaces scene_view.js if there is no scene.
 
 const SCALE_BAR_PX = 46;
 const VIEWS = {
@@ -8,16 +8,14 @@ const VIEWS = {
   End: [Math.PI / 2, 0]
 };
 
-/** Right, up and away from the viewer, for a camera turned by `azimuth` about z and raised by `elevation`. */
+/** Returns the axes right, up and away of a camera turned by `azimuth` about z and raised by `elevation`, rad. */
 function camera(azimuth, elevation) {
   const c = Math.cos(azimuth), s = Math.sin(azimuth), ce = Math.cos(elevation), se = Math.sin(elevation);
   return {right: [c, s, 0], up: [-s * se, c * se, ce], away: [-s * ce, c * ce, -se]};
 }
 
-/**
- * Turns about y so that the strip lies along its longest direction, its middle pointing right.
- * The pose of the first body alone would show arches on their side.
- */
+// Returns a rotation about y that makes the strip's longest direction horizontal, with its middle pointing right.
+// The pose of the first body alone would show arches on their side.
 function levelling(line) {
   const flat = line.map((p) => [p[0], p[2]]), centre = mean(flat), middle = Math.floor(line.length / 2);
   const [xx, xz, zz] =
@@ -31,7 +29,7 @@ function levelling(line) {
   return ([x, y, z]) => [c * x + s * z, y, c * z - s * x];
 }
 
-/** Lines that the folded shape is seen over, about the same centre. */
+/** Returns the backdrop lines behind the folded shape, about the same centre. */
 function centredLines(data, state) {
   const centre = mean(state.poses.map((pose) => pose.p));
   return (data.goal?.backdrop ?? []).map((points) => points.map((p) => subtract(p, centre)));
@@ -54,7 +52,7 @@ function centredFaces(structure, state, parts, level) {
           carriedPlate(structure, state, plate).corners.map((corner) => turn(subtract(corner, centre))));
 }
 
-/** The largest scale at which all faces fit. */
+/** Returns the largest scale at which all faces fit. */
 function fittingScale(faces, eye, width, height) {
   let across = 1e-9, upward = 1e-9;
   for (const face of faces)
@@ -103,7 +101,7 @@ function scaleBar(context, perMm, width, height) {
   context.fillText(`${neat(length)} mm`, 14, height - 22);
 }
 
-/** One scale for all stops would make a long strip small once it is folded: so it may grow while it folds. */
+/** Returns the scale of a stop. It may grow during folding, because a common scale would make a folded strip small. */
 function sceneScale(scene, stop, eye, width, height) {
   const common = fittingScale(scene.stops.flatMap((each) => each.faces), eye, width, height);
   return Math.min(fittingScale(stop.faces, eye, width, height), 1.8 * common);
@@ -123,7 +121,7 @@ function paint(canvas, scene, width) {
   scaleBar(context, perMm, width, height);
 }
 
-/** Everything that can be shown, flat first; the physics run last. */
+/** Returns all states that can be shown: flat first, the simulation last. */
 function stopsOf(data) {
   const {structure, states} = data, parts = plates(structure), level = seenFromSide(data);
   const stop = (state, look, text) => ({

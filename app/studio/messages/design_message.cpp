@@ -32,7 +32,7 @@ Json hinge_json(const HingeSection& hinge) {
 
 Json numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-constexpr double rattles = 2 * radians_per_degree;  // rad: what gives way by less does not move
+constexpr double rattles = 2 * radians_per_degree;  // rad: hinges that give way by less count as fixed
 
 Json size_json(const model::Assembly& assembly) {
   Eigen::AlignedBox3d box;

@@ -14,8 +14,8 @@
 namespace kinetix::app::studio {
 namespace {
 
-constexpr double farthest_mm = 1e6;           // a point a kilometre off is a slip of the mouse
-constexpr std::size_t most_entries = 100000;  // of a list, 1: more than any sheet has hinges
+constexpr double farthest_mm = 1e6;           // a point a kilometre away is a slip of the mouse
+constexpr std::size_t most_entries = 100000;  // per list, 1: more than any sheet has hinges
 
 InvalidInput wrong(const char* key, const std::string& allowed) {
   return InvalidInput(fmt::format("{}: must be {}", key, allowed));
@@ -134,7 +134,7 @@ std::string failure_message(const std::exception& error) {
 
 std::string plain_number(double value, int digits) {
   constexpr double least = 0.01,
-                   most = 99'999.5;  // beyond, an exponent is read sooner than zeros are counted
+                   most = 99'999.5;  // larger numbers are easier to read with an exponent
   const double size = std::abs(value);
   if (value != 0 && !(size >= least && size < most)) return fmt::format("{:.{}g}", value, digits);
   const int before = value == 0 ? digits : static_cast<int>(std::floor(std::log10(size))) + 1;

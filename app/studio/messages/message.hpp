@@ -9,12 +9,14 @@
 
 namespace kinetix::app::studio {
 
-inline constexpr double steepest_deg = 89;  ///< theta, deg, of a command either way, as --theta-deg has it
+inline constexpr double steepest_deg = 89;  ///< largest |theta| of a command, deg, as for --theta-deg
 
-/// A command of the page, read strictly: every getter throws InvalidInput that names the key and what is allowed.
+/// Command of the page, read strictly. Every getter throws InvalidInput that names the key and the allowed
+/// values.
 class Message {
  public:
-  /// @throws InvalidInput for text that is no JSON object with a `type`, or whose `id` is no positive number
+  /// @throws InvalidInput for text that is not a JSON object with a `type`, or whose `id` is not a positive
+  /// number
   explicit Message(std::string_view text);
 
   const std::string& type() const { return type_; }
@@ -29,7 +31,7 @@ class Message {
   std::vector<int> integers(const char* key, int least, int most) const;
   std::vector<double> numbers(const char* key, double least, double most) const;
   std::vector<std::string> texts(const char* key) const;
-  /// Of a map from names to texts.
+  /// Reads a map from names to texts.
   std::vector<std::pair<std::string, std::string>> named_texts(const char* key) const;
 
  private:
@@ -40,10 +42,10 @@ class Message {
   double id_ = 0;
 };
 
-/// Why a command of the page failed, in words for people.
+/// Describes for people why a command of the page failed.
 std::string failure_message(const std::exception& error);
 
-/// A number for people: to so many significant digits, without an exponent from 0.01 to 99 999.
+/// Formats a number with `digits` significant digits; without an exponent from 0.01 to 99 999.
 std::string plain_number(double value, int digits = 3);
 
 }  // namespace kinetix::app::studio

@@ -10,7 +10,7 @@ namespace {
 
 using Squares = model::ExactDesign<double>;
 
-constexpr double edge_mm = 10;  // of a cell: fits a hand and most printers
+constexpr double edge_mm = 10;  // per cell: fits a hand and most printers
 
 Design design_of(const char* name, const Squares& squares) {
   Design design;

@@ -7,14 +7,14 @@
 
 namespace kinetix::app::studio {
 
-/// A design to start from, flat, of stiff hinges.
+/// Flat design with rigid hinges, to start from.
 struct Template {
   std::string_view name, about;
   Design (*make)();
 };
 
 const std::vector<Template>& templates();
-/// @throws InvalidInput for a name that none has
+/// @throws InvalidInput for an unknown name
 Design template_design(std::string_view name);
 
 }  // namespace kinetix::app::studio

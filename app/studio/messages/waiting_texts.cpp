@@ -26,7 +26,7 @@ void WaitingTexts::add(Text text) {
     return std::find_if(texts_.begin(), texts_.end(), [&](const Text& one) { return one.type == type; });
   };
   const auto older = first(text.type);
-  // Results and paths follow the design that they belong to, and a design follows its meshes.
+  // Results and paths must follow the design that they belong to, and a design must follow its meshes.
   if (older != texts_.end() && (text.type == "design" || text.type == "meshes")) {
     *older = std::move(text);
     return;

@@ -7,21 +7,21 @@
 
 namespace kinetix::app::studio {
 
-/// A message for pages, all of which share its bytes.
+/// Message for pages; all of them share its bytes.
 struct Text {
   std::string type;  ///< of the message
   std::shared_ptr<const std::string> bytes;
 };
 
-/// Texts that wait for a page. Messages that describe the present (docs/studio.md, "What the page is told") wait once: a newer one
-/// takes the place of the older. Only the others add up, and are counted.
+/// Messages that wait for a page. A message that describes the present (docs/studio.md, "What the page is
+/// told") replaces an older one of its type. All others accumulate, and their bytes are counted.
 class WaitingTexts {
  public:
   void add(Text text);
   bool empty() const { return texts_.empty(); }
-  /// Removes the first. @pre not empty
+  /// Removes and returns the first. @pre not empty
   Text take();
-  /// Bytes of the messages that add up.
+  /// Returns the bytes of the messages that accumulate.
   std::size_t counted_bytes() const { return counted_; }
 
  private:

@@ -16,9 +16,9 @@
 namespace kinetix::app::studio {
 namespace {
 
-constexpr double followed_step = 0.05;  // rad of theta between equilibria that follow from each other
+constexpr double followed_step = 0.05;  // rad of theta between consecutive equilibria
 constexpr double snapped = 0.3;         // rad that a hinge turns in such a step: more is another branch
-constexpr double same_theta = 1e-7;     // rad: a drive knows its theta by the compression of its plates
+constexpr double same_theta = 1e-7;     // rad: accuracy of a drive's theta from the compression of its plates
 
 model::Elasticity elastic_hinges(Design design) {
   design.hinge.model = HingeSection::Model::elastic;
@@ -54,7 +54,7 @@ double Equilibria::force_N(double theta, double load) const {
   return drive.has_force() ? load : load / moving_.linkage.size.edge_mm;
 }
 
-/// One state after the other, each next to the one before. @return whether it came to theta
+/// Follows the equilibria from `at` to theta in small steps. @return whether it reached theta
 bool Equilibria::follow(model::DrivenState& at, double theta, const std::stop_token& stop) const {
   while (std::abs(theta - at.step.theta) > same_theta) {
     if (stop.stop_requested()) return false;

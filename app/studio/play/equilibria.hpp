@@ -9,31 +9,34 @@
 
 namespace kinetix::app::studio {
 
-/// Equilibria of a design under its own drive, or else the usual one, from flat on: what is known of its way.
+/// Known equilibria of a design from flat on, under its drive, or the default drive if it has none.
 struct KnownWay {
-  std::vector<model::DrivenState> states;  ///< theta, that of the drive, grows in size
+  std::vector<model::DrivenState> states;  ///< sorted by increasing |theta| of the drive
   model::EnergyTurns turns;
 };
 
-/// Elastic hinges of a design whose hinges may be rigid, under the drive to one theta after the other.
+/// Equilibria of a design with elastic hinges, even if its file has rigid ones, under a drive with changing
+/// theta.
 class Equilibria {
  public:
   using Seen = std::function<void(const model::DrivenState& at)>;
 
-  /// @param design theta counts alone as the side that it folds to   @param moving of it; bodies have their parts
+  /// @param design its theta gives only the side that it folds to   @param moving belongs to it; bodies have
+  /// their parts
   Equilibria(Design design, Moving moving);
 
-  /// Goes to theta, rad: from the nearest state of the way that is known, else from flat. `seen` hears of every state on
-  /// the way, the last one included.
-  /// @param way null: nothing is known   @param why in words where it does not come to theta; else empty
-  /// @return what is known then: as far as theta at least, unless the way ends before
+  /// Moves to theta, rad, from the nearest known state, or from flat. Calls `seen` for every state along the
+  /// path, including the last.
+  /// @param way null: nothing is known   @param why set to a sentence if theta is not reached; else empty.
+  /// @return known equilibria after the call: up to theta, unless the equilibrium path ends before it
   std::shared_ptr<const KnownWay> go(double theta, const std::shared_ptr<const KnownWay>& way,
                                      const std::stop_token& stop, const Seen& seen, std::string& why) const;
 
-  /// Where the structure goes when it is let go along the way.
+  /// Finds the stable states that the structure reaches when it is released along the path.
   std::vector<model::StableState> stable(const KnownWay& way, const std::stop_token& stop) const;
 
-  /// Load as a force from outside, N: a moment by the lever of a cell edge; 0 of springs, which need nobody.
+  /// Returns the load as an external force, N; a moment is divided by the cell edge. 0 for shape-memory
+  /// springs.
   double force_N(double theta, double load) const;
 
  private:

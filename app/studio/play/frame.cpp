@@ -7,7 +7,7 @@
 namespace kinetix::app::studio {
 namespace {
 
-constexpr double layout = 1;  // version of what follows
+constexpr double layout = 1;  // version of the layout below
 
 static_assert(std::endian::native == std::endian::little, "frames are little-endian");
 static_assert(sizeof(double) == 8 && std::numeric_limits<double>::is_iec559, "and IEEE doubles");
@@ -27,8 +27,8 @@ void add_pose(Numbers& out, const model::Pose& pose) {
   for (const double v : {pose.p.x(), pose.p.y(), pose.p.z(), q.w(), q.x(), q.y(), q.z()}) out.add(v);
 }
 
-constexpr double most_owed_s = 0.1;  // simulated: a tenth of a second behind is not seen
-// Of computing between two frames: 20 of them a second are shown however slow the engine is.
+constexpr double most_owed_s = 0.1;  // s simulated: a delay of a tenth of a second is not visible
+// Computing time between two frames: it leaves 20 frames per second, even if the engine is slow.
 constexpr std::chrono::milliseconds busy{30};
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace kinetix::app::studio {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double folded = 0.01;      // rad of theta: nearer to flat there is nothing to hold
-constexpr double usual_rest = 0.35;  // rad of theta: about where springs of shape memory rest
+constexpr double folded = 0.01;      // rad of theta: nearer to flat, the engine needs no drive
+constexpr double usual_rest = 0.35;  // rad of theta: typical rest angle of shape-memory springs
 
 }  // namespace
 
@@ -60,7 +60,7 @@ void Player::enter(Mode mode) {
   if (mode == Mode::bullet) enter_engine(driven);
 }
 
-/// Whether it goes by another theta than the sheet's.
+/// Returns whether the drive's theta differs from the sheet's.
 bool Player::has_drive_of_its_own() const {
   return design_.drive && !std::holds_alternative<model::Plates>(*design_.drive) && !body_pull_of(design_);
 }
@@ -72,14 +72,14 @@ double Player::sheet_theta() const {
   return is_known || is_pulled ? theta_ : moving_->theta_of(state_);
 }
 
-/// Of the drive that holds a state of a sheet at theta, rad.
+/// Returns the theta (rad) of the drive that holds `state`, whose sheet theta is `theta`.
 double Player::drive_theta(double theta, const model::State& state) const {
   if (!has_drive_of_its_own()) return theta;
   return model::theta_in(drive_of(design_), moving_->linkage, state) / kept_;
 }
 
-/// How far springs of shape memory take the sheet, over where they rest: hinges hold them back by about the same part
-/// wherever that is.
+/// Returns the sheet's theta over the rest theta of shape-memory springs. Hinges resist the springs; the
+/// ratio is about the same at all rest angles.
 double Player::kept_by_springs() const {
   if (!has_drive_of_its_own() || !moving_->exact) return 1;
   const model::LinkageDrive drive = drive_of(design_);
@@ -90,7 +90,7 @@ double Player::kept_by_springs() const {
   return kept > 0 ? kept : 1;
 }
 
-/// @param driven theta of the drive that holds the present state, where it is known
+/// @param driven theta of the drive that holds the present state, if known
 void Player::enter_engine(std::optional<double> driven) {
   const double at = moving_->theta_of(state_);
   try {

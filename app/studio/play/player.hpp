@@ -7,42 +7,46 @@
 
 namespace kinetix::app::studio {
 
-/// The shape of a design at the moment: on its exact way, in equilibrium, or in the engine.
+/// Present shape of a design: on its exact path, in equilibrium, or in the engine.
 class Player {
  public:
-  /// Bodies are at rest: their way is not known yet.
+  /// Shows the design at its theta. The motion of bodies is not known yet, and they are at rest.
   explicit Player(const Design& design);
 
-  /// Another design, folded as far as the one before. Where it has no exact motion, the mode is equilibrium until one
-  /// comes that has; bodies that are not cut yet begin with their exact motion. Where that fails for want of memory the
-  /// design before stays, but for a failure of the engine, which is left.
+  /// Loads another design at the fold of the one before. A design without exact motion switches to
+  /// equilibrium until one with exact motion is loaded. Bodies without convex pieces start in their exact
+  /// motion.
+  /// If memory runs out, the design before stays. If the engine fails, the mode changes to exact or
+  /// equilibrium.
   void load(const Design& design);
   const Moving& moving() const { return *moving_; }
-  /// The way of that hinge; it stays as far turned as it was.
+  /// Sets the known motion of the turned hinge. Its turn does not change.
   void take(std::shared_ptr<const BodiesWay> way) { moving_->take(std::move(way)); }
-  /// What bodies collide with, cut to convex pieces.
+  /// Sets the convex pieces for collisions of bodies.
   void take(std::shared_ptr<const sim::ContactParts> parts,
             std::shared_ptr<const model::ConvexBodies> pressing) {
     moving_->parts = std::move(parts);
     moving_->pressing = std::move(pressing);
   }
   Mode mode() const { return mode_; }
-  /// Changes how the shape is computed; it stays as near as the mode has it.
-  /// @pre bodies have their parts for all but exact   @throws InvalidInput for exact where the design does not move exactly
+  /// Changes how the shape is computed, and keeps the shape as near as the mode allows.
+  /// @pre bodies have their parts, except for exact   @throws InvalidInput for exact if the design has no
+  /// exact motion
   void enter(Mode mode);
 
-  /// Folds to theta, rad: exact at once, bullet by the design's drive, whose springs of shape memory turn springs() on. An
-  /// equilibrium comes by show_equilibrium(). Theta is that of the design's own drive (LinkageDrive::theta) in all but exact.
+  /// Folds to theta, rad. Exact mode folds at once; bullet uses the design's drive, and shape-memory springs
+  /// turn springs() on. In equilibrium mode show_equilibrium() must follow. Theta belongs to the design's
+  /// drive (LinkageDrive::theta) except in exact mode.
   void fold_to(double theta);
-  /// @throws InvalidInput where the mode is not equilibrium
+  /// @throws InvalidInput if the mode is not equilibrium
   void show_equilibrium(const model::State& state, double theta, double force_N, double energy_Nmm);
 
-  /// The hands of the page. @param at rest place of a point of the body, mm   @param to mm
+  /// Moves a body by the page's pointer. @param at rest place of a point of the body, mm   @param to mm
   void drag(int body, const Eigen::Vector3d& at, const Eigen::Vector3d& to);
   void push(int body, const Eigen::Vector3d& at, double force_N);
   void fix(int body, bool fixed);
   void release();
-  /// Flat, or at rest, nothing fixed.
+  /// Returns to the flat or rest state, with nothing fixed.
   void reset();
   void set_gravity(bool on);
   /// @throws InvalidInput for bodies, whose hinges turn freely in the engine
@@ -51,16 +55,16 @@ class Player {
   void set_speed(double factor) { speed_ = factor; }
   void step();
 
-  /// Whether the engine has anything to do.
+  /// Returns whether the engine has work to do.
   bool plays() const;
-  /// Goes on in the engine as far as time has gone on since the last call.
+  /// Advances the engine by the time since the last call.
   void play();
 
-  double theta() const;        ///< rad, as fold_to() takes it
-  double drive_theta() const;  ///< rad: of the design's own drive, in all modes
-  double sheet_theta() const;  ///< rad: as far as the shape is folded, whatever drives it
+  double theta() const;        ///< rad, as set by fold_to()
+  double drive_theta() const;  ///< rad: of the design's drive, in all modes
+  double sheet_theta() const;  ///< rad: fold of the shape, independent of the drive
   const model::State& state() const { return state_; }
-  /// Without revision and hearers.
+  /// Returns the shape without revision and `heard`.
   Frame frame() const;
   bool paused() const { return paused_; }
   bool gravity() const { return gravity_; }
@@ -79,15 +83,15 @@ class Player {
 
   Design design_;
   std::unique_ptr<Moving> moving_;
-  Mode wanted_ = Mode::exact, mode_ = Mode::exact;  ///< the one asked for; the one that the design allows
-  double theta_ = 0;                                ///< rad, of exact and equilibrium
-  bool is_awaited_ = false;  ///< the equilibrium at theta_: none of the design was shown yet
+  Mode wanted_ = Mode::exact, mode_ = Mode::exact;  ///< requested mode; mode that the design allows
+  double theta_ = 0;                                ///< rad, in exact and equilibrium mode
+  bool is_awaited_ = false;  ///< equilibrium at theta_ was not shown since the design was loaded
   double kept_ = 1;          ///< kept_by_springs() of the design
   model::State state_;
   double force_N_, energy_Nmm_;
-  std::unique_ptr<sim::LiveSheet> live_;  ///< of bullet alone; after moving_, which it looks at
+  std::unique_ptr<sim::LiveSheet> live_;  ///< bullet mode only; declared after moving_, which it uses
   std::set<int> fixed_;
-  bool paused_ = false, gravity_ = false, springs_ = false;  ///< as asked for
+  bool paused_ = false, gravity_ = false, springs_ = false;  ///< as requested
   double speed_ = 1;
   PlayTime time_;
 };

@@ -23,14 +23,15 @@
 namespace kinetix::app::studio {
 namespace {
 
-constexpr double farthest = 178 * radians_per_degree;  // rad: beyond, half a turn either way looks alike
-// mm: faces that slide on each other are off by less in files of floats
+constexpr double farthest = 178 * radians_per_degree;  // rad: near half a turn both directions look the same
+// mm: sliding faces in files of floats may overlap by less
 constexpr double touching_mm = 0.01;
-constexpr double turn_window = 0.6;  // rad: a hand does not throw it through a fold; twice that of theta
+constexpr double turn_window = 0.6;  // rad: limits a drag, which must not jump through a fold; twice theta's
 
 using Pairs = std::vector<std::array<int, 2>>;
 
-/// Pairs whose surfaces cross; only the first one, where `all` is false. @param but pairs that are not looked at
+/// Finds pairs of bodies whose surfaces cross; only the first pair if `all` is false. @param but pairs to
+/// skip
 Pairs crossing_pairs(const model::Assembly& assembly, const model::State& state, const Pairs& but, bool all) {
   Pairs out;
   const int count = static_cast<int>(state.size());
@@ -54,7 +55,7 @@ Pairs crossing_pairs(const model::Assembly& assembly, const model::State& state,
   return out;
 }
 
-/// Between two known states, closed.
+/// Interpolates between two known states and closes the hinges.
 model::State between_states(const model::Linkage& linkage, const BodiesWay& way, double turn) {
   std::size_t k = 1;
   while (k + 1 < way.turns.size() && way.turns[k] < turn) ++k;
@@ -69,16 +70,16 @@ model::State between_states(const model::Linkage& linkage, const BodiesWay& way,
   return solve_closure(linkage, out, {}).state;
 }
 
-constexpr double largest_theta = 85 * radians_per_degree;  // no sheet of walls with a thickness folds further
-constexpr double theta_window = 0.3;  // rad: a hand does not throw the sheet through a fold
-constexpr int theta_bits = 26;        // of a minimum of doubles no more can be known
+constexpr double largest_theta = 85 * radians_per_degree;  // rad: sheets with thick walls do not fold further
+constexpr double theta_window = 0.3;  // rad: limits a drag, which must not jump through a fold
+constexpr int theta_bits = 26;        // a minimum in doubles has no more significant bits
 
 Eigen::Vector3d carried(const Moving& moving, double theta, int body, const Eigen::Vector3d& at) {
   const model::State state = moving.exact.at(theta);
   return state[body].p + state[body].R * (at - moving.linkage.rest_position(body));
 }
 
-/// Whether it is the same body or hinge of two designs, but for its stiffness.
+/// Returns whether two bodies or hinges are equal except for stiffness.
 bool is_same(const model::AssemblyBody& a, const model::AssemblyBody& b) {
   return a.position == b.position && a.solid.points == b.solid.points &&
          a.solid.triangles == b.solid.triangles;
@@ -95,7 +96,7 @@ Design turned_as_shown(Design design, const Moving& moving, double theta) {
   return design;
 }
 
-/// @pre it has a drive
+/// @pre the design has a drive
 void end_drive_at(Design& design, double drive_theta) {
   design.drive = as_far_as(drive_to(design, drive_theta), *design.drive);
 }
@@ -278,7 +279,7 @@ Design as_far_as_shown(Design design, const Moving& moving, double sheet_theta, 
 Design saved_as_shown(Design design, const Moving& moving, double sheet_theta, double drive_theta) {
   if (moving.bodies) return turned_as_shown(std::move(design), moving, sheet_theta);
   if (design.drive && sheet_theta != 0) end_drive_at(design, drive_theta);
-  // Without an exact motion it is opened by its drive, whose theta need not be the sheet's.
+  // A design without exact motion is opened by its drive, whose theta can differ from the sheet's.
   design.theta = moving.exact ? sheet_theta : drive_theta;
   return design;
 }

@@ -26,7 +26,7 @@ std::string kept_text(const std::string& text, const std::string& save_file) {
                      text);
 }
 
-/// Where `save` would write it.
+/// Returns the file that `save` would write; empty if the text names none.
 std::string save_file_of(const std::string& text) {
   if (!text.starts_with(kept_heading)) return "";
   const std::size_t begin = kept_heading.size(), end = text.find('\n');
@@ -34,7 +34,7 @@ std::string save_file_of(const std::string& text) {
   return about.is_object() ? about.value("saves_to", std::string()) : "";
 }
 
-/// Of the source, for people and for the rest of us.
+/// Returns a folder name for a source: readable, and unique by its hash.
 std::string place_name(const std::string& source) {
   std::string stem =
       fs::path(source).parent_path().filename().string() + "-" + fs::path(source).stem().string();

@@ -15,9 +15,9 @@
 namespace kinetix::app::studio {
 namespace {
 
-constexpr double rounded_share = 1e-9;      // of a length: by as much its digits in a file may be off
-constexpr double farthest_stiffness = 1e9;  // N/mm and N mm/rad, and its inverse: far from all hinges
-constexpr int most_cells_a_side = 200;      // what a page can show at 15 frames a second
+constexpr double rounded_share = 1e-9;      // of a length: error of its digits in a file
+constexpr double farthest_stiffness = 1e9;  // N/mm and N mm/rad, and its inverse: beyond all hinges
+constexpr int most_cells_a_side = 200;      // a page shows this many at 15 frames per second
 
 const targets::KeyTable& only_hinge() {
   static const targets::KeyTable keys(
@@ -37,7 +37,7 @@ void change(model::HingeParameters& hinge, const Message& message, double edge_m
   if (message.has("offset_mm")) hinge.offset = message.number("offset_mm", -edge_mm, edge_mm) / edge_mm;
 }
 
-/// Of bodies: what is not given stays as it was imported.
+/// Changes a hinge of bodies. Values that the message lacks keep their imported value.
 void change(model::AssemblyHinge& hinge, const Message& message) {
   for (const char* key : {"t", "alpha_deg", "beta_deg", "offset_mm"})
     if (message.has(key))
@@ -73,7 +73,7 @@ void take_what_was_asked(const Message& message, const model::HingeParameters& f
   if (message.has("offset_mm")) to.offset = from.offset;
 }
 
-/// What was changed of hinges, on the other side too; of two that are each other's image the first one counts.
+/// Copies the changes to the mirrored hinges. If two changed hinges mirror each other, the first one decides.
 void change_images(const std::vector<int>& hinges, const model::SheetSymmetry& symmetry,
                    const Message& message, model::Lattice& sheet) {
   const model::Structure before = *sheet.squares();
@@ -91,15 +91,15 @@ const model::Structure& squares_of(const Design& design) {
   throw InvalidInput("cells can be painted on a sheet of squares only");
 }
 
-/// What was as thick and high as its wall stays so.
-/// @throws InvalidInput for a hinge that such walls and cells have no room for
+/// Scales sizes of the hinge that equal the wall's thickness and height.
+/// @throws InvalidInput for a hinge that does not fit into such walls and cells
 void fit_to_walls(HingeSection& hinge, const model::CellSize& before, const model::CellSize& now) {
   if (!hinge.made) return;
   hinge.made = fitted(*hinge.made, before, now);
   validate(*hinge.made, now);
 }
 
-/// The drive goes with the cells that it was given for; a cord is shortened by the same part of them.
+/// Replaces the cells. Other cells remove the drive; other sizes scale it with the edge.
 Design with_cells(Design design, std::vector<model::Cell> cells, const model::CellSize& size) {
   const model::CellSize before = design.structure.size();
   auto [structure, from] = model::redrawn(squares_of(design), std::move(cells), size);
@@ -117,8 +117,9 @@ Design with_cells(Design design, std::vector<model::Cell> cells, const model::Ce
   return design;
 }
 
-/// Gives what the message says to the first hinge, and to those on walls along the same axis as exact sheets have it:
-/// tilts of the other sign and the other half of the wall on every second one. Others get the same.
+/// Applies the message to the first hinge, and to hinges on walls along its axis alternately, as exact sheets
+/// require. Every second wall gets tilts of the other sign and the opposite part of the wall. Hinges along
+/// the other axis get the first hinge's values.
 void alternate(const model::Structure& squares, const std::vector<int>& hinges, const Message& message,
                double edge_mm, model::Lattice& sheet) {
   if (hinges.empty()) return;
@@ -133,7 +134,7 @@ void alternate(const model::Structure& squares, const std::vector<int>& hinges, 
   }
 }
 
-/// The design, whose file could not be read again if a hinge sat further off its wall than it can be made.
+/// Checks hinge offsets: a hinge too far off its wall would make the file unreadable.
 Design with_offsets_that_fit(Design design) {
   for (int h = 0; h < design.structure.hinges(); ++h)
     if (const auto why = why_offset_does_not_fit(design, h))
@@ -141,7 +142,7 @@ Design with_offsets_that_fit(Design design) {
   return design;
 }
 
-/// One `cell`, or the `cells` of a stroke.
+/// Reads one `cell`, or the `cells` of a stroke.
 std::vector<model::Cell> painted(const Message& message) {
   const bool many = message.has("cells");
   const std::vector<int> at = message.integers(many ? "cells" : "cell", 0, most_cells_a_side - 1);
@@ -165,8 +166,9 @@ std::string kind_text(const Message& message) {
   throw InvalidInput("kind: must be stiff, pin, block or film");
 }
 
-/// What a made hinge must say of its size, where the page does not: a block a little longer than thick, where its
-/// stiffness is well known; a film of two lines of a nozzle over twice that way; a rod as thick as its wall.
+/// Returns sizes of a made hinge that the page leaves out. A block is a little longer than thick, the range
+/// where its stiffness is well known. A living hinge has two nozzle lines (0.4 mm) and twice the wall's
+/// thickness as its gap. A pin is as thick as its wall, at least 1 mm.
 std::string sizes_text(const Message& message, const model::CellSize& size) {
   const std::string kind = message.text("kind");
   if (kind == "pin") return fmt::format(", diameter_mm: {:.3g}", std::max(1.0, size.thickness_mm));
@@ -211,7 +213,8 @@ Design with_cell(Design design, const Message& message) {
   return design;
 }
 
-/// Walls as thick or as high as is usual of their cells stay so; others keep their millimetres.
+/// Scales thickness and height that have their default for the cell size; other values keep their
+/// millimetres.
 model::CellSize with_edge(const model::CellSize& size, double edge_mm) {
   const model::CellSize usual = default_size(size.edge_mm), now = default_size(edge_mm);
   const auto follow = [](double own, double usual_before, double usual_now) {

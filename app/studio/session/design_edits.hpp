@@ -5,8 +5,8 @@
 
 namespace kinetix::app::studio {
 
-/// What a command of the page makes of a design (docs/studio.md): `hinge`, `paint`, `sheet`, `made`, `driven`.
-/// @throws InvalidInput for what the design cannot be
+/// Designs after a command of the page (docs/studio.md): `hinge`, `paint`, `sheet`, `made`, `driven`.
+/// @throws InvalidInput if the design cannot be changed so
 Design with_hinges(Design design, const Message& message);
 Design with_cell(Design design, const Message& message);
 Design with_sheet(Design design, const Message& message);

@@ -8,7 +8,7 @@ namespace kinetix::app::studio {
 namespace {
 
 constexpr std::size_t longest = 100;           // steps back: more than anybody remembers
-constexpr std::size_t most_bytes = 128 << 20;  // of all designs; then as many steps as that holds
+constexpr std::size_t most_bytes = 128 << 20;  // bytes of all designs; limits the number of steps
 
 constexpr std::size_t hinge_bytes = 56, body_bytes = 8, cell_bytes = 40;  // bytes, in a sheet of squares
 constexpr std::size_t point_bytes = 24, triangle_bytes = 12;  // bytes, three doubles and three ints of a mesh
@@ -17,7 +17,7 @@ std::size_t size_of(const model::Polyhedron& solid) {
   return solid.points.size() * point_bytes + solid.triangles.size() * triangle_bytes;
 }
 
-/// About as many bytes as the design takes.
+/// Estimates the memory of a design, bytes.
 std::size_t size_of(const Design& design) {
   const model::Lattice& sheet = design.structure;
   std::size_t bytes = sheet.hinges() * hinge_bytes + sheet.bodies() * body_bytes + sheet.cells() * cell_bytes;
@@ -31,7 +31,7 @@ std::size_t size_of(const Design& design) {
 }  // namespace
 
 DesignHistory::DesignHistory(Design first) {
-  designs_.reserve(longest + 1);  // so that add() needs no memory
+  designs_.reserve(longest + 1);  // allocates now: add() needs no memory for the list
   designs_.push_back({std::move(first), 0, {}});
 }
 

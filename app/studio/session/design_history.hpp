@@ -12,14 +12,14 @@ struct Run;
 
 namespace kinetix::app::studio {
 
-/// The result that a design is of.
+/// Result that a design belongs to.
 struct Finding {
-  std::shared_ptr<const Run> run = {};  ///< of a search of this session; null: of none
-  nlohmann::ordered_json told = {};     ///< the message of the result; null: none is known
-  double theta = 0;                     ///< of the design as it was found, rad
+  std::shared_ptr<const Run> run = {};  ///< search of this session; null: none
+  nlohmann::ordered_json told = {};     ///< message of the result; null: none
+  double theta = 0;                     ///< theta of the design when it was found, rad
 };
 
-/// A design and those that it came from, each with the number of the thing that it is a state of: edits stay with theirs.
+/// A design and its predecessors. Each has the number of its thing; edits keep that number.
 class DesignHistory {
  public:
   explicit DesignHistory(Design first);
@@ -27,15 +27,15 @@ class DesignHistory {
   const Design& current() const { return designs_[at_].design; }
   int thing() const { return designs_[at_].thing; }
   const Finding& finding() const { return designs_[at_].finding; }
-  /// Of the present design, which keeps it while others are undone and redone.
+  /// Sets the finding of the present design. Undo and redo keep it.
   void set_finding(Finding finding) { designs_[at_].finding = std::move(finding); }
-  /// The next design, in the place of those that were undone.
+  /// Adds the next design and drops those that were undone.
   void add(Design design, int thing, Finding finding = {});
   bool can_undo() const { return at_ > 0; }
   bool can_redo() const { return at_ + 1 < designs_.size(); }
-  /// @return whether there was anything to undo
+  /// @return whether a step could be undone
   bool undo();
-  /// @return whether there was anything to redo
+  /// @return whether a step could be redone
   bool redo();
   void mark_saved() { saved_ = static_cast<int>(at_); }
   bool is_saved() const { return saved_ == static_cast<int>(at_); }
@@ -49,7 +49,7 @@ class DesignHistory {
 
   std::vector<Entry> designs_;
   std::size_t at_ = 0;
-  int saved_ = 0;  ///< index of the one that is on the disk; -1: none of these
+  int saved_ = 0;  ///< index of the saved design; -1: none
 };
 
 }  // namespace kinetix::app::studio

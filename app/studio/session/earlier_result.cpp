@@ -17,23 +17,23 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t largest_result = 64 << 20;  // bytes: a result of some 10 000 bodies has 20 MB
-constexpr double rounding = 1e-9;  // relative, or mm and rad: offsets lose their last bit in files
+constexpr std::size_t largest_result = 64 << 20;  // bytes: a result of 10 000 bodies has about 20 MB
+constexpr double rounding = 1e-9;  // relative, or mm and rad: files drop the last bit of offsets
 
-/// A number of `metrics`, in a line as summary() has them.
+/// A number of `metrics`, formatted in a line as by summary().
 struct Measure {
   const char* key;
   const char* label;
   const char* before;
-  double unit;  // of the text, over that of the file
-  int digits;   // significant
+  double unit;  // of the text over that of the file
+  int digits;   // number of significant digits
   const char* after;
 };
 
 constexpr double percent = 100,
-                 degree = 1 / radians_per_degree;  // of a ratio and of a radian, as people read them
+                 degree = 1 / radians_per_degree;  // units for a ratio and for a radian, as people read them
 
-/// Of all kinds of goals; what other numbers say only experts ask.
+/// Numbers to show, for all kinds of goals. Others interest only experts.
 constexpr Measure told_measures[] = {
     {"theta_rad", "folded", "theta ", degree, 4, " deg"},
     {"shape_rms", "shape", "rms ", percent, 3, " % of the goal's diagonal"},
@@ -62,11 +62,11 @@ std::string told_line(const std::string& label, const std::string& text) {
 }
 
 std::string told_number(double value, int digits) {
-  constexpr double seen = 1e-3;  // of all units above: what is less is nothing to a person
+  constexpr double seen = 1e-3;  // of all units above: smaller values do not matter to people
   return std::abs(value) < seen ? "below 0.001" : plain_number(value, digits);
 }
 
-/// What the result knows of it, in words as after the search.
+/// Describes the result, as after the search.
 std::string words(const Json& result, const std::string& file) {
   const Json& metrics = result["metrics"];
   std::string out = result.value("name", std::string("A result")) + ", from " + file;
@@ -94,7 +94,8 @@ Json read(const fs::path& file) {
   }
 }
 
-/// Whether it is a result of a search as the program writes them: nobody asked for the file beside a design.
+/// Returns whether it is a search result as the program writes it. The file was not requested and may be
+/// anything.
 bool is_of_search(const Json& result) {
   const auto is = [](const Json& part, const char* key, bool (Json::*kind)() const noexcept) {
     return part.contains(key) && (part[key].*kind)();

@@ -8,12 +8,13 @@
 
 namespace kinetix::app::studio {
 
-/// The message `result` (docs/studio.md) of the result.json that lies beside a design file: its goal and its errors. Null
-/// where there is none, it cannot be read, it had no goal, or its sheet is another one: bodies or hinges that differ by more
-/// than design files round.
+/// Returns the message `result` (docs/studio.md) of the result.json next to a design file: its goal and its
+/// errors.
+/// Null if there is no such file, it cannot be read, it had no goal, or its sheet differs: bodies or hinges
+/// by more than the rounding of design files.
 nlohmann::ordered_json earlier_result(const std::string& design_file, const Design& design);
 
-/// Of such a message: theta of the state that the result shows, rad; nothing where there is none.
+/// Returns the theta of the state that the result of such a message shows, rad; empty without one.
 std::optional<double> theta_reached(const nlohmann::ordered_json& message);
 
 }  // namespace kinetix::app::studio

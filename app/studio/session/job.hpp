@@ -9,8 +9,8 @@
 
 namespace kinetix::app::studio {
 
-/// Work of a session that takes long, on a thread of its own, one after the other. Whoever starts the next does not wait: what runs
-/// is asked to stop, and the newest that was started begins when it has.
+/// Long work of a session, one task at a time, on a separate thread. start() does not wait. It asks the
+/// running task to stop; the newest task begins after that.
 class Job {
  public:
   using Work = std::function<void(const std::stop_token& stop)>;
@@ -27,7 +27,8 @@ class Job {
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
 
-  /// @param work says itself what goes wrong in it   @param dropped called where newer work came before this began
+  /// @param work reports its errors itself   @param dropped called if newer work replaced this before it
+  /// began
   void start(
       Work work, std::function<void()> dropped = [] {}) {
     std::optional<Next> older;
@@ -77,7 +78,7 @@ class Job {
       try {
         now->work(now->stop);
       } catch (...) {
-        // There was not even room to say so.
+        // Even the error report failed, for lack of memory.
       }
     }
   }

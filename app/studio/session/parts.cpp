@@ -6,7 +6,7 @@
 
 namespace kinetix::app::studio {
 
-/// Nothing is kept of what cannot come whole.
+/// Drops all files and refuses further parts.
 void Parts::refuse(const std::string& why) {
   files_.clear();
   refusal_ = why;

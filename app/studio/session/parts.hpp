@@ -8,15 +8,16 @@ namespace kinetix::app::studio {
 
 /// Bytes, 32 MiB, of all files that a page sends in parts for a search: a scan of half a million triangles.
 inline constexpr std::int64_t most_part_bytes = 32 << 20;
-/// Files of a search: a goal takes two or three.
+/// Files of a search: a goal needs two or three.
 inline constexpr std::size_t most_part_files = 100;
 
-/// Files that come in parts, since one message holds at most 768 kB.
+/// Files that are sent in parts, because a message holds at most 768 KiB.
 class Parts {
  public:
-  /// @param at bytes of that file that came before: 0 begins it anew
-  /// @throws InvalidInput where a part is missing, or the files together would be larger than most_part_bytes or more than
-  /// most_part_files; then for all parts up to the next that begins a file
+  /// Appends a part.
+  /// @param at number of bytes of the file already sent; 0 starts it anew
+  /// @throws InvalidInput if a part is missing, or if the files exceed most_part_bytes or most_part_files.
+  /// After exceeding a limit, all parts are refused until one starts a file.
   void add(const std::string& name, std::int64_t at, const std::string& content);
 
   const std::map<std::string, std::string>& files() const { return files_; }
@@ -25,7 +26,7 @@ class Parts {
   void refuse(const std::string& why);
 
   std::map<std::string, std::string> files_;
-  std::string refusal_;  ///< of the parts before; empty: they were taken
+  std::string refusal_;  ///< reason of the last refusal; empty: none
 };
 
 }  // namespace kinetix::app::studio

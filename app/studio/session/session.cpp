@@ -23,16 +23,16 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr double largest_push_N = 1000;  // more than a person pushes with
-constexpr double same_fold = 1e-6;       // rad of theta: nearer to where a search ended nobody moved it
+constexpr double largest_push_N = 1000;  // N: more than a person pushes with
+constexpr double same_fold = 1e-6;       // rad of theta: a smaller change from the search's end is not a move
 
-/// Where the equilibrium of a result ended, rad, which need not be where its design was asked to go; nothing of other results, whose
-/// designs stand as they were saved.
+/// Returns the theta (rad) where the equilibrium of a result ended, which can differ from the requested
+/// theta. Empty for other results: their designs are shown as saved.
 std::optional<double> theta_of_equilibrium(const Json& told) {
   return told.is_object() && told["result"].contains("equilibrium") ? theta_reached(told) : std::nullopt;
 }
 
-/// A folder that was not there before. Where none can be made the name of one, which then cannot be written to.
+/// Creates a folder with a new name. If that fails, writing to the returned name fails later.
 fs::path new_folder(const fs::path& inside, const std::string& name) {
   std::error_code failure;
   fs::create_directories(inside, failure);
@@ -119,7 +119,7 @@ void Session::stop_jobs() {
   for (Job* job : {&tracer_, &searcher_, &exporter_, &follower_, &cutter_}) job->ask_to_stop();
 }
 
-/// Long work for whoever asked for it, who hears what goes wrong.
+/// Starts long work for the present client, which receives its errors.
 void Session::start(Job& job, double id, const std::string& about, const Job::Work& work) {
   job.start(
       [this, client = client_, id, about, work](const std::stop_token& asked) {
@@ -137,7 +137,7 @@ void Session::start(Job& job, double id, const std::string& about, const Job::Wo
 const std::map<std::string, Session::Command>& Session::commands() {
   using S = Session;
   using M = Message;
-  const auto told = [](const Command& change) {  // to everybody: it changes the state
+  const auto told = [](const Command& change) {  // sends the state to everybody, since the command changes it
     return [change](S& s, const M& m) {
       change(s, m);
       s.tell_state();
@@ -163,7 +163,7 @@ const std::map<std::string, Session::Command>& Session::commands() {
       {"springs", told([](S& s, const M& m) { s.player_.set_springs(m.boolean("on")); })},
       {"reset", told([](S& s, const M&) {
          s.tracer_.ask_to_stop();
-         ++s.traces_;  // states of it that wait to be shown are not
+         ++s.traces_;  // discards its states that wait to be shown
          s.player_.reset();
        })},
       {"snap", [](S& s, const M&) { s.snap(); }},
@@ -226,13 +226,13 @@ void Session::take(Design design, Finding finding) {
   add(std::move(design), history_.thing(), std::move(finding));
 }
 
-/// One that is no change of the present design: `save` leaves that one's file alone.
+/// Adds a design that does not derive from the present one. `save` must not overwrite the present one's file.
 void Session::take_other(Design design, Finding finding) {
   save_files_.emplace_back();
   add(std::move(design), static_cast<int>(save_files_.size()) - 1, std::move(finding));
 }
 
-/// Where a design cannot be loaded, as for want of memory, the one before stays.
+/// Adds and shows a design. If it cannot be loaded, for example for lack of memory, the one before stays.
 void Session::add(Design design, int thing, Finding finding) {
   player_.load(design);
   history_.add(std::move(design), thing, std::move(finding));
@@ -251,14 +251,14 @@ void Session::go_back(bool forth) {
   design_changed();
 }
 
-/// @pre the player has it
+/// @pre the player has loaded the design
 void Session::design_changed() {
   tracer_.ask_to_stop();
   ++revision_;
   stable_.clear();
   way_.reset();
   path_ = nullptr;
-  ++traces_;  // what is under way is of another design
+  ++traces_;  // running traces belong to another design
   changed_ = true;
   is_told_ = false;
   design_text_ = {};
@@ -270,7 +270,7 @@ void Session::design_changed() {
   if (player_.mode() == Mode::equilibrium) trace(player_.theta());
 }
 
-/// So that a studio that is killed opens with it.
+/// Keeps the unsaved design on the disk: a studio opens it after a crash.
 void Session::keep_unsaved() {
   if (!opened_.autosave) return;
   try {
@@ -303,14 +303,14 @@ void Session::open(const Message& message) {
   take_other(std::move(design));
 }
 
-/// Of the present design: the file that it came from, or one in a new folder, which is this session's from now on.
+/// Returns the path to save the present design to; creates a results folder on first save.
 fs::path Session::save_file() {
   std::string& file = save_files_[history_.thing()];
   if (file.empty()) file = (new_folder(opened_.results, history_.current().name) / "design.yaml").string();
   return file;
 }
 
-/// Of a result that was kept with its design, and lies nowhere else.
+/// Saves a result that was kept with its design, unless the folder has a result.json.
 void Session::save_result_beside(const std::string& folder) const {
   const Json& told = history_.finding().told;
   const fs::path file = fs::path(folder) / "result.json";
@@ -318,7 +318,7 @@ void Session::save_result_beside(const std::string& folder) const {
   if (told.is_object() && !fs::exists(file, none)) write_file(file.string(), told["result"].dump(1) + "\n");
 }
 
-/// The design as it was found or made. `at_fold`: as far folded as it is shown, which is a change of it.
+/// Saves the design. `at_fold` saves it at the shown fold, which changes the design.
 void Session::save(const Message& message) {
   const bool at_fold = message.has("at_fold") && message.boolean("at_fold");
   Design design = history_.current();
@@ -352,7 +352,7 @@ void Session::save(const Message& message) {
   tell_design();
 }
 
-/// The newest, for everybody from now on, behind the meshes of bodies that look otherwise than those before.
+/// Sends the newest design. If bodies changed their shape, their meshes are sent to everybody before it.
 void Session::tell_design(int client) {
   const auto& bodies = player_.moving().bodies;
   if (bodies && !have_one_shape(bodies.get(), meshes_of_.get())) {
@@ -373,7 +373,7 @@ void Session::tell_design(int client) {
   if (client == everybody) is_told_ = true;
 }
 
-/// That of the present design, where one is known.
+/// Sends the result of the present design, if any.
 void Session::tell_result(int client) const {
   Json told = history_.finding().told;
   if (told.is_null()) return;

@@ -15,25 +15,25 @@
 
 namespace kinetix::app::studio {
 
-/// What `view` was asked to open.
+/// Input of a session: the design that `view` opens and its options.
 struct Opened {
   Design design;
-  std::string save_file;    ///< that the design was read from, where `save` writes it; empty: none
-  std::string target_file;  ///< not empty: searched for at once
+  std::string save_file;    ///< file of the design, where `save` writes it; empty: none
+  std::string target_file;  ///< searched for at the start; may be empty
   int threads = 0;
   std::uint64_t seed = 0;
-  nlohmann::ordered_json result =
-      {};                           ///< the message of the result that the design is of; null: none is known
-  std::string results = "results";  ///< the folder in which `save` makes one for what was read from no file
-  std::shared_ptr<Autosave> autosave = {};  ///< where what is not saved is kept; null: nowhere
+  nlohmann::ordered_json result = {};       ///< message of the design's result; null: none
+  std::string results = "results";          ///< folder where `save` makes one for a design without a file
+  std::shared_ptr<Autosave> autosave = {};  ///< keeps unsaved designs; null: they are not kept
 };
 
-/// Bodies of the largest sheet that is opened: 500 x 500 cells. Its message has 150 MB; more than twice that no browser reads.
+/// Bodies of the largest sheet that is opened: 500 x 500 cells. Its message has 150 MB; browsers cannot read
+/// much more than twice that.
 inline constexpr int most_bodies = 300'000;
 /// @throws InvalidInput for a design that the page cannot show
 void require_showable(const Design& design);
 
-/// A design in the studio, its shape at the moment, and what runs on its behalf.
+/// A design in the studio, its present shape, and its running work.
 class Session : public SessionLoop {
  public:
   Session(Opened opened, Outlet outlet);
@@ -92,30 +92,29 @@ class Session : public SessionLoop {
 
   const Opened opened_;
   DesignHistory history_;
-  std::vector<std::string> save_files_;  ///< by thing of the history; empty: not asked for yet
+  std::vector<std::string> save_files_;  ///< by thing of the history; empty: not chosen yet
   int revision_ = 1;
-  int restored_ = 0;      ///< revision of the design that a studio which was killed had left; 0: none
-  std::string not_kept_;  ///< why what is not saved is kept nowhere; empty: it is kept
-  Text design_text_;      ///< the newest message `design`
-  bool is_told_ = true;   ///< everybody was told of the newest design
+  int restored_ = 0;      ///< revision of the design that a killed studio left; 0: none
+  std::string not_kept_;  ///< why unsaved designs are not kept; empty: they are kept
+  Text design_text_;      ///< newest message `design`
+  bool is_told_ = true;   ///< everybody has the newest design
   Player player_;
-  std::shared_ptr<const KnownWay> way_;        ///< of the present design's equilibria, as far as it is known
-  std::shared_ptr<const KnownWay> stable_of_;  ///< that way led to the stable states
-  nlohmann::ordered_json path_;                ///< rows of that way for the page; null: none is known
-  int traces_ = 0;                             ///< that were begun: what older ones say counts no more
-  std::vector<model::StableState> stable_;     ///< that the last equilibrium path led to
+  std::shared_ptr<const KnownWay> way_;        ///< known equilibria of the present design
+  std::shared_ptr<const KnownWay> stable_of_;  ///< source of the stable states
+  nlohmann::ordered_json path_;                ///< rows of the equilibrium path for the page; null: none
+  int traces_ = 0;                             ///< number of traces; results of older ones are ignored
+  std::vector<model::StableState> stable_;     ///< reached from the last equilibrium path
   std::size_t next_stable_ = 0;
 
   bool searching_ = false, exporting_ = false;
-  std::optional<Mode> awaited_;  ///< for which bodies are being cut; nothing once another one was asked for
-  /// Held while the physics engine runs, which has global state: in the hands of a search that checks its result the thing
-  /// stands still.
+  std::optional<Mode> awaited_;  ///< waits until bodies are cut; empty after another request.
+  /// Locked while the physics engine runs, which has global state. While a search checks its result, the
+  /// shown engine stands still.
   std::mutex engine_;
-  std::shared_ptr<const Design>
-      meshes_of_;               ///< whose message `meshes` everybody has; null: none was of bodies
-  std::map<int, Parts> parts_;  ///< by client: of files that came for its next search
+  std::shared_ptr<const Design> meshes_of_;  ///< bodies of the last message `meshes`; null: none was sent
+  std::map<int, Parts> parts_;               ///< per client: files sent for its next search
 
-  Job tracer_, searcher_, exporter_, follower_, cutter_;  ///< last: they end before what they speak to
+  Job tracer_, searcher_, exporter_, follower_, cutter_;  ///< last member: they end before what they use
 };
 
 }  // namespace kinetix::app::studio

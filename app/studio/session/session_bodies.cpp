@@ -4,7 +4,7 @@
 
 namespace kinetix::app::studio {
 
-/// Finds the way of bodies where it is not known yet, and then looks it through for bodies that meet.
+/// Computes the motion of bodies if it is not known yet, and then its collisions.
 void Session::follow() {
   if (!player_.moving().bodies || player_.moving().way->meets) return;
   const Design& design = history_.current();
@@ -34,7 +34,7 @@ void Session::take(std::shared_ptr<const BodiesWay> way, double theta) {
   changed_ = true;
 }
 
-/// Bodies collide by convex pieces, which are cut once and take a while.
+/// Cuts bodies into convex pieces for collisions, once and in the background, and then enters the mode.
 void Session::cut_for(Mode mode) {
   awaited_ = mode;
   const double id = std::exchange(id_, 0);

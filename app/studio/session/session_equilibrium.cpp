@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What the page draws of a way.
+/// Returns the rows of an equilibrium path that the page draws.
 Json path_rows(const KnownWay& way, const Equilibria& equilibria) {
   Json rows = Json::array();
   for (const model::DrivenState& at : way.states)
@@ -23,13 +23,14 @@ Json path_rows(const KnownWay& way, const Equilibria& equilibria) {
 
 }  // namespace
 
-/// The newest shape of a way that nobody has shown yet.
+/// Newest shape of an equilibrium path that is not shown yet.
 struct Session::NewestShape {
   std::mutex mutex;
-  std::optional<std::pair<model::DrivenState, double>> at;  ///< and its force, N
+  std::optional<std::pair<model::DrivenState, double>> at;  ///< state and its force, N
 };
 
-/// To theta, on its own thread, from what is known of the way; the shapes on it are shown as they come.
+/// Traces equilibria to theta on a separate thread, starting from the known ones. Shapes are shown as they
+/// are found.
 void Session::trace(double theta) {
   if (theta == 0) return show_flat();
   const int client = client_, number = ++traces_;
@@ -71,7 +72,7 @@ void Session::trace(double theta) {
         });
 }
 
-/// Nothing is strained there, which takes no search.
+/// Shows the flat state, which needs no search: nothing is strained.
 void Session::show_flat() {
   tracer_.ask_to_stop();
   ++traces_;
@@ -91,7 +92,7 @@ void Session::show_newest(int number, NewestShape& newest) {
   changed_ = true;
 }
 
-/// Nobody waits for that command's effect any more.
+/// Reports the command as done: newer work replaced it.
 void Session::dropped(int client, double id) {
   enqueue([this, client, id] {
     note_heard(client, id);

@@ -11,10 +11,8 @@ namespace {
 
 using SteadyClock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds between_plays{
-    8};  // while the engine runs: twice as often as frames are seen
-constexpr std::chrono::milliseconds between_shows{
-    30};  // while commands wait: as often as frames are seen by people
+constexpr std::chrono::milliseconds between_plays{8};   // while the engine runs: twice per visible frame
+constexpr std::chrono::milliseconds between_shows{30};  // while commands wait: as often as people see frames
 
 }  // namespace
 
@@ -72,7 +70,7 @@ void SessionLoop::wait_for_work(const std::stop_token& stop) {
     arrived_.wait(lock, stop, ready);
 }
 
-/// All that long work says, and of each client the first.
+/// Takes all tasks of long work, and the first of each client.
 std::deque<SessionLoop::Task> SessionLoop::next_tasks() {
   const std::lock_guard lock(mutex_);
   std::deque<Task> tasks;
@@ -125,7 +123,7 @@ void SessionLoop::show() {
   changed_ = false;
 }
 
-/// @return whether it was done; what goes wrong is told to everybody, as far as that goes
+/// Runs the work and reports an error to everybody, if memory allows. @return whether it succeeded
 bool SessionLoop::attempt(const Task& work) const {
   try {
     work();
@@ -134,7 +132,7 @@ bool SessionLoop::attempt(const Task& work) const {
     try {
       tell(error_message(failure_message(e), 0, ""));
     } catch (const std::exception&) {
-      // There is not even room for a word.
+      // Even the error report failed, for lack of memory.
     }
     return false;
   }

@@ -22,14 +22,14 @@ using Json = nlohmann::ordered_json;
 using SteadyClock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds between_words{
-    500};                                // of a search, on screen: as often as a person reads them
+    500};                                // of a search, on screen: as often as people read them
 constexpr std::size_t most_senders = 8;  // pages whose parts of files are kept
 
 double seconds_since(SteadyClock::time_point start) {
   return std::chrono::duration<double>(SteadyClock::now() - start).count();
 }
 
-/// A name without a way out of its folder.
+/// Returns the name if it is a plain file name, which cannot leave its folder.
 std::string plain_name(const std::string& name) {
   const bool plain = !name.empty() && name.size() < 100 && name[0] != '.' &&
                      name.find_first_of("/\\") == std::string::npos && name.find('\0') == std::string::npos;
@@ -41,7 +41,7 @@ std::string plain_name(const std::string& name) {
 
 void Session::take_part(const Message& message) {
   if (parts_.count(client_) == 0 && parts_.size() >= most_senders) parts_.erase(parts_.begin());
-  constexpr double farthest = 1e15;  // of a number that stays whole: Parts knows its own limit
+  constexpr double farthest = 1e15;  // largest whole number allowed here; Parts has a separate limit
   parts_[client_].add(plain_name(message.text("name")),
                       static_cast<std::int64_t>(message.number("at", 0, farthest)),
                       from_base64(message.text("content")));
@@ -61,7 +61,7 @@ void Session::search(const Message& message) {
   search_for(file, folder);
 }
 
-/// @param keeps what must live until the search is through
+/// @param keeps objects that must live until the search ends
 void Session::search_for(const std::string& file, std::shared_ptr<const void> keeps) {
   searcher_.start([this, file, keeps](const std::stop_token& stop) {
     std::string stage_shown;

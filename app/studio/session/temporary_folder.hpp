@@ -5,9 +5,9 @@
 
 namespace kinetix::app::studio {
 
-/// A folder that goes with its last owner. @throws InvalidInput where none can be made
+/// Makes a folder that is removed with its last owner. @throws InvalidInput if it cannot be made
 std::shared_ptr<const std::filesystem::path> make_temporary_folder();
-/// Those that are there, at an end of the program that owners do not see.
+/// Removes all temporary folders that still exist, if the program ends without its owners' destructors.
 void remove_temporary_folders();
 
 }  // namespace kinetix::app::studio

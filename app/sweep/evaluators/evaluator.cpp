@@ -20,7 +20,7 @@
 namespace kinetix::app {
 namespace {
 
-/// A search for a target in every sample, as `kinetix-opt TARGET.yaml` makes it on one thread.
+/// Searches for a target in every sample, as `kinetix-opt TARGET.yaml` does on one thread.
 class SearchEvaluator final : public Evaluator {
  public:
   explicit SearchEvaluator(const SweepPlan& plan) : plan_(plan), maker_(plan) {}
@@ -31,7 +31,8 @@ class SearchEvaluator final : public Evaluator {
   SampleMaker maker_;
 };
 
-/// The model's state, and the physics run's where there is one.
+/// Returns the physics run's state if `physics` is set and there is one, else the model's state. Null without
+/// any.
 const NamedState* shown_state(const Run& run, bool physics) {
   const NamedState* shown = nullptr;
   for (const NamedState& state : run.states)
@@ -55,8 +56,8 @@ void SearchEvaluator::evaluate(SampleRow& row) {
   take_verdict(verdict_of(run), row);
 }
 
-/// Forward runs of a design by the sweep's model, as `simulate` makes them, without writing anything. Convex pieces of imported
-/// bodies are made once, unless bores of pins vary.
+/// Runs a design forwards by the sweep's model, as `simulate` does, without writing files. Convex pieces of
+/// imported bodies are computed once, unless pin bores vary.
 class DesignEvaluator final : public Evaluator {
  public:
   explicit DesignEvaluator(const SweepPlan& plan);
@@ -68,21 +69,21 @@ class DesignEvaluator final : public Evaluator {
   void compute_near_base(const Design& design, SampleRow& row);
   void see_equilibrium(const Design& design, model::EquilibriumPath path, SampleRow& row);
   void find_nominal();
-  /// Computes a sample by a run as `simulate` makes it, no more of it than its states and verdict.
+  /// Computes a sample by a run as `simulate` does, without certificates and in brief form.
   void compute_by_run(const Design& design, SampleRow& row);
   void see_physics(SampleRow& row);
   const model::State& sheet_state(const model::Structure& squares, double theta);
 
   const SweepPlan& plan_;
   SampleMaker maker_;
-  model::State nominal_;  ///< the base's own, where a response needs it
+  model::State nominal_;  ///< of the base; set if a response or `start: base` needs it
 
-  // of the current sample
+  // Current sample:
   Observation seen_;
   model::State state_;
   model::ExactDesign<double> sheet_;
   Run run_;
-  std::optional<Equilibrium> equilibrium_;  ///< near the base's own
+  std::optional<Equilibrium> equilibrium_;  ///< found from the base's state
 };
 
 DesignEvaluator::DesignEvaluator(const SweepPlan& plan) : plan_(plan), maker_(plan) {
@@ -91,8 +92,8 @@ DesignEvaluator::DesignEvaluator(const SweepPlan& plan) : plan_(plan), maker_(pl
   if (compares || plan.doe.from_base) find_nominal();
 }
 
-/// A sweep that starts from the base's state takes it from the closed form where there is one: there its
-/// branch is that of the design, whatever a load from flat would choose.
+/// Finds the base's state. A sweep that starts from it uses the closed form, if there is one: this fixes the
+/// branch, which a load from flat might not reach.
 void DesignEvaluator::find_nominal() {
   const Design& base = *plan_.base.design;
   SampleRow row;
@@ -113,7 +114,7 @@ void DesignEvaluator::find_nominal() {
 void DesignEvaluator::evaluate(SampleRow& row) {
   maker_.make(row.factors);
   compute(maker_.design(), row);
-  // Where no equilibrium is found near the base's, the search ends in a state of a part of the change, at rest nowhere.
+  // If no equilibrium is found near the base's, the state belongs to a part of the change and is not at rest.
   const bool is_lost = plan_.doe.from_base && row.status != SampleStatus::ok;
   for (std::size_t k = 0; k < plan_.responses.size(); ++k) {
     const Metric& metric = plan_.responses[k];
@@ -131,7 +132,8 @@ void DesignEvaluator::compute(const Design& design, SampleRow& row) {
   compute_by_run(design, row);
 }
 
-/// Rectangles are folded in place; the order of their bodies is that of the lattice.
+/// Folds a whole sheet in place, since its bodies have the lattice's order; folds other sheets by the general
+/// function.
 const model::State& DesignEvaluator::sheet_state(const model::Structure& squares, double theta) {
   sheet_.theta = theta;
   if (is_whole_sheet(sheet_, squares))

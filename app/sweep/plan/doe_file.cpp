@@ -15,13 +15,13 @@ namespace value = targets::value;
 using targets::needed;
 using targets::otherwise;
 
-constexpr int most_levels = 1'000'000;  // of one factor; their product is limited by itself
-// What the key `model` may say.
+constexpr int most_levels = 1'000'000;  // per factor; their product has a separate limit
+// Values of the key `model`.
 constexpr targets::Word<Model> models[] = {
     {"exact", Model::exact}, {"equilibrium", Model::equilibrium}, {"bullet", Model::bullet}};
-/// Whether samples start from the base's own state.
+/// Values of the key `start`: whether samples start from the base's state.
 constexpr targets::Word<bool> starts[] = {{"flat", false}, {"base", true}};
-/// What the key `method.kind` may say.
+/// Values of the key `method.kind`.
 constexpr targets::Word<optim::SamplingMethod> methods[] = {
     {"factorial", optim::SamplingMethod::factorial},
     {"lhs", optim::SamplingMethod::lhs},

@@ -12,8 +12,8 @@
 
 namespace kinetix::app {
 
-/// One path of a factor. What is written there is `times` the factor's value `plus` a constant in the key's
-/// unit, so that two keys can go together (`plus: 1, times: -1` gives 1 - k).
+/// One path of a factor. A sample writes `times` the factor's value `plus` a constant in the key's unit. Two
+/// keys can therefore vary together (`plus: 1, times: -1` gives 1 - k).
 struct FactorPath {
   targets::DocumentPath path;
   double times = 1, plus = 0;
@@ -23,46 +23,46 @@ struct FactorPath {
 struct DoeFactor {
   std::string name;  ///< heading of its column; default: the first path as written
   std::vector<FactorPath> paths;
-  /// In the units of the key that it varies; its name is not set. Levels of a grid, ends included, >= 2; 0: not given.
+  /// In the units of the key that it varies; without a name. Levels of a grid include both ends, >= 2; 0: not
+  /// given.
   optim::Factor values;
-  bool each = false;   ///< every number that the path matches varies by itself
-  bool add = false;    ///< values are added to the base's own
-  bool scale = false;  ///< values multiply the base's own
+  bool each = false;   ///< every number that the path matches is a separate factor
+  bool add = false;    ///< values are added to the base's value
+  bool scale = false;  ///< values multiply the base's value
   targets::Node node;  ///< for messages
 };
 
 /// The `method:` section.
 struct DoeMethod {
-  optim::SamplingOptions options =
-      {};  ///< without a base point; of factorial and one_at_a_time the levels decide alone
-  std::optional<int> levels = {};  ///< of ranges that give none of their own
-  targets::Node node;              ///< for messages
+  optim::SamplingOptions options = {};  ///< no base point; factorial and one_at_a_time ignore `samples`
+  std::optional<int> levels = {};       ///< default of ranges without levels
+  targets::Node node;                   ///< for messages
 };
 
 /// A doe.yaml.
 struct DoeFile {
   std::string name;                 ///< default: the file's name without its ending
-  std::string base;                 ///< design or target, as a path from where the program runs
-  std::optional<std::string> goal;  ///< curve target that shape_rms of designs is measured against
+  std::string base;                 ///< path of a design or target, from the working directory
+  std::optional<std::string> goal;  ///< curve target; shape_rms of designs is measured against it
   Model model = Model::exact;
-  /// Of the equilibrium model: samples start from the base's own state at the drive's goal, and find the
-  /// equilibrium below it, instead of following the load from flat. For small errors, which must not change
-  /// the branch.
+  /// For the equilibrium model: samples start from the base's state at the drive's goal and find the nearby
+  /// equilibrium, instead of following the load from flat. Meant for small errors, which must not change the
+  /// branch.
   bool from_base = false;
   DoeMethod method;
-  std::vector<DoeFactor> factors;        ///< at least 1, no two of one name
-  std::vector<targets::Node> responses;  ///< their names; at least 1, none twice
+  std::vector<DoeFactor> factors;        ///< at least 1, with different names
+  std::vector<targets::Node> responses;  ///< names of metrics; at least 1, none twice
   targets::Node root;
 };
 
-/// Rows of a table: ten levels of seven factors. A limit, so that a slip in a grid is refused, not laid out.
+/// Rows of a table: ten levels of seven factors. The limit rejects a mistyped grid before it is laid out.
 inline constexpr std::int64_t most_samples = 10'000'000;
 
-/// Every key of a doe.yaml.
+/// Returns every key of a doe.yaml.
 const targets::KeyTable& doe_keys();
 
-/// @throws InvalidInput for whatever formats.md does not allow. What the base has to say about paths and
-/// values is for SweepPlan to check
+/// Reads a doe.yaml. @throws InvalidInput for anything that formats.md does not allow. SweepPlan checks paths
+/// and values against the base.
 DoeFile read_doe(const std::string& file);
 
 }  // namespace kinetix::app

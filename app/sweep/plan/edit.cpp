@@ -16,15 +16,15 @@ namespace {
 
 using Kind = Edit::Kind;
 
-// Of theta and tilts.
+// Bounds of theta and tilts.
 const targets::Bounds tilt = targets::between(-90, 90, "degrees");
 
-/// A number of a hinge that a path may end with.
+/// Number of a hinge that can end a path.
 struct HingeNumber {
   const char* key;
   Kind kind;
   double model::HingeParameters::*member;
-  double flipped;          ///< what the numbers of two hinges that alternate add up to
+  double flipped;          ///< sum of the numbers of two hinges that alternate
   targets::Bounds bounds;  ///< fractions, degrees or cell edges
 
   bool in_degrees() const { return bounds.unit == "degrees"; }
@@ -46,7 +46,7 @@ std::optional<Kind> hinge_key(const std::string& key) {
   return std::nullopt;
 }
 
-/// @pre of a hinge
+/// @pre `kind` is a number of a hinge
 const HingeNumber& number_of(Kind kind) {
   return hinge_numbers[static_cast<int>(kind) - static_cast<int>(Kind::t)];
 }
@@ -55,7 +55,7 @@ bool selects(const targets::PathStep& step, int position) {
   return step.position == targets::PathStep::every || step.position == position;
 }
 
-/// `design.GROUP[n].KEY` with a key of hinges.
+/// Returns whether the path is `design.GROUP[n].KEY` with a key of hinges.
 bool is_hinge_path(const targets::DocumentPath& path, const char* group) {
   return path.size() == 4 && path[0].key == "design" && path[1].key == group && path[2].key.empty() &&
          hinge_key(path[3].key).has_value();
@@ -72,7 +72,7 @@ std::vector<Match> walls(const model::Lattice& structure, const targets::Documen
   return matches;
 }
 
-/// Hinges by the column (axis x) or row (axis y) of their walls.
+/// Returns the hinges of the walls of a column (axis x) or row (axis y), for each that the path selects.
 std::vector<Match> lines(const model::Structure& structure, const targets::DocumentPath& path,
                          model::Axis axis) {
   const Kind kind = *hinge_key(path[3].key);
@@ -91,7 +91,7 @@ std::vector<Match> lines(const model::Structure& structure, const targets::Docum
   return matches;
 }
 
-/// Hinges that the file names, in its order.
+/// Returns the hinges that the file names, in its order.
 std::vector<Match> named_hinges(const SweepBase& base, const targets::DocumentPath& path) {
   const auto section = base.root.optional("design");
   const auto list = section ? section->optional("hinges") : std::nullopt;
@@ -126,7 +126,7 @@ bool is_optional_key(const SweepBase& base, const targets::DocumentPath& path) {
   return false;
 }
 
-/// As a file has it: 30, where the angle in radians gives 30.000000000000004.
+/// Converts to degrees as a file writes them: 30, not 30.000000000000004.
 double degrees_of(double radians) {
   const std::string text = targets::degrees_text(radians);
   double degrees = to_degrees(radians);

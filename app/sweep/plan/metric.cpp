@@ -29,7 +29,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Normal of the polygon of a cell's bodies, as long as its area.
+/// Computes the normal of the polygon of a cell's bodies, with the polygon's area as its length, mm2.
 Vector3d area_vector(std::span<const int> bodies, const model::State& state) {
   const Vector3d& first = state[bodies[0]].p;
   Vector3d twice = Vector3d::Zero();
@@ -38,7 +38,7 @@ Vector3d area_vector(std::span<const int> bodies, const model::State& state) {
   return 0.5 * twice;
 }
 
-/// Area of all cells; in mm2.
+/// Sums the areas of all cells, mm2.
 double area(const model::Lattice& structure, const model::State& state) {
   double sum = 0;
   for (int c = 0; c < structure.cells(); ++c) sum += area_vector(structure.cell_bodies(c), state).norm();
@@ -56,14 +56,15 @@ Vector3d extent_of(const model::Assembly& assembly, const model::State& state) {
   return box.sizes();
 }
 
-/// What a state looks like, in numbers. Lengths in mm, angles in rad; NaN in the state gives NaN, and so do cells where there are none.
-/// From the first body (lowest column, then row) to the last.
+/// Numbers of a state. Lengths are in mm, angles in rad. NaN in the state gives NaN; so does a structure
+/// without cells.
+/// Vector from the first body (lowest column, then row) to the last.
 Vector3d end_point(const model::Lattice&, const model::State& state) {
   return state.back().p - state.front().p;
 }
 
-/// Turn of the midline (mean of the bodies of each column, seen along y) from its first segment to its last,
-/// added up from column to column: more than a full turn counts as such.
+/// Computes the turn of the midline from its first segment to its last, summed from column to column. It may
+/// exceed a full turn. The midline is the mean of the bodies of each column, seen along y.
 double total_turn(const model::Lattice& structure, const model::State& state) {
   const auto points = column_midline(structure, state);
   double turn = 0;
@@ -74,28 +75,29 @@ double total_turn(const model::Lattice& structure, const model::State& state) {
   return turn;
 }
 
-/// Area between the four bodies of each cell, over that at rest.
+/// Computes the area between the bodies of each cell, divided by that area at rest.
 double area_ratio(const model::Lattice& structure, const model::State& state) {
   if (!structure.squares()) return area(structure, state) / area(structure, rest_state(structure));
   const double edge = structure.size().edge_mm;
   return area(structure, state) / (static_cast<double>(structure.cells()) * edge * edge);
 }
 
-/// Angle between the planes of the first and the last cell, [0, pi].
+/// Computes the angle between the planes of the first and the last cell, [0, pi].
 double fold_angle(const model::Lattice& structure, const model::State& state) {
   if (structure.cells() == 0) return std::nan("");
   return angle_between(area_vector(structure.cell_bodies(0), state),
                        area_vector(structure.cell_bodies(structure.cells() - 1), state));
 }
 
-/// Angle at the first vertex of the first cell between its bottom and left sides, [0, pi].
+/// Computes the angle at the first vertex of the first cell between its bottom and left sides, [0, pi].
 double cell_angle(const model::Lattice& structure, const model::State& state) {
   if (structure.cells() == 0) return std::nan("");
   const std::span<const int> b = structure.cell_bodies(0);
   return angle_between(state[b[1]].p - state[b[0]].p, state[b.back()].p - state[b[0]].p);
 }
 
-/// Largest angle between the z directions of two bodies that share a hinge: the twist or fold across a wall.
+/// Computes the largest angle between the z directions of two bodies that share a hinge: twist or fold across
+/// a wall.
 double largest_lean(const model::Lattice& structure, const model::State& state) {
   double largest = 0;
   for (int h = 0; h < structure.hinges(); ++h) {
@@ -105,7 +107,8 @@ double largest_lean(const model::Lattice& structure, const model::State& state) 
   return largest;
 }
 
-/// Edges of the bounding box of the bodies' positions, along the structure's axes; of the surfaces of imported bodies.
+/// Computes the edges of the bounding box along the structure's axes: of the bodies' positions, or of the
+/// surfaces of imported bodies.
 Vector3d extent(const model::Lattice& structure, const model::State& state) {
   if (const model::Assembly* bodies = structure.assembly()) return extent_of(*bodies, state);
   Vector3d low = state[0].p, high = low;
@@ -124,8 +127,8 @@ double moved_mm(const O& o, double model::StateDistance::*part) {
   return aligned_distance(*o.structure, *o.state, *o.nominal).*part * o.structure->size().edge_mm;
 }
 
-/// What is read of the state as the closed form lies, or the flat sheet where there is none: a midline is read in the plane of its
-/// x and z. Other models leave a sheet lying anyhow.
+/// Reads a number after aligning the state with the closed form, or with the flat sheet if there is no closed
+/// form. A midline is read in the xz plane, and other models leave a sheet at any orientation.
 template <class Read>
 double upright(const O& o, Read read) {
   if (o.is_closed_form) return read(*o.state);
@@ -142,13 +145,13 @@ double largest(const O& o, Value value) {
   return most;
 }
 
-/// NaN where none were looked for: flat is one of those that are found.
+/// Returns the number of stable states found, including flat. NaN if none were searched for.
 double found_states(const O& o) {
   const std::size_t found = o.equilibrium->stable.states.size();
   return found > 0 ? static_cast<double>(found) : nan;
 }
 
-/// Energy at the summit that a release from flat must pass to come to the next stable state.
+/// Returns the energy at the summit between flat and the next stable state after a release.
 double barrier(const O& o) {
   const auto& barriers = o.equilibrium->stable.barriers;
   return barriers.empty() ? nan : barriers.front().energy;
@@ -228,7 +231,7 @@ const std::vector<Metric>& physics_metrics() {
   return metrics;
 }
 
-/// Keys of `metrics` that searches write, of all kinds and models.
+/// Lists the keys of `metrics` that searches write, of all kinds and models.
 std::vector<std::string> search_names() {
   std::vector<std::string> names = {"theta_rad", "theta_limit_rad", "met"};
   const auto add = [&](std::string_view name) {
@@ -243,7 +246,7 @@ std::vector<std::string> search_names() {
   return names;
 }
 
-/// Kinds whose goals measure any state by a number of this name.
+/// Lists the kinds of goals that measure any state by a number of this name.
 std::vector<std::string_view> kinds_that_measure(std::string_view name) {
   std::vector<std::string_view> kinds;
   for (const GoalKind* kind : goal_kinds())
@@ -265,14 +268,15 @@ double json_number(const nlohmann::ordered_json& metrics, const targets::Documen
   return at->is_number() ? at->get<double>() : nan;
 }
 
-/// What only sheets have: cells, plates, cords, a search for stable states.
+/// Returns whether only sheets have this metric: it needs cells, plates, tendons or a search for stable
+/// states.
 bool is_of_sheets(const Metric& metric) {
   constexpr std::array names = {"turn_deg",    "area_ratio",   "fold_deg", "cell_angle_deg", "lean_max_deg",
                                 "compression", "shortened_mm", "load_N",   "barrier_Nmm",    "stable_states"};
   return std::find(names.begin(), names.end(), metric.name) != names.end();
 }
 
-/// That of a state, which searches may write of theirs, too; null where states have none of this name.
+/// Returns the metric of a state with this name, which searches may also write; null if there is none.
 const Metric* pose_metric(const std::string& name) {
   const std::vector<Metric>& all = pose_metrics();
   const auto found =
@@ -283,7 +287,7 @@ const Metric* pose_metric(const std::string& name) {
 std::vector<Metric> metrics_of(const MetricContext& context) {
   std::vector<Metric> all = pose_metrics();
   const auto add = [&](const std::vector<Metric>& more) { all.insert(all.end(), more.begin(), more.end()); };
-  if (context.searches) {  // whose bases are targets, without a state to compare with
+  if (context.searches) {  // their bases are targets, without a state to compare with
     std::erase_if(all, [](const Metric& metric) { return metric.needs_nominal; });
     return all;
   }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t longest_compared = 200;  // bytes: bounds the time of a comparison
 
-/// With every position as `[*]`: names that differ in a number alone are one.
+/// Writes every position as `[*]`: names that differ only in a number become one.
 std::string pattern(targets::DocumentPath path) {
   for (targets::PathStep& step : path)
     if (step.key.empty()) step.position = targets::PathStep::every;
@@ -25,7 +25,7 @@ bool has_hinges(const SweepBase& base) {
   return design && design->optional("hinges");
 }
 
-/// Squares alone have columns and rows of walls.
+/// Lists the groups of hinges that paths can name. Only squares have columns and rows of walls.
 std::vector<const char*> groups_of_hinges(const SweepBase& base) {
   std::vector<const char*> groups = {"walls"};
   if (base.design->structure.squares()) groups.insert(groups.end(), {"columns", "rows"});
@@ -48,7 +48,7 @@ std::set<std::string> patterns(const SweepBase& base, const targets::DocumentEdi
   return names;
 }
 
-/// Numbers that a file may leave out, by the type of what it is read by.
+/// Adds the paths of numbers that a file may leave out, from the type that reads it.
 void add_numbers(const targets::ValueType& type, const std::string& path, std::vector<std::string>& paths) {
   if (type.is_numeric()) paths.push_back(path);
   if (type.kind == targets::ValueType::Kind::either)

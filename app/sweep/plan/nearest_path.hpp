@@ -8,10 +8,11 @@
 
 namespace kinetix::app {
 
-/// Numbers that a file of the base's kind may hold even where this one leaves them out.
+/// Lists the numbers that a file of the base's kind may hold, also those that this file leaves out.
 std::vector<std::string> optional_keys(const SweepBase& base);
 
-/// "the base has no number at `design.tetha_deg`; the nearest is `design.theta_deg`"
+/// Returns a message such as "the base has no number at `design.tetha_deg`; the nearest is
+/// `design.theta_deg`".
 std::string no_such_path(const SweepBase& base, const targets::DocumentEditor& editor,
                          const targets::DocumentPath& path);
 

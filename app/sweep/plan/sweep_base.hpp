@@ -8,13 +8,13 @@
 
 namespace kinetix::app {
 
-/// The file that a sweep varies: a design (forward runs), or a target (a search in every sample).
+/// File that a sweep varies: a design (forward runs) or a target (a search in every sample).
 struct SweepBase {
   targets::Node root;
   std::optional<Design> design;
-  std::optional<Target> target;  ///< where it is no design
+  std::optional<Target> target;  ///< empty if the file is a design
 
-  /// Whether it is a design of imported bodies.
+  /// Returns whether the base is a design of imported bodies.
   bool has_bodies() const { return design && design->structure.assembly(); }
 };
 

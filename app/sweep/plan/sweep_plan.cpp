@@ -24,16 +24,16 @@ optim::Factor as_factor(const DoeFile& doe, const DoeFactor& from, const std::st
   return factor;
 }
 
-/// Factors as columns of the table, and what each writes.
+/// Factors as columns of the table, and the edits of each.
 struct Columns {
   std::vector<optim::Factor> factors;
   std::vector<Edit> edits;
-  std::vector<std::size_t> entries;  ///< by factor: its place in DoeFile::factors
-  std::vector<targets::Node> nodes;  ///< by factor, for messages
-  std::vector<double> bases;         ///< by factor: the base's own value, NaN where there is not one
+  std::vector<std::size_t> entries;  ///< per factor: its index in DoeFile::factors
+  std::vector<targets::Node> nodes;  ///< per factor, for messages
+  std::vector<double> bases;         ///< per factor: the base's value, NaN if there is none
 };
 
-/// The value of a factor that leaves the base as it is; NaN where there is none.
+/// Returns the value of a factor that leaves the base unchanged; NaN if there is none.
 double neutral(const SweepBase& base, const targets::DocumentEditor& document, const DoeFactor& factor,
                const std::vector<Edit>& edits) {
   double value = std::nan("");
@@ -99,7 +99,7 @@ void check_names(const Columns& columns) {
                                      "; give one a `name`");
 }
 
-/// Whether a sample's bodies or its drive would not be the base's.
+/// Returns whether a factor would change a sample's cells, theta or drive.
 bool moves_goal(const targets::DocumentEditor& document, const Edit& edit) {
   if (edit.kind == Edit::Kind::theta_deg) return true;
   if (edit.kind != Edit::Kind::document) return false;
@@ -107,12 +107,12 @@ bool moves_goal(const targets::DocumentEditor& document, const Edit& edit) {
   return path.starts_with("structure.cell") || path.starts_with("drive.");
 }
 
-/// Whether samples have other bodies than the base.
+/// Returns whether samples have other bodies than the base.
 bool changes_cells(const targets::DocumentEditor& document, const Edit& edit) {
   return edit.kind == Edit::Kind::document && document.path(edit.index).starts_with("structure.cells");
 }
 
-/// What would make an edit without effect, or ambiguous.
+/// Rejects edits that would have no effect, or would be ambiguous.
 void check_edits(const DoeFile& doe, const Columns& columns, const SweepBase& base,
                  const targets::DocumentEditor& document) {
   std::set<std::pair<Edit::Kind, int>> written;
@@ -135,7 +135,7 @@ void check_edits(const DoeFile& doe, const Columns& columns, const SweepBase& ba
   }
 }
 
-/// Bodies are compared one by one.
+/// Rejects responses that compare bodies one by one with the base's if `structure.cells` changes.
 void check_moved(const DoeFile& doe, const Columns& columns, const targets::DocumentEditor& document,
                  const std::vector<Metric>& responses) {
   if (std::none_of(columns.edits.begin(), columns.edits.end(),
@@ -147,7 +147,7 @@ void check_moved(const DoeFile& doe, const Columns& columns, const targets::Docu
           "compares bodies with the base's own, of which there are others while `structure.cells` changes");
 }
 
-/// The values of the factors that are the base.
+/// Returns the values of the factors that reproduce the base.
 std::vector<double> base_of(const Columns& columns) {
   for (std::size_t k = 0; k < columns.factors.size(); ++k)
     if (std::isnan(columns.bases[k]))
@@ -196,7 +196,7 @@ void check_model(const DoeFile& doe, const SweepBase& base) {
                                    base.target->kind->name, to_string(base.target->kind->model)));
 }
 
-/// What is for designs alone.
+/// Rejects keys of the sweep that only designs allow.
 void refuse_for_targets(const DoeFile& doe, const SweepBase& base) {
   if (!base.target) return;
   if (doe.goal)
@@ -207,7 +207,7 @@ void refuse_for_targets(const DoeFile& doe, const SweepBase& base) {
         "is for designs; the base is a target, whose search finds its own states");
 }
 
-/// What is for sheets alone.
+/// Rejects keys of the sweep that only sheets allow.
 void check_bodies(const DoeFile& doe, const SweepBase& base) {
   if (!base.has_bodies()) return;
   if (doe.goal) throw doe.root.optional("goal")->error("measures sheets; the base is a design of bodies");
@@ -215,7 +215,7 @@ void check_bodies(const DoeFile& doe, const SweepBase& base) {
     throw doe.root.optional("start")->error("is for sheets; samples of a design of bodies start from rest");
 }
 
-/// A goal that tells how far any state is from it.
+/// Reads a goal that measures the distance of any state from it.
 Target read_goal(const std::string& file) {
   Target goal = read_target(file);
   if (!goal.kind->measures.empty()) return goal;
@@ -226,7 +226,7 @@ Target read_goal(const std::string& file) {
                      {file, 0, 0, "target.kind"});
 }
 
-/// The ends of what a factor may be; of a normal distribution its middle.
+/// Returns the ends of a factor's values; for a normal distribution its mean.
 std::vector<double> extremes(const optim::Factor& factor) {
   if (const auto* range = std::get_if<optim::UniformRange>(&factor.distribution))
     return {range->lower, range->upper};
@@ -255,7 +255,8 @@ void check_values(const SweepPlan& plan, const Columns& columns) {
     }
 }
 
-/// Samples that no closed form fits are failures; a sweep of nothing else is a mistake.
+/// Rejects a sweep if its first, middle and last sample have no closed form. Single samples without one are
+/// failures.
 void check_exact(const SweepPlan& plan) {
   if (!plan.base.design || plan.base.has_bodies() || plan.doe.model != Model::exact) return;
   SampleMaker maker(plan);

@@ -15,10 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t most_shares = 100000;  // as many tasks as the largest job arrays have
-constexpr std::size_t rows_at_once = 10000;   // of a transaction: some MB
+constexpr std::int64_t most_shares = 100000;  // tasks of the largest job arrays
+constexpr std::size_t rows_at_once = 10000;   // per transaction: a few MB
 
-/// A whole number and nothing else.
+/// Reads a text that is a whole number and nothing else.
 std::optional<std::int64_t> whole(std::string_view text) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -8,9 +8,9 @@
 namespace kinetix::app {
 namespace {
 
-constexpr std::size_t piece_bytes = 1 << 20;  // 1 MiB at a time: few calls to write, little memory
+constexpr std::size_t piece_bytes = 1 << 20;  // 1 MiB per piece: few calls to write, little memory
 
-/// In quotes where it needs them.
+/// Quotes the text if CSV requires it.
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string out = "\"";

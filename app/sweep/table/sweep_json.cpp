@@ -14,14 +14,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Method = optim::SamplingMethod;
 
-constexpr std::int64_t most_scatter = 2000;  // points: more only cover each other in the report
-constexpr std::size_t histogram_bars = 24;   // even parts of a response's range: a page's width shows no more
-constexpr std::size_t most_failures = 100;   // listed one by one: more hide what they have in common
-constexpr std::int64_t most_numbers = 40'000'000;  // of factors and responses, in memory at once: 320 MB
+constexpr std::int64_t most_scatter = 2000;  // points: more would only overlap in the report
+constexpr std::size_t histogram_bars = 24;   // equal parts of a response's range: the page shows no more
+constexpr std::size_t most_failures = 100;   // listed one by one: more would hide their common causes
+constexpr std::int64_t most_numbers = 40'000'000;  // factors and responses in memory at once: 320 MB
 
-/// Factors that differ in a number of their path alone.
+/// Factors that differ only in a number of their path.
 struct Family {
-  std::string name;  ///< of them, with [*] for the number
+  std::string name;  ///< their common path, with [*] for the number
   std::vector<std::size_t> factors;
 };
 
@@ -42,7 +42,7 @@ std::vector<Family> families_of(const SweepPlan& plan) {
   return families;
 }
 
-/// The table as the analysis takes it.
+/// Table in the form that the analysis needs.
 struct Numbers {
   Eigen::MatrixXd factors;
   std::vector<std::vector<double>> responses;
@@ -65,7 +65,7 @@ Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nul
 
 Json estimate_json(const optim::Estimate& e) { return {number(e.value), number(e.lower), number(e.upper)}; }
 
-/// @param entry of the file that it comes from
+/// @param entry of the file that defines the factor
 Json factor_json(const optim::Factor& factor, const DoeFactor& entry) {
   Json out = {{"name", factor.name}};
   if (entry.scale) out["scale"] = true;
@@ -98,7 +98,7 @@ Json spread_json(const std::vector<double>& values) {
           {"p95", at(0.95)},         {"most", values.back()}};
 }
 
-/// How many values lie in each of even parts of their range; the greatest counts to the last one.
+/// Counts the values in equal parts of their range; the largest value belongs to the last part.
 /// @param values sorted
 Json histogram_json(const std::vector<double>& values) {
   std::vector<std::int64_t> bars(histogram_bars);
@@ -170,7 +170,8 @@ Json morris_json(const std::vector<optim::MorrisEffect>& effects) {
   return out;
 }
 
-/// The share of one factor alone with its interval: Sobol's index, or any effect. Null where the samples have no such share.
+/// Returns the variance share of one factor with its interval: Sobol's index, or its main effect. Null if the
+/// samples give no share.
 Json factor_share_json(const Json& response, std::size_t factor) {
   if (response.contains("sobol")) return response["sobol"][factor]["first"];
   if (!response.contains("linear")) return nullptr;
@@ -178,7 +179,7 @@ Json factor_share_json(const Json& response, std::size_t factor) {
   return {effect["variance_share"], interval[0], interval[1]};
 }
 
-/// What the factors do together, each by itself, where each is known without chance or by its index.
+/// Sums the separate shares of a family's factors, without an interval. Null if one of them is not known.
 Json sum_of_shares_json(const Json& response, const Family& family) {
   double sum = 0;
   for (const std::size_t f : family.factors) {
@@ -189,7 +190,7 @@ Json sum_of_shares_json(const Json& response, const Family& family) {
   return {sum, nullptr, nullptr};
 }
 
-/// What goes with the factors in proportion to each.
+/// Returns the variance share of a family's linear effects, with its interval.
 Json linear_share_json(const Json& response, const Family& family) {
   std::vector<double> correlations;
   for (const std::size_t f : family.factors)
@@ -198,7 +199,7 @@ Json linear_share_json(const Json& response, const Family& family) {
   return estimate_json(optim::linear_share(correlations, response["linear"]["used"].get<std::int64_t>()));
 }
 
-/// Share of the variance of each family. Null where the samples have none.
+/// Lists the share of the variance of each family. Null if the samples give none.
 Json family_shares_json(Method method, const std::vector<Family>& families, const Json& response) {
   Json out = Json::array();
   for (const Family& family : families)
@@ -211,7 +212,8 @@ Json family_shares_json(Method method, const std::vector<Family>& families, cons
   return out;
 }
 
-/// The flat sheet from above: of each wall the two vertices that it joins, mm. Null where the base is a target, or imported bodies.
+/// Returns the flat sheet from above: the two vertices that each wall joins, mm. Null if the base is a target
+/// or imported bodies.
 Json layout_json(const SweepPlan& plan) {
   if (!plan.base.design || plan.base.has_bodies()) return nullptr;
   const model::Linkage linkage = plan.base.design->structure;
@@ -241,8 +243,8 @@ Json response_json(const SweepPlan& plan, const Numbers& numbers, std::size_t r)
   return out;
 }
 
-/// All samples, or as many of them as are shown, drawn by lot: every k-th one of a grid would have a few levels alone
-/// of the factors that go round fastest. Ascending.
+/// Returns all samples, or `most_scatter` of them chosen at random, ascending. Every k-th sample of a grid
+/// would show only a few levels of the factors that vary fastest.
 std::vector<std::int64_t> shown_samples(std::int64_t samples) {
   const optim::RandomOrder order(static_cast<std::uint64_t>(samples), 0);
   std::vector<std::int64_t> shown(static_cast<std::size_t>(std::min(samples, most_scatter)));

@@ -6,11 +6,11 @@
 
 namespace kinetix::app {
 
-/// What the table of a finished sweep says, for FOLDER/sweep.json and the report (schema kinetix-sweep/1):
-/// provenance, factors, counts, failures (the first hundred), and for each response its spread, main effects,
-/// linear regression, and where the method allows Sobol's indices or elementary effects, with 95 % intervals.
-/// `scatter` has up to 2000 rows, evenly spread over the table. Numbers that there are not are null.
-/// The same table gives the same document.
+/// Returns the content of FOLDER/sweep.json and of the report (schema kinetix-sweep/1) for a finished sweep.
+/// It has provenance, factors, counts and the first hundred samples that are not ok. Each response has its
+/// spread, main effects and linear regression, with 95 % intervals. Some methods add Sobol's indices or
+/// elementary effects. `scatter` has up to 2000 rows, chosen at random. Missing numbers are null.
+/// Equal tables give equal documents.
 nlohmann::ordered_json sweep_json(const SweepPlan& plan, const SweepIdentity& identity,
                                   const SweepTable& table);
 

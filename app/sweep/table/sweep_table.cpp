@@ -22,17 +22,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Bytes, 1 GiB, of a file that a sweep names: more than any reader takes, meshes (256 MiB) included.
+// Bytes, 1 GiB, of a file that a sweep names: more than any reader accepts, meshes (256 MiB) included.
 constexpr std::size_t max_file_bytes = std::size_t{1} << 30;
-constexpr int deepest = 3;  // files: a sweep names a base or a goal, which names its points; one to spare
+constexpr int deepest = 3;  // files: a sweep names a base or a goal, which names its points; one extra
 
-/// Hashes of files in the order in which they are named, so that two that change places are other files.
+/// Hashes of files in the order in which they are named: two files that change places give another hash.
 struct NamedFiles {
   std::set<std::string> paths;
-  std::string hashes;  ///< a line each
+  std::string hashes;  ///< one line per file
 };
 
-/// Adds the files that a document names, and those that these name.
+/// Adds the files that a document names, and the files that these name.
 void add_files(const targets::Node& root, NamedFiles& files, int depth) {
   for (const targets::Tree::Item& item : root.tree().items) {
     if (item.kind != targets::Node::Kind::scalar || item.value.empty()) continue;
@@ -45,7 +45,7 @@ void add_files(const targets::Node& root, NamedFiles& files, int depth) {
   }
 }
 
-/// Whatever the folder is called, the same files give the same hash.
+/// Computes a hash of the files' contents; names of folders do not affect it.
 std::string files_hash(const SweepPlan& plan) {
   NamedFiles files;
   add_files(plan.doe.root, files, 0);
@@ -69,7 +69,7 @@ std::string method_name(const SweepPlan& plan) {
   return plan.doe.method.node.required("kind", "").text("a method");
 }
 
-// Entries that two tables of one sweep share, and how a message calls what differs.
+// Entries that must be equal in two tables of one sweep, and their names in messages.
 constexpr std::pair<const char*, const char*> deciding[] = {
     {"schema", "the table's format"},          {"kinetix_version", "the program's version"},
     {"doe_sha256", "the sweep file"},          {"base_sha256", "the base file"},
@@ -81,9 +81,9 @@ std::string value_of(const SweepIdentity& identity, const std::string& key) {
   return {};
 }
 
-constexpr int busy_ms = 5000;  // a reader may hold the file for a moment
+constexpr int busy_ms = 5000;  // a reader may lock the file for a moment
 
-/// A statement that is finished with its scope.
+/// SQL statement, finalised at the end of its scope.
 class Statement {
  public:
   Statement(sqlite3* database, const std::string& sql) {
@@ -128,7 +128,7 @@ std::string value_columns(const SweepPlan& plan) {
   return text + ", status TEXT NOT NULL, reason TEXT NOT NULL";
 }
 
-// How the tables were made. Whatever else is called so in a file (a view, columns that are computed) could run for ever.
+// Statements that made the tables. A view or generated columns of these names could run for ever.
 std::string samples_sql(const SweepPlan& plan) {
   return "CREATE TABLE samples(" + value_columns(plan) + ", row_sha256 TEXT NOT NULL)";
 }
@@ -139,7 +139,7 @@ const std::string meta_sql = "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT
 
 std::string checksum(const SampleRow& row) { return sha256(csv_line(row)).substr(0, 16); }
 
-/// A row as it comes back: SQLite keeps neither the sign of 0 nor what is not finite.
+/// Returns a row as SQLite returns it: without the sign of 0 and with NaN for numbers that are not finite.
 SampleRow storable(SampleRow row) {
   for (std::vector<double>* values : {&row.factors, &row.responses})
     for (double& value : *values) value = std::isfinite(value) ? value + 0.0 : std::nan("");
@@ -179,7 +179,7 @@ std::string difference(const SweepIdentity& there, const SweepIdentity& asked) {
   return {};
 }
 
-/// Of the folder itself: gone with the program, however that ends.
+/// Lock of the folder. The system releases it whenever the program ends.
 struct SweepTable::Lock {
   explicit Lock(const std::string& folder)
       : descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {

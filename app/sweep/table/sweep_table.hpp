@@ -14,47 +14,50 @@ struct sqlite3_stmt;
 
 namespace kinetix::app {
 
-/// What a sweep's table says of itself, in the order of its table `meta`:
-/// schema, kinetix_version, name, model, method, samples, seed, factors and responses (JSON lists of
-/// columns), doe_sha256, base_sha256, files_sha256 (of all files that these two name), doe and base (their
-/// text).
+/// Identity of a sweep. The keys, in the order of its table `meta`, are: schema, kinetix_version, name,
+/// model, method, samples, seed, factors, responses, doe_sha256, base_sha256, files_sha256, doe and base.
+/// `factors` and `responses` are JSON lists of columns. files_sha256 covers all files that the two files
+/// name. `doe` and `base` are their text.
 using SweepIdentity = std::vector<std::pair<std::string, std::string>>;
 
 SweepIdentity identify(const SweepPlan& plan);
 
-/// Why a table with identity `there` is not of the sweep `asked`; empty where it is.
+/// Explains why a table with identity `there` does not belong to the sweep `asked`; empty if it does.
 std::string difference(const SweepIdentity& there, const SweepIdentity& asked);
 
-/// The table of a sweep, FOLDER/sweep.sqlite (SQLite 3, write-ahead log):
+/// Table of a sweep, FOLDER/sweep.sqlite (SQLite 3, write-ahead log).
 ///
-///     samples(sample INTEGER PRIMARY KEY, <one REAL a factor>, <one REAL a response>,
+///     samples(sample INTEGER PRIMARY KEY, <one REAL per factor>, <one REAL per response>,
 ///             status TEXT, reason TEXT, row_sha256 TEXT)
-///     meta(key TEXT PRIMARY KEY, value TEXT)          -- SweepIdentity
+///     meta(key TEXT PRIMARY KEY, value TEXT)          -- SweepIdentity.
 ///
-/// Columns are called as the factors and responses are. A number that there is not is NULL. One writer;
-/// others may read at any time. row_sha256: the first 16 hexadecimal digits of SHA-256 of the row's line in samples.csv. A row
-/// that does not fit it, or whose factors are not those of the plan, is damaged: it counts as not computed.
+/// Columns have the names of the factors and responses. A missing number is NULL. There is one writer; others
+/// may read at any time. row_sha256: the first 16 hexadecimal digits of SHA-256 of the row's line in
+/// samples.csv. A row is damaged if it does not match row_sha256, or its factors are not the plan's. It
+/// counts as not computed.
 class SweepTable {
  public:
-  /// Opens the table of this sweep, or makes it. The folder stays locked while this lives.
-  /// @throws InvalidInput where another program writes there, where a table with samples is there already and `resume`
-  /// is not asked for, where it belongs to another sweep or has no checksums, and where the file system says no
+  /// Opens the table of this sweep, or creates it. The folder stays locked during the lifetime of the object.
+  /// @throws InvalidInput if another program writes to the folder. @throws InvalidInput if the table has
+  /// samples and `resume` is false, belongs to another sweep, or lacks checksums. @throws InvalidInput if the
+  /// file system refuses.
   SweepTable(const std::string& folder, const SweepPlan& plan, const SweepIdentity& identity, bool resume);
   ~SweepTable();
   SweepTable(const SweepTable&) = delete;
   SweepTable& operator=(const SweepTable&) = delete;
 
-  /// Which samples are there.
+  /// Returns which samples the table has.
   const std::vector<bool>& done() const { return done_; }
   std::int64_t count() const { return count_; }
-  /// How many rows were damaged when it was opened. New rows of these samples take their places.
+  /// Returns the number of rows that were damaged when the table was opened. New rows of these samples
+  /// replace them.
   std::int64_t damaged() const { return damaged_; }
 
-  /// Adds rows, all or none, on the disk when this returns. @throws InvalidInput where the disk is full
+  /// Adds all rows or none. They are on the disk when this returns. @throws InvalidInput if the disk is full
   void add(const std::vector<SampleRow>& rows);
 
-  /// Every row in the order of samples, but those that are damaged and not computed again.
-  /// @throws InvalidInput where a row has been damaged since it was opened
+  /// Reads the rows in the order of samples, except damaged rows that were not computed again.
+  /// @throws InvalidInput if a row was damaged after the table was opened
   void read(const std::function<void(const SampleRow&)>& see) const;
 
  private:

@@ -58,7 +58,7 @@ std::optional<std::string> receive_message(int from) {
   return bytes;
 }
 
-/// The whole life of a worker process: samples come one by one, their rows go back.
+/// Runs a worker process until its end: receives samples one by one, returns their rows.
 [[noreturn]] void live(const SweepPlan& plan, const EvaluatorMaker& make, int socket, pid_t parent) {
   for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal_number, SIG_DFL);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -92,7 +92,7 @@ class Process {
       throw error("no worker process");
     }
   }
-  /// Others hold copies of its socket, so that closing it would not tell it to end.
+  /// Kills the process. Closing its socket would not end it, since other processes have copies of the socket.
   ~Process() {
     if (pid_ > 0) kill(pid_, SIGKILL);
     end();
@@ -107,7 +107,7 @@ class Process {
     send_message(socket_, to_bytes(std::vector{sample}));
   }
 
-  /// Waits for its end. @return how it ended, in words
+  /// Waits for the process to end. @return sentence that describes how it ended
   std::string end() {
     if (pid_ <= 0) return {};
     close(socket_);
@@ -152,7 +152,7 @@ class ProcessPool {
   }
 
  private:
-  /// Gives a process its next sample, a new one where there is none. @return false when there are none left
+  /// Gives a process its next sample; null starts a new process. @return false if no samples are left
   bool start_next(Process* process) {
     const auto samples = source_.take(1);
     if (samples.empty()) return false;

@@ -5,11 +5,11 @@
 
 namespace kinetix::app {
 
-/// Runs samples in processes of their own, one at a time in each, until there are none left: for models that
-/// keep global state. A sample whose process dies is a failed sample, and another process takes its place.
-/// @param processes >= 1   @param make what each process computes samples with
-/// @pre no other thread of this process allocates or writes while it forks: the console's does not
-/// @throws what the source throws
+/// Runs all samples in separate processes, one at a time in each, for models that keep global state. If a
+/// process dies, its sample fails and another process replaces it.
+/// @param processes >= 1   @param make makes the evaluator of each process.
+/// @pre no other thread of this process allocates or writes during a fork; the console's thread does not.
+/// @throws exceptions of the source
 void run_in_processes(const SweepPlan& plan, int processes, const WorkSource& source,
                       const EvaluatorMaker& make = make_evaluator);
 

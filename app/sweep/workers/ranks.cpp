@@ -1,6 +1,6 @@
 #include "app/sweep/workers/ranks.hpp"
 
-// The C++ bindings, which MPI no longer has, stay out.
+// Leaves out the C++ bindings, which MPI has removed.
 #define OMPI_SKIP_MPICXX 1
 #define MPICH_SKIP_MPICXX 1
 #include <mpi.h>
@@ -16,12 +16,12 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int request_tag = 1, answer_tag = 2;  // tags of MPI messages; any two numbers that differ
-// Between two looks for a request: often enough for chunks of a tenth of a second (thread_pool.cpp), seldom
-// enough to leave the core to the work.
+constexpr int request_tag = 1, answer_tag = 2;  // tags of MPI messages; any two different numbers
+// Time between two polls for a request. It is short against chunks of a tenth of a second (thread_pool.cpp),
+// and long enough to leave the core to the work.
 constexpr std::chrono::microseconds between_looks{200};
 
-/// What launchers of the common implementations leave in the environment.
+/// Returns whether the environment has a variable that launchers of the common implementations set.
 bool is_launched() {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "PMI_SIZE", "MPI_LOCALNRANKS"})
     if (std::getenv(name)) return true;
@@ -48,7 +48,7 @@ std::string exchange(const std::string& request) {
   return receive(status);
 }
 
-/// The next request of any rank. Waits without keeping a core busy.
+/// Returns the next request of any rank. Waits without keeping a core busy.
 std::string next_request(int& from) {
   MPI_Status status;
   for (int there = 0;; std::this_thread::sleep_for(between_looks)) {

@@ -7,8 +7,8 @@
 
 namespace kinetix::app {
 
-/// The processes that mpirun (or a batch system's launcher) started together. Without one, a single process
-/// that never touches MPI. Make one, in main's thread, and keep it to the end.
+/// Processes that mpirun (or a batch system's launcher) started together. Without a launcher, a single
+/// process that never calls MPI. Make one in main's thread and keep it to the end.
 class Ranks {
  public:
   Ranks();
@@ -18,21 +18,20 @@ class Ranks {
 
   int rank() const { return rank_; }
   int size() const { return size_; }
-  /// How many of them are on this machine.
+  /// Returns the number of ranks on this machine.
   int on_this_machine() const { return here_; }
 
-  /// Rank 0's text, on all ranks. Each must call it.
+  /// Returns rank 0's text on all ranks. Each rank must call it.
   std::string from_first(std::string text) const;
 
-  /// Rank 0: hands out samples to the other ranks until each has said farewell. Ends without an exception:
-  /// what the source throws is kept, and thrown when all have left. A rank gets its next samples before its
-  /// rows are stored, and computes meanwhile.
-  /// @param notice hears what went wrong on a rank that left early
+  /// Rank 0: hands out samples until all other ranks have left. Exceptions of the source are thrown after
+  /// that. A rank gets its next samples before its rows are stored, and computes meanwhile.
+  /// @param notice receives the error of a rank that left early
   void serve(const WorkSource& source, const std::function<void(const std::string&)>& notice) const;
 
-  /// Other ranks: work until rank 0 has none left.
+  /// Other ranks: compute samples until rank 0 has none left.
   void work(const SweepPlan& plan, int threads) const;
-  /// Other ranks: say farewell without working.
+  /// Other ranks: leave without working.
   void leave(const std::string& why) const;
 
  private:

@@ -11,7 +11,7 @@
 namespace kinetix::app {
 namespace {
 
-/// A source for many threads: locked, and closed by the first exception.
+/// Locks a source for many threads, and closes it after the first exception.
 class SharedSource {
  public:
   explicit SharedSource(const WorkSource& source) : source_(source) {}
@@ -69,11 +69,11 @@ void work(const SweepPlan& plan, SharedSource& source) noexcept {
   }
 }
 
-constexpr double wanted_seconds = 0.1;  // of a chunk: shorter ones queue, longer ones keep others waiting
-constexpr double most_of_a_chunk = 1 << 16;  // of a chunk: its rows travel and are stored as one
-constexpr double growth = 4;                // times the last chunk: one quick sample tells little of the next
-constexpr std::size_t share_of_rest = 4;    // one of so many goes out at a time,
-constexpr std::size_t least_of_rest = 256;  // but no fewer samples, if so many are wanted
+constexpr double wanted_seconds = 0.1;       // per chunk: shorter ones queue, longer ones keep others waiting
+constexpr double most_of_a_chunk = 1 << 16;  // samples per chunk: its rows are sent and stored as one
+constexpr double growth = 4;                 // limit over the last chunk: one quick sample is weak evidence
+constexpr std::size_t share_of_rest = 4;     // a call takes at most the rest divided by this,
+constexpr std::size_t least_of_rest = 256;   // or this number of samples if that is more
 
 }  // namespace
 

@@ -9,15 +9,15 @@
 
 namespace kinetix::app {
 
-/// Where workers get samples and leave rows. Called by one thread at a time.
+/// Source of samples and sink of rows for workers. Called by one thread at a time.
 struct WorkSource {
-  std::function<std::vector<std::int64_t>(std::size_t count)> take;  ///< none: the work is done
-  std::function<void(std::vector<SampleRow>)> give;                  ///< may throw: then all stop
+  std::function<std::vector<std::int64_t>(std::size_t count)> take;  ///< empty: the work is done
+  std::function<void(std::vector<SampleRow>)> give;                  ///< may throw: then all workers stop
 };
 
-/// Runs samples on several threads (OpenMP) until there are none left. Rows do not depend on the number of
-/// threads. @param threads >= 1
-/// @throws what `give` throws
+/// Runs all samples on several threads (OpenMP). Rows do not depend on the number of threads.
+/// @param threads >= 1
+/// @throws exceptions of `give`
 void run_on_threads(const SweepPlan& plan, int threads, const WorkSource& source);
 
 /// Hands out the samples that are not done yet, in order.
@@ -25,9 +25,10 @@ class WorkQueue {
  public:
   explicit WorkQueue(std::vector<bool> done) : done_(std::move(done)) {}
 
-  /// The next `count`, none when all are out. Fewer towards the end, so that all workers end together.
+  /// Returns the next samples, at most `count`; empty when all are handed out. Returns fewer towards the end
+  /// to balance the workers.
   std::vector<std::int64_t> take(std::size_t count);
-  /// Gives nothing any more.
+  /// Ends the queue: take() returns nothing after this.
   void stop() { next_ = done_.size(); }
 
  private:
@@ -35,12 +36,12 @@ class WorkQueue {
   std::size_t next_ = 0;
 };
 
-/// How many samples a worker should get at a time: so many that handing them out costs little, so few that
-/// little is lost or waited for. Starts with one.
+/// Computes the number of samples for a worker's next chunk. Large chunks cost little overhead; small ones
+/// limit losses and waiting. Starts with one.
 class ChunkSize {
  public:
   std::size_t next() const { return size_; }
-  /// @param seconds that the last chunk took
+  /// @param seconds duration of the last chunk
   void took(std::size_t samples, double seconds);
 
  private:

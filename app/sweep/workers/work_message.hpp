@@ -8,12 +8,12 @@
 
 namespace kinetix::app {
 
-/// What a worker in another process sends: the rows it has, and how many samples it wants; none: it is
-/// leaving. Bytes are those of the sender's machine: all processes of a sweep run on alike ones.
+/// Message of a worker in another process: its rows, and the number of samples that it wants; 0: it is
+/// leaving. Values are in the sender's byte order; all processes of a sweep must run on machines of one kind.
 struct WorkRequest {
   std::vector<SampleRow> rows = {};
   std::size_t wanted = 0;
-  std::string farewell = {};  ///< of one that leaves: what went wrong, empty where nothing did
+  std::string farewell = {};  ///< error of a worker that leaves; empty without one
 };
 
 std::string to_bytes(const WorkRequest& request);
@@ -21,10 +21,10 @@ std::string to_bytes(const std::vector<std::int64_t>& samples);
 WorkRequest read_request(std::string_view bytes);
 std::vector<std::int64_t> read_samples(std::string_view bytes);
 
-/// Works on threads of this process for a source in another one, and says farewell at the end. Throws
-/// nothing.
-/// @param exchange sends a request and brings the answer
-/// @param tell sends one that has no answer
+/// Computes samples on threads of this process for a source in another one, and sends a farewell at the end.
+/// Throws nothing.
+/// @param exchange sends a request and returns the answer
+/// @param tell sends a request without an answer
 void work_for(const SweepPlan& plan, int threads,
               const std::function<std::string(const std::string&)>& exchange,
               const std::function<void(const std::string&)>& tell);

@@ -1,11 +1,11 @@
-// The closed form of exact sheets, once for all lattices (kinematics.md section 2): every hinge turns its upper body
-// against its lower one about its axis, and a tree of hinges leads from body 0 to all others.
+// Closed form of exact sheets, for all lattices (kinematics.md section 2). Every hinge turns its upper body against its
+// lower one about its axis. A tree of hinges leads from body 0 to all others.
 import {product, turnAbout, turned} from "./quaternion.js";
 import {isSquare, senseOf, wallOf} from "./squares.js";
 
-const PARALLEL = 1e-12;  // rad; tilts below it are upright
+const PARALLEL = 1e-12;  // rad; smaller tilts count as upright
 
-/** +1 and -1 in turn from neighbour to neighbour; squares with i + j even have +1. Null where that cannot be. */
+/** Returns +1 and -1 alternating between neighbours; squares with i + j even have +1. Null if no such signs exist. */
 function senses(structure, neighbours) {
   const sense = structure.bodies.map(senseOf);
   for (let first = 0; first < sense.length; ++first) {
@@ -28,7 +28,7 @@ function neighboursOf(structure) {
   return neighbours;
 }
 
-/** Hinges in an order in which each leads from a known body to a new one; null where bodies hang apart. */
+/** Orders the hinges: each leads from a known body to a new one. Null if bodies are not connected. */
 function treeOf(structure, neighbours) {
   const found = structure.bodies.map((_, k) => k === 0), steps = [], queue = [0];
   for (const from of queue)
@@ -41,7 +41,7 @@ function treeOf(structure, neighbours) {
   return queue.length === structure.bodies.length ? steps : null;
 }
 
-/** The crease of every hinge: opposite walls of a cell are of one. */
+/** Returns the crease of every hinge: opposite walls of a cell belong to one crease. */
 function creasesOf(structure) {
   const crease = structure.hinges.map((_, k) => k);
   const root = (k) => {
@@ -53,7 +53,8 @@ function creasesOf(structure) {
   return crease.map((_, k) => root(k));
 }
 
-/** The direction whose first crease has shift 0: y, or x in family F3 if only the walls along x lean alike. */
+/** Returns the direction whose first crease has shift 0: y, or x in family F3 if the walls along y have unequal
+ *  tilts. */
 function firstDirection(walls, family) {
   const alike = (along) => {
     const tilts = walls.filter((wall) => wall.along === along).map((wall) => wall.tilt);
@@ -62,10 +63,9 @@ function firstDirection(walls, family) {
   return family === "F3" && !alike(1) ? 0 : 1;
 }
 
-/**
- * Creases that cross: crease k moves by cot(theta_k) = cot(theta) + shift, and the shift of walls along x is that of the
- * walls along y less tan(b) tan(g) in every cell (model/lattice/square/family/fold_angles.hpp).
- */
+/** Computes the shifts of crossing creases: cot(theta_k) = cot(theta) + shift_k for crease k.
+ *  In every cell, the shift of the wall along x is that of the wall along y minus tan(b) tan(g)
+ *  (model/lattice/square/family/fold_angles.hpp). */
 function shiftsOf(structure, family) {
   const none = structure.hinges.map(() => 0), tilted = (along) => walls.some((w) => w.along === along && Math.abs(w.tilt) > PARALLEL);
   if (!isSquare(structure)) return none;
@@ -91,14 +91,16 @@ function shiftsOf(structure, family) {
   return crease.map((k) => shift.get(k) ?? 0);
 }
 
-/** Family F3 counts theta by the turn of the walls that all lean alike: their tilt's cosine, 1 in other families. */
+/** Returns the factor between theta and the walls' turn. Family F3 defines theta by the walls with equal tilts: the
+ *  cosine of that tilt. 1 in other families. */
 function cosineOfTheta(structure, family) {
   if (family !== "F3") return 1;
   const walls = structure.hinges.map((hinge) => wallOf(structure, hinge)), along = firstDirection(walls, family);
   return Math.cos(walls.find((wall) => wall.along === along).tilt);
 }
 
-/** Half the turn of a hinge: cot(turn) = cos(tilt) (cot(theta) + shift); exactly theta where both are 0. Rad. */
+/** Computes half the turn of a hinge, rad: cot(turn) = cos(tilt) (cot(theta) + shift). Exactly theta if tilt and
+ *  shift are 0. */
 function halfTurn(theta, cosine, shift) {
   if (cosine === 1 && shift === 0) return theta;
   const s = Math.sin(theta), c = Math.cos(theta);
@@ -106,11 +108,9 @@ function halfTurn(theta, cosine, shift) {
   return theta < 0 ? turn - (turn > 0 ? Math.PI : 0) : turn;
 }
 
-/**
- * The motion of an exact structure (as in result.json), or null where its bodies hang apart or neighbours cannot turn
- * against each other in turn.
- * @returns a function of theta (rad) that gives 7 numbers a body: x, y, z (mm), w, x, y, z
- */
+/** Makes the motion of an exact structure (as in result.json). Null if bodies are not connected, or neighbours cannot
+ *  have opposite senses.
+ *  @returns a function of theta (rad) that gives 7 numbers per body: x, y, z (mm), w, x, y, z */
 export function exactMotion(structure, family) {
   const neighbours = neighboursOf(structure), steps = treeOf(structure, neighbours), sense = senses(structure, neighbours);
   if (!steps || !sense || !structure.bodies.length) return null;
@@ -120,7 +120,7 @@ export function exactMotion(structure, family) {
   const turnOf = (hinge, theta) => 2 * halfTurn(Math.atan2(ofTheta * Math.sin(theta), Math.cos(theta)), cosine[hinge], shift[hinge]);
   const first = neighbours[0].map(({hinge}) => hinge).find((hinge) => rest[structure.hinges[hinge].bodies[0]][0] === rest[structure.hinges[hinge].bodies[1]][0]);
 
-  /** Body 0 turns about the axis of its wall along y. */
+  /** Turns body 0 about the axis of its wall along y. */
   const start = (theta) => {
     if (first === undefined) return turnAbout([0, 0, 1], sense[0] * theta);
     return turnAbout(structure.hinges[first].axis, 0.5 * sense[0] * turnOf(first, theta));

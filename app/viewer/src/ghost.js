@@ -1,7 +1,8 @@
-// The goal beside the thing, in mm: {lines: [[[x, y, z]]], triangles: [[[x, y, z]]], picture: {source, corners}}; corners from low left on, to the left about.
+// The goal next to the sheet, in mm: {lines: [[[x, y, z]]], triangles: [[[x, y, z]]], picture: {source, corners}}.
+// Corners start at the lower left, counter-clockwise.
 import {cssColour} from "./colours.js";
 
-/** How far p lies off a line of points, all of as many coordinates. */
+/** Computes the distance of p from a polyline in any dimension. */
 export function offLine(points, p) {
   let least = Infinity;
   for (let k = 1; k < points.length; ++k) {
@@ -12,7 +13,8 @@ export function offLine(points, p) {
   return least;
 }
 
-/** A picture under bodies. @param rows of texts from above, "1" where it is dark   @param places of the bodies, mm   @param drop how far below them, mm */
+/** Makes a picture under the bodies. @param rows texts from the top, "1" for dark   @param places of the bodies, mm
+ *  @param drop distance below them, mm */
 export function pictureUnder(rows, places, drop) {
   const source = document.createElement("canvas"), context = source.getContext("2d");
   Object.assign(source, {width: Math.max(...rows.map((row) => row.length)), height: rows.length});

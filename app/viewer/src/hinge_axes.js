@@ -1,9 +1,9 @@
-// Axes of hinges that are chosen or turned, as rods that shine through what is before them.
+// Axes of chosen or turned hinges, drawn as rods that are visible through other objects.
 import * as THREE from "three";
 import {cssColour} from "./colours.js";
 import {turned} from "./quaternion.js";
 
-const THICK = 0.008;  // radius of a rod, over the cell edge
+const THICK = 0.008;  // radius of a rod over the cell edge
 
 export class HingeAxes {
   constructor() {
@@ -11,7 +11,7 @@ export class HingeAxes {
     this.rods = [];
   }
 
-  /** @param axes [{body, at (from the body's place at rest), axis, half, colour}], lengths in mm   @param edge mm */
+  /** @param axes [{body, at (from the body's rest position), axis, half, colour}], lengths in mm   @param edge mm */
   set(axes, edge) {
     for (const {rod} of this.rods) rod.geometry.dispose(), rod.material.dispose();
     this.object.clear();

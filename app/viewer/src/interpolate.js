@@ -1,7 +1,8 @@
-// Poses between stored ones: of shapes that have no closed form.
+// Interpolated poses, for shapes without a closed form.
 import {slerp} from "./quaternion.js";
 
-/** @param frames [{theta, poses (7 numbers a body)}] by rising theta   @returns a function of theta, clamped to the frames */
+/** @param frames [{theta, poses (7 numbers per body)}], theta increasing   @returns a function of theta, clamped to
+ *  the frames */
 export function storedMotion(frames) {
   return (theta, out = new Float64Array(frames[0].poses.length)) => {
     const after = frames.findIndex((frame) => frame.theta >= theta);

@@ -1,4 +1,4 @@
-// Cells as a lamp behind the panel shows them: the wider one stands open, the brighter.
+// Cells with a lamp behind the panel: a wider opening is brighter.
 import * as THREE from "three";
 import {areaWithin, cellOutline} from "./cell_outline.js";
 
@@ -33,7 +33,7 @@ export class Openings {
   }
 }
 
-/** Triangles that cover an outline that need not be convex. */
+/** Triangulates an outline, which need not be convex. */
 function fan(points) {
   const flat = points.map(([x, y]) => new THREE.Vector2(x, y));
   const triangles = THREE.ShapeUtils.triangulateShape(flat, []).map((corners) => corners.map((k) => points[k]));

@@ -1,15 +1,15 @@
-// A camera that goes round a point: by pointer, wheel, two fingers and keys. z is up; angles in rad, lengths in mm.
+// Camera that orbits a point, by pointer, wheel, two fingers and keys. z is up; angles in rad, lengths in mm.
 import * as THREE from "three";
 
-const TURN = 0.008;       // rad a pixel
-const KEY_TURN = 0.12;    // rad a press
-const ZOOM = 1.15;        // a press of a key
-const ROOM = 0.86;        // of the picture is filled by what is shown
+const TURN = 0.008;       // rad per pixel
+const KEY_TURN = 0.12;    // rad per key press
+const ZOOM = 1.15;        // factor per key press
+const ROOM = 0.86;        // fraction of the picture that the object fills
 const HIGHEST = Math.PI / 2 - 0.001;
 export const VIEWS = {slant: [-0.6, 0.45], front: [0, 0.02], side: [Math.PI / 2, 0.02], top: [0, HIGHEST]};
 
 export class Orbit {
-  /** @param changed is called when the view has changed   @param isTaken whether another tool has this pointer event */
+  /** @param changed called after a change of the view   @param isTaken whether another tool uses this pointer event */
   constructor(camera, element, changed, isTaken = () => false) {
     Object.assign(this, {camera, element, changed, isTaken, centre: new THREE.Vector3(), pointers: new Map()});
     [this.azimuth, this.elevation] = VIEWS.slant;
@@ -22,7 +22,8 @@ export class Orbit {
     this.turned();
   }
 
-  /** Sees a box whole, {low, high}, from wherever it looks, and goes on doing so until somebody zooms or shifts. */
+  /** Fits a box {low, high} into the view from the present direction. The fit stays active until the user zooms or
+   *  pans. */
   fit({low, high}, least = 0) {
     Object.assign(this, {follows: true, box: {low, high}, least});
     this.centre.set(...low.map((v, k) => 0.5 * (v + high[k])));
@@ -31,7 +32,7 @@ export class Orbit {
     this.apply();
   }
 
-  /** From which a box with those half sizes fills the picture. */
+  /** Computes the distance at which a box with these half sizes fills the picture. */
   distanceOf(half) {
     const {azimuth: a, elevation: e, camera} = this, tall = ROOM * Math.tan((0.5 * camera.fov * Math.PI) / 180), wide = tall * camera.aspect;
     const right = [Math.cos(a), Math.sin(a), 0], near = [Math.sin(a) * Math.cos(e), -Math.cos(a) * Math.cos(e), Math.sin(e)];
@@ -73,7 +74,7 @@ export class Orbit {
     this.apply();
   }
 
-  /** By pixels on screen. */
+  /** Pans by pixels on the screen. */
   pan(dx, dy) {
     this.follows = false;
     const mmPerPixel = (2 * this.distance * Math.tan((0.5 * this.camera.fov * Math.PI) / 180)) / (this.element.clientHeight || 1);
@@ -116,7 +117,7 @@ export class Orbit {
     return a && b ? Math.hypot(a[0] - b[0], a[1] - b[1]) : 0;
   }
 
-  /** Arrows turn, with Shift they shift; + and - zoom. Says whether the key was one of them. */
+  /** Handles keys: arrows turn, with Shift they pan; + and - zoom. Returns whether the key was handled. */
   key(event) {
     const way = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]}[event.key];
     if (way && event.shiftKey) this.pan(30 * way[0], 30 * way[1]);

@@ -1,12 +1,12 @@
-// Which half wall, body or soft part a ray meets first. Each is tested in its body's own frame; soft parts, which go with two bodies,
-// as they stand.
+// Finds the first half wall, body or soft part that a ray hits. Walls and bodies are tested in their body's frame. Soft
+// parts move with two bodies and are tested in their present place.
 import {conjugate, turned} from "./quaternion.js";
 
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
-/** Distance along the ray to a triangle, or Infinity (Moeller and Trumbore). */
+/** Computes the distance along the ray to a triangle, or Infinity (Moeller and Trumbore). */
 function toTriangle(origin, way, a, b, c) {
   const u = minus(b, a), v = minus(c, a), p = cross(way, v), det = dot(u, p);
   if (Math.abs(det) < 1e-12) return Infinity;
@@ -19,7 +19,7 @@ function toTriangle(origin, way, a, b, c) {
 }
 
 export class Picker {
-  /** @param parts of mesh() or solidsOf() */
+  /** @param parts result of mesh() or solidsOf() */
   constructor({pieces, position, index, body}) {
     Object.assign(this, {pieces, position, index, body, ofBody: new Map(), soft: []});
     for (const piece of pieces) {
@@ -32,13 +32,14 @@ export class Picker {
     return [this.position[3 * n], this.position[3 * n + 1], this.position[3 * n + 2]];
   }
 
-  /** Where a corner is, by its own body. */
+  /** Returns the present place of a corner, moved by its body. */
   carriedCorner(n, poses) {
     const at = 7 * this.body[n], arm = turned([...poses.subarray(at + 3, at + 7)], this.corner(n));
     return arm.map((v, k) => v + poses[at + k]);
   }
 
-  /** {body, hinge, local, distance} of what a ray meets in the frame of the poses, or null. `local` is from the body's vertex. */
+  /** Returns {body, hinge, local, distance} of the first hit in the frame of the poses, or null. `local` is relative
+   *  to the body's vertex. */
   pick(origin, way, poses) {
     let best = null;
     const meet = (piece, o, w, corner, localOf) => {

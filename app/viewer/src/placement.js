@@ -1,12 +1,12 @@
-// How a shape is laid onto the same shape elsewhere, as near as a rigid motion lets it.
+// Best rigid placement of a shape onto the same shape elsewhere.
 import {normalised, turned} from "./quaternion.js";
 
-const SQUARINGS = 24;  // of the matrix whose largest vector is the turn that fits: others shrink by their ratio to the power of 2^24
+const SQUARINGS = 24;  // squarings of the matrix: the largest eigenvector remains, others shrink by their ratio to the power 2^24
 
-/**
- * The rigid placement that lays a shape's poses onto other poses of the same bodies: least squares over places and directions of axes.
- * @param from, to 7 numbers a body   @param reach mm, how long an axis counts as   @returns {turn, from, to}: p lies at turn(p - from) + to
- */
+/** Computes the rigid placement that maps a shape's poses to other poses of the same bodies: least squares over
+ *  positions and axis directions.
+ *  @param from, to 7 numbers per body   @param reach mm, weight of an axis as a length   @returns {turn, from, to}: p
+ *  moves to turn(p - from) + to */
 export function fitted(from, to, reach) {
   const count = from.length / 7, middle = (poses) => [0, 1, 2].map((k) => {
     let sum = 0;
@@ -23,7 +23,8 @@ export function fitted(from, to, reach) {
   return {turn: bestTurn(sums), from: a, to: b};
 }
 
-/** Horn's quaternion of the sums of p q^T: the vector of the largest eigenvalue, by squaring the matrix. */
+/** Computes Horn's quaternion from the sums of p q^T: the eigenvector of the largest eigenvalue, by squaring the
+ *  matrix. */
 function bestTurn([[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]]) {
   let m = [[xx + yy + zz, yz - zy, zx - xz, xy - yx], [yz - zy, xx - yy - zz, xy + yx, zx + xz], [zx - xz, xy + yx, yy - xx - zz, yz + zy], [xy - yx, zx + xz, yz + zy, zz - xx - yy]];
   const shift = Math.max(...m.map((row) => row.reduce((sum, v) => sum + Math.abs(v), 0))) || 1;  // makes all eigenvalues positive

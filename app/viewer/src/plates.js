@@ -1,4 +1,4 @@
-// Walls as plates: two half walls a hinge, each of one body, at rest. Lengths in mm.
+// Walls as plates at rest: two half walls per hinge, each on one body. Lengths in mm.
 
 const add = (a, b) => a.map((v, k) => v + b[k]);
 const minus = (a, b) => a.map((v, k) => v - b[k]);
@@ -8,16 +8,17 @@ const mix = (a, b, t) => a.map((v, k) => v + t * (b[k] - v));
 const unit = (a) => scaled(a, 1 / (Math.hypot(...a) || 1));
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
-const STEEPEST_CUT = 0.05;  // of an axis that hardly rises over its wall: the cut is then made upright
-const OPENING = 0.03;       // of a cell edge, between the halves of a wall: so that a hinge can be seen
+const STEEPEST_CUT = 0.05;  // rise of the axis over its wall; below it the cut is upright
+const OPENING = 0.03;       // of a cell edge, between the halves of a wall: makes the hinge visible
 
-/** Thickness and height of walls; results of old programs say neither. */
+/** Returns thickness and height of walls. Old results have neither; they get defaults. */
 export function wallSize(structure) {
   const {thickness, height} = structure.wall_mm ?? {};
   return {thickness: thickness ?? 0.08 * structure.cell_mm, height: height ?? 0.6 * structure.cell_mm};
 }
 
-/** The half walls of one hinge: corners from the vertex's bottom round to its top, and half the thickness across. */
+/** Returns the half walls of one hinge: corners from the vertex's bottom round to its top, and half the thickness as
+ *  a vector. */
 function halfWalls(structure, hinge, index, size) {
   const rest = hinge.bodies.map((body) => structure.bodies[body].position_mm);
   const e = unit(minus(rest[1], rest[0])), z = [0, 0, 1];
@@ -38,23 +39,25 @@ function halfWalls(structure, hinge, index, size) {
   });
 }
 
-/** All half walls; corners are relative to the rest position of their body. */
+/** Returns all half walls; corners are relative to the rest position of their body. */
 export function platesOf(structure) {
   const size = wallSize(structure);
   return structure.hinges.flatMap((hinge, index) => halfWalls(structure, hinge, index, size));
 }
 
-// The broad faces first; the face at the vertex is left out: it is inside its neighbours.
+// Broad faces come first. The face at the vertex is left out, since it is inside its neighbours.
 const FACES = [[0, 1, 2, 3], [7, 6, 5, 4], [0, 4, 5, 1], [1, 5, 6, 2], [2, 6, 7, 3]];
 const CORNERS = 4 * FACES.length, INDICES = 6 * FACES.length, BROAD_INDICES = 6 * 2;
 
-/** Distances of a corner of a face from its four sides: linear over the face, so that its rim can be drawn on it. */
+/** Computes the distances of a face's corners from its four sides. They are linear over the face, for drawing its
+ *  boundary. */
 function rims(corners) {
   const toSide = (p, a, b) => Math.hypot(...cross(minus(p, a), unit(minus(b, a))));
   return corners.map((p) => corners.map((a, k) => toSide(p, a, corners[(k + 1) % 4])));
 }
 
-/** Positions, normals, bodies, rims and triangles (also of the broad faces alone) of all plates for one buffer geometry, outsides counter-clockwise. */
+/** Returns one buffer geometry of all plates: positions, normals, bodies, distances from sides and triangles (also of
+ *  broad faces only). Outsides are counter-clockwise. */
 export function mesh(plates) {
   const count = plates.length * CORNERS;
   const position = new Float32Array(3 * count), normal = new Float32Array(3 * count), rim = new Float32Array(4 * count);
@@ -78,7 +81,7 @@ export function mesh(plates) {
   return {position, normal, body, rim, index, broad, pieces: plates.map(pieceOf)};
 }
 
-/** Whose corners and indices these are in the geometry, and how far it reaches from its body's place. */
+/** Returns the owner of a range of corners and indices, and its reach from its body's position. */
 function pieceOf({body, hinge, corners, side}, n) {
   const reach = Math.max(...corners.map((c) => Math.hypot(...c))) + Math.hypot(...side);
   return {body, hinge, corners: [CORNERS * n, CORNERS * (n + 1)], indices: [INDICES * n, INDICES * (n + 1)], reach};

@@ -1,5 +1,5 @@
-// Materials whose corners move with their body: the poses of all bodies lie in one small texture, which is all that a new
-// pose has to fill.
+// Materials whose corners move with their body. A small texture holds the poses of all bodies; a new pose changes only
+// this texture.
 import * as THREE from "three";
 
 const DECLARE = `
@@ -15,10 +15,10 @@ const DECLARE = `
   vec3 turnedByBody(vec3 v) { vec3 t = 2.0 * cross(bodyTurn.yzw, v); return v + bodyTurn.x * t + cross(bodyTurn.yzw, t); }
 `;
 
-// Rims of faces are drawn by their fragments: lines of their own would cost more than all faces.
+// Boundaries of faces are drawn in the fragment shader: separate lines would cost more than all faces.
 const RIM_PX = "1.1";
 
-/** Two texels a body: place, then quaternion. */
+/** Makes a texture with two texels per body: position, then quaternion. */
 export function poseTexture(bodies) {
   const width = Math.min(1024, 2 * bodies), height = Math.ceil((2 * bodies) / width);
   const texture = new THREE.DataTexture(new Float32Array(4 * width * height), width, height, THREE.RGBAFormat, THREE.FloatType);
@@ -35,7 +35,8 @@ export function fillPoses(texture, poses) {
   texture.needsUpdate = true;
 }
 
-/** The same material, moved by those poses. @param rim {value: colour} of the rims of faces, or nothing */
+/** Changes a material to move its corners by the poses in the texture. @param rim {value: colour} of the boundaries
+ *  of faces, or nothing */
 export function posed(material, texture, rim) {
   material.onBeforeCompile = (shader) => {
     shader.uniforms.poses = {value: texture};

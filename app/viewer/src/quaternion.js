@@ -5,7 +5,7 @@ export function turnAbout([x, y, z], angle) {
   return [Math.cos(angle / 2), s * x, s * y, s * z];
 }
 
-/** First b, then a. */
+/** Multiplies two rotations: first b, then a. */
 export function product([aw, ax, ay, az], [bw, bx, by, bz]) {
   return [
     aw * bw - ax * bx - ay * by - az * bz,
@@ -15,7 +15,7 @@ export function product([aw, ax, ay, az], [bw, bx, by, bz]) {
   ];
 }
 
-/** Rad between two bodies. @param poses 7 numbers a body (mm, w x y z) */
+/** Computes the angle between two bodies, rad. @param poses 7 numbers per body (mm, w x y z) */
 export function turnBetween(poses, a, b) {
   const dot = [3, 4, 5, 6].reduce((sum, k) => sum + poses[7 * a + k] * poses[7 * b + k], 0);
   return 2 * Math.acos(Math.min(1, Math.abs(dot)));
@@ -25,7 +25,7 @@ export function conjugate([w, x, y, z]) {
   return [w, -x, -y, -z];
 }
 
-/** v turned by q. */
+/** Rotates v by q. */
 export function turned([w, x, y, z], [a, b, c]) {
   const tx = 2 * (y * c - z * b), ty = 2 * (z * a - x * c), tz = 2 * (x * b - y * a);
   return [a + w * tx + y * tz - z * ty, b + w * ty + z * tx - x * tz, c + w * tz + x * ty - y * tx];
@@ -36,7 +36,7 @@ export function normalised(q) {
   return q.map((v) => v / size);
 }
 
-/** Between two orientations by the shorter way, t in [0, 1]. */
+/** Interpolates between two orientations along the shorter path, t in [0, 1]. */
 export function slerp(a, b, t) {
   let cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
   const sign = cosine < 0 ? -1 : 1;

@@ -1,10 +1,10 @@
-// The motion as a film, where the browser can make one.
+// Video of the motion, if the browser can record one.
 
 export function canRecord(canvas) {
   return typeof MediaRecorder === "function" && typeof canvas.captureStream === "function";
 }
 
-/** @returns stop(), whose promise is the film (webm) */
+/** Starts a recording. @returns stop(), whose promise gives the video (webm) */
 export function record(canvas) {
   const type = ["video/webm;codecs=vp9", "video/webm"].find((each) => MediaRecorder.isTypeSupported(each));
   const recorder = new MediaRecorder(canvas.captureStream(30), {mimeType: type, videoBitsPerSecond: 6e6}), parts = [];

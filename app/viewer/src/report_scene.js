@@ -1,4 +1,4 @@
-// What the report takes: the global KinetixScene.
+// Exports for the report, as the global KinetixScene.
 export {exactMotion} from "./fold.js";
 export {pictureUnder} from "./ghost.js";
 export {turnBetween} from "./quaternion.js";

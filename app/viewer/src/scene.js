@@ -1,4 +1,4 @@
-// The view of a sheet in space, for the report and the studio. Poses are 7 numbers a body (x, y, z in mm, w, x, y, z).
+// Three-dimensional view for the report and the studio. Poses are 7 numbers per body (x, y, z in mm, w, x, y, z).
 import * as THREE from "three";
 import {cssColour, heat} from "./colours.js";
 import {Orbit} from "./orbit.js";
@@ -11,17 +11,17 @@ import {solidsOf} from "./solids.js";
 import {standing, standOf} from "./standing.js";
 import {turned} from "./quaternion.js";
 
-const SLOW_FRAME = 45;      // ms, of 22 frames a second; above it the picture is drawn with fewer pixels
-const FEWEST_PIXELS = 0.5;  // a CSS pixel
-const SHADOW_EVERY = 4;     // frames in motion
-const SMALLEST = 0.35;      // of the flat sheet's half diagonal: what folds up smaller is not drawn larger
-const STILL = 300;          // ms without a change: then all pixels are drawn once
-const SUN = [-0.35, -0.45, 2.2];  // where it stands, over the reach of its light
-const SOFT = 0.06;          // of the reach: how far a soft shadow runs out
-const SLOWEST_FRAMES = 4;   // times the last frame's gap: on a slow machine the next frame may take as long
+const SLOW_FRAME = 45;      // ms, 22 frames per second; slower pictures are drawn with fewer pixels
+const FEWEST_PIXELS = 0.5;  // per CSS pixel
+const SHADOW_EVERY = 4;     // frames during the motion
+const SMALLEST = 0.35;      // of the flat sheet's half diagonal: smaller shapes are not enlarged further
+const STILL = 300;          // ms without a change; then all pixels are drawn once
+const SUN = [-0.35, -0.45, 2.2];  // position over the reach of its light
+const SOFT = 0.06;          // of the reach: width of a shadow's soft boundary
+const SLOWEST_FRAMES = 4;   // times the last frame time: on a slow machine the next frame may take as long
 
 export class Scene {
-  /** @param canvas in a box of its own   @param options {isTaken} */
+  /** @param canvas alone in its parent box   @param options {isTaken} */
   constructor(canvas, {isTaken} = {}) {
     this.canvas = canvas;
     const inSoftware = drawsInSoftware();
@@ -49,7 +49,7 @@ export class Scene {
     this.resize();
   }
 
-  /** @param inSoftware whether shadows have to be coarse: their pass costs as much as all else together */
+  /** @param inSoftware uses coarse shadows: their pass costs as much as everything else together */
   light(inSoftware) {
     this.sky = new THREE.HemisphereLight(0xffffff, 0xb4bcc6, 2);
     this.sky.position.set(0, 0, 1);
@@ -64,8 +64,8 @@ export class Scene {
     this.world.add(this.sky, this.sun, this.sun.target, this.ground);
   }
 
-  /** Another sheet; the view stays where it can. @param structure as in result.json
-   *  @param meshes of bodies of any shape, {bodies, hinges} of {points, triangles}: instead of walls */
+  /** Shows another structure and keeps the view if possible. @param structure as in result.json
+   *  @param meshes of bodies of any shape, {bodies, hinges} of {points, triangles}; replaces walls */
   setStructure(structure, {fit = true, meshes = null} = {}) {
     this.solid?.geometry.dispose();
     this.solid?.removeFromParent();
@@ -107,12 +107,12 @@ export class Scene {
     return solid;
   }
 
-  /** How the thing stands is read from these poses, folded for best; without them it stands as its frame has it. */
+  /** Sets the poses that decide how the object stands, preferably folded ones. Without poses it keeps its own frame. */
   standBy(poses) {
     this.stand = poses ? standOf(poses, this.rest) : null;
   }
 
-  /** Poses of all bodies. @param settle whether it is turned to stand; else it stays turned as it was */
+  /** Shows poses of all bodies. @param settle turns the object to stand; otherwise its orientation stays */
   show(poses, {settle = true} = {}) {
     this.poses = poses;
     fillPoses(this.texture, poses);
@@ -131,7 +131,7 @@ export class Scene {
     this.redraw();
   }
 
-  /** Axes of hinges that are drawn: [{hinge, colour}]. */
+  /** Draws axes of hinges: [{hinge, colour}]. */
   setAxes(chosen) {
     const {hinges, cell_mm} = this.structure;
     this.axes.set(chosen.map(({hinge, colour}) => {
@@ -142,7 +142,8 @@ export class Scene {
     this.redraw();
   }
 
-  /** Of the vertices as they stand, wide enough for the walls; of bodies of any shape, that of their boxes. */
+  /** Computes the bounding box of the vertices as they stand, with room for the walls; for bodies of any shape, the
+   *  box of their boxes. */
   boxOf(poses) {
     if (this.boxes) return this.boxOfBoxes(poses);
     const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity], {held} = this;
@@ -183,7 +184,7 @@ export class Scene {
     this.layGround(box, reach);
   }
 
-  /** As large as the shadow: software draws every point of it, lit or not. */
+  /** Makes the ground as large as the shadow, because software rendering draws every point of it, lit or not. */
   layGround({low, high}, reach) {
     const top = Math.max(0, high[2] + this.shift[2]);
     const [x, y] = [0, 1].map((k) => {
@@ -211,22 +212,22 @@ export class Scene {
     this.paint();
   }
 
-  /** Numbers from 0 to 1 of every hinge (or of every body), or null for plain walls. */
+  /** Sets numbers from 0 to 1 for every hinge (or every body), or null for plain walls. */
   setHeat(values, of = "hinge") {
     this.heat = values ? {values, of} : null;
     this.paint();
   }
 
-  /** Whether cells shine by how far they are open. */
+  /** Sets whether cells are lit by their opening. */
   setShining(on) {
     this.openings.object.visible = on;
-    if (this.underlay) this.underlay.visible = !on;  // a lamp shows the picture by itself
+    if (this.underlay) this.underlay.visible = !on;  // the lamp shows the picture already
     this.ground.visible = !on;
     this.openings.show(this.poses);
     this.redraw();
   }
 
-  /** Hinges by what they are: {bad: [..], chosen: [..]}, bodies: {fixed: [..], bodies (that are chosen): [..]}. */
+  /** Marks hinges and bodies: {bad: [..], chosen: [..]} are hinges, {fixed: [..], bodies (chosen): [..]} are bodies. */
   setMarked(marks) {
     this.marked = marks;
     this.paint();
@@ -254,9 +255,10 @@ export class Scene {
     this.redraw();
   }
 
-  // ---- what lies beside it
+  // ---- objects next to it
 
-  /** The goal as a ghost, in a frame of its own (see placeGoal): {lines: [[[x, y, z]]], bare: lines of it that nothing lies near to, points: [[x, y, z]], triangles: [[a, b, c]], picture: {source, corners}}. */
+  /** Shows the goal as a ghost in a separate frame (see placeGoal): {lines: [[[x, y, z]]], bare: lines without a
+   *  nearby sheet, points: [[x, y, z]], triangles: [[a, b, c]], picture: {source, corners}}. */
   setGoal(goal) {
     this.goal.clear();
     const colour = cssColour("goal"), at = (points) => new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute(points.flat(), 3));
@@ -274,7 +276,8 @@ export class Scene {
     this.redraw();
   }
 
-  /** Lays the goal into the frame of the poses. @param placement {turn, from, to} (placement.js), or null: it is in that frame */
+  /** Places the goal in the frame of the poses. @param placement {turn, from, to} (placement.js); null: the goal is
+   *  in that frame already */
   placeGoal(placement) {
     const {turn: [w, ...v], from, to} = placement ?? {turn: [1, 0, 0, 0], from: [0, 0, 0], to: [0, 0, 0]};
     this.goal.quaternion.set(...v, w);
@@ -282,7 +285,7 @@ export class Scene {
     this.redraw();
   }
 
-  /** A thread from a point of the thing to the hand; null takes it away. In the frame of the poses. */
+  /** Draws a line from a point of the object to the pointer, in the frame of the poses; null removes it. */
   setThread(from, to) {
     this.marks.clear();
     if (from && to) {
@@ -297,7 +300,7 @@ export class Scene {
 
   // ---- pointing
 
-  /** A ray through a point of the page, in the frame of the poses. */
+  /** Returns the ray through a point of the page, in the frame of the poses. */
   ray(clientX, clientY) {
     const box = this.canvas.getBoundingClientRect();
     const at = new THREE.Vector2((2 * (clientX - box.left)) / box.width - 1, 1 - (2 * (clientY - box.top)) / box.height);
@@ -307,7 +310,7 @@ export class Scene {
     return {origin: origin.clone().applyMatrix4(back).toArray(), way: direction.clone().transformDirection(back).toArray()};
   }
 
-  /** {body, hinge, at (in the rest frame), point} under a point of the page, or null. */
+  /** Returns {body, hinge, at (in the rest frame), point} under a point of the page, or null. */
   pick(clientX, clientY) {
     const {origin, way} = this.ray(clientX, clientY), found = this.picker?.pick(origin, way, this.poses);
     if (!found) return null;
@@ -315,13 +318,14 @@ export class Scene {
     return {body: found.body, hinge: found.hinge, at, point: origin.map((v, k) => v + found.distance * way[k])};
   }
 
-  /** Where the point `at` (rest frame) of a body is now. */
+  /** Returns the present place of the point `at` (rest frame) of a body. */
   carried(body, at) {
     const arm = turned([...this.poses.subarray(7 * body + 3, 7 * body + 7)], at.map((v, k) => v - this.rest[body][k]));
     return arm.map((v, k) => v + this.poses[7 * body + k]);
   }
 
-  /** The point under the pointer in the plane through `point` that faces the viewer, in the frame of the poses. */
+  /** Returns the point under the pointer in the plane through `point` that faces the viewer, in the frame of the
+   *  poses. */
   facing(clientX, clientY, point) {
     const {origin, way} = this.ray(clientX, clientY), back = this.thing.matrix.clone().invert();
     const normal = this.camera.getWorldDirection(new THREE.Vector3()).transformDirection(back).toArray();
@@ -330,7 +334,7 @@ export class Scene {
     return origin.map((v, k) => v + along * way[k]);
   }
 
-  /** The place on the page of a point in the frame of the poses. */
+  /** Returns the place on the page of a point in the frame of the poses. */
   onPage(point) {
     const box = this.canvas.getBoundingClientRect(), at = new THREE.Vector3(...point).applyMatrix4(this.thing.matrix).project(this.camera);
     return [box.left + (0.5 + 0.5 * at.x) * box.width, box.top + (0.5 - 0.5 * at.y) * box.height];
@@ -365,7 +369,7 @@ export class Scene {
     this.still = setTimeout(() => this.drawSharp(), Math.max(STILL, SLOWEST_FRAMES * (this.gap ?? 0)));
   }
 
-  /** @param triangles of the plates: all, or broad: two fifths of the corners, for motion on a slow machine */
+  /** @param triangles of the plates: all, or broad, which has two fifths of the corners for motion on a slow machine */
   render(triangles) {
     this.solid?.geometry.setIndex(this.triangles[triangles]);
     this.renderer.render(this.world, this.camera);
@@ -376,7 +380,7 @@ export class Scene {
     this.moved = false;
   }
 
-  /** A picture that stands still is drawn with all pixels that the screen has. */
+  /** Draws a still picture with all pixels of the screen. */
   drawSharp() {
     if (!this.moved && !this.rough && this.pixels === this.mostPixels) return;
     this.fewPixels = this.pixels === this.mostPixels ? 0 : this.pixels;
@@ -390,7 +394,7 @@ export class Scene {
     this.renderer.setPixelRatio(pixels);
   }
 
-  /** A slow machine gets fewer pixels, and if that does not help, walls without their narrow sides, while things move. */
+  /** Reduces the work during motion on a slow machine: first fewer pixels, then walls without their narrow sides. */
   keepPace(gap) {
     this.gap = gap;
     this.pace = 0.8 * (this.pace ?? 0) + 0.2 * gap;
@@ -400,7 +404,7 @@ export class Scene {
     this.pace = 0;
   }
 
-  /** The view as a PNG. */
+  /** Returns the view as a PNG. */
   picture() {
     this.castShadow();
     this.render("all");
@@ -408,13 +412,13 @@ export class Scene {
   }
 }
 
-/** The longest way through all boxes at rest, mm. */
+/** Computes the diagonal of the box around all bodies at rest, mm. */
 function extentOf({boxes, rest}) {
   const points = boxes.flatMap((corners, body) => corners.map((p) => p.map((v, k) => v + rest[body][k])));
   return Math.hypot(...[0, 1, 2].map((k) => points.reduce((most, p) => Math.max(most, p[k]), -Infinity) - points.reduce((least, p) => Math.min(least, p[k]), Infinity)));
 }
 
-/** Soft shadows leave a breath of grey on lit ground, whose rim would show. */
+/** Removes the faint grey that soft shadows leave on lit ground, whose boundary would be visible. */
 function clearWhereLit(material) {
   material.onBeforeCompile = (shader) => {
     shader.fragmentShader = shader.fragmentShader.replace("1.0 - getShadowMask()", "smoothstep(0.06, 1.0, 1.0 - getShadowMask())");
@@ -422,7 +426,7 @@ function clearWhereLit(material) {
   return material;
 }
 
-/** Whether there is no graphics card: edges are then left a little rougher. */
+/** Returns whether there is no graphics card; edges are then drawn without antialiasing. */
 function drawsInSoftware() {
   const context = document.createElement("canvas").getContext("webgl2"), names = context?.getExtension("WEBGL_debug_renderer_info");
   const name = names ? context.getParameter(names.UNMASKED_RENDERER_WEBGL) : "";
@@ -430,7 +434,8 @@ function drawsInSoftware() {
   return /swiftshader|llvmpipe|software|basic render/i.test(name);
 }
 
-/** A picture that lies under the thing. @param source an image or canvas   @param corners from low left on, to the left about */
+/** Makes a picture below the object. @param source an image or canvas   @param corners from the lower left,
+ *  counter-clockwise */
 function underlay({source, corners: [a, b, c, d]}) {
   const texture = new THREE.CanvasTexture(source);
   texture.magFilter = THREE.NearestFilter;

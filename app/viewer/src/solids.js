@@ -1,21 +1,21 @@
-// Bodies of any shape as meshes, and the soft parts between them, whose halves go with the two bodies. Lengths in mm.
+// Bodies of any shape as meshes, and the soft parts between them, whose halves move with the two bodies. Lengths in mm.
 
-const CREASE = Math.cos(Math.PI / 6);  // between faces: sharper edges are drawn, blunter ones are round
-const FAR = 1e6;                       // mm: where there is no edge
+const CREASE = Math.cos(Math.PI / 6);  // between faces: sharper edges are drawn, others are rounded
+const FAR = 1e6;                       // mm: no edge nearby
 
 const minus = (a, b) => a.map((v, k) => v - b[k]);
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const unit = (a) => a.map((v) => v / (Math.hypot(...a) || 1));
 
-/** {points: [[x, y, z]], triangles: [[a, b, c]]} of a mesh as the program sends it: base64 of floats and of whole numbers. */
+/** Decodes a mesh of the program (base64 of floats and integers) into {points: [[x, y, z]], triangles: [[a, b, c]]}. */
 export function decoded({points, triangles}) {
   const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0)).buffer;
   const threes = (numbers) => Array.from({length: numbers.length / 3}, (_, k) => [...numbers.subarray(3 * k, 3 * k + 3)]);
   return {points: threes(new Float32Array(bytes(points))), triangles: threes(new Uint32Array(bytes(triangles)))};
 }
 
-/** For each triangle its normal, and of each of its edges whether it is sharp. */
+/** Computes for each triangle its normal, and for each of its edges whether it is sharp. */
 function facesOf({points, triangles}) {
   const across = triangles.map(([a, b, c]) => cross(minus(points[b], points[a]), minus(points[c], points[a])));
   const normals = across.map(unit), beside = new Map();
@@ -26,7 +26,7 @@ function facesOf({points, triangles}) {
   return {across, normals, sharp};
 }
 
-/** Of each corner of each triangle the mean normal of the faces that go on there without a crease. */
+/** Computes for each corner of each triangle the mean normal of the adjoining faces without a crease. */
 function roundNormals({points, triangles}, {across, normals}) {
   const around = points.map(() => []);
   triangles.forEach((triangle, n) => triangle.forEach((p) => around[p].push(n)));
@@ -37,20 +37,21 @@ function roundNormals({points, triangles}, {across, normals}) {
   }));
 }
 
-/** Distance of a corner of a triangle from its edges, far where these are not sharp. */
+/** Computes the distance of a triangle's corner from its edges; FAR for edges that are not sharp. */
 function rimOf(corners, sharp, k) {
   const off = (a, b) => Math.hypot(...cross(minus(corners[k], a), unit(minus(b, a))));
   return [...[0, 1, 2].map((e) => (sharp[e] ? off(corners[e], corners[(e + 1) % 3]) : FAR)), FAR];
 }
 
-/** The box of the points round a body's place. */
+/** Returns the corners of the box around the points, relative to the body's position. */
 function boxOf(points, place) {
   const ends = [Math.min, Math.max].map((pick) => [0, 1, 2].map((k) => points.reduce((v, p) => pick(v, p[k]), points[0][k]) - place[k]));
   return Array.from({length: 8}, (_, n) => [0, 1, 2].map((k) => ends[(n >> k) & 1][k]));
 }
 
-/** One geometry for all meshes, corners relative to the rest position of their body; boxes of the bodies, and their pieces:
- *  of a body {body}, of a soft part {body, hinge, soft}.  @param meshes {bodies: [mesh], hinges: [mesh or null]} */
+/** Makes one geometry for all meshes, with corners relative to the rest position of their body, and the bodies'
+ *  boxes. Its pieces are {body} for a body and {body, hinge, soft} for a soft part.
+ *  @param meshes {bodies: [mesh], hinges: [mesh or null]} */
 export function solidsOf(structure, meshes) {
   const rest = structure.bodies.map(({position_mm}) => position_mm);
   const sources = [...meshes.bodies.map((mesh, body) => ({mesh, piece: {body}, bodyOf: () => body})),
@@ -76,7 +77,7 @@ export function solidsOf(structure, meshes) {
   return {position, normal, body, rim, index, broad: index, pieces, boxes: meshes.bodies.map((mesh, k) => boxOf(mesh.points, rest[k]))};
 }
 
-/** What lies beyond its hinge goes with the second body. */
+/** Describes a soft part: points beyond its hinge move with the second body. */
 function softPart({bodies: [lower, upper], point_mm, along}, hinge, mesh) {
   return {mesh, piece: {body: lower, hinge, soft: true}, bodyOf: (p) => (dot(along, minus(p, point_mm)) > 0 ? upper : lower)};
 }

@@ -1,8 +1,9 @@
-// How people hold the thing: a box on its base, an arch on its ends, a dome with its opening down, a panel flat.
+// Orientation in which people expect the object: a box on its base, an arch on its ends, a dome with its opening down,
+// a panel flat.
 import {turned} from "./quaternion.js";
 
-const SAME_FACE = Math.cos(0.05);  // rad; panels within it lie in one plane
-const FACE_SHARE = 0.09;           // of all bodies: from there a flat part is one that the thing can stand on
+const SAME_FACE = Math.cos(0.05);  // rad; panels within this angle are in one plane
+const FACE_SHARE = 0.09;           // of all bodies: smallest flat part that can be a base
 const LEAST_FACE = 6;              // bodies
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -11,20 +12,21 @@ const scaled = (a, s) => a.map((v) => v * s);
 const minus = (a, b) => a.map((v, k) => v - b[k]);
 const mean = (points) => scaled(points.reduce((a, b) => a.map((v, k) => v + b[k]), [0, 0, 0]), 1 / points.length);
 
-/** Direction `axis` of every body, and its place. */
+/** Returns direction `axis` of every body. */
 function directions(poses, axis) {
   return Array.from({length: poses.length / 7}, (_, k) => turned(poses.subarray(7 * k + 3, 7 * k + 7), axis));
 }
 const places = (poses) => Array.from({length: poses.length / 7}, (_, k) => [...poses.subarray(7 * k, 7 * k + 3)]);
 
-/** Whether the thing stands on a flat part without tipping over: the middle of all lies above the part, not beside it. */
+/** Returns whether the object would rest on a flat part without tipping: its centre must be above the part. */
 function bears({normal, bodies}, points) {
   const base = mean(bodies.map((k) => points[k])), off = minus(mean(points), base), beside = minus(off, scaled(normal, dot(off, normal)));
   const far = Math.hypot(...beside);
   return far < 1e-6 || Math.max(...bodies.map((k) => dot(minus(points[k], base), beside))) >= far * far;
 }
 
-/** Bodies of the largest flat part that bears the thing; among equal ones, of that in the middle of the sheet. */
+/** Returns the bodies of the largest flat part that can be a base; among nearly equal ones, of the one nearest to the
+ *  middle of the sheet. */
 function baseFace(normals, points, rest) {
   const groups = [], middle = mean(rest);
   normals.forEach((normal, k) => {
@@ -40,7 +42,7 @@ function baseFace(normals, points, rest) {
   return best.bodies;
 }
 
-/** Bodies that what stands up is read from, and whether their upper side is to look down. */
+/** Returns the bodies that define the orientation, and whether their upper side must face down. */
 export function standOf(poses, rest) {
   const normals = directions(poses, [0, 0, 1]), points = places(poses), face = baseFace(normals, points, rest);
   const bodies = face ?? normals.map((_, k) => k), up = mean(bodies.map((k) => normals[k]));
@@ -50,7 +52,7 @@ export function standOf(poses, rest) {
   return {bodies, flipped: rise < 0};
 }
 
-/** Rows of the rotation that makes it stand: carried x, across, up. */
+/** Returns the rows of the rotation into the standing orientation: the turned x, across, up. */
 export function standing({bodies, flipped}, poses) {
   const at = (axis) => mean(bodies.map((k) => turned(poses.subarray(7 * k + 3, 7 * k + 7), axis)));
   const sign = flipped ? -1 : 1;

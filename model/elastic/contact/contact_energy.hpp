@@ -5,13 +5,14 @@
 
 namespace kinetix::model {
 
-/// Contact of walls of thickness w, energies in units of k_point edge^2, stiffnesses of k_point: points of
-/// half walls (ContactPlates) against the boxes of the others, with the energy 1/2 contact depth^2 a point; in
-/// space a third of that, since a wall tip edge has three. The depth is that to the nearest of the two sides,
-/// the end and (in space) top and bottom: linear in the carried point. As in the physics run, the two halves of
-/// one wall and plates of one body pass through each other, and so do plates that touch in the flat state.
-/// Walls of the plane that cross without a point inside call up no force, nor do wall tip edges in space that
-/// cross between their points; newly_cross sees both.
+/// Contact of walls of thickness w: points of half walls (ContactPlates) against the boxes of other half
+/// walls. Energy per point: 1/2 contact depth^2; in space a third of that, since a wall tip edge has three
+/// points. The depth is measured to the nearest of the two sides, the end and (in space) top and bottom. It
+/// is linear in the carried point. Energies are in units of k_point edge^2, stiffnesses of k_point.
+///
+/// As in the simulation, the two halves of one wall do not touch each other, nor do plates of one body or
+/// plates that touch in the flat state. Some crossings cause no force: walls in the plane without a point
+/// inside, and wall tip edges in space that cross between their points. newly_cross() detects both.
 class ContactModel {
  public:
   /// @param planar as of contact_plates()
@@ -28,18 +29,18 @@ class ContactModel {
   int body(int plate) const { return all().plates[plate].body; }
   static int hinge(int plate) { return plate / 2; }
 
-  /// a is the body of the point, b that of the box.
+  /// Returns the energy of a contact. Body a is that of the point, b that of the box.
   Element element(const Contact& contact, double stiffness, const State& state) const;
   double energy(const std::vector<Contact>& contacts, double stiffness) const;
 
   /// Derivatives by t, alpha and beta of contact.plate's hinge, then of contact.other's.
   using ByTwoHinges = Eigen::Matrix<double, 6, 1>;
-  /// How the gradient of a contact's energy changes: a column each.
+  /// Returns the derivatives of the gradient of a contact's energy, one column per parameter.
   Eigen::Matrix<double, 12, 6> derivatives(const Contact& contact, double stiffness,
                                            const State& state) const;
-  /// And with the stiffness.
+  /// Returns the derivative of the gradient of a contact's energy by the contact stiffness.
   Vector12 stiffness_rate(const Contact& contact, const State& state) const;
-  /// Derivative of depth.
+  /// Returns the derivatives of the depth of a contact.
   ByTwoHinges depth_gradient(const Contact& contact, const State& state) const;
 
  private:
@@ -48,7 +49,7 @@ class ContactModel {
   ByTwoHinges gap_gradient(const PointGap& gap, const Contact& contact, const State& state) const;
 
   ContactSearch search_;
-  double weight_;  ///< of a point, against those along the same wall tip edge
+  double weight_;  ///< of a point's energy, shared with others on the same wall tip edge
 };
 
 }  // namespace kinetix::model

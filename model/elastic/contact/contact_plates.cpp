@@ -9,16 +9,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Along top or bottom of a half wall on one side.
+// Limit of points along top or bottom of a half wall, on one side.
 constexpr double most_rim_points = 80;
 
-/// How many points along top or bottom of a half wall, without that of the wall tip. By the whole walls, whose lengths do not
-/// depend on where their hinges are: the energy must not jump where t changes.
+/// Returns the number of points along top or bottom of a half wall, without that of the wall tip. It depends
+/// on whole walls, whose lengths do not change with the positions of hinges: the energy must not jump with t.
 int rim_points(const ContactPlates& all, const Linkage& structure) {
   double longest = 0;
   for (std::size_t k = 0; k + 1 < structure.plates.size(); k += 2)
     longest = std::max(longest, structure.plates[k].length + structure.plates[k + 1].length);
-  // A length of a wall is 1 up to rounding.
+  // The length of a wall is 1 up to rounding.
   return static_cast<int>(
       std::clamp(std::ceil(longest / (2 * all.half_thickness) - 1e-6), 1.0, most_rim_points));
 }
@@ -43,7 +43,7 @@ ContactPlate contact_plate(const Plate& half_wall) {
   plate.sign = half_wall.length_t;
   plate.length = half_wall.length;
   plate.slant = half_wall.slant;
-  // It is cot(alpha) of the half wall that t is the length of, and its opposite of the other one.
+  // cot(alpha) for the half wall whose length is t, and its negative for the other one.
   plate.slant_rate = -std::copysign(1 + plate.slant * plate.slant, half_wall.length_t);
   plate.edge = half_wall.edge;
   plate.up = half_wall.up;

@@ -10,16 +10,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Cell edges: wider lists more pairs, narrower must be searched anew more often.
+// Cell edges: a wider margin lists more pairs, a narrower one needs new searches more often.
 constexpr double near_margin = 0.3;
-constexpr double passing_margin = 0.5;  // cell edges: what was further away may have gone round the end
-// Cell edges: what points are told apart by that one of their places is found by another sum.
+constexpr double passing_margin = 0.5;  // cell edges: a point further away may have gone around the end
+// Cell edges: rounding difference of a point's position between two ways to compute it.
 constexpr double summed_otherwise = 1e-9;
-// Rad: a smaller turn has no axis.
+// Rad: a smaller turn has no defined axis.
 constexpr double least_turn = 1e-6;
-// Of half the thickness: by less, walls may seem to brush past each other between two states for the motion being another one.
+// Fraction of half the thickness. Shallower contact between two states may only seem so, since the actual
+// motion differs from the screw.
 constexpr double unseen = 0.05;
-// Of half the thickness: nearer to a side, a point slides out of it.
+// Fraction of half the thickness: a point closer to a side slides out of it.
 constexpr double deep = 0.25;
 
 bool is_same(const State& a, const State& b) {
@@ -255,7 +256,7 @@ bool ContactSearch::stays_off(const PlatePair& pair, const Box& before, const Bo
   const double length = other.length + all_.slant_length(other);
   const Vector3d middle(length / 2, 0, 0), half(length / 2, all_.half_thickness, all_.half_height);
   const Extent then = whole_extent_of(before, pair.plate), now = whole_extent_of(after, pair.plate);
-  // By which an arc leaves its chord.
+  // Largest distance of an arc from its chord.
   const double bulge = ((after.edge - before.edge).squaredNorm() + (after.up - before.up).squaredNorm()) / 8 *
                        (all_.plates[pair.plate].length + all_.wall_tip_radius());
   for (int k = 0; k < 3; ++k) {
@@ -279,7 +280,7 @@ bool ContactSearch::sweeps_through(const PlatePair& pair, const Box& before, con
   const auto middle = [&](const Box& box) -> Vector3d { return box.origin + length / 2 * box.edge; };
   const Vector3d shift = middle(after) - middle(before), axis = turn.axis();
   const double along = shift.dot(axis);
-  // From the middle to the screw axis: what turns about it by this angle moves across it by this much.
+  // Vector from the middle to the screw axis. A turn by this angle about it moves the middle by `across`.
   const bool is_screw = std::abs(turn.angle()) > least_turn;
   const Vector3d across = shift - along * axis;
   const Vector3d to_axis =
@@ -345,7 +346,7 @@ bool ContactSearch::sweep_through(const State& before, const State& after) {
   std::vector<Box> from;
   const std::vector<PlatePair> near = pairs_between(before, after, from);
   for (std::size_t k = 0; k < near.size(); ++k) {
-    // Once a pair: the other plate sees the same motion.
+    // Each pair once: the other plate has the same relative motion.
     const PlatePair back{near[k].other, near[k].plate};
     if (back < near[k] && std::binary_search(near.begin(), near.end(), back)) continue;
     const Box to = in_box(near[k]);

@@ -12,59 +12,63 @@
 
 namespace kinetix::model {
 
-/// A point of one half wall pressed into another half wall through one face.
+/// Point of one half wall that is pressed into another half wall through one face.
 struct Contact {
-  int plate = 0, point = 0;     ///< half wall (as half_walls() counts them) and which of its points
-  int other = 0;                ///< half wall it is in,
-  Face face = Face::side_plus;  ///< and the face that is nearest to it
+  int plate = 0, point = 0;     ///< half wall (index as in half_walls()) and index of its point
+  int other = 0;                ///< penetrated half wall
+  Face face = Face::side_plus;  ///< nearest face of the penetrated half wall
   double depth = 0;             ///< cell edges, > 0
   bool operator==(const Contact& c) const {
     return plate == c.plate && point == c.point && other == c.other && face == c.face;
   }
 };
 
-/// Finds points of half walls inside the boxes of others. The two halves of one wall, plates of one body
-/// and plates that touch in the flat state are not looked at. Pairs that are near are kept from call to call
-/// until bodies may have come closer by a margin: what is found does not depend on it.
+/// Search for points of half walls inside the boxes of others. It skips the two halves of one wall, plates of
+/// one body and plates that touch in the flat state. Nearby pairs are kept between calls until bodies may
+/// have approached by a margin. Results do not depend on this.
 class ContactSearch {
  public:
   ContactSearch(const Linkage& structure, bool planar);
 
   const ContactPlates& all() const { return all_; }
-  /// Two half walls that overlap in the flat state: nothing that could be built.
+  /// Two half walls that overlap in the flat state, which cannot be built.
   const std::optional<WallPair>& overlap_at_rest() const { return overlap_at_rest_; }
 
-  /// Points in contact, in a fixed order. Empty for poses that are not finite.
+  /// Returns points in contact, in a fixed order. Empty for poses that are not finite.
   const std::vector<Contact>& find(const State& state);
 
-  /// Whether a point went from one side of a half wall to the other, beside it in both states and within half
-  /// a cell edge of it before: then it did not go round its end, and the step between the states was too long
-  /// for contact to stop it. In space also, whether it came in from above or below and would be pushed out through
-  /// a side. @pre both states are finite
+  /// Returns whether a point passed from one side of a half wall to the other. It must be next to the wall in
+  /// both states. In the first state it must be within half a cell edge, so that it did not go around the
+  /// end. Then the step was too long for contact to stop it. In space, points are also detected that entered
+  /// from above or below and would be pushed out through a side.
+  /// @pre both states are finite
   bool passed_through(const State& before, const State& after);
-  /// Whether two half walls that do not touch in either state, or only a little, get into each other on the screw motion that
-  /// leads from one state to the other: then a step between them passes a contact. @pre both states are finite
+  /// Returns whether two half walls overlap during the screw motion from one state to the other, although
+  /// they touch little or not at all in both states. Then a step between the states misses a contact.
+  /// @pre both states are finite
   bool sweep_through(const State& before, const State& after);
-  /// Whether two half walls lie across each other that did not before, as where walls that stood tip to tip slip past. No
-  /// contact lets them: its forces grow up to there. In the plane, their middle lines cross; in space, they are in each other by
-  /// half a thickness or more in every direction.  @pre both states are finite
+  /// Returns whether two half walls cross that did not before, for example walls that slipped past each other
+  /// from tip to tip. Contact forces do not prevent this: they grow only up to there. In the plane, middle
+  /// lines must cross. In space, the walls must overlap by half a thickness or more in every direction.
+  /// @pre both states are finite
   bool newly_cross(const State& before, const State& after);
 
  private:
-  /// A plate and another one whose box points of it may be in.
+  /// A plate, and another one whose box may contain points of it.
   struct PlatePair {
     int plate, other;
     auto operator<=>(const PlatePair&) const = default;
   };
-  /// Origin and directions of a plate's box, cell edges.
+  /// Origin and axes of a plate's box, cell edges.
   struct Box {
     Eigen::Vector3d origin, edge, normal, up;
   };
-  /// Of all points of a plate, along another's edge, normal and up, cell edges.
+  /// Extent of a plate's points along another plate's edge, normal and up, cell edges.
   struct Extent {
     Eigen::Vector3d middle, half;
 
-    /// Whether all are on one side of that plate and go on to be there. @param half_thickness of it, cell edges
+    /// Returns whether all points are on the same side of that plate in both states. @param half_thickness of
+    /// that plate, cell edges
     bool stays_beside(const Extent& later, double half_thickness) const {
       const auto side = [&](const Extent& e) {
         if (!(std::abs(e.middle[1]) > half_thickness + e.half[1])) return 0;
@@ -77,57 +81,63 @@ class ContactSearch {
   void place(int plate, const State& state);
   void place(const State& state);
   void update_near(const State& state);
-  /// Where a point is in the state last placed, from another plate's vertex along its edge, its normal and up. cell edges
+  /// Returns the position of a point in the last placed state, from another plate's vertex along its edge,
+  /// normal and up. Cell edges.
   Eigen::Vector3d in_box(const Eigen::Vector3d& point, int other) const;
   Eigen::Vector3d in_box(const Contact& contact) const;
-  /// A plate as its other one sees it, likewise.
+  /// Returns a plate's box in the frame of the other plate, cell edges.
   Box in_box(const PlatePair& pair) const;
-  /// @param index of the plate that a box is of
+  /// Returns the position of a plate's point. @param index index of the plate that `box` belongs to
   Eigen::Vector3d point_of(const Box& box, int index, const ContactPoint& point) const;
   Extent extent_of(const Box& box, int index) const;
-  /// Of the whole plate, where contact of the plane looks at points of its tip alone.
+  /// Returns the extent of the whole plate. In the plane, extent_of() covers its tip only.
   Extent whole_extent_of(const Box& box, int index) const;
-  /// Whether a point of that extent may be in another's box grown by a margin, cell edges.
+  /// Returns whether a point of that extent may be in another plate's box grown by a margin, cell edges.
   bool may_be_within(const Extent& extent, int other, double margin) const;
-  /// Middles of all plates, a column each, cell edges.
+  /// Returns the middles of all plates, one per column, cell edges.
   Eigen::Matrix3Xd placed_centers() const;
-  /// Plates points of which may be in a box grown by a margin, cell edges, in the state last placed. Sorted.
+  /// Returns pairs with points that may be in a box grown by a margin, cell edges, in the last placed state.
+  /// Sorted.
   std::vector<PlatePair> pairs_within(double margin);
-  /// Pairs that may meet between two states, and each pair's plate as its other one sees it in the first one.
+  /// Returns pairs that may touch between two states. Sets `from` to each pair's plate in the frame of the
+  /// other one, in the first state.
   std::vector<PlatePair> pairs_between(const State& before, const State& after, std::vector<Box>& from);
   bool may_touch(int plate, int other) const;
-  /// Whether two half walls, cut along their hinges, are in each other by half a thickness in every direction.
+  /// Returns whether two half walls, cut along their hinges, overlap by half a thickness in every direction.
   bool are_deep(int plate, int other, const State& state) const;
-  /// Plates that lie across each other, each pair once. Sorted.
+  /// Returns plates that cross, each pair once. Sorted.
   std::vector<std::pair<int, int>> crossing(const State& state);
-  /// Whether one's middle line, in the plane, goes across the other's or what is beside it.
+  /// Returns whether the middle line of a plate, in the plane, crosses the line of the other's box between
+  /// its ends.
   bool is_cut(int plate, int other) const;
-  /// +1 or -1: on which side of a half wall a point is; 0 where it is not beside it, or inside and
-  /// nearer to its end.
-  /// @param y here and below, as of in_box()
+  /// Returns on which side of a half wall a point is, +1 or -1. 0 if it is not next to it, or is inside and
+  /// closer to the end.
+  /// @param y here and below, as returned by in_box()
   int side_of(const Eigen::Vector3d& y, int other) const;
-  /// Whether a point is straight above or below a half wall, outside it.
+  /// Returns whether a point is directly above or below a half wall, outside it.
   bool is_over(const Eigen::Vector3d& y, int other) const;
-  /// Whether a point is so far inside that contact pushes it out through a side where it has come in from above or below.
+  /// Returns whether a point is so deep inside that contact pushes it out through a side, if it entered from
+  /// above or below.
   bool is_past_rim(const Eigen::Vector3d& y, int other) const;
   bool is_within(const Eigen::Vector3d& y, int other, double margin) const;
   void add_if_inside(Contact contact);
-  /// All points of a plate.
+  /// Adds all points of a plate that are inside the other one.
   void add_inside(const PlatePair& pair);
-  /// Whether a plate, on the way from one place to another one as the other plate sees it, gets into that one: further than
-  /// they are in both places, and further than the motion is known.
+  /// Returns whether a plate enters the other one on its motion between two positions in the frame of the
+  /// other one. It must overlap more than in both positions, and more than the uncertainty of the motion.
   bool sweeps_through(const PlatePair& pair, const Box& before, const Box& after) const;
-  /// Whether all of a plate is on one side of the other's box in both places.
+  /// Returns whether all of a plate is on one side of the other's box in both positions.
   bool stays_off(const PlatePair& pair, const Box& before, const Box& after) const;
   OrientedBox oriented(const Box& box, int index) const;
-  /// Of a plate as its other one sees it in two states: what passed_through asks.
+  /// Checks one pair for passed_through(). The boxes are those of a plate in the frame of the other, in two
+  /// states.
   bool went_through(const PlatePair& pair, const Box& before, const Box& after) const;
 
   ContactPlates all_;
   std::vector<HalfWall> walls_;
   std::vector<std::pair<int, int>> excluded_;  ///< touch at rest; sorted
   std::optional<WallPair> overlap_at_rest_;
-  std::vector<Box> placed_boxes_;  ///< in the state last placed
+  std::vector<Box> placed_boxes_;  ///< in the last placed state
   std::vector<PlatePair> near_;    ///< sorted
   std::vector<int> near_plates_;   ///< those in near_
   RelativeMotion moved_;           ///< since near_ was listed

@@ -10,9 +10,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Cell edges: wider lists more pairs, narrower must be searched anew more often.
+// Cell edges: a wider margin lists more pairs, a narrower one needs new searches more often.
 constexpr double listed_margin = 0.3;
-// Cell edges: a chord of a point's way may cut a corner by so much that the way itself goes round.
+// Cell edges: the chord of a point's path may cut a corner by this much although the path itself goes around
+// it.
 constexpr double cut_corner = 0.02;
 
 bool has_same_poses(const State& a, const State& b) {
@@ -22,7 +23,7 @@ bool has_same_poses(const State& a, const State& b) {
 
 Vector3d carried(const Pose& pose, const Vector3d& p) { return pose.R * p + pose.p; }
 
-/// The stretch of a straight way inside a piece, as shares of it, and the face by which it comes in.
+/// Part of a straight path inside a piece, as fractions of the path, and the face by which it enters.
 struct WayInside {
   double from = 0, to = 1;  // dimensionless, [0, 1]
   int entry = -1;
@@ -98,7 +99,8 @@ Pose PieceContact::seen_from(int other, int piece, const State& state) const {
   return out;
 }
 
-/// By a face of the other one; pieces that only edges keep apart have no points in each other either.
+/// Returns whether a face of `other` separates the pieces. Pieces that only a pair of edges separates have no
+/// points in each other either.
 bool PieceContact::are_apart(int piece, int other, const State& state) const {
   const PieceSurface &own = surfaces_[piece], &faces = surfaces_[other];
   const Pose pose = seen_from(other, piece, state);

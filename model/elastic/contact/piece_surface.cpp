@@ -13,19 +13,19 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double point_spacing = 0.1;  // cell edges: finds what presses between corners
-constexpr int most_in_a_row = 12;      // points along an edge: more would crowd long ones alone
-constexpr double one_plane = 1e-4;  // of the radius, and rad: triangles of one flat face, and corners on it
-constexpr double just_outside = 1e-3;  // of the radius: where the body's next piece goes on
+constexpr double point_spacing = 0.1;  // cell edges: fine enough for contact between corners
+constexpr int most_in_a_row = 12;      // points along an edge: more would only crowd long edges
+constexpr double one_plane = 1e-4;     // of the radius, and rad: same plane, for faces and corners
+constexpr double just_outside = 1e-3;  // of the radius: distance at which the body's next piece is searched
 
-/// Corners of a piece on each of its faces, in order round it; empty where it has none, as of slivers.
+/// Corners of a piece on one of its faces, in order around it; empty for slivers without a polygon.
 using FacePolygon = std::vector<int>;
 
 int points_in(double length) {
   return std::clamp(static_cast<int>(std::ceil(length / point_spacing)), 2, most_in_a_row + 1);
 }
 
-/// Without those that lie in the plane of one before.
+/// Removes faces that lie in the plane of an earlier one.
 Eigen::MatrixX4d distinct_faces(const Eigen::MatrixX4d& all, double radius) {
   std::vector<Eigen::Index> kept;
   for (Eigen::Index f = 0; f < all.rows(); ++f)
@@ -64,7 +64,7 @@ void add_along_edge(PieceSurface& piece, const Vector3d& from, const Vector3d& t
   for (int k = 1; k < parts; ++k) piece.points.push_back({from + (to - from) * k / parts, 1.0 / (parts - 1)});
 }
 
-/// A face's corners in its plane, along its longest edge and square to it.
+/// Corners of a face in its plane, along its longest edge and perpendicular to it.
 struct FlatFace {
   Vector3d origin, u, v;  // cell edges; unit vectors
   std::vector<Vector2d> corners;
@@ -85,7 +85,7 @@ struct FlatFace {
     }
   }
 
-  /// Corners go round counter-clockwise seen from outside, as u, v do.
+  /// Returns whether a point is inside. Corners are counter-clockwise seen from outside, as are u, v.
   bool holds(const Vector2d& p) const {
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const Vector2d side = corners[(k + 1) % corners.size()] - corners[k], arm = p - corners[k];
@@ -95,7 +95,8 @@ struct FlatFace {
   }
 };
 
-/// In the middles of the cells of a grid, so that none lies on the face's rim.
+/// Returns grid points over a face. They are the middles of grid cells, so that none lies on the face's
+/// boundary.
 std::vector<Vector3d> places_over(const FlatFace& face) {
   Eigen::AlignedBox2d box;
   Vector2d middle = Vector2d::Zero();
@@ -135,7 +136,7 @@ PieceSurface surface_of(const ContactPiece& piece, double edge_mm) {
   return out;
 }
 
-/// Whether the body goes on behind a face, all over it.
+/// Returns whether other pieces of the body cover a face completely.
 bool is_covered(std::span<const PieceSurface> of_body, const PieceSurface& piece, int face,
                 const std::vector<Vector3d>& places) {
   const Vector3d off = just_outside * piece.radius * piece.faces.row(face).head<3>().transpose();
@@ -146,7 +147,7 @@ bool is_covered(std::span<const PieceSurface> of_body, const PieceSurface& piece
   });
 }
 
-/// Points along its edges and over those of its faces that are no cuts through the body.
+/// Adds points along the edges of a piece and over those of its faces that are on the body's surface.
 void add_points(std::span<const PieceSurface> of_body, PieceSurface& piece) {
   std::set<std::pair<int, int>> edges;
   std::vector<SurfacePoint> over_faces;

@@ -6,14 +6,14 @@
 
 namespace kinetix::model {
 
-/// The signed distance n . m - offset of a point that one body carries from a face that another one carries, in cell edges.
+/// Signed distance n . m - offset of a point on one body from a face of another body, in cell edges.
 struct PointGap {
-  Eigen::Vector3d n;  ///< carried outward normal
+  Eigen::Vector3d n;  ///< outward normal, turned with its body
   Eigen::Vector3d a;  ///< from the point's body to the point
   Eigen::Vector3d m;  ///< from the face's body to the point
   double value = 0;
 
-  /// By the twists of both bodies, the point's first, as of Element.
+  /// Returns the gradient by the twists of both bodies, first that of the point, ordered as in Element.
   Vector12 gradient() const {
     Vector12 g;
     g << a.cross(n), n, n.cross(m), -n;
@@ -34,7 +34,7 @@ struct PointGap {
     return h;
   }
 
-  /// Change of gradient() where n, a and m change.
+  /// Returns the change of gradient() if n, a and m change.
   Vector12 gradient_change(const Eigen::Vector3d& dn, const Eigen::Vector3d& da,
                            const Eigen::Vector3d& dm) const {
     Vector12 g;
@@ -42,7 +42,7 @@ struct PointGap {
     return g;
   }
 
-  /// 1/2 k value^2 with its derivatives.
+  /// Returns 1/2 k value^2 with its derivatives.
   Element pressed(double k) const {
     const Vector12 by_twists = gradient();
     Element e;

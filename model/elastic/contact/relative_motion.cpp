@@ -12,12 +12,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double flat = 1e-9;  // of the trace of the spread: a flat sheet has none across, and no inverse
-// Cell edges: smaller tiles hold too few bodies to be worth their comparison.
+constexpr double flat = 1e-9;  // fraction of the trace: a flat sheet has no spread across it
+// Cell edges: smaller tiles have too few bodies to be worth their comparison.
 constexpr double least_tile = 4;
-constexpr double tiles_along = 16;  // of the longest side, at most: each tile is compared with each
+constexpr double tiles_along = 16;  // limit along the longest side: all pairs of tiles are compared
 
-/// The displacement gradient that fits the shifts between two states best, least squares.
+/// Returns the displacement gradient that fits the shifts between two states best, by least squares.
 Matrix3d homogeneous_strain(const State& from, const State& to) {
   Vector3d middle = Vector3d::Zero(), shift = Vector3d::Zero();
   for (std::size_t b = 0; b < from.size(); ++b) {

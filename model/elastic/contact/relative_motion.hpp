@@ -7,18 +7,19 @@
 
 namespace kinetix::model {
 
-/// How far bodies may have come closer to each other since a state that is remembered. What all of them share, a homogeneous
-/// strain, brings two closer by a part of their distance. What is left is compared tile by tile of the remembered state: parts
-/// of a large sheet that move apart from each other do not touch for that.
+/// Bound of how much closer bodies may be than in a remembered state. The homogeneous strain that all bodies
+/// share reduces distances in proportion. The remaining motion is compared between tiles of the remembered
+/// state, so that parts of a large sheet that move apart do not count as closer.
 class RelativeMotion {
  public:
-  /// @param edge_mm cell edge  @param reach of what a body carries, from its origin, cell edges
+  /// @param edge_mm cell edge   @param reach largest distance of a body's points from its origin, cell edges
   RelativeMotion(double edge_mm, double reach) : edge_mm_(edge_mm), reach_(reach) {}
 
   /// @pre finite
   void remember(const State& state);
-  /// Whether nothing that two bodies carry can touch now that was apart by `margin` (cell edges) or more, or further away than
-  /// that and both reaches. False where no state of as many bodies is remembered, and for states that are not finite.
+  /// Returns whether all points of two bodies that were apart by `margin` (cell edges) or more are certain
+  /// not to touch now. False if no state with as many bodies is remembered, and for states that are not
+  /// finite.
   bool keeps_apart(const State& state, double margin) const;
 
  private:
@@ -26,10 +27,10 @@ class RelativeMotion {
     Eigen::AlignedBox3d box;  ///< around the origins of its bodies, cell edges
     std::vector<int> bodies;
   };
-  /// What a tile did beyond the homogeneous strain, cell edges.
+  /// Motion of a tile beyond the homogeneous strain, cell edges.
   struct Motion {
     Eigen::Vector3d shift = Eigen::Vector3d::Zero();  ///< mean of its bodies
-    double spread = 0;  ///< of anything that one of its bodies carries, from that, at most
+    double spread = 0;  ///< largest deviation from `shift` of any point of its bodies
   };
 
   std::vector<Motion> motions(const State& state, const Eigen::Matrix3d& strain) const;

@@ -9,15 +9,16 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double first_seed = 1e-3;    // rad, cell edges: a first step along the lowest mode
-constexpr double slender_seed = 1e-5;  // the same where the valley bends away from its line sooner
-constexpr double nearby = 0.05;        // rad, cell edges: a longer step of Newton's method is no relaxation
-// Rad, cell edges: where neither seed is lower, Newton starts out there.
+constexpr double first_seed = 1e-3;    // rad, cell edges: first step along the lowest mode
+constexpr double slender_seed = 1e-5;  // rad, cell edges: first step if the valley curves away sooner
+constexpr double nearby = 0.05;  // rad, cell edges: a longer step of Newton's method is not a relaxation
+// Rad, cell edges: start of Newton's method if neither seed lowers the energy.
 constexpr double curved_valley = 0.05;
-constexpr double longest_step = 0.3;   // rad, cell edges: a seed doubles up to here while the energy falls
-constexpr double checkerboard = 1e-3;  // share of all turns: less has no class, and `side` decides
+constexpr double longest_step = 0.3;   // rad, cell edges: a seed doubles up to it while the energy falls
+constexpr double checkerboard = 1e-3;  // share of all turns: below, a mode has no class, and `side` decides
 
-/// One step of Newton's method: it calls up the forces in the hinges, and with them what bends under these.
+/// Returns the state after one step of Newton's method. It activates the forces in the hinges, and the
+/// bending that these cause.
 State relaxed(const ElasticSystem& system, double theta, const State& exact, TangentStiffness& tangent) {
   const VectorXd gradient = system.dofs().restrict(system.linearise(exact, theta, tangent));
   if (!tangent.factorise(0)) return exact;
@@ -25,7 +26,7 @@ State relaxed(const ElasticSystem& system, double theta, const State& exact, Tan
   return system.length(exact, step) <= nearby ? system.retract(exact, step) : exact;
 }
 
-/// @param along of length 1
+/// Returns a state of lower energy along a direction. @param along of length 1
 State downhill(const ElasticSystem& system, double theta, const State& from, const VectorXd& along) {
   const auto at = [&](double s) { return system.retract(from, s * along); };
   const auto energy = [&](double s) { return system.energy(at(s), theta); };
@@ -36,14 +37,15 @@ State downhill(const ElasticSystem& system, double theta, const State& from, con
   return at(s);
 }
 
-/// The sign that gives the largest entry the sign of `side`.
+/// Returns the sign that gives the largest entry of a mode the sign of `side`.
 double side_of_largest(const VectorXd& mode, int side) {
   Eigen::Index largest = 0;
   mode.cwiseAbs().maxCoeff(&largest);
   return side * std::copysign(1.0, mode[largest]);
 }
 
-/// The sign that turns class A as the drive does; by `side` for a mode that does not turn the checkerboard.
+/// Returns the sign that turns class A as the drive does. For a mode without turns of the checkerboard,
+/// `side` decides.
 double side_of_drive(const ElasticSystem& system, const VectorXd& mode, int side) {
   const auto& bodies = system.structure().bodies;
   double with = 0, size = 0;

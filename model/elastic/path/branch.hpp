@@ -4,40 +4,42 @@
 
 namespace kinetix::model {
 
-/// Where a path goes on from an equilibrium that is no minimum.
+/// Continuation of a path from an equilibrium that is not a minimum.
 class Branch {
  public:
   /// @param closed_form of the system; both are kept by reference
-  /// @param side +1 or -1: the sign of the lowest mode where the drive's sign does not tell it
+  /// @param side +1 or -1: sign of the lowest mode if the drive's sign does not define it
   Branch(const ElasticSystem& system, const ClosedForm& closed_form, int side)
       : system_(system), closed_form_(closed_form), side_(side) {}
 
-  /// Direction in which the energy is left to fall.
+  /// Direction of the descent in energy.
   enum class Descent {
     closed_form,      ///< onto the closed form
-    off_closed_form,  ///< from there on along the lowest mode: the closed form is unstable too
+    off_closed_form,  ///< along the lowest mode of the closed form, which is unstable too
     lowest_mode,      ///< along the lowest mode
-    none,             ///< that is neutral: nowhere to go
-    unknown,          ///< it was not found
+    none,             ///< the lowest mode is neutral: there is no descent
+    unknown,          ///< the lowest mode was not found
   };
   struct Start {
     Descent descent = Descent::unknown;
     State state;
   };
-  /// Where to start down from the equilibrium `from` at theta, rad: on the closed form where there is one and
-  /// it lies lower, else a step along the lowest mode, with the sign that turns class A as the drive does
-  /// where it turns the checkerboard at all; a valley that bends away from the step's line is met 0.05 rad or
-  /// cell edges on. A long strip folds between its plates under a load that may be more than it bears without
-  /// tipping over: a closed form that is no minimum is left at once, along the lowest mode from there, to
-  /// `side`. @param tangent of `from`, just linearised; afterwards of no use
+  /// Returns the start of a descent from the equilibrium `from` at theta, rad. If there is a closed form with
+  /// less energy, the start is there. Otherwise it is a step along the lowest mode. Its sign turns class A as
+  /// the drive does, if the mode turns the checkerboard at all. If the valley curves away from the line of
+  /// the step, the start is 0.05 rad or cell edges along it.
+  ///
+  /// Between plates, a long strip may fold under a load that exceeds its stability against tipping over. So a
+  /// closed form that is not a minimum is left at once along its lowest mode, to `side`.
+  /// @param tangent linearised at `from`; not usable afterwards
   Start leave(double theta, const State& from, TangentStiffness& tangent) const;
 
-  /// 1 where `along`, twists of all bodies, leads to the side that leave() takes, -1 where it leads to the other one.
+  /// Returns 1 if `along`, twists of all bodies, points to the side that leave() takes, otherwise -1.
   double side_of(const Eigen::VectorXd& along) const;
 
  private:
   Start onto_closed_form(double theta, const State& exact, TangentStiffness& tangent) const;
-  /// @param is_folded the sign of the drive is taken: `side` decides
+  /// @param is_folded the drive's sign is already used: `side` decides
   Start along_lowest_mode(double theta, const State& from, TangentStiffness& tangent, bool is_folded) const;
 
   const ElasticSystem& system_;

@@ -26,8 +26,8 @@ void move_all(State& state, const Matrix3d& rotation, const Vector3d& translatio
   }
 }
 
-/// The rotation that takes the plates' normal to their axis and lifts the pin's upright as far as it then
-/// can.
+/// Returns the rotation that aligns the plates' normal with their axis, and then turns the pin's up direction
+/// as close to vertical as possible.
 Matrix3d upright(const Vector3d& normal, const Vector3d& axis, const Pose& pin) {
   const Matrix3d rotation = rotation_between(normal, axis);
   const Vector3d up = rotation * pin.R.col(2), across = axis.cross(Vector3d::UnitZ());

@@ -8,7 +8,7 @@
 namespace kinetix::model {
 namespace {
 
-// Of flat's smallest singular value: stiffness goes with the square, so that a sixteenth of it is left.
+// Ratio to the smallest singular value of flat. Stiffness scales with its square, so a sixteenth is left.
 constexpr double nearly_lost = 0.25;
 
 std::string rounded(double number) { return number_text(std::round(10 * number) / 10); }

@@ -8,28 +8,28 @@
 
 namespace kinetix::model {
 
-/// Since when a path is off its closed form.
+/// Theta from which a path is off its closed form.
 struct OffClosedForm {
-  double since = NAN;     ///< theta, rad; NaN: it is not, or there is none
-  bool unstable = false;  ///< for the closed form being unstable there
+  double since = NAN;     ///< theta, rad; NaN: on the closed form, or there is none
+  bool unstable = false;  ///< whether the closed form is unstable there
 };
 
-/// Notices that a path which came along its closed form is no longer near it. No instability need tell of that: where the
-/// hinge points lose their hold on a second motion, the springs alone decide, and the equilibrium bends smoothly over to the
-/// motion that costs them less.
+/// Detector for a path that leaves the closed form that it followed. This may happen without instability. If
+/// the hinge points no longer prevent a second motion, only the springs decide. The equilibrium then bends
+/// smoothly to the motion of less energy.
 class DepartureWatch {
  public:
-  /// System and closed form are kept by reference.  @param on_closed_form whether the path begins there
+  /// Keeps system and closed form by reference. @param on_closed_form whether the path starts on it
   DepartureWatch(const ElasticSystem& system, const ClosedForm& closed_form, bool on_closed_form)
       : system_(system),
         closed_form_(closed_form),
         place_(on_closed_form ? Place::on_it : Place::elsewhere) {}
 
-  /// The path has come to a state at theta, rad. A closed form whose walls touch is not there to be left.
-  /// @param came_along whether it came along the closed form, and is near it
-  /// @return how far off it is, rad of a hinge, on the first step that leaves it: more than 0.1
+  /// Processes a new state of the path at theta, rad. A closed form with contact cannot be left.
+  /// @param came_along whether the path followed the closed form up to here, and is near it.
+  /// @return distance from it, rad of a hinge, on the first step that leaves it: more than 0.1
   std::optional<double> see(const State& state, double theta, bool came_along);
-  /// Whether it is near the closed form, or was when that came to touch its own walls.
+  /// Returns whether the path is near the closed form, or was when the closed form came into contact.
   bool is_back() const { return place_ != Place::left; }
 
  private:
@@ -40,10 +40,10 @@ class DepartureWatch {
   Place place_;
 };
 
-/// How far a path is from the closed form that it has left, and why, in words: because a second motion begins near there,
-/// the smallest singular value of the closure equations being below a quarter of flat's (NullSpace), or several begin in
-/// the flat state, or else because the hinges give way.
-/// @param turn as of DepartureWatch, rad  @param theta of the state, rad
+/// Describes how far a path is from the closed form that it left, and why. Causes: several motions start in
+/// the flat state, a second motion starts near here, or the hinges give way. A second motion shows as a
+/// smallest singular value of the closure equations (NullSpace) below a quarter of that of flat.
+/// @param turn as returned by DepartureWatch, rad   @param theta of the state, rad
 /// @pre there is a closed form at theta
 std::string departure_words(const ElasticSystem& system, const ClosedForm& closed_form, const State& state,
                             double theta, double turn);

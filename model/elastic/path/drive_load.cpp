@@ -7,11 +7,11 @@
 namespace kinetix::model {
 namespace {
 
-// k_turn by k_point edge^2: half of the default hinge's. At 1e-7 the forces that are left short of the goal,
-// where states are taken at rough tolerances, show as limit points of a sheet of 32 x 32 cells.
+// Ratio of k_turn to k_point edge^2, half of that of the default hinge. At 1e-7, residual forces of states at
+// rough tolerances before the goal appear as limit points of a sheet of 32 x 32 cells.
 constexpr double soft_turning = 5e-7;
 
-/// How fast the drive's coordinate goes along a direction: cell edges or rad, by rad of theta.
+/// Returns the speed of the drive's coordinate along a direction: cell edges or rad, per rad of theta.
 double drive_speed(const ElasticSystem& system, const State& state, double theta,
                    const Eigen::VectorXd& along) {
   if (!system.holds_coordinate())
@@ -21,12 +21,13 @@ double drive_speed(const ElasticSystem& system, const State& state, double theta
 }
 
 constexpr double difference = 2e-5;  // rad of theta: of central differences
-// Of the direction of a path: its factor may be that of a state 2e-3 before, and each leaves about the square of that.
+// Iterations that refine the direction of a path. Its factor may be that of a state 2e-3 before, and each
+// iteration squares about that error.
 constexpr int refinements = 2;
-// k_point edge or edge^2: of less, what Newton's method leaves would show in a difference.
+// k_point edge or edge^2: for smaller loads, the residual of Newton's method would dominate a difference.
 constexpr double least_load = 1e-7;
 
-/// Of a state that is in equilibrium to first order, without the multiplier.
+/// Returns the load of a state in equilibrium to first order, without the multiplier.
 double load_of(const ElasticSystem& system, const State& state, double theta) {
   if (!system.holds_coordinate()) return system.load(state, theta);
   const Eigen::VectorXd by_drive = system.dofs().restrict(system.driven_gradient(state));

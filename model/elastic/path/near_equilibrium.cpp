@@ -8,10 +8,10 @@
 namespace kinetix::model {
 namespace {
 
-// Of the whole change, a step. Halved where no equilibrium is near; below the least part, there is none.
+// Fractions of the whole change: first step, halved if no equilibrium is near, and least step.
 constexpr double first_part = 0.25, least_part = 1.0 / 256;
 
-/// The minimum below a state, at the drive's goal.
+/// Finds the minimum near a state, at the drive's goal.
 EquilibriumPath settled(const DrivenLinkage& driven, const Elasticity& elasticity,
                         const EquilibriumPathOptions& options, const State& start) {
   MeasuredSystem system(driven.linkage, elasticity, driven.drive, options);

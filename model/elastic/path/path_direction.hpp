@@ -4,11 +4,12 @@
 
 namespace kinetix::model {
 
-/// How a state changes by theta along its path of equilibrium: all coordinates, rad and cell edges by rad;
-/// zero for what the drive holds or moves by itself (ElasticSystem::place_rate).
-/// @param state in equilibrium at theta, rad  @param tangent its tangent, factorised
-/// @param placed_at theta of the rate at which plates move and a cord shortens, rad: they stand still to first order where
-/// they start
+/// Returns the derivative of a state by theta along its equilibrium path: all coordinates, rad and cell edges
+/// per rad. It is zero for coordinates that the drive holds or moves itself (ElasticSystem::place_rate).
+/// @param state in equilibrium at theta, rad.
+/// @param tangent its tangent, factorised
+/// @param placed_at theta, rad, for the speed of plates and tendons: in the flat state this speed is 0 to
+///   first order
 Eigen::VectorXd path_direction(const ElasticSystem& system, const State& state, double theta,
                                double placed_at, const TangentStiffness& tangent, int refined = 0);
 

@@ -12,10 +12,10 @@ namespace {
 using Kind = PathEvent::Kind;
 using Descent = Branch::Descent;
 
-// Of the drive: over less, a difference of two loads is what Newton's method leaves.
+// Change of the drive. Over a smaller change, the difference of two loads is the residual of Newton's method.
 constexpr double least_change = 1e-6;
-constexpr double steep = 30;  // times the steepest slope of the load before contact: walls carry it
-// Of the largest tension on the way: less than this below 0 is what Newton's method leaves.
+constexpr double steep = 30;  // times the steepest slope of the load before contact: jamming
+// Fraction of the largest tension on the path. A smaller compression is the residual of Newton's method.
 constexpr double no_push = 1e-6;
 
 std::string words(Descent descent, bool on_closed_form) {
@@ -64,7 +64,7 @@ bool SlackWatch::see(const EquilibriumStep& step) {
 
 void PathEvents::see(const EquilibriumStep& before, const EquilibriumStep& after, const State& state,
                      const Arrival& arrival) {
-  // A jump happens where the path leaves its branch, and how far the step behind it goes is of no meaning.
+  // A jump happens where the path leaves its branch. The length of the step after it has no meaning.
   const EquilibriumStep& at = arrival.located && (arrival.snapped || arrival.descent) ? before : after;
   const auto happened = [&](Kind kind, std::string what) { add(kind, at, before.theta, std::move(what)); };
   if (arrival.descent) {

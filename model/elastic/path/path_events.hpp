@@ -10,56 +10,59 @@
 
 namespace kinetix::model {
 
-/// Notices that walls carry the drive: the load rises far more steeply with it than it did without contact.
+/// Detector for jamming: with contact, the load rises far more steeply with the drive than without.
 class LockWatch {
  public:
-  /// @return how many times as steeply, on the first step between states in contact, or at the first state, that shows it
+  /// Processes a step. @return ratio of slopes with and without contact, on the step that first shows
+  /// jamming. This step is between states in contact, or at the first state in contact
   std::optional<double> see(const EquilibriumStep& before, const EquilibriumStep& after);
-  /// Likewise, of a step that is not taken yet.
+  /// Returns what see() would return for a step that is not taken yet.
   std::optional<double> look(const EquilibriumStep& before, const EquilibriumStep& after) const;
   bool has_locked() const { return locked_; }
 
  private:
-  double free_slope_ = 0;  ///< steepest slope of the load before contact: units of load by those of the drive
+  double free_slope_ = 0;  ///< steepest slope of the load before contact: units of load per unit of the drive
   bool locked_ = false;
 };
 
-/// Notices that a cord would have to push.
+/// Detector for a tendon that would have to push.
 class SlackWatch {
  public:
-  /// @return whether it is the first step in a row at which it would
+  /// Processes a step. @return whether the tendon would have to push, for the first step in a row
   bool see(const EquilibriumStep& step);
-  /// Likewise, of a step that is not taken yet.
+  /// Returns what see() would return for a step that is not taken yet.
   bool look(const EquilibriumStep& step) const;
 
  private:
-  double largest_ = 0;  ///< load on the way, N
+  double largest_ = 0;  ///< load magnitude on the path, N
   bool slack_ = false;
 };
 
-/// How a path came to its last state.
+/// How a path reached its last state.
 struct Arrival {
-  std::optional<Branch::Descent> descent;  ///< from an unstable equilibrium, if from one
-  bool snapped = false;                    ///< to another state at nearly the same drive
-  bool on_closed_form = false;             ///< it lies there
-  bool located = false;  ///< what happened there lies between the last state and 1.2e-7 rad behind it
+  std::optional<Branch::Descent> descent;  ///< from an unstable equilibrium, if any
+  bool snapped = false;                    ///< reached another state at nearly the same drive
+  bool on_closed_form = false;             ///< whether the state is on the closed form
+  bool located = false;                    ///< the event is between the last state and 1.2e-7 rad after it
 };
 
-/// Tells from the steps of a path what a user should know of.
+/// Detector for events on the steps of a path that the user should know of.
 class PathEvents {
  public:
-  /// System and closed form are kept by reference.  @param on_closed_form whether the path begins there
+  /// Keeps system and closed form by reference. @param on_closed_form whether the path starts on it
   PathEvents(const ElasticSystem& system, const ClosedForm& closed_form, bool on_closed_form)
       : system_(system), closed_form_(closed_form), departure_(system, closed_form, on_closed_form) {}
 
-  /// @param state that of `after`
+  /// Processes a step. @param state that of `after`
   void see(const EquilibriumStep& before, const EquilibriumStep& after, const State& state,
            const Arrival& arrival);
-  /// The path ends at `last`, locked by walls. @param touching in the state beyond that could not be taken, in words, as
-  /// ElasticSystem::touching_words   @param why in words
+  /// Adds the events of a path that ends jammed at `last`.
+  /// @param touching description of the contact in the next, refused state, as from
+  ///   ElasticSystem::touching_words
+  /// @param why reason, as a sentence
   void end_locked(const EquilibriumStep& last, const std::string& touching, const std::string& why);
 
-  /// Whether a step that is not taken yet would lock the structure, or take a cord slack.
+  /// Returns whether a step that is not taken yet would jam the structure or slacken a tendon.
   bool would_happen(const EquilibriumStep& before, const EquilibriumStep& after) const {
     return lock_.look(before, after) || (system_.drive().only_pulls() && slack_.look(after));
   }
@@ -68,7 +71,7 @@ class PathEvents {
   const OffClosedForm& off_closed_form() const { return off_; }
 
  private:
-  /// Where the path is off the closed form from this step on, and no other event says so.
+  /// Returns a sentence if the path leaves the closed form on this step, and no other event covers that.
   std::optional<std::string> departure(const EquilibriumStep& after, const State& state,
                                        const Arrival& arrival);
   void add(PathEvent::Kind kind, const EquilibriumStep& at, double since, std::string what);

@@ -6,7 +6,8 @@
 namespace kinetix::model {
 namespace {
 
-// Of a hinge by theta of the drive: two of a basic sheet, some more of one that bends or whose cord hardly shortens.
+// Largest turn of a hinge per theta of the drive. It is 2 for a basic sheet, and larger if the sheet bends or
+// its tendon hardly shortens.
 constexpr double most_turn = 8;
 
 }  // namespace

@@ -6,32 +6,36 @@
 
 namespace kinetix::model {
 
-/// The state that a path has come to, and the prediction of the next one.
+/// Present state of a path, and the prediction of the next one.
 class PathHead {
  public:
-  /// Flat. All parameters are kept by reference.
+  /// Starts in the flat state. All parameters are kept by reference.
   PathHead(MeasuredSystem& system, const ClosedForm& closed_form);
 
   const State& state() const { return state_; }
   double theta() const { return theta_; }  ///< rad
-  /// Whether the system's tangent is that of the state, factorised: not where the state is unstable.
+  /// Returns whether the system's tangent is that of the state, factorised. False if the state is unstable.
   bool has_tangent() const { return has_tangent_; }
   bool is_flat() const { return theta_ == 0; }
-  /// Whether the path has come along the closed form.
+  /// Returns whether the path has followed the closed form up to here.
   bool on_closed_form() const { return on_closed_form_; }
 
-  /// Along the tangent, or the closed form while the path keeps to it: that leads through singular points.
+  /// Predicts the state along the tangent. While the path follows the closed form, the closed form is used if
+  /// it has less energy, since it passes through singular points.
   State predicted(double theta);
-  /// The state of the path with what the drive holds moved on to theta.
+  /// Returns the present state with the driven bodies moved to theta.
   State carried(double theta) const;
-  /// Of the last prediction, 1 or 2.
+  /// Returns the order of the last prediction, 1 or 2.
   int prediction_order() const { return predictor_.order(); }
-  /// On the path's branch of it, if there is one: a cord, say, may be as long again at quite another fold.
+  /// Returns the closed form at theta if it is on the present branch. A tendon, for example, may have the
+  /// same length at a very different fold.
   std::optional<State> closed_form_ahead(double theta) const;
 
-  /// @param snapped to another state: what is known of the path's direction is lost, as by a descent
+  /// Accepts a trial as the present state.
+  /// @param snapped whether it is on another branch: known directions of the path are discarded, as after a
+  ///   descent
   void move_to(Trial trial, bool snapped);
-  /// After a trial that was not taken.
+  /// Restores the tangent of the present state after a refused trial.
   void restore_tangent();
 
  private:
@@ -41,7 +45,7 @@ class PathHead {
   State state_;
   double theta_ = 0;  ///< rad
   bool has_tangent_ = false, on_closed_form_ = false;
-  long factor_ = -1;  ///< of the tangent's: the last one of this state
+  long factor_ = -1;  ///< count of the tangent's factors at the last one of this state
 };
 
 }  // namespace kinetix::model

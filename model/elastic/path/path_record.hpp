@@ -8,10 +8,13 @@
 
 namespace kinetix::model {
 
-/// The steps that a path took, and what happened on them.
+/// Steps that a path took, with their events.
 class PathRecord {
  public:
-  /// @param closed_form of the system  @param head at its first state  @param frame sees every state  All parameters are kept by reference.
+  /// @param closed_form of the system
+  /// @param head at its first state
+  /// @param frame called with every state
+  /// All parameters are kept by reference.
   PathRecord(const MeasuredSystem& system, const ClosedForm& closed_form, const PathHead& head,
              const EquilibriumPathOptions& options,
              const std::function<void(const EquilibriumStep&, const State&)>& frame);
@@ -19,16 +22,16 @@ class PathRecord {
   const EquilibriumStep& last() const { return path_.steps.back(); }
   bool is_overstretched() const { return last().gap > options_.gap_limit; }
 
-  /// The head has come to a new state.
+  /// Records that the head has reached a new state.
   void add(const EquilibriumStep& step, const Arrival& arrival);
-  /// PathEvents::would_happen
+  /// Returns whether a step that is not taken yet would cause an event, as PathEvents::would_happen.
   bool would_happen(const EquilibriumStep& before, const EquilibriumStep& after) const {
     return events_.would_happen(before, after);
   }
-  /// Iterations of Newton's method, also of steps that are not taken.
+  /// Adds iterations of Newton's method, including those of refused steps.
   void count(int iterations) { path_.iterations += iterations; }
 
-  /// The whole path, which ends where the head is. @param refusal of the next step, if that is why
+  /// Returns the whole path, which ends at the head. @param refusal of the next step, if that ended the path
   EquilibriumPath finished(EquilibriumPath::Stop stop, const Refusal& refusal);
 
  private:

@@ -8,19 +8,20 @@
 
 namespace kinetix::model {
 
-/// Why the last step that a path tried was not taken.
+/// Reasons why the last attempted step of a path was refused.
 struct Refusal {
   StepFaults faults;
-  NewtonResult newton;   ///< that led there
-  std::string touching;  ///< in the state that was not taken, in words; empty: nothing
+  NewtonResult newton;   ///< result for the refused state
+  std::string touching;  ///< description of the contact in the refused state; empty: none
 
-  /// What the path ends with if there is no shorter step: `locked` where walls have to do with it.
+  /// Returns the result of the path if there is no shorter step: `locked` if walls are involved.
   /// @param last step that was taken
   EquilibriumPath::Stop stop(const EquilibriumStep& last) const;
 };
 
-/// In a sentence, why and where a path stopped.
-/// @param path its stop, gaps and steps are known  @param refusal of its next step, if that is why
+/// Describes in a sentence why and where a path stopped.
+/// @param path its stop, gaps and steps are known
+/// @param refusal of its next step, if that ended the path
 /// @param off as in PathEvents
 std::string stop_reason(const EquilibriumPath& path, const MeasuredSystem& system, double gap_limit,
                         const Refusal& refusal, const OffClosedForm& off);

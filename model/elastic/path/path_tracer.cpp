@@ -6,8 +6,8 @@
 namespace kinetix::model {
 namespace {
 
-// Rad of theta, to which events are located. A power of 2: multiples of it are exact, so that where an event is found does not
-// depend on the step on which it was noticed.
+// Rad of theta, accuracy of event locations. A power of 2: its multiples are exact, so that the location of
+// an event does not depend on the step that detected it.
 constexpr double event_width = 0x1p-23;
 
 }  // namespace
@@ -54,11 +54,11 @@ PathTracer::Outcome PathTracer::advance(const NextStep& next) {
     return Outcome::taken;
   }
   go_back(multiplier);
-  // A search that does not converge is no event while a shorter step can be tried.
+  // A search that does not converge is not an event as long as a shorter step can be tried.
   const bool may_be_event = first.trial.newton.converged || next.is_shortest;
   if (next.is_short && may_be_event) return take_event(std::move(first));
   if (next.to_goal) {
-    // What a longer path would do here.
+    // The attempt of a longer path at this point.
     Attempt beyond = attempt(length_.next_beyond(head_.theta()));
     go_back(multiplier);
     if (!is_plain(beyond)) first = std::move(beyond);
@@ -100,7 +100,7 @@ PathTracer::Attempt PathTracer::attempt(const NextStep& next) {
 
 bool PathTracer::is_plain(const Attempt& attempt) const {
   if (!attempt.permitted) return false;
-  // Flat is left to a side by whatever step comes first.
+  // Any first step from flat to a side is accepted.
   if (head_.is_flat() && system_.leaves_flat_to_a_side()) return true;
   const NewtonResult& newton = attempt.trial.newton;
   const bool turned_unstable =
@@ -167,7 +167,7 @@ bool PathTracer::look_back(Attempt& landed, bool located, double multiplier) {
   const Retrace::Finding found = retrace_.back({trial.state, trial.theta, system_.elastic.multiplier()},
                                                {head_.state(), head_.theta(), multiplier});
   if (found != Retrace::Finding::unknown) step.snapped = found == Retrace::Finding::lossy;
-  // It left an equilibrium that turned unstable without stopping there.
+  // Such a step left an equilibrium that turned unstable, without a stop there.
   if (located && !step.snapped && step.bends && !trial.descent) trial.descent = Branch::Descent::lowest_mode;
   landed.faults.mirrored = found == Retrace::Finding::mirrored;
   return !landed.faults.mirrored;

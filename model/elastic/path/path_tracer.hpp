@@ -8,21 +8,21 @@
 
 namespace kinetix::model {
 
-/// Traces an equilibrium path from flat: each step is predicted, solved for and checked, and the next one is
-/// as long as that went well. Where walls begin to touch or part, where the path jumps or turns unstable, and where
-/// it ends is located by bisection. Steps and events do not depend on the goal: the last step alone ends there.
-/// See trace_equilibrium for the parameters and the result.
+/// Tracer of an equilibrium path from flat. Each step is predicted, solved for and checked, and its success
+/// sets the length of the next one. Bisection locates begin and end of contact, jumps, instabilities and the
+/// end of the path. Except for the last step, which ends at the goal, steps and events do not depend on the
+/// goal. See trace_equilibrium() for the parameters and the result.
 class PathTracer {
  public:
   /// All parameters are kept by reference.
   PathTracer(const DrivenLinkage& driven, const Elasticity& elasticity, const EquilibriumPathOptions& options,
              const std::function<void(const EquilibriumStep&, const State&)>& frame);
 
-  /// Once.
+  /// Traces the path. Call it once.
   EquilibriumPath run();
 
  private:
-  /// A step that was tried.
+  /// Attempted step.
   struct Attempt {
     NextStep next;
     Trial trial;
@@ -34,24 +34,28 @@ class PathTracer {
 
   Outcome advance(const NextStep& next);
   Attempt attempt(const NextStep& next);
-  /// Settles a rough head to the last digit, so that its error does not look like an event behind it.
+  /// Settles a roughly converged head to full accuracy, so that its error does not look like an event after
+  /// it.
   /// @return whether the head has moved
   bool settle_head();
-  /// Whether a step may be taken and nothing happens on it that has a place of its own on the path.
+  /// Returns whether a step may be taken without an event on it that must be located.
   bool is_plain(const Attempt& attempt) const;
-  /// Moves the head to just before what happens on a short step, and takes the step behind it.
+  /// Moves the head to just before the event on a short step, and takes the step after it.
   Outcome take_event(Attempt event);
-  /// The shortest attempt that is found from the head at which something happens; the head moves up to just before it.
+  /// Bisects for an event. @return the shortest attempt from the head with the event; the head moves to just
+  /// before it
   Attempt locate(Attempt event);
-  /// Tries short steps from a head that no plain step leaves.
+  /// Tries short steps from a head that no plain step can leave.
   Outcome land(bool located);
-  /// Goes back from behind a jump: it is a snap if the way back ends in another state of other energy.
-  /// @param located as of Arrival   @param multiplier of the head   @return false where it leads to the side that was not asked for
+  /// Traces back from behind a jump. It is a snap-through if this ends in another state of other energy.
+  /// @param located as in Arrival
+  /// @param multiplier of the head
+  /// @return false if the jump leads to the side that is not requested
   bool look_back(Attempt& landed, bool located, double multiplier);
-  /// @param located as of Arrival
+  /// @param located as in Arrival
   void take(Attempt attempt, bool located = false);
   void refuse(const Attempt& attempt);
-  /// Goes back to the head after an attempt that was not taken.
+  /// Returns to the head after a refused attempt.
   void go_back(double multiplier);
 
   MeasuredSystem system_;
@@ -63,10 +67,10 @@ class PathTracer {
   PathRecord record_;
   Retrace retrace_;
   std::stop_token stop_;
-  Refusal refusal_;     ///< of the last step that was not taken
+  Refusal refusal_;     ///< of the last refused step
   EquilibriumStep at_;  ///< of the head
-  bool is_settled_ =
-      true;  ///< the head is an equilibrium to the last digit, not to what steps before the goal ask for
+  /// Whether the head is converged to full accuracy, not only to the tolerance of steps before the goal.
+  bool is_settled_ = true;
   const EquilibriumPathOptions& options_;
 };
 

@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double least_bent = 1e-3;  // rad of theta: over less, the difference of two tangents is rounding
-constexpr double longest = 0.3;      // rad, cell edges, of a hinge: further ahead, a tangent tells nothing
+constexpr double least_bent = 1e-3;  // rad of theta: below, the difference of two tangents is rounding
+constexpr double longest = 0.3;      // rad, cell edges, of a hinge: a tangent is not valid further ahead
 
 }  // namespace
 

@@ -10,26 +10,27 @@
 namespace kinetix::model {
 namespace {
 
-// Of active sets: where hinges hardly stretch, rows of 13 bodies take two to four, all changes at once.
+// Rounds of the active set. If hinges hardly open, rows of 13 bodies need two to four, with all changes at
+// once.
 constexpr int most_rounds = 100, rounds_with_all = 5;
-// Part of the largest force of a plate on a body: a smaller pull is what Newton's method leaves.
+// Fraction of the largest force of a plate on a body. A smaller pull is the residual of Newton's method.
 constexpr double no_pull = 1e-6;
-// Cell edges: a body that is no further behind its plate is on it, but for rounding.
+// Cell edges: tolerance for rounding, within which a body is on its plate.
 constexpr double on_plate = 1e-12;
 
-/// Of one coordinate of the bodies that plates push.
+/// Forces and distances along the axis of bodies that plates push.
 struct Pushing {
   const ElasticSystem& system;
   const State& state;
   Eigen::VectorXd gradient;
-  double distance = 0;  ///< of the plates from the middle between them, cell edges
+  double distance = 0;  ///< from the middle between the plates to each plate, cell edges
   double middle = 0;    ///< cell edges
 
   int axis() const { return component(system.drive().axis); }
   static double inward(int side) { return side == 0 ? 1 : -1; }
-  /// k_point edge: what holds a body where it is, counted away from the plate.
+  /// Returns the force that holds a body in place, positive away from the plate, k_point edge.
   double force(int side, int body) const { return inward(side) * gradient[6 * body + 3 + axis()]; }
-  /// Cell edges.
+  /// Returns how far a body is behind its plate, cell edges.
   double behind(int side, int body) const {
     const double plate = middle - inward(side) * distance;
     return inward(side) * (plate - state[body].p[axis()] / system.structure().size.edge_mm);
@@ -53,11 +54,11 @@ double largest_force(const Pushing& plates, const GrippedRows& held) {
   return largest;
 }
 
-/// A body of a row that plates pull, or that lies behind its plate.
+/// Body of a row that a plate pulls, or that is behind its plate.
 struct Wrong {
   int side = 0, body = 0;
   bool behind = false;
-  double by = 0;  ///< k_point edge, or cell edges
+  double by = 0;  ///< pull, k_point edge, or distance, cell edges
 };
 
 std::vector<Wrong> all_wrong(const GrippedRows& rows, const ElasticSystem& system, const State& state,
@@ -76,7 +77,8 @@ std::vector<Wrong> all_wrong(const GrippedRows& rows, const ElasticSystem& syste
   return out;
 }
 
-/// Bodies behind their plate come first: what they take up changes who pulls.
+/// Returns the worst violation. Bodies behind their plate come first, since their load changes which ones are
+/// pulled.
 Wrong worst_of(const std::vector<Wrong>& wrong) {
   return *std::max_element(wrong.begin(), wrong.end(), [](const Wrong& a, const Wrong& b) {
     return std::pair(a.behind, a.by) < std::pair(b.behind, b.by);
@@ -102,7 +104,7 @@ EquilibriumPath not_found(EquilibriumPath path, const std::string& why) {
 
 int bodies_of(const GrippedRows& rows) { return static_cast<int>(rows[0].size() + rows[1].size()); }
 
-/// The equilibrium next to a state, once plates hold other bodies than in it.
+/// Finds the equilibrium near a state after a change of the bodies that plates hold.
 EquilibriumPath settled_again(const DrivenLinkage& now, const Elasticity& elasticity,
                               const EquilibriumPathOptions& options, State state, double theta) {
   ElasticSystem(now.linkage, elasticity, now.drive, *options.planar, options.contact, options.bodies)
@@ -111,7 +113,7 @@ EquilibriumPath settled_again(const DrivenLinkage& now, const Elasticity& elasti
       state, [&](double) { return now; }, elasticity, options);
 }
 
-/// Since when a path is off its closed form.
+/// Returns since when a path is off its closed form.
 OffClosedForm off_closed_form(const EquilibriumPath& path) {
   const auto left_unstable = [&](const PathEvent& event) {
     const bool left = event.kind == PathEvent::Kind::bifurcation || event.kind == PathEvent::Kind::snap;
@@ -120,7 +122,7 @@ OffClosedForm off_closed_form(const EquilibriumPath& path) {
   return {path.off_closed_form_since, std::any_of(path.events.begin(), path.events.end(), left_unstable)};
 }
 
-/// A path whose end gives way to another one.
+/// Replaces the end of a path with that of another one.
 void replace_end(EquilibriumPath& path, const DrivenLinkage& now, const Elasticity& elasticity,
                  const EquilibriumPathOptions& options, EquilibriumPath end) {
   const MeasuredSystem system(now.linkage, elasticity, now.drive, options);

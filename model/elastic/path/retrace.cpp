@@ -12,10 +12,10 @@ namespace {
 
 constexpr double back_step = 1e-3;  // rad of theta
 constexpr int least_steps = 10,
-              most_steps = 64;      // back over a jump: short ones are no one step, long ones cost no more
+              most_steps = 64;      // backwards over a jump: bounds of the number of steps
 constexpr double same_turn = 1e-3;  // rad of a hinge
-constexpr double same_energy =
-    1e-6;  // of the energy before: what two states that are settled differ by at most
+/// Fraction of the energy before: tolerance between two settled states.
+constexpr double same_energy = 1e-6;
 
 }  // namespace
 

@@ -6,13 +6,13 @@
 
 namespace kinetix::model {
 
-/// Goes back along a path in small steps, to see whether a step of it was reversible.
+/// Test of whether a step of a path was reversible: follows the path backwards in small steps.
 class Retrace {
  public:
   enum class Finding {
-    reversible,  ///< back in the state before, or in one of the same energy
-    lossy,       ///< in another state of other energy: a snap
-    mirrored,    ///< in the state before, folded to the other side
+    reversible,  ///< back in the previous state, or in one of the same energy
+    lossy,       ///< in another state of other energy: a snap-through
+    mirrored,    ///< in the previous state, folded to the other side
     unknown,     ///< no equilibrium was found on the way back
   };
 
@@ -20,7 +20,7 @@ class Retrace {
   Retrace(const DrivenLinkage& driven, const Elasticity& elasticity, const EquilibriumPathOptions& options)
       : driven_(driven), elasticity_(elasticity), options_(options) {}
 
-  /// A state of equilibrium at a theta, rad, with the multiplier of its drive.
+  /// State in equilibrium at a theta, rad, with the multiplier of its drive.
   struct Place {
     const State& state;
     double theta = 0;
@@ -29,13 +29,13 @@ class Retrace {
   Finding back(const Place& after, const Place& before);
 
  private:
-  /// At theta, from a state nearby. @return whether it is stable
+  /// Settles a nearby state at theta. @return whether it is stable
   bool settle(double theta, State& state);
 
   const DrivenLinkage& driven_;
   const Elasticity& elasticity_;
   const EquilibriumPathOptions& options_;
-  std::optional<MeasuredSystem> system_;  ///< beside that of the path, which stays as it is
+  std::optional<MeasuredSystem> system_;  ///< separate from that of the path, which stays unchanged
 };
 
 }  // namespace kinetix::model

@@ -17,8 +17,8 @@ using Eigen::VectorXd;
 
 constexpr double different = 1e-3;  // rad of a hinge: releases that end closer found the same state
 constexpr double furthest = 1.55;   // rad of theta: no drive goes to a right angle
-constexpr int most_left = 5;        // in a row after a release: after so many it counts as unresolved
-// Rad, cell edges: enough to leave the saddle, too little for another valley.
+constexpr int most_left = 5;        // saddles in a row after a release: with more it is unresolved
+// Rad, cell edges: enough to leave the saddle, too little to reach another valley.
 constexpr double off_saddle = 1e-2;
 
 std::string released_at(const EquilibriumStep& step) {
@@ -26,7 +26,7 @@ std::string released_at(const EquilibriumStep& step) {
          " deg of the drive";
 }
 
-/// A structure that nothing drives.
+/// Structure without a drive.
 class Release {
  public:
   Release(const Linkage& structure, const Elasticity& elasticity, const StableStateOptions& options)
@@ -38,7 +38,7 @@ class Release {
     newton_.max_iterations = options.max_iterations;
   }
 
-  /// Where it comes to rest, or in words why it does not.
+  /// Releases the structure. @return its state of rest; empty if there is none, with the reason in `why`
   std::optional<StableState> from(const DrivenState& start, std::string& why) {
     State state = start.state;
     NewtonResult result = minimise(system_, 0, newton_, state, tangent_);
@@ -86,7 +86,7 @@ const DrivenState& lower(const EnergyTurn& turn) {
   return turn.before.step.kept_energy() < turn.after.step.kept_energy() ? turn.before : turn.after;
 }
 
-/// Joins the states along all paths.
+/// Collector of the stable states along all paths.
 class Collector {
  public:
   Collector(const Linkage& structure, const Elasticity& elasticity, const StableStateOptions& options)
@@ -120,7 +120,7 @@ class Collector {
   StableStates found() { return std::move(found_); }
 
  private:
-  /// Index of the state that a release leads to, new or known; -1 where it leads nowhere.
+  /// Returns the index of the state that a release leads to, new or known; -1 if it leads to none.
   int settle(const DrivenState& start) {
     std::string why;
     auto state = release_.from(start, why);

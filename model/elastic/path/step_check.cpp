@@ -8,13 +8,13 @@
 namespace kinetix::model {
 namespace {
 
-constexpr double bent_load = 0.01;      // of the work of a step: loads between its ends are not on a line
-constexpr double bent_stiffness = 0.1;  // of the change of the load on a step, likewise of its derivative
-constexpr double least_step =
-    1e-4;  // rad of theta: over less, derivatives are not those at the ends of the step
-constexpr double load_noise =
-    1e-3;  // of a load: rough states before the goal differ by as much without an event
-constexpr double difference_noise = 1e-13;  // of the energy and of k_point edge^2: rounding of a difference
+constexpr double bent_load = 0.01;      // fraction of the work of a step: its loads are not exactly linear
+constexpr double bent_stiffness = 0.1;  // fraction of the change of load: stiffness is not exactly linear
+/// Rad of theta: over a shorter step, derivatives do not match those at its ends.
+constexpr double least_step = 1e-4;
+/// Fraction of a load: rough states before the goal differ by this much without an event.
+constexpr double load_noise = 1e-3;
+constexpr double difference_noise = 1e-13;  // fraction of the energy and of k_point edge^2: rounding
 
 bool changes_contact(const EquilibriumStep& before, const EquilibriumStep& after) {
   return (before.contacts == 0) != (after.contacts == 0);
@@ -58,7 +58,7 @@ bool StepCheck::loses_energy(const EquilibriumStep& before, const EquilibriumSte
   const double way =
       (after.drive - before.drive) * system_.elastic.drive().travel(system_.elastic.structure());
   const double bend = std::isfinite(after.stiffness) ? after.stiffness * (after.drive - before.drive) / 2 : 0;
-  // The energy of the other branch where the step began.
+  // Energy of the other branch at the start of the step.
   const double energy = after.energy - way * (after.load - bend);
   const double work = std::abs(way) * std::max(std::abs(before.load), std::abs(after.load));
   return before.energy - energy > bent_load * work + difference_noise * (system_.unit + before.energy);

@@ -6,11 +6,11 @@
 namespace kinetix::model {
 namespace {
 
-constexpr double most_growth = 2;      // times the last step: one small error promises no more
-constexpr double least_growth = 0.25;  // times the last step: a large error tells little about how much less
-constexpr double aimed_jump = 0.4;     // of longest_jump: near 1, more steps fail; near 0, more are needed
-constexpr double least_jump = 1e-12;   // rad: below is rounding, and the most growth is reached long before
-constexpr double rounding = 1e-9;      // of a step or of what is left of the path: less is no step
+constexpr double most_growth = 2;      // times the last step: one small error is not enough for more
+constexpr double least_growth = 0.25;  // times the last step: a large error defines no shorter step
+constexpr double aimed_jump = 0.4;    // ratio to longest_jump: near 1 more steps fail, near 0 more are needed
+constexpr double least_jump = 1e-12;  // rad: below is rounding, and most_growth is reached long before
+constexpr double rounding = 1e-9;     // fraction of a step or of the remaining path: shorter steps are none
 
 }  // namespace
 

@@ -4,36 +4,38 @@
 
 namespace kinetix::model {
 
-/// Where a path tries to go next.
+/// Next step to try on a path.
 struct NextStep {
   double theta = 0;   ///< rad
   double length = 0;  ///< of the step, rad
   bool to_goal = false;
-  bool is_short = false;     ///< so short that a jump to another state is taken, and walls may begin to touch
-  bool is_shortest = false;  ///< no shorter one will be tried
-  bool locates = false;      ///< looks for where something happens: the step is not taken if anything does
-  bool leaves =
-      false;  ///< starts where something happens: the tangent there is nearly singular, so that a prediction along it is no use
+  bool is_short = false;     ///< so short that jumps to another state and begin of contact are permitted
+  bool is_shortest = false;  ///< no shorter step will be tried
+  bool locates = false;      ///< bisection for an event: the step is not taken if it has one
+  /// Starts at an event. The tangent there is nearly singular, so the prediction does not use it.
+  bool leaves = false;
 };
 
-/// Steps of theta that adapt to how well they are predicted. They do not depend on the goal, except the last one, which ends there.
+/// Adaptive steps of theta, based on prediction errors. Except for the last one, which ends at the goal, they
+/// do not depend on the goal.
 class StepLength {
  public:
-  /// @param goal theta, rad  @param options are kept by reference
+  /// @param goal theta, rad   @param options kept by reference
   StepLength(const EquilibriumPathOptions& options, double goal);
 
   NextStep next(double from) const;
-  /// The same if the goal were further away: what a longer path would try from here.
+  /// Returns the next step as if the goal were further away, that is, the step of a longer path from here.
   NextStep next_beyond(double from) const;
-  /// Of a given length towards the goal and not beyond it, short enough for a jump to be taken.
+  /// Returns a step of given length towards the goal, at most to it, and marked short so that a jump is
+  /// taken.
   NextStep landing(double from, double length) const;
-  /// Factor for the next step so that a hinge will turn by less than longest_jump beyond the prediction.
-  /// @param jump by what it did now, rad; NaN where that is not known  @param order of the prediction: its
-  /// error grows with the step to one power more
+  /// Returns the factor for the next step that keeps a hinge's turn beyond the prediction below longest_jump.
+  /// @param jump that turn at the present step, rad; NaN if unknown
+  /// @param order of the prediction: its error scales with the step to the power of order + 1
   double growth(double jump, int order) const;
-  /// After a step that was taken. @param touching walls touch behind it
+  /// Adapts the length after a step was taken. @param touching whether walls touch at its end
   void change(double growth, bool touching);
-  /// After one that was not: to a half of it at most.
+  /// Shortens the length after a refused step, at least to half of it.
   void shorten(const NextStep& refused, double growth);
 
  private:

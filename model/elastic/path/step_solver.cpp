@@ -14,24 +14,25 @@ namespace {
 using Descent = Branch::Descent;
 using Eigen::VectorXd;
 
-constexpr double rough_step =
-    2e-3;  // rad, cell edges: before the goal, a step this short leaves about its square
-// Of the energy, by which that step may lower it: more is a slow valley. States before the goal are known to no more.
+/// Rad, cell edges: before the goal, a step this short leaves about its square as error.
+constexpr double rough_step = 2e-3;
+// Fraction of the energy that this step may gain: more means a slow valley. States before the goal are
+// accurate to this only.
 constexpr double level = 1e-5;
-constexpr double strayed = 2;  // times longest_jump: so far from a prediction lies another branch
-// Rad: longer steps must start convex and end soon; if not, halving is cheaper.
+constexpr double strayed = 2;  // times longest_jump: another branch is this far from a prediction
+// Rad: longer steps must start convex and end soon; otherwise halving is cheaper.
 constexpr double careful_from = 0.01;
 constexpr int careful_iterations = 15;  // of Newton's method, for such a step
-// Iterations of Newton's method for the shortest step. Springs hold no place, so that a snap goes as far as a release does.
-// The valleys of floppy sheets bend.
+// Iterations of Newton's method for the shortest step. Springs do not fix a position, so a snap-through goes
+// as far as a release. Underconstrained sheets have curved valleys.
 constexpr int snap_iterations = 400;
-// Share of the energy. Two branches behind a bifurcation that differ by no more are each other's image.
+// Share of the energy. Two branches after a bifurcation that differ by less are mirror images.
 constexpr double same_depth = 1e-7;
-constexpr double equally_far = 2;    // times the nearer one of two branches: a path is on neither yet
+constexpr double equally_far = 2;    // ratio of distances to two branches: up to it, a path is on neither
 constexpr double same_state = 1e-3;  // rad of a hinge, cell edges
-constexpr int most_saddles = 5;  // left in a row at one theta: after more, there is no equilibrium to take
+constexpr int most_saddles = 5;      // left in a row at one theta: with more, there is no equilibrium to take
 
-/// Twists, rad and cell edges, that take each body from one state to another.
+/// Returns the twists, rad and cell edges, that move each body from one state to another.
 VectorXd twists_between(const Linkage& structure, const State& from, const State& to) {
   VectorXd twists(6 * static_cast<Eigen::Index>(from.size()));
   for (std::size_t b = 0; b < from.size(); ++b) {
@@ -61,7 +62,8 @@ Trial StepSolver::find(const NextStep& next, const PathHead& head, const State& 
   return trial;
 }
 
-// Before the goal, the step after one of `rough_step` is quadratically small, and good enough to go on from.
+// Before the goal, the error after a step of `rough_step` is quadratically small, which is sufficient to
+// continue.
 NewtonOptions StepSolver::newton_options(const NextStep& next, bool may_stray) const {
   NewtonOptions options = options_.newton;
   if (!may_stray) options.most_moved = strayed * options_.longest_jump;

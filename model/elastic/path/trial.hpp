@@ -7,15 +7,15 @@
 
 namespace kinetix::model {
 
-/// The state that a search for the next equilibrium of a path ended in.
+/// Final state of a search for the next equilibrium of a path.
 struct Trial {
   double theta = 0;  ///< rad
   State state;       ///< in equilibrium if newton.converged
   NewtonResult newton;
-  int iterations = 0;  ///< of all of its searches
-  /// How an unstable equilibrium was left to get there, if one was: the last change of branch.
+  int iterations = 0;  ///< of all searches
+  /// Last change of branch: how an unstable equilibrium was left to reach the state, if one was.
   std::optional<Branch::Descent> descent;
-  bool mirrored = false;  ///< it is in equilibrium on the side that was not asked for (ClosedForm)
+  bool mirrored = false;  ///< in equilibrium on the side that was not requested (ClosedForm)
 };
 
 }  // namespace kinetix::model

@@ -12,11 +12,11 @@ namespace kinetix::model {
 namespace {
 
 constexpr double limit_accuracy = 1e-8;  // rad of theta, of a limit point
-constexpr double prominent = 0.02;       // of the largest load so far, by which a limit point stands out
-constexpr double theta_accuracy = 1e-7;  // rad of theta: the energy at a maximum is off by its square alone
-constexpr double vanishing = 1e-4;       // of the larger load at both ends: more is left where the path jumps
-constexpr int most_equilibria =
-    60;  // equilibria: bisection alone comes from 1 rad to the accuracy of theta with 24
+constexpr double prominent = 0.02;  // fraction of the largest load so far: least prominence of a limit point
+constexpr double theta_accuracy = 1e-7;  // rad of theta: the energy error at a maximum is only its square
+constexpr double vanishing = 1e-4;  // ratio to the larger load at both ends: a larger residual means a jump
+/// Bisection alone needs 24 equilibria from 1 rad to the accuracy of theta.
+constexpr int most_equilibria = 60;
 
 class Summit {
  public:
@@ -24,7 +24,7 @@ class Summit {
          const EquilibriumPathOptions& options)
       : system_(structure, elasticity, drive, options), newton_(options.newton) {}
 
-  /// Where the load turns.
+  /// Finds the limit point of the load in a turn.
   std::optional<EquilibriumStep> limit(const LoadTurns::Turn& turn) {
     Side low{turn.before, turn.before.step.stiffness}, high{turn.after, turn.after.step.stiffness};
     for (int k = 0; k < most_equilibria; ++k) {
@@ -39,7 +39,7 @@ class Summit {
     return {};
   }
 
-  /// Regula falsi with the Illinois rule.
+  /// Finds the summit of the energy by regula falsi with the Illinois rule.
   EnergyBarrier of(const EnergyTurn& turn) {
     Side low{turn.before, turn.before.step.load}, high{turn.after, turn.after.step.load};
     const double scale = std::max(std::abs(low.load), std::abs(high.load));
@@ -64,7 +64,7 @@ class Summit {
  private:
   struct Side {
     DrivenState at;
-    double load;        ///< or what else is to vanish
+    double load;        ///< or other quantity that must vanish
     bool kept = false;  ///< the other side moved last
     double theta() const { return at.step.theta; }
   };
@@ -98,7 +98,7 @@ bool is_peak(const Loads& loads, std::size_t k) {
   return loads[k] > loads[k - 1] && loads[k] >= loads[k + 1];
 }
 
-/// How far the load falls from `k` on, before it is above loads[k] or ends.
+/// Returns how far the load falls from `begin` on, before it exceeds `from` or ends.
 template <class Iterator>
 double fall(double from, Iterator begin, Iterator end) {
   double lowest = from;
@@ -112,7 +112,8 @@ double prominence_of(const Loads& loads, std::size_t k) {
   return std::min(fall(loads[k], after, loads.end()), fall(loads[k], before, loads.rend()));
 }
 
-/// Without the last state where plates that press have let go in it: those before it are of plates that grip.
+/// Returns the signed loads. If plates that press have released bodies, the last state is omitted: the others
+/// have plates that grip.
 Loads signed_loads(const EquilibriumPath& path, double sign) {
   Loads loads;
   for (const EquilibriumStep& step : path.steps) loads.push_back(sign * step.load);
@@ -120,7 +121,8 @@ Loads signed_loads(const EquilibriumPath& path, double sign) {
   return loads;
 }
 
-/// Whether a load stands out as a maximum among those of the whole path up to its next one above, `sign` times.
+/// Returns whether a load, times `sign`, is a prominent maximum among those of the path up to the next larger
+/// one.
 bool stands_out(const std::vector<EquilibriumStep>& steps, std::size_t place, double load, double sign) {
   double largest = std::abs(load), lowest_before = sign * load, lowest_behind = sign * load;
   for (std::size_t k = 0; k < place; ++k) largest = std::max(largest, std::abs(steps[k].load));
@@ -148,7 +150,7 @@ std::vector<PathEvent> located_limit_points(const Linkage& structure, const Elas
   std::vector<PathEvent> found;
   if (turns.turns().empty()) return found;
   std::vector<EquilibriumStep> steps = path.steps;
-  if (path.let_go > 0) steps.pop_back();  // it is of other rows
+  if (path.let_go > 0) steps.pop_back();  // its plates hold other rows
   Summit search(structure, elasticity, drive, options);
   for (const LoadTurns::Turn& turn : turns.turns()) {
     const double before = turn.before.step.theta, after = turn.after.step.theta;

@@ -5,7 +5,7 @@
 namespace kinetix::model {
 namespace {
 
-/// Of the three other corners of a facet, as its first corner and its frame carry them.
+/// Returns the largest distance of a facet's three other corners from their positions by its first corner and frame.
 double corner_gap(const QuadMesh& m, const FoldedMesh& folded, int i, int j) {
   double gap = 0;
   const Eigen::Matrix3d& R = folded.frames[m.facet(i, j)];

@@ -8,15 +8,15 @@
 
 namespace kinetix::model {
 
-/// A mesh folded: where its vertices are and how its facets stand. Facet (0, 0) keeps its place.
+/// A folded mesh: its vertices and the rotations of its facets. Facet (0, 0) does not move.
 template <class T>
 struct FoldedMeshOf {
-  std::vector<Eigen::Matrix<T, 3, 1>> vertices;  ///< as of the mesh, in its unit
+  std::vector<Eigen::Matrix<T, 3, 1>> vertices;  ///< in the order and unit of the mesh
   std::vector<Eigen::Matrix<T, 3, 3>> frames;    ///< rotation of each facet from flat
 };
 using FoldedMesh = FoldedMeshOf<double>;
 
-/// Turn by rho about a direction in the plane. @param half tan(rho / 2)
+/// Returns the rotation by rho about a direction in the plane. @param half tan(rho / 2)
 template <class T>
 Eigen::Matrix<T, 3, 3> crease_rotation(const Eigen::Matrix<T, 2, 1>& along, const T& half) {
   using std::sqrt;
@@ -47,7 +47,8 @@ std::vector<Eigen::Matrix<T, 3, 3>> frames(const QuadMeshOf<T>& m, const T& tau)
 
 }  // namespace fold_detail
 
-/// Facets turn about the creases of the first column and of all rows: exact where the mesh is flat-foldable.
+/// Folds a mesh. Facets turn about the creases of the first column and of all rows: exact if the mesh is
+/// flat-foldable.
 /// @param tau sin(theta)
 template <class T>
 FoldedMeshOf<T> fold_facets(const QuadMeshOf<T>& m, const T& tau) {
@@ -69,8 +70,8 @@ FoldedMeshOf<T> fold_facets(const QuadMeshOf<T>& m, const T& tau) {
   return out;
 }
 
-/// How far the facets disagree about the corners and creases that they share: largest distance over the mean edge, or
-/// entry of the difference of rotations.
+/// Returns the largest disagreement of facets about shared corners and creases: distance over the mean edge, or entry
+/// of the difference of rotations.
 double fold_gap(const QuadMesh& mesh, double theta);
 
 }  // namespace kinetix::model

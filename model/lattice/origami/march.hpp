@@ -9,20 +9,21 @@
 
 namespace kinetix::model {
 
-/// What determines a flat-foldable quadrilateral mesh (kinematics.md section 6, "marching"): data on its left column
-/// and bottom row of inner vertices, and how far it reaches beyond them. p = columns - 1, q = rows - 1 inner vertices.
+/// Boundary data that determine a flat-foldable quadrilateral mesh (kinematics.md section 6, "marching"): on its left
+/// column and bottom row of inner vertices, and distances from there to the boundary. There are p = columns - 1 by q
+/// = rows - 1 inner vertices.
 template <class T>
 struct MarchDataOf {
-  std::vector<T>
-      rising;  ///< p multipliers of the rising crease lines, where they leave the bottom row upwards
-  std::vector<T> level;          ///< q of the level ones, where they leave the left column to the right
+  /// P multipliers of the rising crease lines, where they leave the bottom row upwards
+  std::vector<T> rising;
+  std::vector<T> level;  ///< q multipliers of the level ones, where they leave the left column to the right
   std::vector<T> left_angle;     ///< q, rad, (0, pi): from the level crease to the rising one, left column
-  std::vector<T> bottom_angle;   ///< p likewise of the bottom row; the first is left_angle's and not read
+  std::vector<T> bottom_angle;   ///< p, rad, bottom row; the first equals left_angle's and is not read
   std::vector<T> bottom_length;  ///< p - 1 lengths between the inner vertices of the bottom row, > 0
-  std::vector<T> left_length;    ///< q - 1 likewise of the left column
-  std::vector<T> west, east;     ///< q lengths each, from the outer inner vertices to the rim, > 0
-  std::vector<T> south, north;   ///< p likewise
-  /// How far the corners lie off those of parallelograms: lower left, lower right, upper left, upper right.
+  std::vector<T> left_length;    ///< q - 1 lengths between the inner vertices of the left column, > 0
+  std::vector<T> west, east;     ///< q lengths each, from the outer inner vertices to the boundary, > 0
+  std::vector<T> south, north;   ///< p lengths each, from the outer inner vertices to the boundary, > 0.
+  /// Shifts of the corners from those of parallelograms: lower left, lower right, upper left, upper right.
   std::array<Eigen::Matrix<T, 2, 1>, 4> corners = no_corners();
 
   static std::array<Eigen::Matrix<T, 2, 1>, 4> no_corners() {
@@ -39,7 +40,7 @@ struct MarchVertex {
   T right = T(0), up = T(0), left = T(0), down = T(0);  ///< multipliers
 };
 
-/// The mesh, and the vertices of its march.
+/// The mesh, and the inner vertices of its march.
 template <class T>
 struct MarchedMesh {
   QuadMeshOf<T> mesh;
@@ -100,7 +101,8 @@ class March {
     place(i, j);
   }
 
-  /// Whether the level crease folds less than the rising one: its sign then flips at the vertex, else the other's.
+  /// Returns true if the level crease folds less than the rising one. Its sign then flips at the vertex, otherwise
+  /// the other's.
   bool level_flips(int i, int j) const {
     using std::abs;
     return abs(data_.level[j]) < abs(data_.rising[i]);
@@ -135,7 +137,7 @@ class March {
     return T(2) * atan((T(1) + ratio) / ((T(1) - ratio) * half));
   }
 
-  /// Along the row, up the column, or where the creases of both neighbours meet.
+  /// Places a vertex along the row, up the column, or at the intersection of the creases of both neighbours.
   void place(int i, int j) {
     if (j == 0) {
       point(i, 0) = point(i - 1, 0) + data_.bottom_length[i - 1] * direction(vertex(i - 1, 0).phi);
@@ -187,19 +189,20 @@ class March {
 
 }  // namespace march_detail
 
-/// The mesh that follows from its boundary data, the lower left inner vertex at the origin with its level crease along
-/// +x; corners complete parallelograms but for what the data shift
-/// them by. Smooth in the data as long as no |level| passes a |rising|. It is what it is: where
-/// the data lead to angles outside (0, pi) or lines that cross, validate() of the mesh says so.
-/// @pre at least one inner vertex, and lists of the sizes that MarchData says
+/// Computes the mesh from its boundary data. The lower left inner vertex is at the origin with its level crease along
+/// +x. Corners complete parallelograms, plus the shifts in the data. The result is smooth in the data if no |level|
+/// passes a |rising|.
+/// The data are not checked. If they lead to angles outside (0, pi) or lines that cross, validate() of the mesh
+/// reports it.
+/// @pre at least one inner vertex, and lists of the sizes in MarchData
 template <class T>
 MarchedMesh<T> march(const MarchDataOf<T>& data) {
   return march_detail::March<T>(data).run();
 }
 
-/// Of a regular Miura sheet: all edges 1.
-/// @param columns, rows of facets, >= 2   @param angle of its parallelograms, rad, (0, pi / 2)
-/// @param multiplier of its rising creases, > 0; the level ones fold by cos(angle) of it
+/// Returns the data of a regular Miura sheet: all edges are 1.
+/// @param columns, rows numbers of facets, >= 2   @param angle of its parallelograms, rad, (0, pi / 2)
+/// @param multiplier of its rising creases, > 0; the level ones have cos(angle) times it
 MarchData miura(int columns, int rows, double angle, double multiplier);
 
 }  // namespace kinetix::model

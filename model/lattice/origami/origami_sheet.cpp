@@ -13,16 +13,17 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double most_of_crease = 0.42;  // of a crease's length, from a vertex to its hinge: below half of it
-constexpr double rim_room =
-    0.25;  // of a crease's length, least between its two hinges where it ends at the rim
+// Distance of a hinge from a vertex, ratio to its crease's length: below half of it
+constexpr double most_of_crease = 0.42;
+// Least distance of the two hinges of a crease that ends at the boundary, ratio to its length
+constexpr double rim_room = 0.25;
 
 Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-/// The circle of bodies about an inner vertex. Creases point right, up, left, down.
+/// Circle of bodies about an inner vertex. Creases point right, up, left, down.
 struct Circle {
   double radius = 0, phi = 0, a = 0, b = 0, psi = 0;
-  std::array<double, 4> beside = {};  ///< angle from each crease to the bodies beside it, rad
+  std::array<double, 4> beside = {};  ///< angle from each crease to the bodies next to it, rad
 };
 
 Circle circle_at(const QuadMesh& m, int i, int j, double share) {
@@ -46,7 +47,7 @@ Circle circle_at(const QuadMesh& m, int i, int j, double share) {
   return c;
 }
 
-/// The places of all bodies, 2 columns x 2 rows of them.
+/// Positions of all bodies, 2 columns x 2 rows of them.
 class Places {
  public:
   Places(const QuadMesh& m, const OrigamiLayout& layout)
@@ -79,7 +80,8 @@ class Places {
     return circles_[static_cast<std::size_t>(j - 1) * (m_.columns - 1) + i - 1];
   }
 
-  /// Two bodies that straddle a crease from an inner vertex to the rim, near the rim: first the one to its left.
+  /// Places two bodies on both sides of a crease from an inner vertex to the boundary, near the boundary; the first
+  /// is to its left.
   void straddle(const Vector2d& inner, const Vector2d& rim, const Circle& c, int crease, Vector2d& left,
                 Vector2d& right) const {
     const Vector2d edge = rim - inner;
@@ -119,7 +121,7 @@ class Places {
   std::vector<Circle> circles_;
 };
 
-/// The crease that a wall from body (I, J) crosses: its direction, and the multiplier that tilts its hinge.
+/// Crease that a wall from body (I, J) crosses: its direction, and the multiplier that tilts its hinge.
 struct Crossed {
   Vector2d along = Vector2d::Zero();
   double multiplier = 0;
@@ -137,8 +139,8 @@ Crossed crossed(const QuadMesh& m, int I, int J, bool rightwards) {
   return {};
 }
 
-/// Of the hinge on a wall across a crease: its axis leans along the crease by -sense c, as the wall leans by beta
-/// against z x e.
+/// Returns the tilt of the hinge on a wall across a crease. Its axis leans along the crease by -sense c, as the wall
+/// leans by beta relative to z x e.
 double tilt(const Crossed& crease, const Vector2d& wall, int sense) {
   if (crease.multiplier == 0) return 0;
   const Vector2d across(-wall.y(), wall.x());

@@ -12,7 +12,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Rad and 1: files give vertices to six or more digits; what is left folds with gaps that no printer shows.
+// Rad, and a ratio: files have vertices of six or more digits; the remaining error opens separations below print
+// resolution.
 constexpr double angle_slack = 1e-4, closing_slack = 1e-3;
 
 std::string name_of(const char* what, int i, int j) {
@@ -46,7 +47,7 @@ void check_facet(const QuadMesh& m, int i, int j) {
   }
 }
 
-/// Both halves of the vertex law: crease lines keep |c|, and their ratio follows from the sectors.
+/// Checks both halves of the vertex law: crease lines keep |c|, and their ratio follows from the sectors.
 void check_multipliers(const QuadMesh& m, int i, int j, const Eigen::Vector4d& sector) {
   const double right = m.level[m.level_crease(i, j)], left = m.level[m.level_crease(i - 1, j)];
   const double up = m.rising[m.rising_crease(i, j)], down = m.rising[m.rising_crease(i, j - 1)];

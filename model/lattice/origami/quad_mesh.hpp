@@ -6,18 +6,17 @@
 
 namespace kinetix::model {
 
-/// A crease pattern of columns x rows quadrilateral facets, flat, and how far each crease folds: at theta by rho with
-/// tan(rho / 2) = c sin(theta), c its fold multiplier, positive where the facets beside it rise (a valley seen from
-/// above). Lengths in whatever unit its maker says. T: double, or dual numbers.
+/// A flat crease pattern of columns x rows quadrilateral facets, with the fold of each crease. At theta a crease
+/// folds by rho with tan(rho / 2) = c sin(theta). Its fold multiplier c is positive if the facets next to it rise (a
+/// valley seen from above). The unit of length is that of its source. T: double, or dual numbers.
 template <class T>
 struct QuadMeshOf {
   using Vector2 = Eigen::Matrix<T, 2, 1>;
 
-  int columns = 0, rows = 0;      ///< of facets, >= 1
+  int columns = 0, rows = 0;      ///< numbers of facets, >= 1
   std::vector<Vector2> vertices;  ///< (columns + 1) x (rows + 1), row by row: vertex (i, j) at vertex(i, j)
-  std::vector<T>
-      rising;  ///< multipliers of the creases (i, j) - (i, j + 1), 0 < i < columns: at rising_crease(i, j)
-  std::vector<T> level;  ///< likewise of (i, j) - (i + 1, j), 0 < j < rows: at level_crease(i, j)
+  std::vector<T> rising;  ///< multipliers of (i, j) - (i, j + 1), 0 < i < columns: at rising_crease(i, j)
+  std::vector<T> level;   ///< multipliers of (i, j) - (i + 1, j), 0 < j < rows: at level_crease(i, j)
 
   std::size_t vertex(int i, int j) const { return static_cast<std::size_t>(j) * (columns + 1) + i; }
   std::size_t facet(int i, int j) const { return static_cast<std::size_t>(j) * columns + i; }
@@ -31,10 +30,10 @@ struct QuadMeshOf {
 };
 using QuadMesh = QuadMeshOf<double>;
 
-/// Edges of a mesh of columns x rows facets.
+/// Returns the number of edges of a mesh of columns x rows facets.
 inline int mesh_edges(int columns, int rows) { return columns * (rows + 1) + rows * (columns + 1); }
 
-/// Room for columns x rows facets, all zero.
+/// Returns a mesh of columns x rows facets, all zero.
 template <class T>
 QuadMeshOf<T> empty_mesh(int columns, int rows) {
   QuadMeshOf<T> mesh;
@@ -46,16 +45,16 @@ QuadMeshOf<T> empty_mesh(int columns, int rows) {
   return mesh;
 }
 
-/// The four angles between the creases of an inner vertex, rad, counter-clockwise from the one between the level
-/// crease to the right and the rising crease above. @pre 0 < i < columns, 0 < j < rows
+/// Returns the four angles between the creases of an inner vertex, rad. They are counter-clockwise from the one
+/// between the level crease to the right and the rising crease above. @pre 0 < i < columns, 0 < j < rows
 Eigen::Vector4d sectors(const QuadMesh& mesh, int i, int j);
 
-/// @throws InvalidInput, naming vertex or facet, for a mesh that is not rigidly and flat-foldable as its multipliers
-/// say: sectors outside (0, pi) or whose opposite ones do not add up to pi, facets that are turned over or not convex,
-/// multipliers that do not close round a vertex; and for numbers that are not finite
+/// Checks that a mesh is rigidly and flat-foldable with its multipliers.
+/// @throws InvalidInput, naming vertex or facet. Sectors must be in (0, pi), and opposite ones must add up to pi.
+/// Facets must be convex and not turned over. Multipliers must close around each vertex. All numbers must be finite
 void validate(const QuadMesh& mesh);
 
-/// Mean length of all edges.
+/// Returns the mean length of all edges.
 double mean_edge(const QuadMesh& mesh);
 
 }  // namespace kinetix::model

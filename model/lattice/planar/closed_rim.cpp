@@ -16,10 +16,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double open_corner = 175 * pi / 180;   // rad: a wider corner outside is a straight rim, not a notch
-constexpr double narrow_corner = 40 * pi / 180;  // rad: in a narrower one new walls would touch the old ones
-constexpr double apart =
-    0.3;  // wall lengths: nearer, bodies of new and old vertices would meet when they turn
+// Rad: a wider outer corner is a straight boundary, not a notch
+constexpr double open_corner = 175 * pi / 180;
+// Rad: in a narrower corner new walls would touch the old ones
+constexpr double narrow_corner = 40 * pi / 180;
+// Wall lengths: bodies of nearer new and old vertices would collide as they turn
+constexpr double apart = 0.3;
 
 double mean_length(const PlanarGraph& graph) {
   double sum = 0;
@@ -29,7 +31,7 @@ double mean_length(const PlanarGraph& graph) {
 
 using Segment = std::array<Vector2d, 2>;
 
-/// Whether two walls keep `room` from each other, but for an end that they share.
+/// Returns true if two walls keep `room` from each other, except at a shared end.
 bool keep_off(const Segment& a, const Segment& b, double room) {
   const auto is_end = [](const Vector2d& p, const Segment& wall) { return p == wall[0] || p == wall[1]; };
   for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)})
@@ -40,21 +42,21 @@ bool keep_off(const Segment& a, const Segment& b, double room) {
          (cross(b[1] - b[0], a[0] - b[0]) > 0) == (cross(b[1] - b[0], a[1] - b[0]) > 0);
 }
 
-/// Vertices along the rim that a new cell takes in, counter-clockwise, and the new vertex if it needs one.
+/// Vertices along the boundary that a new cell uses, counter-clockwise, and the new vertex if needed.
 struct Notch {
   std::vector<int> rim;
   bool has_corner = false;
   Vector2d corner = Vector2d::Zero();
-  double sharpness = 0;  ///< rad, of the corner outside: the smallest is filled first
+  double sharpness = 0;  ///< rad, outer angle of the corner: the smallest is filled first
 };
 
-/// The rim of a graph, and the notches in it.
+/// Boundary of a graph, and its notches.
 class Rim {
  public:
   explicit Rim(const PlanarGraph& graph)
       : graph_(graph), rim_(outer_rim(graph).vertices), mean_(mean_length(graph)) {}
 
-  /// Those that can be filled, of three walls first, then sharpest first.
+  /// Returns the notches that can be filled, of three walls first, then sharpest first.
   std::vector<Notch> notches() const {
     std::vector<Notch> found;
     for (int k = 0; k < size(); ++k) {
@@ -74,7 +76,7 @@ class Rim {
   int at(int k) const { return rim_[(k % size() + size()) % size()]; }
   const Vector2d& place(int k) const { return graph_.vertices[at(k)]; }
 
-  /// Angle outside, rad, in (0, 2 pi).
+  /// Returns the outer angle, rad, in (0, 2 pi).
   double outside(int k) const {
     const Vector2d back = place(k - 1) - place(k), on = place(k + 1) - place(k);
     const double angle = std::atan2(cross(back, on), back.dot(on));
@@ -102,7 +104,7 @@ class Rim {
     return {{at(k - 1), at(k), at(k + 1)}, true, corner, outside(k)};
   }
 
-  /// Whether a wall between these places stays off the rim but for its ends.
+  /// Returns true if a wall between these places keeps off the boundary, except at its ends.
   bool is_free(const Vector2d& a, const Vector2d& b) const {
     for (int j = 0; j < size(); ++j)
       if (!keep_off({a, b}, {place(j), place(j + 1)}, apart * mean_)) return false;
@@ -111,29 +113,29 @@ class Rim {
 
   const PlanarGraph& graph_;
   std::vector<int> rim_;
-  double mean_;  ///< length of a wall
+  double mean_;  ///< mean length of a wall, cell edges
 };
 
-/// Walls that close the notch. @param corner number of its new vertex
+/// Returns the walls that close the notch. @param corner number of its new vertex
 std::vector<GraphEdge> walls_of(const Notch& notch, int corner) {
   const int from = notch.rim.front(), to = notch.rim.back();
   if (!notch.has_corner) return {{from, to}};
   return {{from, corner}, {to, corner}};
 }
 
-/// A graph that grows, and its degrees of freedom.
+/// A growing graph, and its degrees of freedom.
 struct Growing {
   PlanarGraph graph;
   WallDofs dofs;
 };
 
-/// How many vertices and walls a graph had before some were added.
+/// Numbers of vertices and walls of a graph before additions.
 struct Before {
   std::size_t vertices = 0, walls = 0;
 };
 
-/// Closes the notch where that takes a freedom, off all vertices and walls that were added since.
-/// @return whether it did
+/// Closes the notch if that removes a degree of freedom, away from all vertices and walls added since `before`.
+/// @return true if it was closed
 bool fill(const Notch& notch, const Before& before, double room, Growing& sheet) {
   for (std::size_t v = before.vertices; notch.has_corner && v < sheet.graph.vertices.size(); ++v)
     if ((sheet.graph.vertices[v] - notch.corner).norm() < room) return false;
@@ -156,7 +158,7 @@ bool fill(const Notch& notch, const Before& before, double room, Growing& sheet)
   return true;
 }
 
-/// Fills notches that have no vertex in common, until the graph has one freedom. @return whether there were any
+/// Fills notches without common vertices, until the graph has one degree of freedom. @return true if there were any
 bool fill_notches(Growing& sheet) {
   const std::vector<Notch> notches = Rim(sheet.graph).notches();
   const Before before = {sheet.graph.vertices.size(), sheet.graph.edges.size()};
@@ -175,8 +177,8 @@ bool fill_notches(Growing& sheet) {
   return filled;
 }
 
-/// A wall between corners of a cell three walls apart, the shortest there is that stays off the others; nothing
-/// where it would leave the cell.
+/// Returns the shortest wall between corners of a cell three walls apart that keeps off the others. Empty if it would
+/// leave the cell.
 std::optional<GraphEdge> bar(const PlanarGraph& graph, const GraphFace& face, double room) {
   const int count = static_cast<int>(face.vertices.size());
   const auto place = [&](int k) { return graph.vertices[face.vertices[k % count]]; };
@@ -196,7 +198,7 @@ std::optional<GraphEdge> bar(const PlanarGraph& graph, const GraphFace& face, do
   return best;
 }
 
-/// Walls across cells of six and more walls, those along the rim first. @return whether there were any
+/// Adds walls across cells of six and more walls, those along the boundary first. @return true if any was added
 bool add_bars(Growing& sheet) {
   PlanarGraph& graph = sheet.graph;
   const double room = apart * mean_length(graph);

@@ -4,15 +4,16 @@
 
 namespace kinetix::model {
 
-/// How many ways a structure on the graph moves in the plane beyond its rigid motions, by counting bodies and
-/// hinges: 3 V - 2 E - 3. Less than it really moves where walls repeat each other, as in squares, which
-/// WallDofs counts right.
+/// Returns the degrees of freedom of a structure on the graph in the plane beyond rigid motions, by counting bodies
+/// and hinges: 3 V - 2 E - 3. The count is too low if walls repeat each other, as in squares. WallDofs counts these
+/// correctly.
 int counted_dofs(const PlanarGraph& graph);
 
-/// Cells along the rim that leave a floppy lattice one degree of freedom (kinematics.md section 5): a wall across
-/// the mouth of a notch of three walls, a parallelogram into the corner of a notch of two, the sharpest ones
-/// first; and where notches run out, a wall across cells of six and more walls, along the rim. All faces stay
-/// even. As it was where it has one degree of freedom or less, and as far as it goes where nothing more can be added.
+/// Adds cells along the boundary until an underconstrained lattice has one degree of freedom (kinematics.md section
+/// 5). Notches of three walls are first, then the sharpest. A wall closes the mouth of a notch of three walls, a
+/// parallelogram fills the corner of a notch of two. Without further notches, walls divide cells of six and more
+/// walls, along the boundary first. All faces stay even. A graph with at most one degree of freedom is unchanged. The
+/// process stops early if nothing more can be added.
 PlanarGraph closed_rim(PlanarGraph graph);
 
 }  // namespace kinetix::model

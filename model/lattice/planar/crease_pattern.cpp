@@ -17,8 +17,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// A vertex of the pattern: a body at the rim, the hinge with which a crease reaches the rim, or the face in which creases
-/// meet.
+/// Vertex of the pattern: a body at the boundary, the hinge at which a crease reaches the boundary, or the face in
+/// which creases meet.
 struct Corner {
   enum class Kind { body, hinge, face };
   Kind kind = Kind::body;
@@ -30,7 +30,7 @@ struct Corner {
   throw InvalidInput("the facets beside wall " + to_string(s.graph.edges[hinge]) + " are no polygons");
 }
 
-/// Where the lines of two creases meet at theta, in the plane of the sheet without its folds.
+/// Returns the intersection of the lines of two creases at theta, in the plane of the sheet without its folds.
 Vector2d meeting(const PlanarStructure& s, const Redrawing& y, const PlanarCrease& a, const PlanarCrease& b,
                  double theta) {
   const Vector2d p = hinge_path(s, y, a.hinges.front()).at(theta).head<2>(),
@@ -95,7 +95,7 @@ class CreaseDrawing {
     }
   }
 
-  /// Faces in which a crease ends since others meet it there, and hinges with which it reaches the rim.
+  /// Adds the ends of creases: faces where they meet others, and hinges where they reach the boundary.
   void add_creases() {
     std::vector<std::vector<int>> ends(creases_.list.size());
     const auto end = [&](int crease, const Corner& corner) {
@@ -118,7 +118,7 @@ class CreaseDrawing {
     }
   }
 
-  /// As set_fold() has it: the facet to the left of the line rises.
+  /// Returns the fold multiplier by the sign rule of set_fold(): positive if the facet to the left of the line rises.
   double fold_of(const PlanarCrease& crease) const {
     const auto [from, to] = s_.graph.edges[crease.hinges.front()];
     const int near = creases_.facet_of[from] == crease.from ? from : to, far = from + to - near;
@@ -156,7 +156,7 @@ class CreaseDrawing {
     return 0;
   }
 
-  /// At theta, cell edges, as if nothing were folded.
+  /// Returns the position of a corner at theta in the unfolded plane, cell edges.
   Vector2d place(const Corner& corner, double theta) const {
     if (corner.kind == Corner::Kind::hinge) return hinge_path(s_, y_, corner.index).at(theta).head<2>();
     if (corner.kind == Corner::Kind::body)

@@ -18,14 +18,14 @@ using Eigen::Isometry3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double same_lean = 1e-9;     // of the tangent of a tilt: files have angles to more digits
-constexpr double on_its_line = 1e-10;  // cell edges: rounding of a line of thousands of walls is below it
+constexpr double same_lean = 1e-9;     // tangent of a tilt: files have angles of more digits
+constexpr double on_its_line = 1e-10;  // cell edges: above the rounding of a line of thousands of walls
 constexpr double leads_back = 1e-10;   // rad and cell edges, of a turn about the creases that meet in a face
-constexpr double straight_row =
-    1e-7;                      // cell edges: rows of plates that press with this play hold nothing back
-constexpr double meets = 0.5;  // rad of theta, at which messages say how far something is off
+// Cell edges: rows of plates that press with this clearance resist nothing
+constexpr double straight_row = 1e-7;
+constexpr double meets = 0.5;  // theta in rad at which messages state a deviation
 
-/// A turn about a line through a point, as creases turn what is behind them.
+/// Returns the turn of the far side of a crease about its line through a point.
 Isometry3d turn_about(const Vector2d& line, const Vector3d& point, double theta) {
   const double c = line.norm();
   const Vector3d axis = Vector3d(line.x(), line.y(), 0) / c;
@@ -48,13 +48,13 @@ std::string why_lean_differs(const PlanarStructure& s, const PlanarCreases& crea
   return {};
 }
 
-/// What a hinge off its line opens, cell edges: a crease that hardly folds hardly opens it. (Nor does its lean tell the
-/// direction of its line to more digits than it has itself.)
+/// Returns the joint separation of a hinge off its line, cell edges. A crease that hardly folds hardly opens it, and
+/// its lean gives the direction of its line only to the lean's own relative precision.
 double opened(const LeftLine& left, const PlanarCrease& crease) {
   return left.worst() * std::min(1.0, crease.line.norm());
 }
 
-/// The wall whose t changes most.
+/// Describes the wall whose t changes most.
 std::string nearest_t(const PlanarStructure& before) {
   const PlanarStructure after = nearest_exact(before);
   int most = 0, changed = 0;
@@ -87,7 +87,7 @@ std::string why_not_straight(const PlanarStructure& s, const Redrawing& y, const
   return {};
 }
 
-/// About the creases that a walk round the face crosses, in turn.
+/// Returns the product of turns about the creases on a walk around the face.
 Isometry3d round_trip(const PlanarStructure& s, const Redrawing& y, const PlanarCreases& creases,
                       const GraphFace& face, double theta) {
   Isometry3d trip = Isometry3d::Identity();
@@ -102,7 +102,7 @@ Isometry3d round_trip(const PlanarStructure& s, const Redrawing& y, const Planar
 
 double turn_of(const Isometry3d& trip) { return Eigen::AngleAxisd(trip.linear()).angle(); }
 
-/// How far a trip takes the middle of its face, cell edges.
+/// Returns the displacement of the face's first vertex by a trip, cell edges.
 double way_of(const PlanarStructure& s, const GraphFace& face, const Isometry3d& trip) {
   const Vector2d corner = s.graph.vertices[face.vertices[0]];
   const Vector3d at(corner.x(), corner.y(), 0);
@@ -131,7 +131,7 @@ std::string why_not_round(const PlanarStructure& s, const Redrawing& y, const Pl
   return {};
 }
 
-/// Plates keep what they grip in planes across their axis.
+/// Rejects plates whose gripped rows leave the planes normal to their axis.
 void refuse_rows_that_bend(const LinkageDrive& drive, const Linkage& linkage,
                            const std::function<State(double)>& at) {
   if (!drive.has_plates()) return;

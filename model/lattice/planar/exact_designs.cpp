@@ -12,7 +12,7 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;
 
-/// A row a wall, two columns a cell, one a further condition.
+/// Returns the matrix of conditions: a row per wall, two columns per cell, one per further condition.
 Matrix conditions(const PlanarStructure& s, const std::vector<WallCondition>& further) {
   std::vector<Eigen::Triplet<double>> entries;
   for (int f = 0; f < static_cast<int>(s.faces.size()); ++f)

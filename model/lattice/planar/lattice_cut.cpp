@@ -13,9 +13,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Columns round the rectangle, and pairs of rows, which are lower: room for regions that are a little larger.
+// Extra columns around the rectangle, and extra pairs of rows, which are lower: room for slightly larger regions.
 constexpr int margin = 2;
-// Of a cell edge: middles of walls this near are one, rounding is 1e-13 and walls are far apart.
+// Cell edges: nearer middles of walls are equal. Rounding is 1e-13 and walls are far apart.
 constexpr double one_wall = 1e-4;
 
 Vector2d middle_of(const PlanarLattice& lattice, const LatticeCell& cell, double angle) {
@@ -32,7 +32,7 @@ std::pair<long, long> key(const Vector2d& p) {
 std::vector<LatticeCell> largest_cells(const PlanarLattice& lattice, double angle,
                                        const std::vector<LatticeCell>& cells) {
   UnionFind pieces(cells.size());
-  std::map<std::pair<long, long>, int> cell_at;  // middles of walls
+  std::map<std::pair<long, long>, int> cell_at;  // by middles of walls
   for (int c = 0; c < static_cast<int>(cells.size()); ++c) {
     const auto corners = lattice.corners(cells[c][0], cells[c][1], angle);
     for (std::size_t k = 0; k < corners.size(); ++k) {

@@ -19,7 +19,7 @@ int class_a(const PlanarStructure& s, int hinge) {
   return s.senses[from] > 0 ? from : to;
 }
 
-/// From class A to class B.
+/// Returns the edge from sublattice A to sublattice B.
 Vector2d from_class_a(const PlanarStructure& s, int hinge) {
   return s.senses[s.graph.edges[hinge].from] * s.graph.along(hinge);
 }
@@ -28,7 +28,7 @@ bool leans(const PlanarStructure& s, int hinge) {
   return !is_vertical(hinge_axis(hinged_wall(s, hinge).edge, s.hinges[hinge]));
 }
 
-/// Bodies that hang together by upright hinges, counted in their order.
+/// Finds facets: bodies that are connected by upright hinges, numbered in the order of the bodies.
 void find_facets(const PlanarStructure& s, const std::vector<bool>& leaning, PlanarCreases& out) {
   UnionFind pieces(s.graph.vertices.size());
   for (std::size_t h = 0; h < s.hinges.size(); ++h)
@@ -48,7 +48,7 @@ void sort_along(const PlanarStructure& s, PlanarCrease& crease) {
                    [&](int a, int b) { return place(a) < place(b); });
 }
 
-/// Walls of a shortest way from one vertex to another, +1 where it walks them from their first vertex.
+/// Walls of a shortest path from one vertex to another, +1 for walls traversed from their first vertex.
 class ShortWays {
  public:
   explicit ShortWays(const PlanarGraph& graph) : graph_(graph), edges_at_(graph.vertices.size()) {
@@ -77,7 +77,7 @@ class ShortWays {
   std::vector<std::vector<int>> edges_at_;
 };
 
-/// Its rate by s of the hinge, and back by that of the one before.
+/// Returns the condition that a hinge is on the line through the one before: rates by s of both.
 WallCondition on_line(const PlanarStructure& s, int before, int hinge, const Vector2d& across) {
   const auto point = [&](int h) {
     const auto [from, to] = s.graph.edges[h];
@@ -88,7 +88,8 @@ WallCondition on_line(const PlanarStructure& s, int before, int hinge, const Vec
       -across.dot(point(hinge) - point(before))};
 }
 
-/// As q of one hinge less q of the other, along the line; y of their vertices by the walls between them.
+/// Returns the condition that a hinge stays on the line in motion, by the difference of the q of both hinges along
+/// the line. The y of their vertices follow from the walls between them.
 WallCondition stays_on_line(const PlanarStructure& s, const ShortWays& ways, int before, int hinge,
                             const Vector2d& along) {
   const auto half = [&](int h) {

@@ -9,8 +9,8 @@
 namespace kinetix::model {
 namespace {
 
-constexpr double one_line =
-    1e-9;  // cell edges: vertices on one line of a drawing are as far from it by rounding
+// Cell edges: rounding separates vertices on one line of a drawing by as much
+constexpr double one_line = 1e-9;
 
 std::vector<int> bodies_at(const PlanarStructure& s, Axis axis, double place) {
   const int along = component(axis);
@@ -22,7 +22,7 @@ std::vector<int> bodies_at(const PlanarStructure& s, Axis axis, double place) {
   return row;
 }
 
-/// Rim rows without the check for single bodies.
+/// Returns the boundary rows without the check for single bodies.
 GrippedRows outermost_rows(const PlanarStructure& s, Axis axis) {
   const int along = component(axis);
   const auto [low, high] =
@@ -33,8 +33,8 @@ GrippedRows outermost_rows(const PlanarStructure& s, Axis axis) {
 
 bool can_grip(const GrippedRows& rows) { return rows[0].size() > 1 && rows[1].size() > 1; }
 
-/// Distance of the rows at theta over that at rest: along x a body is at cos(theta) x - sin(theta) y_y, along y
-/// at cos(theta) y + sin(theta) y_x.
+/// Returns the distance of the rows at theta over that at rest. Along x a body is at cos(theta) x - sin(theta) y_y,
+/// along y at cos(theta) y + sin(theta) y_x.
 double closing(const PlanarStructure& s, const Redrawing& y, Axis axis, const GrippedRows& rows,
                double theta) {
   const int first = rows[0].front(), last = rows[1].front(), along = component(axis);
@@ -43,7 +43,7 @@ double closing(const PlanarStructure& s, const Redrawing& y, Axis axis, const Gr
   return std::cos(theta) + (axis == Axis::x ? -1 : 1) * std::sin(theta) * moved / rest;
 }
 
-/// The upright hinge to drive, or the first one.
+/// Returns the first upright hinge, or the first hinge if none is upright.
 int first_upright(const PlanarStructure& s) {
   const Linkage linkage = s;
   const auto upright = std::find_if(linkage.hinges.begin(), linkage.hinges.end(),

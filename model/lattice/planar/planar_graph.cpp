@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Times the mean length of a wall: closer than this, vertices are one and a vertex lies on a wall.
+// Tolerance relative to the mean length of a wall: closer vertices are equal, and a closer vertex is on a wall.
 // Coordinates in files have six digits or more.
 constexpr double touching = 1e-6;
 
@@ -30,7 +30,7 @@ std::string name_of_edge(const PlanarGraph& graph, int edge) {
          std::to_string(graph.edges[edge].to);
 }
 
-/// An edge walked from one of its ends: 2 edge, or 2 edge + 1 from its `to`.
+/// Directed edges: 2 edge from its `from`, 2 edge + 1 from its `to`.
 struct Walks {
   explicit Walks(const PlanarGraph& graph) : graph_(graph), leaving_(graph.vertices.size()) {
     for (int e = 0; e < static_cast<int>(graph.edges.size()); ++e)
@@ -46,7 +46,7 @@ struct Walks {
   int start(int walk) const {
     return walk % 2 == 0 ? graph_.edges[walk / 2].from : graph_.edges[walk / 2].to;
   }
-  /// The walk that follows with the same face on its left: the next one clockwise from the way back.
+  /// Returns the next walk with the same face on its left: the next one clockwise from the reverse walk.
   int next(int walk) const {
     const int back = walk ^ 1;
     const auto& walks = leaving_[start(back)];
@@ -62,10 +62,10 @@ struct Walks {
 
   const PlanarGraph& graph_;
   std::vector<std::vector<int>> leaving_;  ///< walks from each vertex, counter-clockwise
-  std::vector<int> place_;                 ///< of each walk among them
+  std::vector<int> place_;                 ///< index of each walk among them
 };
 
-/// Without what is walked there and back.
+/// Removes walks that are followed by their reverse.
 std::vector<int> without_dead_ends(const std::vector<int>& loop) {
   std::vector<int> kept;
   for (const int walk : loop) {
@@ -83,7 +83,7 @@ std::vector<int> without_dead_ends(const std::vector<int>& loop) {
   return kept;
 }
 
-/// Every walk once, in the loops that they make.
+/// Returns every walk once, in closed loops.
 std::vector<std::vector<int>> loops(const Walks& walks) {
   std::vector<bool> walked(walks.count(), false);
   std::vector<std::vector<int>> all;
@@ -114,7 +114,7 @@ double twice_area(const PlanarGraph& graph, const std::vector<int>& vertices) {
   return sum;
 }
 
-/// Pairs of edges that are near each other, by the squares of a grid that they pass.
+/// Pairs of edges that are near each other, found by the grid squares that they pass.
 class NearEdges {
  public:
   explicit NearEdges(const PlanarGraph& graph) : graph_(graph) {
@@ -140,7 +140,7 @@ class NearEdges {
   }
 
  private:
-  /// All squares that an edge passes, and a margin.
+  /// Visits all squares that an edge passes, with a margin.
   template <class Visit>
   void for_squares(int edge, const Visit& visit) const {
     Vector2d a = graph_.vertices[graph_.edges[edge].from] / mean_,

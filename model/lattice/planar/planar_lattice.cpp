@@ -16,17 +16,17 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double grid =
-    1e-6;  // wall lengths: vertices of neighbouring cells this near are one, rounding is 1e-13
+// Wall lengths: nearer vertices of neighbouring cells are equal, rounding is 1e-13
+constexpr double grid = 1e-6;
 
-/// Collects cells by their corners; corners and walls that cells share are there once.
+/// Collects cells by their corners; shared corners and walls are stored once.
 class LatticeDrawing {
  public:
   void add_cell(const std::vector<Vector2d>& corners) {
     for (std::size_t k = 0; k < corners.size(); ++k) add_wall(corners[k], corners[(k + 1) % corners.size()]);
   }
 
-  /// Vertices from below, and from the left in a row.
+  /// Returns the graph. Vertices are ordered from below, and from the left in a row.
   PlanarGraph graph() const {
     std::vector<int> order(vertices_.size()), place(vertices_.size());
     std::iota(order.begin(), order.end(), 0);
@@ -64,7 +64,7 @@ class LatticeDrawing {
   std::set<std::pair<int, int>> walls_;
 };
 
-/// The graph of the walls of some faces.
+/// Returns the graph of the walls of some faces.
 PlanarGraph of_faces(const PlanarGraph& graph, const std::vector<const GraphFace*>& faces) {
   LatticeDrawing drawing;
   for (const GraphFace* face : faces) {
@@ -75,7 +75,7 @@ PlanarGraph of_faces(const PlanarGraph& graph, const std::vector<const GraphFace
   return drawing.graph();
 }
 
-/// The faces of the largest piece that hangs together by walls.
+/// Returns the faces of the largest piece that is connected by walls.
 std::vector<const GraphFace*> largest_piece(const PlanarGraph& graph,
                                             const std::vector<const GraphFace*>& faces) {
   UnionFind pieces(faces.size());

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Cell edges, at least 1.
+/// Returns the length of a face's longest wall, cell edges, at least 1.
 double longest_wall(const PlanarStructure& s, const GraphFace& face) {
   double longest = 1;
   for (const int e : face.edges) longest = std::max(longest, s.graph.along(e).norm());
@@ -38,7 +38,7 @@ Vector2d redrawn_sum(const PlanarStructure& structure, const GraphFace& face) {
   return sum;
 }
 
-// From class B to class A both the edge and its redrawing change sign: their quotient stays.
+// The edge and its parallel drawing both change sign from B to A, so their quotient is independent of the direction.
 WallChange change_of(const PlanarStructure& structure, const Redrawing& y, int edge) {
   const auto [from, to] = structure.graph.edges[edge];
   const Vector2d along = structure.graph.along(edge), part = y[to] - y[from];

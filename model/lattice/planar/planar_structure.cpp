@@ -18,9 +18,10 @@ void check(const PlanarStructure& s, int hinge, const char* name, double value, 
           std::string("in ") + allowed);
 }
 
-constexpr double middles_in_a_wall = 100;  // steps to which middles are told apart: cells are farther apart
+// Steps per wall length by which middles are distinguished: cells are farther apart
+constexpr double middles_in_a_wall = 100;
 
-/// The middle of a polygon's corners in such steps, give or take one for rounding.
+/// Returns the middle of a polygon's corners in such steps, to one step of rounding.
 std::pair<long, long> middle_of(const std::vector<Eigen::Vector2d>& corners) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& corner : corners) sum += corner;
@@ -28,7 +29,7 @@ std::pair<long, long> middle_of(const std::vector<Eigen::Vector2d>& corners) {
   return {std::lround(sum.x()), std::lround(sum.y())};
 }
 
-/// Faces with the cells of the sheet first, in their order.
+/// Returns the faces with the cells of the sheet first, in their order.
 std::vector<GraphFace> cells_first(const PlanarGraph& graph, std::vector<GraphFace> faces,
                                    const LatticeSheet& sheet) {
   std::map<std::pair<long, long>, int> cell_at;

@@ -9,29 +9,31 @@
 
 namespace kinetix::model {
 
-/// A structure of rigid walls on any planar graph whose faces are even (kinematics.md section 5): one body
-/// for each vertex, one hinge for each edge, a cell for each bounded face.
+/// A structure of rigid walls on any planar graph whose faces are even (kinematics.md section 5). It has a body per
+/// vertex, a hinge per edge, and a cell per bounded face.
 struct PlanarStructure {
   CellSize size;  ///< edge_mm: the unit of the graph's coordinates
   PlanarGraph graph;
   std::vector<GraphFace> faces;
-  std::vector<int> senses;              ///< +1 (class A) or -1, of each vertex
-  std::vector<HingeParameters> hinges;  ///< of each edge
-  LatticeSheet drawn = {};  ///< its first faces are these cells, in their order; no lattice: drawn by hand
+  std::vector<int> senses;              ///< +1 (sublattice A) or -1, per vertex
+  std::vector<HingeParameters> hinges;  ///< per edge
+  LatticeSheet drawn = {};  ///< its first faces are these cells, in order; no lattice: drawn by hand
 
   operator Linkage() const;
 };
 
-/// All hinges basic. @throws InvalidInput for what validate and senses refuse, and sizes that are not
+/// Creates a structure with basic hinges. @throws InvalidInput as validate and senses, and for sizes that are not
 /// positive
 PlanarStructure make_planar_structure(PlanarGraph graph, const CellSize& size);
-/// @throws InvalidInput likewise, and for cells that are given twice or do not hang together by walls
+/// Creates a structure with basic hinges from cells of a lattice. It also rejects repeated cells and cells not
+/// connected by walls.
+/// @throws InvalidInput
 PlanarStructure make_planar_structure(LatticeSheet sheet, const CellSize& size);
 
-/// From the first vertex of its edge.
+/// Returns the wall of a hinge from the first vertex of its edge.
 HingedWall hinged_wall(const PlanarStructure& structure, int hinge);
 
-/// @throws InvalidInput, naming wall and value, for hinge parameters outside their ranges (NaN included)
+/// Checks the hinge parameters. @throws InvalidInput, naming wall and value, for one outside its range (NaN included)
 void validate_hinges(const PlanarStructure& structure);
 
 }  // namespace kinetix::model

@@ -6,8 +6,9 @@
 namespace kinetix::model {
 namespace {
 
-constexpr int pebbles = 3;  // of a vertex: a body's two places and its turn
-constexpr int stay = 4;     // of any vertices together: three rigid motions, and the exact one
+constexpr int pebbles = 3;  // pebbles per vertex: a body's two coordinates and its turn
+// Pebbles of any set of vertices that always stay: three rigid motions, and the exact one
+constexpr int stay = 4;
 
 }  // namespace
 
@@ -37,7 +38,7 @@ bool WallDofs::hold(int a, int b) {
   return true;
 }
 
-/// Brings a free pebble along walls, turning them round; the one at `keep` stays.
+/// Moves a free pebble along walls to a vertex and reverses the walls; a pebble at `keep` stays.
 bool WallDofs::fetch(int to, int keep) {
   std::map<int, int> reached_from = {{to, to}, {keep, keep}};
   std::vector<int> open = {to};

@@ -16,16 +16,16 @@ namespace {
 using Eigen::Vector3d;
 using Place = std::array<int, 3>;
 
-constexpr int most_bodies = 100'000;  // more than a computer folds in the physics run in an hour
-constexpr double own_axis = 1e-9;     // rad: of the angles that a file may not change
+constexpr int most_bodies = 100'000;  // bodies: a simulation of more takes over an hour
+constexpr double own_axis = 1e-9;     // rad: tolerance of the angles that a file may not change
 
-/// Rotors of a cubic cell, in eighths of it, and what turns them. Each has a copy in the middle of the cell. Of the five
-/// choices of signs that close all rings this one shrinks alike in all directions.
+/// Rotors of a cubic cell, in eighths of it, with their turns. Each has a copy in the middle of the cell. Of the five
+/// choices of signs that close all rings, this one shrinks isotropically.
 constexpr SodaliteRotor base[] = {{{2, 4, 0}, 0, 1},  {{6, 4, 0}, 0, -1}, {{0, 2, 4}, 1, 1},
                                   {{0, 6, 4}, 1, -1}, {{4, 0, 2}, 2, 1},  {{4, 0, 6}, 2, -1}};
-constexpr int middle = 4;  // eighths: the copies' shift along each direction
-constexpr int step = 2;    // eighths: neighbours are so far apart along two directions, and 0 along the third
-constexpr int least_walls = 3;  // a rotor on fewer would dangle
+constexpr int middle = 4;  // eighths: shift of the copies along each direction
+constexpr int step = 2;    // eighths: distance of neighbours along two directions; it is 0 along the third
+constexpr int least_walls = 3;  // walls per rotor: with fewer it would dangle
 
 Place operator+(const Place& a, const Place& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 
@@ -42,7 +42,7 @@ std::vector<Place> steps() {
   return out;
 }
 
-/// All rotors of the cells by place, without those that dangle.
+/// Returns all rotors of the cells by position, without those that dangle.
 std::map<Place, SodaliteRotor> rotors_of(const Place& cells) {
   std::map<Place, SodaliteRotor> all;
   const auto add = [&](const SodaliteRotor& rotor, const Place& shift) {
@@ -66,7 +66,7 @@ std::map<Place, SodaliteRotor> rotors_of(const Place& cells) {
   return all;
 }
 
-/// Half the way between two rotors, eighths: always whole.
+/// Returns the midpoint between two rotors, eighths: always an integer.
 Place between(const Place& a, const Place& b) {
   return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
 }
@@ -79,7 +79,7 @@ const SodaliteRotor& rotor_of(const SodaliteStructure& s, int hinge) {
   return s.rotors[s.gussets[hinge / 2][hinge % 2]];
 }
 
-/// From a hinge's rotor to the middle of its gusset, cell edges.
+/// Returns the vector from a hinge's rotor to the middle of its gusset, cell edges.
 Vector3d wall_of(const SodaliteStructure& s, int hinge) {
   return in_edges(between(s.rotors[s.gussets[hinge / 2][0]].place, s.rotors[s.gussets[hinge / 2][1]].place)) -
          in_edges(rotor_of(s, hinge).place);
@@ -89,7 +89,7 @@ double alpha_of(const SodaliteStructure& s, int hinge) {
   return std::acos(axis_of(rotor_of(s, hinge)).dot(wall_of(s, hinge).normalized()));
 }
 
-/// Up-direction of a wall: of all directions across it the one nearest to the hinge's axis.
+/// Returns the up-direction of a wall: the direction normal to it that is nearest to the hinge's axis.
 Vector3d up_of(const SodaliteStructure& s, int hinge) {
   const Vector3d e = wall_of(s, hinge).normalized(), n = axis_of(rotor_of(s, hinge));
   return (n - n.dot(e) * e).normalized();
@@ -116,7 +116,7 @@ void add_rings(SodaliteStructure& s) {
     for (const int b : near[a])
       for (const int c : near[b])
         for (const int d : near[c]) {
-          // Each once: from its least rotor, towards the lesser of that one's two neighbours.
+          // Each ring is added once: from its lowest rotor, towards the lower one of that rotor's two neighbours.
           if (!(a < b && a < c && a < d && b < d) || c == a || !gusset_of.count({d, a})) continue;
           const std::array<int, 4> ring = {a, b, c, d};
           s.rings.push_back(ring);
@@ -144,7 +144,7 @@ SodaliteStructure make_sodalite(Place cells, double gusset, const CellSize& size
   check_lengths(size);
   if (!(gusset >= 0.02 && gusset <= 0.9))
     throw InvalidInput("gusset is " + number_text(gusset) + ", must be from 0.02 to 0.9 of the edge");
-  double bodies = 36;  // of a cubic cell, about
+  double bodies = 36;  // bodies per cubic cell, about
   for (const int count : cells) {
     if (count < 1) throw InvalidInput("a sodalite lattice needs at least one cell along each direction");
     bodies *= count;

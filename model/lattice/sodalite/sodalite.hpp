@@ -10,55 +10,58 @@
 
 namespace kinetix::model {
 
-/// A rotor on a vertex of the sodalite net, the packing of space by truncated octahedra: it turns about one of the axes of
-/// space, by twice the fold parameter.
+/// A rotor on a vertex of the sodalite net, the packing of space by truncated octahedra. It turns about one of the
+/// coordinate axes, by twice the fold parameter.
 struct SodaliteRotor {
-  std::array<int, 3> place;  ///< in eighths of a cubic cell
+  std::array<int, 3> place;  ///< position in eighths of a cubic cell
   int axis = 0;              ///< 0, 1, 2: x, y, z
-  int sign = 1;              ///< which way it turns as theta grows
+  int sign = 1;              ///< direction of its turn as theta grows
 };
 
-/// A lattice in space that shrinks alike in all directions (kinematics.md section 8): rotors on the vertices of the
-/// sodalite net, gussets on its edges, which never turn. Each gusset hangs on its two rotors by a hinge each, whose axis is
-/// the rotor's. Bodies are the rotors, then the gussets; hinge 2 k + e joins gusset k to its rotor e, the lower body. A wall
-/// runs from a rotor's vertex to the middle of a gusset.
+/// A spatial lattice that shrinks isotropically (kinematics.md section 8), with rotors on the vertices of the
+/// sodalite net and gussets on its edges. Gussets never turn. A hinge joins each gusset to each of its two rotors,
+/// with the rotor's axis. Bodies are the rotors, then the gussets. Hinge 2 k + e joins gusset k to its rotor e, the
+/// lower body. A wall runs from a rotor's vertex to the middle of a gusset.
 struct SodaliteStructure {
-  CellSize size;  ///< edge_mm: of the truncated octahedra, a third of a cubic cell and more (1 / sqrt(8))
+  CellSize size;             ///< edge_mm: edge of the truncated octahedra, 1 / sqrt(8) of a cubic cell
   std::array<int, 3> cells;  ///< cubic cells along x, y and z
-  double gusset = 0.2;       ///< length of a gusset over the edge, as the lattice was made
+  double gusset = 0.2;       ///< length of a gusset over the edge, at creation
   std::vector<SodaliteRotor> rotors;
-  std::vector<std::array<int, 2>> gussets;  ///< the rotors that each joins, ascending
-  std::vector<HingeParameters> hinges;  ///< alpha follows from the net, beta and offset are 0, but in prints
-  std::vector<std::array<int, 4>> rings;  ///< rotors round each square of the net: its cells
-  std::vector<std::array<int, 8>> ring_bodies, ring_hinges;  ///< of each: rotor, gusset, rotor, ...
+  std::vector<std::array<int, 2>> gussets;  ///< rotors of each gusset, ascending
+  /// Alpha follows from the net, beta and offset are 0, except in prints
+  std::vector<HingeParameters> hinges;
+  std::vector<std::array<int, 4>> rings;  ///< rotors around each square of the net: its cells
+  std::vector<std::array<int, 8>> ring_bodies, ring_hinges;  ///< per ring: rotor, gusset, rotor, ...
 
   operator Linkage() const;
 };
 
-/// @param gusset length over the edge, in [0.02, 0.9]; hinges sit at its ends
-/// @throws InvalidInput for fewer than one cell along a direction, more than 100 000 bodies, a gusset out of range, and
-/// sizes that are not positive
+/// Creates a block of cells. @param gusset length over the edge, in [0.02, 0.9]; hinges are at its ends.
+/// @throws InvalidInput for fewer than one cell along a direction, more than 100 000 bodies, a gusset out of range,
+/// and sizes that are not positive
 SodaliteStructure make_sodalite(std::array<int, 3> cells, double gusset, const CellSize& size);
 
-/// Of a body at rest, cell edges.
+/// Returns the position of a body at rest, cell edges.
 Eigen::Vector3d sodalite_place(const SodaliteStructure& structure, int body);
-/// In eighths of a cubic cell.
+/// Returns the position of a body at rest, in eighths of a cubic cell.
 std::array<int, 3> body_label(const SodaliteStructure& structure, int body);
-/// From the rotor to the middle of the gusset.
+/// Returns the wall from the rotor to the middle of the gusset.
 HingedWall hinged_wall(const SodaliteStructure& structure, int hinge);
 
-/// @throws InvalidInput for a t outside (0, 1), and for an alpha, beta or offset that is not the net's own
+/// Checks the hinge parameters. @throws InvalidInput for a t outside (0, 1), and for an alpha, beta or offset that
+/// differs from the net's
 void validate_hinges(const SodaliteStructure& structure);
 
-/// The closed form: rotors turn by 2 sign theta, gussets not at all; places follow along a tree of walls. None where hinges
-/// were moved along their walls so that a ring does not close, or lean from their rotor's axis.
+/// Returns the closed form: rotors turn by 2 sign theta, gussets do not turn, and positions follow along a tree of
+/// walls. There is none if hinges were moved along their walls so that a ring does not close, or if they lean from
+/// their rotor's axis.
 ExactMotion exact_motion(const SodaliteStructure& structure);
 
-/// Plates normal to x or y, on the outermost rotors.
+/// Creates plates normal to x or y, on the outermost rotors.
 LinkageDrive plate_drive(const SodaliteStructure& structure, Axis axis, double compression, int branch);
-/// A gusset turned against its rotor. @param angle rad, in (-pi, pi)
+/// Creates a drive that turns a gusset relative to its rotor. @param angle rad, in (-pi, pi)
 LinkageDrive hinge_drive(const SodaliteStructure& structure, int hinge, double angle);
-/// Plates along y that have come as close as the closed form has them at theta, rad.
+/// Returns plates along y at their distance in the closed form at theta, rad.
 LinkageDrive drive_to(const SodaliteStructure& structure, double theta);
 
 }  // namespace kinetix::model

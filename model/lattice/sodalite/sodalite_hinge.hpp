@@ -4,7 +4,7 @@
 
 namespace kinetix::model {
 
-/// A hinge at rest: its axis is the rotor's, at 45 degrees to its wall, but for what errors of print do to it.
+/// Returns a hinge at rest: its axis is the rotor's, at 45 degrees to its wall, except for print errors.
 RestHinge rest_hinge(const SodaliteStructure& structure, int hinge);
 
 }  // namespace kinetix::model

@@ -16,18 +16,19 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double closed = 1e-9;     // cell edges: rings that do not close are off by far more at some probe
-constexpr double same_axis = 1e-9;  // rad: as validate_hinges has it
-constexpr double one_row = 1e-9;    // cell edges: rotors of one layer are as far from it by rounding
+constexpr double closed = 1e-9;     // cell edges: rings that do not close exceed it by far at some probe
+constexpr double same_axis = 1e-9;  // rad: tolerance as in validate_hinges
+constexpr double one_row = 1e-9;    // cell edges: rounding separates rotors of one layer by as much
 
-/// A wall's two hinges and gusset, from one rotor to the next: what a walk along the net adds.
+/// Path over a gusset from one rotor to the next, with its two hinges.
 struct Bridge {
   int from = 0, to = 0, gusset = 0;  ///< rotors, and the gusset's number
-  Vector3d from_arm, over, to_arm;  ///< to the first hinge, on to the second one, and that one from its rotor
-  Vector3d to_middle;               ///< from the first hinge to the gusset's middle
+  /// To the first hinge, on to the second one, and to that one from its rotor
+  Vector3d from_arm, over, to_arm;
+  Vector3d to_middle;  ///< from the first hinge to the gusset's middle
 };
 
-/// The net, unrolled from rotor 0.
+/// Tree of bridges from rotor 0, and the remaining bridges.
 struct Walk {
   std::vector<Bridge> tree, rest;
 };
@@ -64,12 +65,12 @@ Matrix3d turn_of(const SodaliteRotor& rotor, double theta) {
   return Eigen::AngleAxisd(2 * rotor.sign * theta, Vector3d::Unit(rotor.axis)).toRotationMatrix();
 }
 
-/// Where a bridge has its second rotor.
+/// Returns the position of a bridge's second rotor.
 Vector3d over(const Bridge& b, const State& state) {
   return state[b.from].p + state[b.from].R * b.from_arm + b.over - state[b.to].R * b.to_arm;
 }
 
-/// In cell edges.
+/// Returns the state at theta, in cell edges.
 State folded(const SodaliteStructure& s, const Walk& walk, double theta) {
   const int rotors = static_cast<int>(s.rotors.size());
   State state(rotors + s.gussets.size());
@@ -87,7 +88,7 @@ State in_mm(State state, double edge_mm) {
   return state;
 }
 
-/// Largest gap that the walk leaves, cell edges.
+/// Returns the largest misfit of the walk, cell edges.
 double misfit(const SodaliteStructure& s, const Walk& walk) {
   double most = 0;
   for (const double theta : probe_thetas) {
@@ -97,7 +98,7 @@ double misfit(const SodaliteStructure& s, const Walk& walk) {
   return most;
 }
 
-/// A hinge that leans from its rotor's axis, about which it would have to turn; -1 where none does.
+/// Returns a hinge that leans from its rotor's axis, about which it would have to turn; -1 if there is none.
 int off_its_axis(const SodaliteStructure& s) {
   const Linkage linkage = s;
   for (int h = 0; h < static_cast<int>(linkage.hinges.size()); ++h) {

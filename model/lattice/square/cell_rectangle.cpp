@@ -5,19 +5,19 @@
 namespace kinetix::model {
 namespace {
 
-/// Where a rectangle begins and ends along an axis: a column for x, a row for y.
+/// Returns the first and the end index of a rectangle along an axis: columns for x, rows for y.
 int low_end(const CellRectangle& r, Axis axis) { return row_along(axis, {r.low.i, r.low.j}); }
 int high_end(const CellRectangle& r, Axis axis) { return low_end(r, axis) + r.extent(axis); }
 
 Axis other(Axis axis) { return axis == Axis::x ? Axis::y : Axis::x; }
 
-/// From places and lengths along an axis and across it.
+/// Creates a rectangle from positions and lengths along an axis and across it.
 CellRectangle from_spans(Axis axis, int along, int length, int aside, int breadth) {
   if (axis == Axis::x) return {{along, aside}, length, breadth};
   return {{aside, along}, breadth, length};
 }
 
-/// The vertices of lines first to last across an axis, line by line, counted from the rectangle's first one.
+/// Returns the vertices of lines first to last across an axis, line by line, counted from the rectangle's first one.
 std::vector<Vertex> lines_of_vertices(const CellRectangle& r, Axis axis, int first, int last) {
   std::vector<Vertex> out;
   for (int n = first; n <= last; ++n)

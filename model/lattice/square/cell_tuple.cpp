@@ -9,7 +9,7 @@
 namespace kinetix::model {
 namespace {
 
-// Of t, and rad: passes what rounding leaves of degrees, nothing that is meant.
+// Tolerance of t (fraction) and angles (rad): allows the rounding of degrees, but no real difference.
 constexpr double agreement = 1e-9;
 
 bool agree(const HingeParameters& a, const HingeParameters& b) {

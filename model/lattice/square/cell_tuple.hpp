@@ -6,18 +6,18 @@
 
 namespace kinetix::model {
 
-/// The paper's description of one cell (Eq. 2, 5, 7): four walls counter-clockwise from the bottom-left
-/// corner, each with its edge vector along that walk, so that the top and the left wall run against ours.
+/// The paper's description of one cell (Eq. 2, 5, 7): four walls counter-clockwise from the bottom-left corner. Edge
+/// vectors follow that walk, so that the top and the left wall are opposite to the lattice direction.
 struct CellTuple {
   std::array<double, 4> P = {0.5, 0.5, 0.5, 0.5};  ///< hinge positions, fractions of the wall, (0, 1)
   std::array<double, 4> A_in = {pi / 2, pi / 2, pi / 2, pi / 2};  ///< in-plane angles, rad, (0, pi)
   std::array<double, 4> A_out = {0, 0, 0, 0};                     ///< out-of-plane angles, rad, (-pi/2, pi/2)
 
-  /// Hinge parameters of wall k = 0..3 (bottom, right, top, left) in lattice direction.
+  /// Returns the hinge parameters of wall k = 0..3 (bottom, right, top, left) in lattice direction.
   HingeParameters wall(int k) const;
 };
 
-/// What to do where two neighbouring cells say different things about their shared wall.
+/// Treatment of two neighbouring cells that disagree about their shared wall.
 enum class SharedWalls { must_agree, average };
 
 /// Gives every cell with i + j even the tuple `even`, every other cell `odd`.

@@ -7,7 +7,7 @@
 namespace kinetix::model {
 namespace {
 
-/// The whole structure's first and last row.
+/// Returns the whole structure's first and last row.
 Grip whole_grip(const Structure& structure) {
   Grip all{structure.bodies.front(), structure.bodies.front()};
   for (const Vertex v : structure.bodies) {

@@ -8,7 +8,7 @@
 
 namespace kinetix::model {
 
-/// A rectangle of lattice vertices, corners included: the part of a structure that plates grip.
+/// A rectangle of lattice vertices, including corners: the part of a structure that plates grip.
 struct Grip {
   Vertex first;  ///< lower left
   Vertex last;   ///< upper right
@@ -19,12 +19,12 @@ struct Grip {
 
 std::string to_string(const Grip& grip);
 
-/// @throws InvalidInput unless the rectangle spans at least one cell both ways and the structure has every
-/// vertex of its first and of its last row along the axis
+/// Checks a grip. @throws InvalidInput unless the rectangle spans at least one cell in both directions and the
+/// structure has every vertex of its first and last row along the axis
 void validate(const Grip& grip, Axis axis, const Structure& structure);
 
-/// The bodies on the first and on the last row of vertices along the axis, of the grip or, without one, of
-/// the whole structure. Ascending along the row.
+/// Returns the bodies on the first and on the last row of vertices along the axis, ascending along the row. The rows
+/// are those of the grip or, without one, of the whole structure.
 GrippedRows gripped_bodies(const Structure& structure, Axis axis, const std::optional<Grip>& grip = {});
 
 }  // namespace kinetix::model

@@ -4,20 +4,20 @@
 
 namespace kinetix::model {
 
-/// How columns and rows are counted on a whole lattice from (0, 0), whose bodies stand column by column. All from 0.
+/// Numbering of columns, rows and bodies on a whole lattice from (0, 0), column by column, from 0.
 
-/// Bodies of a lattice of columns x rows cells.
+/// Returns the number of bodies of a lattice of columns x rows cells.
 inline std::size_t lattice_bodies(std::size_t columns, std::size_t rows) {
   return (columns + 1) * (rows + 1);
 }
-/// Body on a vertex of a lattice with `rows` rows of cells.
+/// Returns the body on a vertex of a lattice with `rows` rows of cells.
 inline int lattice_body(Vertex vertex, int rows) { return vertex.i * (rows + 1) + vertex.j; }
-/// Columns of vertices, of so many bodies.
+/// Returns the number of columns of vertices of a lattice with this number of bodies.
 inline int vertex_columns(std::size_t bodies, int rows) {
   return static_cast<int>(bodies / static_cast<std::size_t>(rows + 1));
 }
 
-/// +1 of even columns, -1 of odd ones: tilts and turns alternate with it. @pre column >= 0
+/// Returns +1 for even columns, -1 for odd ones: tilts and turns alternate with it. @pre column >= 0
 inline int column_sign(int column) { return column % 2 == 0 ? 1 : -1; }
 
 }  // namespace kinetix::model

@@ -7,7 +7,7 @@
 namespace kinetix::model {
 namespace {
 
-/// The hinge of a wall, or else of one in the same crease.
+/// Returns the hinge of a wall, or else one of the same crease.
 std::optional<int> like(const Structure& structure, const Wall& wall) {
   if (const auto same = structure.hinge_at(wall)) return same;
   const auto [columns, rows] = extent(structure);

@@ -8,28 +8,28 @@
 
 namespace kinetix::model {
 
-/// The parameters of a hinge, carried to another wall across the same crease: tilts alternate along it, and so does
-/// the end of the wall that t and alpha are counted from.
+/// Returns the parameters of a hinge for another wall across the same crease. Tilts alternate along the crease, and
+/// so does the end of the wall from which t and alpha are measured.
 HingeParameters carried_to(const Wall& wall, const Hinge& hinge);
 
-/// A sheet on other cells.
+/// A sheet with changed cells.
 struct Redrawn {
   Structure structure;
-  std::vector<std::optional<int>> from;  ///< by hinge: the one of the sheet before that it is like
+  std::vector<std::optional<int>> from;  ///< per hinge: the source hinge in the previous sheet
 };
 
-/// The same design on other cells: walls that stay keep their hinges, new ones get those of their crease, and where
-/// the sheet before has no such crease the middle, upright.
-/// @throws InvalidInput where the cells are none, twice or not connected
+/// Returns the design on other cells. Walls that remain keep their hinges, new walls get the hinges of their crease.
+/// Without such a crease in the previous sheet, hinges are in the middle and upright.
+/// @throws InvalidInput if there are no cells, repeated cells or unconnected cells
 Redrawn redrawn(const Structure& before, std::vector<Cell> cells, const CellSize& size);
 
-/// Columns and rows that the cells reach over, counted from 0.
+/// Returns the numbers of columns and rows up to the last cells, counted from 0.
 std::array<int, 2> extent(const Structure& structure);
 
-/// The cells with that one, or without it.
+/// Returns the cells with or without one cell.
 std::vector<Cell> with_cell(const Structure& structure, Cell cell, bool present);
 
-/// All cells of columns x rows, >= 1 each.
+/// Returns all cells of columns x rows, >= 1 each.
 std::vector<Cell> full_sheet(std::array<int, 2> extent);
 
 }  // namespace kinetix::model

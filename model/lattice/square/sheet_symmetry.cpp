@@ -7,7 +7,7 @@
 namespace kinetix::model {
 namespace {
 
-/// Whether its parameters are counted from the end that is nearer to the origin.
+/// Returns true if its parameters are measured from the end nearer to the origin.
 bool counted_from_below(const Structure& sheet, const Hinge& hinge) {
   return hinge.lower == *sheet.body_at(hinge.wall.from);
 }

@@ -7,8 +7,7 @@
 
 namespace kinetix::model {
 
-/// A symmetry of the rectangle that a sheet's cells lie in: left and right alike, front and back, or both at once, as
-/// after half a turn.
+/// A symmetry of the rectangle of a sheet's cells: left-right, front-back, or both at once, as after half a turn.
 class SheetSymmetry {
  public:
   SheetSymmetry() = default;  ///< none
@@ -16,9 +15,10 @@ class SheetSymmetry {
 
   bool any() const { return mirrors_x_ || mirrors_y_; }
   Cell image(const Cell& cell) const;
-  /// The hinge on the image of a hinge's wall; nothing where there is none.
+  /// Returns the hinge on the image of a hinge's wall; empty if there is none.
   std::optional<int> image(const Structure& sheet, int hinge) const;
-  /// What `other`, the image of `hinge`, must be for both to be alike: points and axes are each other's image.
+  /// Returns the parameters of `other`, the image of `hinge`, that make the pair symmetric: points and axes are each
+  /// other's image.
   HingeParameters image(const Structure& sheet, int hinge, int other) const;
 
  private:
@@ -26,10 +26,10 @@ class SheetSymmetry {
   std::array<int, 2> extent_ = {};  ///< cells
 };
 
-/// Whether the sheet has that cell.
+/// Returns true if the sheet has that cell.
 bool has_cell(const Structure& sheet, const Cell& cell);
 
-/// Whether a cell lies beside the origin or beyond it in both directions.
+/// Returns true if a cell has no negative index.
 bool is_countable(const Cell& cell);
 
 }  // namespace kinetix::model

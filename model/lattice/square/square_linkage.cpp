@@ -6,7 +6,7 @@
 namespace kinetix::model {
 namespace {
 
-/// What messages call hinges and bodies.
+/// Names of hinges and bodies in messages.
 struct Names {
   std::vector<Wall> walls;
   std::vector<Vertex> vertices;

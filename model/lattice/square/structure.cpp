@@ -12,9 +12,10 @@
 namespace kinetix::model {
 namespace {
 
-// Cells: a mistyped size gives a message before the memory is gone.
+// Cells: a mistyped size results in a message before memory runs out.
 constexpr std::size_t max_cells = 1'000'000;
-// Vertices: few cells far apart are refused too, since exact families are computed on the whole lattice.
+// Vertices: the limit also rejects few cells that are far apart, because exact families are computed on the whole
+// lattice.
 constexpr std::int64_t max_lattice_vertices = 4'000'000;
 
 std::array<Vertex, 4> corners(const Cell& c) {
@@ -130,7 +131,7 @@ Structure make_structure(std::vector<Cell> cells, const CellSize& size) {
   s.bodies.erase(std::unique(s.bodies.begin(), s.bodies.end()), s.bodies.end());
 
   s.cell_members.reserve(s.cells.size());
-  // The cells below and to the left come before: they have the walls that are shared with them.
+  // The cells below and to the left come first and already have the shared walls.
   const auto shared = [&](Cell cell, int side) -> std::optional<int> {
     const auto end = s.cells.begin() + static_cast<std::ptrdiff_t>(s.cell_members.size());
     const auto it = std::lower_bound(s.cells.begin(), end, cell);

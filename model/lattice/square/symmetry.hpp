@@ -4,16 +4,16 @@
 
 namespace kinetix::model {
 
-/// Motions of the plane that may take a panel onto itself.
+/// Motions of the plane that may map a panel onto itself.
 enum class PlaneMotion { none, mirror_x, mirror_y, half_turn, quarter_turn };
 
-/// Where a motion takes a wall.
+/// Image of a wall under a motion.
 struct WallImage {
   int hinge = 0;
-  bool reversed = false;  ///< turned end to end
+  bool reversed = false;  ///< true: its ends are exchanged
 };
 
-/// @pre the panel is a rectangle from [0, 0]; square for a quarter turn
+/// Returns the image of a hinge's wall. @pre the panel is a rectangle from [0, 0]; square for a quarter turn
 WallImage image(const Structure& panel, const Hinge& hinge, PlaneMotion motion);
 
 }  // namespace kinetix::model

@@ -8,7 +8,8 @@ namespace kinetix::model {
 /// Closed forms of the paper and of kinematics.md. Angles in rad. Every function throws InvalidInput for an
 /// argument outside the range that its parameter states, NaN included.
 
-/// Area of a cell over its area at rest, both pairs of walls parted at k: k^2 + (1-k)^2 + 2k(1-k) cos(phi).
+/// Returns the area of a cell over its area at rest, with both pairs of walls divided at k: k^2 + (1-k)^2 + 2k(1-k)
+/// cos(phi).
 /// @param k fraction of a wall, [0, 1]   @param phi angle of the bars, twice the fold parameter, finite
 double area_ratio(double k, double phi);
 
@@ -20,7 +21,8 @@ double final_area_ratio(double k);
 /// between the cell's two sides is twice this.   @param k in (0, 1] without 1/2
 double shear_angle(double k);
 
-/// Eq. 6: angle gamma between the two small cells of a twisted unit, cot(gamma/2) = cot(alpha) sin(45 deg).
+/// Returns the angle gamma between the two small cells of a twisted unit, Eq. 6: cot(gamma/2) = cot(alpha) sin(45
+/// deg).
 /// @param alpha in-plane hinge angle, (0, pi)   @return in (0, 2 pi), pi for the flat unit
 double twist_angle(double alpha);
 
@@ -30,20 +32,20 @@ enum class BendUnit {
   C,  ///< A_out = (m, n, m, n)
 };
 
-/// Eq. 8.   @param beta_m, beta_n tilts, rad, (-pi/2, pi/2)
+/// Returns the cell of Eq. 8.   @param beta_m, beta_n tilts, rad, (-pi/2, pi/2)
 CellTuple bend_unit(BendUnit variant, double beta_m, double beta_n);
 
-/// Tilt v of one pair of hinge axes in its plane of symmetry while the other pair is tilted by u, in a
-/// doubly mirrored unit of either variant: cos(u) cos(v) = cos(beta_m) cos(beta_n).
+/// Returns the tilt v of one pair of hinge axes in its plane of symmetry while the other pair is tilted by u. The
+/// unit is doubly mirrored, of either variant: cos(u) cos(v) = cos(beta_m) cos(beta_n).
 /// @param beta_m, beta_n in (-pi/2, pi/2)   @param u with cos(u) >= cos(beta_m) cos(beta_n)
 /// @return |v|, [0, pi/2)
 double mirrored_unit_tilt(double beta_m, double beta_n, double u);
 
-/// Angle 2 psi by which a bending column folds the sheet: tan(psi) = tan(beta) sin(theta).
+/// Returns the angle 2 psi by which a bending column folds the sheet: tan(psi) = tan(beta) sin(theta).
 /// @param beta tilt of the column, rad, (-pi/2, pi/2)   @param theta fold parameter, [-pi/2, pi/2]
 double crease_fold(double beta, double theta);
 
-/// Inverse of crease_fold: the tilt that folds by `fold` at `theta`.
+/// Returns the tilt that folds by `fold` at `theta`: the inverse of crease_fold.
 /// @param fold rad, in (-pi, pi)   @param theta in [-pi/2, pi/2] without 0
 double crease_tilt(double fold, double theta);
 

@@ -25,7 +25,7 @@ Json checked(const std::string& text) {
   return Json::parse(run.out);
 }
 
-/// What the search finds of the same file.
+/// Returns the result.json of a search of this file.
 Json found(const std::string& text) {
   const Scratch scratch;
   kinetix_opt(std::string(scratch.write("in.yaml", text)) + " --no-verify -o " +
@@ -66,7 +66,7 @@ TEST(Check, NotesDrivesWhosePhysicsRunWantsElasticHinges) {
   }
 }
 
-/// Walls that lean by 45 degrees reach sin(45 deg) of half their height to either side.
+/// Walls that lean by 45 degrees extend by sin(45 deg) of half their height to either side.
 TEST(Check, TellsTheFlatSizeWithWallsThatLean) {
   const std::string head =
       "kinetix: 1\nstructure: {cells: [3, 1], cell_mm: 20, wall_mm: {thickness: 1, height: 8}}\n"
@@ -93,7 +93,7 @@ TEST(Check, TellsTheSizeOfAFoldedBox) {
                 0.03 * edges[k].get<double>());
 }
 
-// The lattice decides how many edges wide a panel is; theta and creases how large a box is when folded.
+// The lattice sets the width of a panel in edges. Theta and the creases set the size of a folded box.
 TEST(Check, TellsSizesOfAnyLatticeThetaAndCreases) {
   const std::string outline =
       "kinetix: 1\ntarget: {kind: outline, points: [[0, 0], [80, 0], [90, 40], [40, 70], [-10, 40]]}\n";
@@ -118,7 +118,7 @@ TEST(Check, TellsSizesOfAnyLatticeThetaAndCreases) {
   }
 }
 
-/// An arc as a target of 40 columns.
+/// Returns an arc as a target of 40 columns.
 std::string arc_of(double degrees) {
   std::string points;
   for (int k = 0; k <= 60; ++k) {
@@ -140,7 +140,7 @@ TEST(Check, TellsThatElasticHingesAndRobustDesignsTakeLonger) {
   EXPECT_NEAR(seconds(elastic + "robust: true\n"), 28 * seconds(elastic), 1e-9);
 }
 
-// "less than a second" was said where other cells were searched for a minute.
+// Regression: the forecast was "less than a second" although the search tried other cells for a minute.
 TEST(Check, TellsThatABoxThatMissesItsSizeIsSearchedWithOtherCells) {
   const std::string box = "kinetix: 1\ntarget: {kind: fold, box_mm: [83, 47, 29]}\nstructure: {cell_mm: 8}\n";
   const std::string words = "the search goes on with other cells";
@@ -159,7 +159,7 @@ TEST(Check, TellsThatCirclesAndCornersAreSearchedForLonger) {
             10 * plain);
 }
 
-/// Edges of the box around the bodies of the folded state.
+/// Computes the edges of the box around the bodies of the folded state.
 std::array<double, 3> folded_size(const Json& result) {
   std::array<double, 3> low, high;
   low.fill(HUGE_VAL);
@@ -195,7 +195,7 @@ TEST(Check, TellsTheSizeOfAFoldedSolid) {
     EXPECT_NEAR(expected[k].get<double>(), shares[k] * edge, 0.05 * edge) << "standing on a face, " << k;
 }
 
-/// Edges of few degrees fold over one column: their nets are smaller than those of two.
+/// Edges with small angles fold over one column, so their nets are smaller than those with two.
 TEST(Check, CountsTheColumnsOfASolidAsItsSearchDoes) {
   for (const char* solid : {"octahedron", "dodecahedron", "icosahedron"}) {
     const std::string target = "kinetix: 1\ntarget: {kind: fold, solid: " + std::string(solid) + "}\n";
@@ -231,9 +231,9 @@ std::string square_of(int cells) {
          "], cell_mm: 10}\ndesign: {theta_deg: 20}\n";
 }
 
-#ifndef __SANITIZE_ADDRESS__  // which takes memory of its own, and more addresses than any limit
+#ifndef __SANITIZE_ADDRESS__  // the sanitizer needs extra memory, and more addresses than any limit
 
-/// The most memory that a check takes, bytes.
+/// Returns the peak memory of a check, bytes.
 double memory_of_check(int cells) {
   const Scratch scratch;
   const std::string file = scratch.write("in.yaml", square_of(cells)), null = "/dev/null";
@@ -250,7 +250,7 @@ double memory_of_check(int cells) {
   return 1024.0 * static_cast<double>(used.ru_maxrss);
 }
 
-/// A million cells are to be checked within 2 GiB.
+/// A check of a million cells needs at most 2 GiB.
 TEST(Check, TakesMemoryInProportionToTheSheet) {
   const double bodies = 301 * 301 - 101 * 101;
   EXPECT_LE(memory_of_check(300) - memory_of_check(100), 1900 * bodies);
@@ -268,7 +268,7 @@ TEST(Check, RefusesSheetsThatTakeMoreMemoryThanIsFreeAndSaysSo) {
 
 #endif
 
-/// Says first how long it takes where that is long.
+/// Prints a forecast of the time first if the check takes long.
 TEST(Check, SaysHowLongALargeSheetTakes) {
   const Scratch scratch;
   const Outcome large = kinetix_opt("check " + scratch.write("in.yaml", square_of(330)));

@@ -28,16 +28,16 @@ TEST(Console, SaysOfStagesThatTakeLongAloneWhereItIsAskedTo) {
 TEST(TimeLeft, CountsDownAndNeverGoesUp) {
   app::TimeLeft left;
   EXPECT_EQ(left.words(0), "");
-  left.update(0, 0.5);  // done before, by a run that is gone on with: says nothing of how fast it goes
+  left.update(0, 0.5);  // progress of an earlier run that is resumed: no evidence of the speed
   EXPECT_EQ(left.words(3), "");
   left.update(10, 0.6);
   EXPECT_EQ(left.words(10), "about 40 s left");
   EXPECT_EQ(left.words(25), "about 25 s left");
-  left.update(26, 0.7);  // by which it would be 39 s
+  left.update(26, 0.7);  // extrapolation would give 39 s
   EXPECT_EQ(left.words(26), "takes longer than it seemed");
   left.update(30, 0.9);
   EXPECT_EQ(left.words(30), "about 7.5 s left");
-  left.update(31, 0.9);  // the same share again is no news
+  left.update(31, 0.9);  // repeats the share, so it adds no evidence
   EXPECT_EQ(left.words(31), "about 6.5 s left");
   EXPECT_EQ(left.words(40), "takes longer than it seemed");
   left.update(41, 1);
@@ -51,20 +51,20 @@ TEST(TimeLeft, StandsWhereALaterShareIsALittleSlower) {
   EXPECT_NEAR(*left.at(10), 10, 1e-12);
   left.update(14, 0.6);  // 9.33 s
   EXPECT_NEAR(*left.at(16), 14 + 14 * 0.4 / 0.6 - 16, 1e-12);
-  left.update(18, 0.7);  // 7.71 s, where 7.33 were told
+  left.update(18, 0.7);  // 7.71 s by extrapolation, after 7.33 s was displayed
   EXPECT_NEAR(*left.at(18), 14 + 14 * 0.4 / 0.6 - 16, 1e-12);
   left.update(28, 0.71);
   EXPECT_FALSE(left.at(28));
 }
 
-/// Lines where stderr is no terminal.
+/// Prints lines if stderr is not a terminal.
 TEST(Console, SaysEverySecondHowFarAStageIs) {
   ::testing::internal::CaptureStderr();
   {
     app::Console console(false);
     console.stage("folding", 0);
     usleep(900'000);
-    console.stage("folding", 0.2);  // so that 3.6 s are left
+    console.stage("folding", 0.2);  // 3.6 s are left
     usleep(1'700'000);
     console.stage("writing", -1);
   }

@@ -22,7 +22,7 @@ design: {theta_deg: 20}
 hinge: {kind: block, material: tango, gap_mm: 1.2}
 )";
 
-/// A name that no file can have is bad input of every command, wherever it stands.
+/// An impossible file name is bad input in every command and option.
 TEST(FileNames, ThatAreTooLongAreBadInput) {
   const Scratch scratch;
   const std::string name(300, 'n'), design = scratch.write("panel.yaml", block_panel),
@@ -106,12 +106,12 @@ TEST(PrintableText, KeepsWordsAndNothingThatATerminalObeys) {
   EXPECT_EQ(app::printable_line("a\nb"), "a\\nb");
 }
 
-/// Files that a target names.
+/// Tests of files that a target names.
 class NamedFile : public ::testing::Test {
  protected:
   NamedFile() { fs::create_directory(scratch_ / "targets"); }
 
-  /// What check says of a document in targets/, which names a file.
+  /// Returns the error of `check` for a document in targets/ that names a file.
   std::string says(const std::string& document) {
     const Outcome run = kinetix_opt("check " + scratch_.write("targets/t.yaml", document));
     EXPECT_EQ(run.code, 2) << run.out;

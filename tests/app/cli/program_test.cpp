@@ -107,7 +107,7 @@ TEST(Program, KeepsADesignThatWasChangedByHand) {
   EXPECT_TRUE(fs::exists(found + "/design_changed_2.yaml"));
 }
 
-/// A design that lies where its results would go by default: they go beside it.
+/// A design may already be in the default folder of its results. The results then go to a folder next to it.
 TEST(Program, WritesBesideItsInputWhereThatIsTheUsualFolder) {
   const Scratch scratch;
   const std::string goal = scratch.write("bow.yaml", bow), there = "cd " + scratch.path() + " && ";
@@ -123,7 +123,7 @@ TEST(Program, WritesBesideItsInputWhereThatIsTheUsualFolder) {
   EXPECT_NEAR(theta("results/bow_exact"), theta("results/bow"), 1e-12) << "the input stays";
 }
 
-/// A result.json stands for the design beside it, and says so where there is none.
+/// A result.json names the design next to it. The message says so if that design is missing.
 TEST(Program, SaysWhichFileAResultNeeds) {
   const Scratch scratch;
   const std::string goal = scratch.write("bow.yaml", bow), found = scratch / "found",
@@ -182,7 +182,7 @@ TEST(Program, EndsWith3AndSaysWhyWhenTheBoundsMissTheTarget) {
   EXPECT_TRUE(fs::exists(folder + "/result.json"));
 }
 
-/// Other cells do not make a shape uneven whose halves mirror each other.
+/// The halves of the shape mirror each other, so other cells do not make it uneven.
 TEST(Program, SaysWhereTiedTiltsMissTheTarget) {
   const Scratch scratch;
   const std::string text =
@@ -264,7 +264,7 @@ TEST(Program, FollowsTheDriveOfADesign) {
 TEST(Program, WritesAllOfItsFilesOrNoneWhenTheDiskIsFull) {
   const Scratch scratch;
   const std::string target = scratch.write("bow.yaml", bow), folder = scratch / "out";
-  // Enough for the design, too little for the report.
+  // The limit leaves space for the design but not for the report.
   const std::string full_disk = "ulimit -f 64; ";
   const Outcome first = kinetix_opt(target + " --no-verify -o " + folder, full_disk);
   EXPECT_EQ(first.code, 2) << first.out;

@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using Json = nlohmann::json;
 
-/// Starts the program, sends it a signal after a while, and waits for its end.
+/// Starts the program, sends it a signal after `after_us` microseconds, and waits for its end.
 void interrupt(const std::string& target, const std::string& folder, int after_us, int signal_number) {
   const pid_t child = fork();
   if (child == 0) {
@@ -34,7 +34,8 @@ void interrupt(const std::string& target, const std::string& folder, int after_u
   waitpid(child, &status, 0);
 }
 
-/// Starts the program, and sends Ctrl-C after the words. @return what it said on stderr, and how it ended (waitpid)
+/// Starts the program and sends Ctrl-C once it has printed the words.
+/// @return its stderr, and its exit status (waitpid)
 std::pair<std::string, int> interrupted_after(const std::vector<std::string>& words,
                                               const std::vector<std::string>& arguments) {
   int ends[2];
@@ -84,7 +85,7 @@ TEST(Program, LeavesNoHalfWrittenFileWhenItIsInterruptedOrKilled) {
     }
 }
 
-/// Sixty candidates would take half a minute.
+/// The search of sixty candidates would take half a minute.
 constexpr const char* long_search = R"(kinetix: 1
 target: {kind: outline, points: [[30, 0], [4, 6], [-20, 25], [-8, 0], [-25, -30], [4, -6]]}
 structure: {cells: [36, 36]}

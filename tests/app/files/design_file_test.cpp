@@ -21,7 +21,7 @@ using testing::random_design;
 using testing::structure_of;
 using testing::TemporaryFolder;
 
-// The start of most files below: a strip, which lines that follow make right or wrong.
+// Start of most files below: a strip. The lines that follow make it valid or invalid.
 const std::string strip = "kinetix: 1\nstructure: {cells: [6, 1], cell_mm: 10}\n";
 
 Design read(const std::string& text) {
@@ -115,7 +115,7 @@ TEST(DesignFile, TakesHingesThatAreMadeOtherwise) {
   EXPECT_EQ(row.hinge.model, HingeSection::Model::elastic);
   EXPECT_EQ(row.own_hinges.size(), 5u);
   EXPECT_TRUE(of(row, {{2, 1}, model::Axis::y}).made);
-  // A single wall goes before, and of two entries the later.
+  // An entry for a single wall has priority. The later of two entries applies.
   const Design twice = read(
       sheet + "hinge: {except: [{at: {row: 1}, " + film + "}, {at: {row: 1}, kind: pin, diameter_mm: 1}]}\n" +
       "design: {hinges: [{wall: [[0, 1], [0, 2]], hinge: {kind: pin, diameter_mm: 2}}]}\n");
@@ -189,7 +189,7 @@ TEST(DesignFile, HoldsOffsetsInMillimetres) {
   const Design file = read(strip + "design: {hinges: [{wall: [[0, 0], [1, 0]], offset_mm: -0.7}]}\n");
   const model::HingeParameters& p = hinge_of(file, {{0, 0}, model::Axis::x});
   EXPECT_DOUBLE_EQ(p.offset, -0.07);
-  // Across the wall towards z x e: a wall along x has it in y.
+  // The offset is along z x e, across the wall: along y for a wall along x.
   EXPECT_LE((file.structure.squares()->hinge_point(file.structure.squares()->hinges[0]) -
              Eigen::Vector3d(5, -0.7, 0))
                 .norm(),
@@ -253,7 +253,7 @@ TEST(DesignFile, DrivesByPlatesAlongYUnlessToldOtherwise) {
   EXPECT_TRUE(read_plates(strip + "drive: {kind: plates, compression: 0.15, press: true}").press);
 }
 
-// A long row of cells on a bar of three, with a crease: plates can hold some parts of it.
+// A long row of cells on a bar of three, with a crease. Plates can hold only some of its parts.
 const std::string tee =
     "kinetix: 1\nstructure: {cells: [[0, 0], [1, 0], [2, 0], [1, 1], [1, 2], [1, 3]]}\n"
     "design: {hinges: [{wall: [[1, 1], [1, 2]], beta_deg: -30}, {wall: [[2, 1], [2, 2]], beta_deg: 30}]}\n";

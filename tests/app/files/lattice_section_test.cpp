@@ -36,7 +36,7 @@ std::string dxf(const std::string& entities) {
   return "0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n";
 }
 
-// The same as a drawing.
+// Two squares side by side, as a drawing.
 const std::string drawn_squares =
     dxf(line(0, 0, 10, 0) + line(10, 0, 20, 0) + line(0, 10, 10, 10) + line(10, 10, 20, 10) +
         line(0, 0, 0, 10) + line(10, 0, 10, 10) + line(20, 0, 20, 10));
@@ -70,7 +70,7 @@ void expect_same(const Design& a, const Design& b) {
   EXPECT_EQ(a.drive, b.drive);
 }
 
-// A file of each kind: what its keys may say.
+// Structures of each kind, with the keys that each kind allows.
 const std::string sheets[] = {
     "lattice: square, cells: [4, 3], cell_mm: 8.3",
     "lattice: honeycomb, cells: [4, 3]",
@@ -101,7 +101,7 @@ TEST(LatticeSection, SurvivesWritingAndReadingBitForBit) {
         if (random() % 3)
           file.structure.hinge(h) = {0.01 + 0.98 * unit(random), 0.1 + 2.9 * unit(random), unit(random) - 0.5,
                                      0.5 * edge * (unit(random) - 0.5) / edge};
-      for (int h = 0; h < file.structure.hinges(); ++h)  // offsets that a file can have: a number of mm
+      for (int h = 0; h < file.structure.hinges(); ++h)  // a file's offsets are limited to a number of mm
         file.structure.hinge(h).offset = std::round(1e6 * file.structure.hinge(h).offset * edge) / 1e6 / edge;
       file.theta = unit(random) - 0.5;
       if (round % 2) file.drive = model::HingeTurn{file.structure.hinges() - 1, 2 * unit(random) - 1};
@@ -124,7 +124,8 @@ TEST(LatticeSection, KeepsVerticesOfAnyDrawingBitForBit) {
   }
 }
 
-// Where a file gave one of the two, the other was that of a sheet: walls of 6 mm overlap in a block of 10 mm edges.
+// Regression: a file that gave one of the two sizes got the other from a sheet's defaults. Walls of 6 mm then
+// overlapped in a block with 10 mm edges.
 TEST(LatticeSection, GivesBlocksSlenderWallsWhicheverOfTheirSizesAFileGives) {
   for (const auto& [keys, thickness, height] : {std::tuple("", 1.0, 1.0),
                                                 {", wall_mm: {thickness: 0.9}", 0.9, 1.0},
@@ -135,7 +136,7 @@ TEST(LatticeSection, GivesBlocksSlenderWallsWhicheverOfTheirSizesAFileGives) {
   }
 }
 
-// Its own exports say mm, and came back with walls of 10 mm.
+// Regression: an exported pattern that gives its unit (mm) was read back with walls of 10 mm.
 TEST(LatticeSection, KeepsTheSizeOfAPatternThatSaysItsUnit) {
   const std::string pattern = testing::read_file(std::string(KINETIX_SOURCE) + "/targets/shapes/miura.fold"),
                     none = "\"frame_unit\": \"unit\"";
@@ -156,7 +157,7 @@ TEST(LatticeSection, KeepsTheSizeOfAPatternThatSaysItsUnit) {
     left = std::min(left, sheet.rest_position(v).x());
     right = std::max(right, sheet.rest_position(v).x());
   }
-  // Six facets of 10 mm that slant by 4.2 mm; bodies stand within them, by less than half a facet at either rim.
+  // Six facets of 10 mm slant by 4.2 mm. Bodies are within them, by less than half a facet at either boundary.
   EXPECT_LT(right - left, 64.2);
   EXPECT_GT(right - left, 54.2);
 }

@@ -15,7 +15,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// A mesh as a FOLD file of so many digits, its vertices numbered backwards.
+/// Writes a mesh as a FOLD file with `digits` digits; its vertices are numbered backwards.
 std::string fold_text(const model::QuadMesh& m, int digits) {
   const auto number = [&](int i, int j) { return static_cast<int>(m.vertices.size() - 1 - m.vertex(i, j)); };
   std::vector<std::string> points(m.vertices.size());
@@ -62,7 +62,7 @@ TEST(OrigamiFile, OfSixDigitsBecomesASheetThatClosesToTheLast) {
   }
 }
 
-// All multipliers but for a common factor, which a crease pattern leaves open.
+// Finds all multipliers up to a common factor, which a crease pattern does not determine.
 TEST(OrigamiFile, FindsTheMultipliersThatThePatternWasDrawnWith) {
   const model::QuadMesh mesh = mesh_of(4, 3, 5);
   const OrigamiFile pattern = parse_origami(fold_text(mesh, 12), "a.fold");
@@ -117,7 +117,7 @@ TEST(OrigamiFile, SaysWhichVertexFaceOrEdgeIsWrong) {
 
 TEST(OrigamiFile, SaysWhereMountainAndValleyMustChangePlaces) {
   std::string text = fold_text(mesh_of(2, 2, 4), 9);
-  std::vector<std::size_t> inner;  // below the vertex, left of it, right of it, above it
+  std::vector<std::size_t> inner;  // vertices below, left of, right of and above the inner one
   for (std::size_t k = text.find("edges_assignment"); k < text.size(); ++k)
     if (text[k] == 'M' || text[k] == 'V') inner.push_back(k);
   ASSERT_EQ(inner.size(), 4u);
@@ -140,7 +140,7 @@ TEST(OrigamiFile, KnowsItsUnit) {
   expect_refused(replaced(good, version, version + ", \"frame_unit\": \"nm\""), "the unit `nm`");
 }
 
-/// A frame that inherits has what its parent says and does not say itself.
+/// A frame inherits from its parent the keys that it does not give itself.
 TEST(OrigamiFile, FramesInheritFromTheirParents) {
   const std::string good = fold_text(mesh_of(3, 3, 2), 9);
   const std::string body = good.substr(good.find('{') + 1);
@@ -169,7 +169,7 @@ TEST(OrigamiFile, IsRefusedWhereItIsNestedTooDeep) {
     return text;
   };
   const std::string too_deep = "is nested too deep; give a FOLD file of at most 64 lists in one another";
-  for (const int depth : {64, 100'000, 1'000'000}) {  // and one for the file itself
+  for (const int depth : {64, 100'000, 1'000'000}) {  // plus one level for the file itself
     expect_refused("{\"a\": " + nested(depth, "[", "]") + "}", too_deep);
     expect_refused("{\"a\": " + nested(depth, "{\"a\": ", "}") + "}", too_deep);
     expect_refused("{\"a\": " + nested(depth / 2, "[{\"a\": ", "}]") + "}", too_deep);
@@ -189,7 +189,7 @@ TEST(OrigamiFile, IsRefusedWhereItIsNestedTooDeep) {
   }
 }
 
-/// Each is the parent of the next.
+/// Each frame is the parent of the next.
 TEST(OrigamiFile, IsRefusedWhereFramesInheritOverTooMany) {
   const auto chain = [](int length) {
     std::string frames;
@@ -202,7 +202,8 @@ TEST(OrigamiFile, IsRefusedWhereFramesInheritOverTooMany) {
   for (const int length : {100, 100'000}) expect_refused(chain(length), "or over more than 64 others");
 }
 
-// Four triangles in a ring round vertex 4 are refused as triangles; five quadrilaterals by the vertex between them.
+// Four triangles in a ring around vertex 4 are refused as triangles. Five quadrilaterals are refused at the vertex
+// between them.
 TEST(OrigamiFile, NamesAnInnerVertexOfAnotherDegree) {
   std::string points = "[0, 0]", faces, edges;
   for (int k = 0; k < 5; ++k) {

@@ -69,8 +69,8 @@ TEST(TargetFile, IsStricterWithHelmetsOfSmallCells) {
   EXPECT_NEAR(file(4).rms_mm, 0.8 * 2 / 3, 1e-12);
 }
 
-/// 96 columns, but walls of a tenth of a cell that the process prints at every theta that is tried, and at least 24, if so
-/// few can follow the curve.
+/// The default is 96 columns. Walls are a tenth of a cell, which limits the columns to what the process can print at
+/// every theta of the search. At least 24 columns remain, if 24 can follow the curve.
 TEST(TargetFile, CurvesInSpaceHaveCellsThatCanBePrinted) {
   TemporaryFolder folder;
   const auto columns = [&](const std::string& points, const std::string& more = {}) {
@@ -92,7 +92,8 @@ TEST(TargetFile, CurvesInSpaceHaveCellsThatCanBePrinted) {
   EXPECT_EQ(columns(bend), 96) << "24 cannot follow a bend of 4 mm";
 }
 
-/// 40 columns, but walls of a tenth of a cell that the process prints, and at least 8 columns.
+/// The default is 40 columns. Walls are a tenth of a cell, which limits the columns to what the process can print. At
+/// least 8 columns remain.
 TEST(TargetFile, TakesAsManyColumnsAsItsProcessCanPrint) {
   const auto columns = [](int length_mm, const std::string& more) {
     return read("kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [" + std::to_string(length_mm / 2) +

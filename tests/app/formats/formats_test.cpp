@@ -26,7 +26,7 @@ using testing::schema_errors;
 using Json = nlohmann::json;
 using Kind = targets::ValueType::Kind;
 
-// The folder of the sources, where schemas, pages and examples are.
+// The source folder with schemas, pages and examples.
 const std::string source = KINETIX_SOURCE;
 
 std::string schema_text(const std::string& name) {
@@ -51,7 +51,7 @@ TEST(FormatsPage, RefusesATableThatItLeavesOutAndAMarkThatStandsForNothing) {
   EXPECT_THROW(formats_page("{{keys nothing}}\n", schema_text), InvalidInput);
 }
 
-/// To the left and to the right of the middle of a wall: designs that are written have both.
+/// Written designs have offsets to the left and to the right of the middle of a wall.
 TEST(FileSchema, HasBothSignsOfAnOffset) {
   const Json schema = Json::parse(schema_text("design"));
   const Json offset =
@@ -65,7 +65,7 @@ TEST(FileSchema, IsWhatTheTablesSay) {
     EXPECT_EQ(schema_text(schema.name), schema.text) << "write it anew by `make docs`";
 }
 
-/// Which schema a file belongs to, by what it holds.
+/// Returns the name of the schema for a file, by its keys.
 std::string schema_of(const Json& file) {
   return file.contains("factors") ? "doe" : file.contains("target") ? "target" : "design";
 }
@@ -95,7 +95,7 @@ void read_any(const std::string& text) {
   read_doe(folder.write("in.yaml", text));
 }
 
-// Parts of files, to which wrong lines are added.
+// Parts of files; the tests add wrong lines to them.
 const std::string curve = "target: {kind: curve, points: [[0, 0], [60, 0], [60, 40]]}";
 const std::string doe = "kinetix: 1\nbase: x.yaml\nresponses: [theta_deg]\nmethod: {kind: sobol}\n";
 
@@ -140,7 +140,7 @@ TEST(FileSchema, RefusesWhatTheProgramRefuses) {
   }
 }
 
-/// A small picture: a bar on white.
+/// Returns the path of a small picture: a bar on white.
 std::string image_file() {
   static const testing::TemporaryFolder folder;
   std::string text = "P1 12 12\n";
@@ -148,7 +148,7 @@ std::string image_file() {
   return folder.write("bar.pbm", text);
 }
 
-/// A small patch, 40 mm wide and bent one way.
+/// Returns the path of a small patch, 40 mm wide and bent in one direction.
 std::string patch_file() {
   static const testing::TemporaryFolder folder;
   std::string text;
@@ -161,7 +161,7 @@ std::string patch_file() {
   return folder.write("patch.obj", text);
 }
 
-/// A cube of 10 mm, from x on.
+/// Returns the path of a cube of 10 mm that begins at x.
 std::string cube_file(const char* name, double x) {
   static const testing::TemporaryFolder folder;
   std::string text;
@@ -170,7 +170,7 @@ std::string cube_file(const char* name, double x) {
   return std::filesystem::relative(folder.write(name, text), source + "/targets/shapes").string();
 }
 
-/// Two cubes with a hinge between them.
+/// Returns two cubes with a hinge between them.
 Json two_bodies() {
   const Json bodies = Json::array({{{"name", "left"}, {"file", cube_file("left.obj", 0)}},
                                    {{"name", "right"}, {"file", cube_file("right.obj", 12)}}});
@@ -179,7 +179,7 @@ Json two_bodies() {
   return {{"kinetix", 1}, {"structure", {{"bodies", bodies}, {"hinges", Json::array({hinge})}}}};
 }
 
-/// Files that a key may be set in, one for each way in which a list of keys may be filled.
+/// Returns files in which a key of the list may be set: one for each way to fill the list.
 std::vector<Json> files_of(const std::string& list) {
   const auto target = [](const char* text) { return Json{{"kinetix", 1}, {"target", Json::parse(text)}}; };
   const auto design = [](const char* drive) {
@@ -196,7 +196,8 @@ std::vector<Json> files_of(const std::string& list) {
   };
   Json image = target(R"({"kind": "display"})");
   image["target"]["image"] = image_file();
-  // Hinges by directions, and as made, of the whole and of a single wall.
+  // Hinges by stiffness per direction and hinges by their manufactured shape, for the whole sheet and for a single
+  // wall.
   const Json framed = Json::parse(R"({"k": {"axial": 3, "shear": 1, "along": 2, "turn": 0.1}})");
   const Json block = Json::parse(R"({"kind": "block", "gap_mm": 1,
       "material": {"E_mpa": 1, "nu": 0.4, "strain_max": 0.5}})");
@@ -206,7 +207,7 @@ std::vector<Json> files_of(const std::string& list) {
     if (file.contains("design")) file["design"]["hinges"][0]["hinge"] = hinge;
     return file;
   };
-  // With a hinge of each kind at some of its walls alone.
+  // Adds files with a hinge of each kind at some of the walls only.
   const auto add_parted = [&](std::vector<Json>& files, const Json& file, const Json& at) {
     for (Json part : {Json::object(), framed, block, pin}) {
       part["at"] = at;
@@ -214,7 +215,7 @@ std::vector<Json> files_of(const std::string& list) {
       files.back()["hinge"]["except"] = Json::array({part});
     }
   };
-  // A goal by itself, with each kind of hinge, and moved by springs.
+  // Returns a goal without hinges, with each kind of hinge, and with springs as its drive.
   const auto made = [&](const Json& goal) {
     Json heated = goal;
     heated["drive"] = {{"kind", "shape_memory"}, {"k_turn", 1}};
@@ -223,7 +224,7 @@ std::vector<Json> files_of(const std::string& list) {
     return files;
   };
   if (list == "target curve") {
-    // Without and with cells so large that they can be printed, and have pins.
+    // The goal without a cell size, and with cells large enough for prints and pins.
     Json curve = target(R"({"kind": "curve", "points": [[0, 0], [60, 0], [60, 40]]})");
     const Json small = curve;
     curve["structure"] = {{"cell_mm", 10}};
@@ -254,7 +255,7 @@ std::vector<Json> files_of(const std::string& list) {
                        "creases": [{"faces": ["a", "b"], "side": "top", "angle_deg": 90}]}})"));
     return folds;
   }
-  // Sheets whose cells have a size, so that hinges may have one.
+  // Sheets with a cell size, which hinges need for sizes in mm.
   const auto sized = [&](Json goal, double cell_mm) {
     goal["structure"]["cell_mm"] = cell_mm;
     return made(goal);
@@ -286,7 +287,7 @@ std::vector<Json> files_of(const std::string& list) {
     return {target(R"({"kind": "surface", "shape": "cap"})"),
             target(R"({"kind": "surface", "shape": "saddle"})"),
             target(R"({"kind": "surface", "shape": "vase"})"), patch};
-  // A small head, read some two hundred times.
+  // A small head, since it is read about two hundred times.
   Json head = target(R"({"kind": "helmet", "ribs": 4, "coverage_mm": 40})");
   head["target"]["mesh"] = source + "/tests/fuzz/corpus/head/head.ply";
   if (list == "target helmet") return made(head);
@@ -344,14 +345,14 @@ void add_keys(std::vector<PlacedKey>& all, const std::string& path, const target
     add_keys(all, type.kind == Kind::list ? path + "[0]" : path, part);
 }
 
-/// "a.b[0].c" as a JSON pointer.
+/// Converts "a.b[0].c" to a JSON pointer.
 Json::json_pointer pointer(std::string path) {
   for (std::size_t at = 0; (at = path.find_first_of(".[", at)) != std::string::npos;) path[at] = '/';
   path.erase(std::remove(path.begin(), path.end(), ']'), path.end());
   return Json::json_pointer("/" + path);
 }
 
-/// What the program says of a file; nothing where it can be read.
+/// Returns the error for a file, or none if the file is valid.
 std::optional<InvalidInput> refusal_of(const Json& file) {
   try {
     read_any(file.dump());
@@ -361,22 +362,22 @@ std::optional<InvalidInput> refusal_of(const Json& file) {
   }
 }
 
-/// Whether one of the files of a list, with a value at the key, is as a test wants it.
+/// Checks whether `wanted` accepts one of the list's files with this value at the key.
 bool one_is(const std::string& list, const std::string& path, const Json& value,
             const std::function<bool(const std::optional<InvalidInput>&)>& wanted) {
   for (Json file : files_of(list)) {
     try {
       file[pointer(path)] = value;
     } catch (const Json::exception&) {
-      continue;  // this way has another value where the key's map would stand
+      continue;  // this file has another type of value at a parent of the key
     }
     if (wanted(refusal_of(file))) return true;
   }
   return false;
 }
 
-/// Whether a list has a key only because its section is that of designs: goals name creases alone, of which panels
-/// for outlines have none (matter_test.cpp has how they refuse the others).
+/// Whether only designs may use this key of a list: goals name creases alone. Outline panels have no creases
+/// (matter_test.cpp tests how they refuse the others).
 bool is_of_designs(const std::string& list, const std::string& path) {
   const auto under = [&](const char* key) { return path.rfind(key, 0) == 0; };
   if (list == "target outline") return under("hinge.except[0]");

@@ -8,7 +8,7 @@
 
 namespace kinetix::testing {
 
-/// A scalar as an editor takes it: a number or a truth value unless it stands in quotes.
+/// Converts a scalar as an editor does: to a number or a boolean unless it is quoted.
 inline nlohmann::json scalar_json(const targets::Tree::Item& item) {
   if (item.is_quoted) return item.value;
   if (item.value == "true" || item.value == "false") return item.value == "true";
@@ -21,7 +21,7 @@ inline nlohmann::json scalar_json(const targets::Tree::Item& item) {
   return number.is_number() ? number : nlohmann::json(targets::parse_number(item.value));
 }
 
-/// A YAML document as JSON.
+/// Converts a YAML document to JSON.
 inline nlohmann::json as_json(const targets::Node& node) {
   const targets::Tree::Item& item = node.tree().items[node.item()];
   switch (node.kind()) {

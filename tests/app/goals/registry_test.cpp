@@ -13,7 +13,7 @@ namespace {
 
 using testing::TemporaryFolder;
 
-/// Small and quick, one of a kind.
+/// Small and quick targets, one of each kind.
 const std::vector<std::string> small_targets = {
     "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [60, 0], [80, 20]]}\n"
     "structure: {cells: [6, 1]}\nsolver: {starts: 1, max_evaluations: 20}\n",

@@ -19,7 +19,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// The STEP file of two cells, as the program exports it.
+/// Returns the STEP file of two cells, as the program exports it.
 const std::string& two_cells() {
   static const std::string text = [] {
     const Scratch scratch;
@@ -51,7 +51,7 @@ void expect_damaged(const std::string& content) {
   EXPECT_FALSE(fs::exists(scratch / "out"));
 }
 
-/// They name a shell, edges and directions that are not there: the library uses null handles.
+/// The entities name a shell, edges and directions that do not exist: the library uses null handles.
 TEST(DamagedStep, IsAMessageWhereTheLibraryCrashes) {
   for (const char* word : {"EDGE_LOOP", "FACE_BOUND", "VECTOR"})
     expect_damaged(
@@ -86,7 +86,7 @@ TEST(DamagedStep, IsReadOrRefusedWithAnyBitFlipped) {
   }
 }
 
-/// A studio or a Python session reads while other threads are at work.
+/// A studio or a Python session reads files while other threads work.
 TEST(DamagedStep, IsReadWhileThreadsWork) {
   const Scratch scratch;
   const std::string good = scratch.write("good.step", two_cells()),
@@ -121,7 +121,7 @@ TEST(ReaderProgram, IsStoppedAtItsLimits) {
   };
   EXPECT_EQ(reason(good, {60, 4ul << 30}), "read");
   EXPECT_THAT(reason("/dev/zero", {1, 4ul << 30}), HasSubstr("it was not read within 1 s"));
-#ifndef __SANITIZE_ADDRESS__  // which reserves more addresses than any limit
+#ifndef __SANITIZE_ADDRESS__  // the sanitizer reserves more addresses than any limit
   EXPECT_THAT(reason(good, {60, 1ul << 20}), HasSubstr("takes more than 1 MiB of memory"));
 #endif
   EXPECT_THAT(reason((scratch / "none.step").string(), {60, 4ul << 30}), HasSubstr("damaged"));
@@ -138,7 +138,7 @@ TEST(ReaderProgram, ThatIsMissingIsNoFaultOfTheFile) {
   }
 }
 
-/// What a reader sends that crashes while it writes.
+/// A reader that crashes while it writes sends damaged bytes.
 TEST(SolidBytes, AreCheckedWhenTheyAreRead) {
   const app::cad::FoundSolid solid{"a", "#ff0000", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   const std::string bytes = app::cad::to_bytes({solid, solid});

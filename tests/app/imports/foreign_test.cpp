@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// OpenSCAD rotates about x, then y, then z.
+/// Returns the rotation of OpenSCAD: about x, then y, then z.
 Eigen::Matrix3d turned() {
   const auto about = [](double degrees, const Vector3d& axis) {
     return Eigen::AngleAxisd(degrees * radians_per_degree, axis);
@@ -22,7 +22,7 @@ Eigen::Matrix3d turned() {
       .toRotationMatrix();
 }
 
-/// The scene of foreign.scad in two files.
+/// Draws the scene of foreign.scad in two files.
 void draw(const Scratch& scratch) {
   for (const std::string part : {"hard", "soft"})
     ASSERT_EQ(
@@ -46,7 +46,7 @@ TEST(ForeignModel, HasItsHingesHoweverItLiesAndInInches) {
     const char* kind;
     Vector3d axis, point;  // as drawn, mm
   };
-  // The window's block, the sheet of rubber at the hollow cylinder, whose fixed end it meets, and the clip on the rod.
+  // The block of the window, the rubber sheet at the fixed end of the hollow cylinder, and the clip on the rod.
   const std::vector<Meant> all = {
       {"block", {0, 0, 1}, {0, 0, 0}}, {"block", {0, 1, 0}, {27.5, 0, 0}}, {"pin", {0, 0, 1}, {-36, 0, 0}}};
   ASSERT_EQ(found["hinges"].size(), all.size());

@@ -25,7 +25,7 @@ using ::testing::HasSubstr;
 using Json = nlohmann::json;
 using model::Polyhedron;
 
-/// An OBJ file of several objects, each of a material.
+/// An OBJ file of several objects, each with a material.
 class Obj {
  public:
   Obj& add(const std::string& name, const std::string& material, const Polyhedron& solid) {
@@ -55,7 +55,8 @@ std::string pair_of_walls(const Polyhedron& soft = block()) {
       .text();
 }
 
-/// One line on stderr, exit code 2, nothing written. Quiet, since a slow machine may say before what it is busy with.
+/// Expects one line on stderr, exit code 2 and no files. Uses --quiet, since a slow machine may print its progress
+/// first.
 void expect_refused(const Scratch& scratch, const std::string& arguments, const std::string& says) {
   const Outcome run = kinetix_opt("import " + arguments + " --quiet -o " + (scratch / "out").string());
   EXPECT_EQ(run.code, 2) << run.out << run.err;
@@ -97,7 +98,7 @@ TEST(Import, TakesMaterialsAndNamesOfObj) {
   EXPECT_EQ(kinetix_opt("check " + (scratch / "out/design.yaml").string()).code, 0);
 }
 
-/// Neither follows from its reach.
+/// The block's range does not limit its rocking and twist.
 TEST(Import, WritesTheRockingAndTwistOfABlock) {
   const Scratch scratch;
   imported(scratch, scratch.write("pair.obj", pair_of_walls()));
@@ -138,7 +139,7 @@ TEST(Import, TakesSmallModelsForInches) {
   EXPECT_THAT(found["unit"].get<std::string>(), HasSubstr("inches, guessed"));
 }
 
-/// A 3MF file of one solid, in centimetres.
+/// Returns a 3MF file of one solid, in centimetres.
 std::string threemf_in_cm(const Polyhedron& solid) {
   std::string points, triangles;
   for (const auto& p : solid.points)
@@ -152,7 +153,7 @@ std::string threemf_in_cm(const Polyhedron& solid) {
                                 "<build><item objectid=\"1\"/></build></model>"}});
 }
 
-/// As slicers write a plate: each object in a model of its own, with its own numbers.
+/// Slicers write each object of a plate into a separate model with separate numbers.
 TEST(Import, TakesObjectsFromOtherModelsOfAPackage) {
   const auto mesh = [](const Polyhedron& solid) {
     std::string points, triangles;
@@ -192,7 +193,7 @@ TEST(Import, TakesObjectsFromOtherModelsOfAPackage) {
   expect_refused("plate.3mf", package("inch"), "holds objects of another unit in `3D/Objects/c.model`");
 }
 
-// The one that does not say its unit was guessed to be in mm, and the summary told the other's unit of both.
+// Regression: the file without a unit was assumed to be in mm, and the summary reported the other file's unit for both.
 TEST(Import, OfTwoFilesInCommonCoordinatesTakesTheUnitThatOneOfThemSays) {
   const Scratch scratch;
   const std::string hard =
@@ -279,7 +280,8 @@ TEST(Import, RefusesPackagesThatMeanHarm) {
                  threemf("<object id=\"1\"><components><component objectid=\"1\"/></components></object>",
                          "<item objectid=\"1\"/>"),
                  "has an object 1 that is a part of itself");
-  std::string doubled = "<object id=\"40\"/>";  // each object of two of the next: 2^30 of the last
+  std::string doubled =
+      "<object id=\"40\"/>";  // each object contains the next one twice: 2^30 copies of the last
   for (int id = 10; id < 40; ++id)
     doubled += fmt::format(
         "<object id=\"{0}\"><components><component objectid=\"{1}\"/><component "
@@ -296,7 +298,7 @@ TEST(Import, RefusesPackagesThatMeanHarm) {
       "has a vertex whose z is not a finite number: `inf`");
 }
 
-/// A glTF file of one node with the mesh of one triangle, whose keys are as given.
+/// Returns a glTF file of one node with the mesh of one triangle. The arguments are its JSON.
 std::string glb(const std::string& nodes, const std::string& accessors, const std::string& primitive) {
   std::string json = fmt::format(
       R"({{"asset": {{"version": "2.0"}}, "scenes": [{{"nodes": [0]}}], "nodes": [{}], "meshes": [{{"primitives": [{}]}}],
@@ -332,14 +334,14 @@ TEST(Import, RefusesGltfThatNamesWhatIsNotThere) {
                  "names one of `skins` that is not there");
   const std::string two = with(three, "3,", "2,");
   std::string far = glb(node, two + ", " + corners, R"({"attributes": {"POSITION": 0}, "indices": 1})");
-  far[far.size() - 28] = 2;  // the third corner: of points 0 and 1
+  far[far.size() - 28] = 2;  // the third corner, although only points 0 and 1 exist
   expect_refused("model.glb", far, "names a point that is not there");
   const std::string deep =
       R"({"attributes": {"POSITION": 0}, "extras": )" + std::string(100, '[') + std::string(100, ']') + "}";
   expect_refused("model.glb", glb(node, three, deep), "lists in one another, over 64 deep");
 }
 
-/// The same file with its nodes' places as matrices, a column after the other.
+/// Returns the glTF file with its nodes' poses as matrices in column-major order.
 std::string with_matrices(const std::string& glb) {
   std::uint32_t length = 0;
   std::memcpy(&length, glb.data() + 12, sizeof length);
@@ -402,7 +404,7 @@ TEST(Import, NamesFileAndPartOfWhatIsNoSolid) {
                  "hard parts `left` and `right` overlap");
 }
 
-// A body's name is that of a file in the folder of results.
+// A body's name is also a file name in the results folder.
 TEST(Import, NamesThatLeadElsewhereAreRefusedInItsDesign) {
   const Scratch scratch;
   imported(scratch, scratch.write("pair.obj", pair_of_walls()));
@@ -443,7 +445,7 @@ TEST(Import, IsExportedAndImportedAgain) {
   EXPECT_THAT(refused.err, HasSubstr("`step` is of sheets; a design of bodies is written as stl, 3mf, glb"));
 }
 
-/// Parts of a sheet that does not close are not written as folded where they cannot be.
+/// Parts of a sheet whose loops do not close are not exported folded if the drive ends before that fold.
 TEST(Import, IsNotExportedFoldedWhereItsDriveEndsBefore) {
   const Scratch scratch;
   const std::string sheet = scratch.write("sheet.yaml", R"(kinetix: 1
@@ -479,7 +481,7 @@ TEST(Import, IsSimulatedInEquilibriumAndVerified) {
     EXPECT_EQ(schema_errors(result), "") << command;
     EXPECT_EQ(result["structure"]["bodies"][0]["name"], "left_wall");
   }
-  // A hinge turned against its spring alone: half k_turn angle^2, of a block of TPU.
+  // A hinge turned against its spring alone stores half k_turn angle^2. The spring is a block of TPU.
   const Outcome run = kinetix_opt("simulate --model equilibrium --theta-deg 10 " + design + " --json -o " +
                                   (scratch / "run").string());
   const Json result = Json::parse(run.out);
@@ -505,7 +507,7 @@ TEST(Import, IsSimulatedInEquilibriumAndVerified) {
   EXPECT_GE(Json::parse(coarser.out)["fidelity"].size(), 3u);
 }
 
-/// No part of it is cut, whatever bed is given.
+/// No part is cut, whatever bed is given.
 TEST(Import, OfPartsThatNoUsualBedHoldsSaysSoWithoutTiles) {
   const Scratch scratch;
   imported(scratch, scratch.write("pair.obj", pair_of_walls()) + " --unit m");
@@ -516,7 +518,7 @@ TEST(Import, OfPartsThatNoUsualBedHoldsSaysSoWithoutTiles) {
   EXPECT_EQ(run.out.find("--bed"), std::string::npos) << run.out;
 }
 
-/// A wall from one point of the plane to another, less the room of the blocks at its ends.
+/// Returns a wall from one point of the plane to another, shortened by the room of the blocks at its ends.
 Polyhedron wall(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double room, double thickness = 0.8) {
   const Eigen::Vector2d middle = (from + to) / 2, along = to - from;
   const double half = along.norm() / 2 - room;
@@ -526,7 +528,7 @@ Polyhedron wall(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double r
 }
 
 TEST(Import, OfWhatCannotTurnSaysWhichHingeHoldsIt) {
-  // A bar of two walls in one line, held by a third one beside it through two blocks: three hinges in a ring are rigid.
+  // Two walls form a bar, and a third wall beside it is joined to it by two blocks. Three hinges in a ring are rigid.
   const Scratch scratch;
   const auto at = [](double x, double y, const Polyhedron& solid) {
     return moved(solid, Isometry3d(Eigen::Translation3d(x, y, 0)));
@@ -546,7 +548,7 @@ TEST(Import, OfWhatCannotTurnSaysWhichHingeHoldsIt) {
               HasSubstr("rigid: no motion at rest keeps all hinges closed"));
 }
 
-/// Films of FDM are walls: one volume in 3MF, and files of their own in STL.
+/// FDM prints films as parts of the walls: one volume in 3MF, separate files in STL.
 TEST(Import, SaysHowToReadASheetWithFilmsOfTheWallsMaterial) {
   const Scratch scratch;
   const std::string design = scratch.write(
@@ -565,7 +567,7 @@ TEST(Import, SaysHowToReadASheetWithFilmsOfTheWallsMaterial) {
   EXPECT_EQ(Json::parse(read.out)["hinges"].size(), 7u);
 }
 
-// Its hinge was twice as stiff, without a word.
+// Regression: the hinge of a repeated part was twice as stiff, without a message.
 TEST(Import, RefusesTheSamePartTwice) {
   const std::string twice = "has the same part twice in one place";
   const auto walls = [] { return Obj().add("left wall", "PLA", left()).add("right wall", "PLA", right()); };

@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector3d;
 using Json = nlohmann::json;
 
-constexpr double turned_deg = 24;  // deg, of one hinge in both physics runs
+constexpr double turned_deg = 24;  // deg: turn of one hinge in both simulations
 constexpr const char* flat_panel = R"(kinetix: 1
 structure: {cells: [4, 3], cell_mm: 16, wall_mm: {thickness: 0.8, height: 6}}
 design:
@@ -42,7 +42,7 @@ Json verified(const std::string& file, const std::string& out) {
   return result_in(out);
 }
 
-/// A sheet as its own file says it.
+/// A sheet and its own results, from its design file.
 class Sheet {
  public:
   /// @param design without a drive
@@ -53,10 +53,10 @@ class Sheet {
 
   std::string file() const { return scratch_.write("sheet.yaml", design_); }
   const Json& structure() const { return structure_; }
-  /// The hinge that the physics run turns.
+  /// Returns the hinge that the simulation turns.
   std::size_t driven() const { return driven_; }
 
-  /// Of the physics run, once.
+  /// Returns the result of the simulation, which runs once.
   const Json& folded() {
     if (!folded_.is_null()) return folded_;
     const auto vertex = [&](int k) {
@@ -75,7 +75,7 @@ class Sheet {
   std::size_t driven_ = 0;
 };
 
-/// A sheet, and how it comes back from a file of its solids.
+/// A sheet, and the import of a file of its solids.
 class RoundTrip {
  public:
   RoundTrip(Sheet& sheet, const std::string& hinge, const std::string& format)
@@ -101,7 +101,7 @@ class RoundTrip {
   }
   double axis_off_deg = 0, point_off_mm = 0;
 
-  /// Rms and maximum of the vertices, as both physics runs leave them, cell edges.
+  /// Computes the rms and maximum distance of the vertices after both simulations, cell edges.
   std::pair<double, double> physics_apart() {
     const Json& own = original_["hinges"][sheet_.driven()];
     const Json& found = imported_["hinges"][hinge_of_[sheet_.driven()]];
@@ -118,7 +118,7 @@ class RoundTrip {
  private:
   std::string at(const std::string& name) const { return (scratch_ / name).string(); }
 
-  /// Files stand beside the sheet by a shift at most.
+  /// Computes the shift between the file and the sheet: they differ by a translation at most.
   Vector3d shift() const {
     Vector3d sum = Vector3d::Zero();
     for (const Json& h : imported_["hinges"]) sum += vector_of(h["point_mm"]);
@@ -158,7 +158,7 @@ class RoundTrip {
     }
   }
 
-  /// At a rim with one hinge the neighbour says which of the two is left.
+  /// Assigns each body its imported body. A body with one hinge has two candidates; its neighbour excludes one of them.
   void settle(std::map<int, std::set<int>> bodies) {
     for (bool goes_on = true; goes_on;) {
       goes_on = false;
@@ -226,7 +226,7 @@ void expect_the_same(Sheet& sheet, const std::string& hinge, const std::string& 
   EXPECT_LT(max, 2e-2);
 }
 
-/// What a search finds, folded by 12 degrees, with hinges that the export chooses.
+/// Returns the design of a search, folded by 12 degrees, with hinges that the export chooses.
 std::string searched(const std::string& shape) {
   const Scratch scratch;
   const Outcome run = kinetix_opt(KINETIX_SOURCE "/targets/shapes/" + shape + ".yaml --no-verify -o " +
@@ -252,7 +252,7 @@ TEST(Import, GivesTheCubeBack) {
 
 TEST(Import, GivesTheLetterTBack) {
   Sheet sheet(searched("letter_t"));
-  expect_the_same_structure({sheet, "pin", "3mf"});  // its many convex pieces make the physics run long
+  expect_the_same_structure({sheet, "pin", "3mf"});  // its many convex pieces make the simulation slow
   expect_the_same(sheet, "block", "3mf");
 }
 

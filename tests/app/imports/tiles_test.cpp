@@ -24,7 +24,7 @@ std::string corners_text(const std::vector<std::vector<Eigen::Vector3d>>& tiles)
   return out;
 }
 
-/// Both forms of a joint at both faces: one line with 3, and two with 1 and 2 from either side.
+/// Writes joints at both faces in both forms: one line with 3, or one line with 1 and one with 2 from either side.
 std::string joints_text(const model::TileSheet& sheet) {
   std::string out;
   for (std::size_t j = 0; j < sheet.joints.size(); ++j) {
@@ -115,7 +115,7 @@ TEST(TileImport, PullsSquaresApartWhereTheyHaveNoTarget) {
   EXPECT_NEAR(TileJson::parse(run.out)["metrics"]["theta_rad"].get<double>(), 0.7854, 0.05);
 }
 
-/// What `simulate` or `verify` says of an import, by its result.json.
+/// Returns the result.json of `simulate` or `verify` for an import.
 TileJson run_of(const TileFolder& folder, const std::string& command, int code) {
   const Outcome run = kinetix_opt(command + " " + folder.design() + " --json --quiet -o " +
                                   (folder.scratch / "run").string());
@@ -130,7 +130,7 @@ std::string first_error(const TileJson& result) {
   return problems.empty() || problems[0]["level"] != "error" ? "" : problems[0]["text"].get<std::string>();
 }
 
-// Squares joined at both ends of their edges turn by nothing: their target is another closed state, without a way to it.
+// Squares joined at both ends of their edges cannot turn. Their target is another closed state that no motion reaches.
 TEST(TileImport, SaysThatSheetsThatDoNotMoveAreNoMechanism) {
   for (const auto& [columns, rows] : {std::pair{2, 2}, {3, 2}, {4, 4}}) {
     model::TileSheet sheet = rotating_squares(columns, rows, 0.6);
@@ -151,7 +151,8 @@ TEST(TileImport, SaysThatSheetsThatDoNotMoveAreNoMechanism) {
   }
 }
 
-// Tiles that move, and targets that their joints do not allow: one tile shifted, all of them farther apart, one turned.
+// Tiles that move, with targets that their joints do not allow: one tile shifted, all tiles farther apart, one tile
+// turned.
 TEST(TileImport, ATargetThatIsMissedByMoreThanTheToleranceIsThree) {
   const auto missed = [](model::TileSheet sheet, const std::string& who) {
     const TileFolder folder(sheet);

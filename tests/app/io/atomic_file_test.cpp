@@ -50,7 +50,7 @@ TEST(WriteFile, LeavesNothingBehindWhereTheNameIsTaken) {
   EXPECT_EQ(entries(folder.path("")), 1u);
 }
 
-/// While it lives no file may be larger than 64 KiB.
+/// Limits files to 64 KiB during its lifetime.
 class FullDisk {
  public:
   FullDisk() {

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using app::LockFile;
 
-/// A process that holds a lock until the signal comes that ends it.
+/// Starts a process that holds a lock until the signal ends it.
 void hold_in_another_program(const std::string& file, int signal_number) {
   int ready[2];
   ASSERT_EQ(pipe(ready), 0);

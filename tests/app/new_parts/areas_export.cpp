@@ -2,7 +2,7 @@
 
 #include "app/exports/exporters.hpp"
 
-/// An exporter in one file: the area of every cell in the first state, mm^2, a line each.
+/// An exporter in one file: the area of every cell in the first state, mm^2, one line per cell.
 namespace kinetix::app {
 namespace {
 
@@ -17,7 +17,7 @@ std::vector<NamedContent> write(const Run& run, const nlohmann::ordered_json&) {
   return {{"areas/flat.txt", text}};
 }
 
-// Name, extensions, whether every run writes it, and how.
+// Name, extensions, whether every run writes it, and the function that writes it.
 const Exporter areas_export = {"areas", {"txt"}, false, write};
 
 [[maybe_unused]] const bool registered = (add_exporter(areas_export), true);

@@ -14,8 +14,8 @@
 #include "app/sweep/plan/metric.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-/// The parts that width_goal.cpp, areas_export.cpp and window_lattice.cpp add to this program, one file and one
-/// line each: nothing else in the project knows of them.
+/// Tests the parts that width_goal.cpp, areas_export.cpp and window_lattice.cpp add to this program. Each is one file
+/// and one line in CMakeLists.txt: nothing else in the project depends on it.
 namespace kinetix::app {
 namespace {
 
@@ -69,7 +69,7 @@ TEST(NewGoalKind, GivesSweepsItsMetrics) {
   EXPECT_THAT(metric_names({.model = Model::exact, .searches = false}), Not(Contains("width_mm")));
 }
 
-/// Of the first cell, from the corners that result.json has.
+/// Computes the area of the first cell from the corners in result.json.
 double first_area(const nlohmann::json& result) {
   std::vector<std::array<double, 2>> corners;
   for (const int body : result["structure"]["cells"][0]["bodies"])

@@ -98,7 +98,7 @@ struct WidthGoal final : Goal {
   int cells_ = 0;
 };
 
-// What a program of one's own registers.
+// The registration of a kind of goal, as in a third-party program.
 const GoalKind width_kind = {.name = "width",
                              .example = "target: {kind: width, width_mm: 50, cells: 6, cell_mm: 10}",
                              .read = [](const targets::Node& root) -> std::unique_ptr<Goal> {

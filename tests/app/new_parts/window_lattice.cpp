@@ -1,6 +1,6 @@
 #include "model/lattice/planar/lattices/registry.hpp"
 
-/// A lattice in one file: rectangles of 2 x 1 with a vertex in the middle of their long sides, one on the other.
+/// A lattice in one file: stacked rectangles of 2 x 1 with a vertex in the middle of their long sides.
 namespace kinetix::model {
 namespace {
 

@@ -65,7 +65,7 @@ TEST(AsMadeResult, IsConfirmedByPrints) {
   EXPECT_NEAR(made["prints"]["p95_mm"], made["p95_mm"].get<double>(), 0.1 * made["p95_mm"].get<double>());
 }
 
-// A print of it is no flatter than one of a strip that rises by a ten thousandth of its length.
+// A print of a flat strip is as uneven as one of a strip that rises by a ten thousandth of its length.
 TEST(AsMadeResult, OfAFlatStripCountsWhatBendsItOutOfItsPlane) {
   const auto made = [](const std::string& middle) {
     const Scratch scratch;
@@ -83,7 +83,7 @@ TEST(AsMadeResult, OfAFlatStripCountsWhatBendsItOutOfItsPlane) {
   EXPECT_EQ(flat["holds"], risen["holds"]);
 }
 
-// To first order what errors add grows with their square.
+// To first order, errors add to rms^2 in proportion to the square of their standard deviations.
 TEST(AsMadeResult, GrowsWithTheErrorsOfTheProcess) {
   const Scratch scratch;
   const auto added = [](const Json& made) {
@@ -157,7 +157,7 @@ TEST(AsMadeResult, SaysWhatPlayAdds) {
         printed(scratch,
                 "drive: {kind: shape_memory, k_turn: 5}\nhinge: {kind: pin, diameter_mm: 1.5" + hinge +
                     "}\nprocess: {sd: {" + sd + "}}\n",
-                3);  // its knuckles run into each other on the way
+                3);  // its knuckles collide during the motion
     EXPECT_EQ(schema_errors(one.result), "");
     return one;
   };
@@ -182,7 +182,7 @@ TEST(AsMadeResult, SaysWhyItDoesNotHold) {
   EXPECT_THAT(rough["as_made"]["why"].dump(), HasSubstr("95 of 100 prints stay within"));
 }
 
-// Walls of 0.1 cell edges: here 0.5 mm, and polyjet, which nobody named, prints 0.6.
+// Walls have 0.1 cell edges, here 0.5 mm. PolyJet, the default process, needs 0.6 mm.
 TEST(AsMadeResult, SaysWhatCannotBePrinted) {
   const Scratch scratch;
   const std::string folder = scratch / "out";
@@ -218,7 +218,7 @@ Found found(const Scratch& scratch, const std::string& goal, const std::string& 
   return {result, run.out, folder};
 }
 
-// A sheet so large, or so small, that no print of it comes to rest near its design.
+// These sheets are so large or so small that no print settles near its design.
 TEST(AsMadeResult, OfNoPrintThatSettlesSaysSoAndNoNumbers) {
   const Scratch scratch;
   for (const char* goal :
@@ -238,7 +238,7 @@ TEST(AsMadeResult, OfNoPrintThatSettlesSaysSoAndNoNumbers) {
   }
 }
 
-// What `export` answers without options, and where it refuses the reason is the same.
+// The verdict matches `export` without options. If `export` refuses the design, the reason is the same.
 TEST(AsMadeResult, CanBePrintedOnlyWhereExportWritesIt) {
   const Scratch scratch;
   for (const auto& [goal, fits] :
@@ -260,7 +260,8 @@ TEST(AsMadeResult, CanBePrintedOnlyWhereExportWritesIt) {
   }
 }
 
-// A panel of two cells by two that is pressed further than walls out of place are proven to allow, and a strip that is not.
+// Plates press the panel of two by two cells beyond the range that is proven for misplaced walls. The strip stays
+// within it.
 TEST(AsMadeResult, SaysWhetherWallsOfPrintsMayMeet) {
   const Scratch scratch;
   for (const auto& [goal, is_free] :
@@ -277,7 +278,7 @@ TEST(AsMadeResult, SaysWhetherWallsOfPrintsMayMeet) {
   }
 }
 
-// Errors add up along a ring, so that its ends miss each other by much more than a hinge is off.
+// Errors accumulate along a ring, so its ends miss each other by much more than the error of one hinge.
 TEST(AsMadeResult, ReportsTheShareOfPrintsThatTouch) {
   const Scratch scratch;
   const auto ring = [&](double gap_mm, const std::string& process) {
@@ -311,7 +312,7 @@ TEST(AsMadeResult, ReportsTheShareOfPrintsThatTouch) {
   EXPECT_LT(before, 0.02);
 }
 
-// To first order such a panel shows its letter worse than its prints do.
+// An estimate to first order predicts a worse letter than the prints of such a panel show.
 TEST(AsMadeResult, ADrivenDisplayIsExpectedToShowWhatItsPrintsShow) {
   const Scratch scratch;
   for (const std::string& rows : {"[\"00000\", \"01110\", \"00100\", \"00100\", \"00000\"]"s,
@@ -332,7 +333,7 @@ TEST(AsMadeResult, ADrivenDisplayIsExpectedToShowWhatItsPrintsShow) {
   }
 }
 
-// Two numbers of one design: between curves, and at points of the sheet.
+// The report has two distances of one design: between curves, and at points of the sheet.
 TEST(AsMadeResult, NamesTheDesignsOwnDistanceBesideThatOfPrints) {
   const Scratch scratch;
   const Printed one = printed(scratch, "");
@@ -368,7 +369,7 @@ TEST(AsMadeResult, JudgesPrintsOfDisplaysByTheirTolerances) {
 const std::string octagon =
     "[[10, 0], [7.1, 7.1], [0, 10], [-7.1, 7.1], [-10, 0], [-7.1, -7.1], [0, -10], [7.1, -7.1], [10, 0]]";
 
-// Of every kind of goal that is judged by distances; their files leave open what hinges are.
+// Covers every kind of goal that is judged by distances. The files do not specify hinges.
 TEST(AsMadeResult, JudgesGoalsOfEveryKindBySoftBlocks) {
   const Scratch scratch;
   for (const std::string& goal :
@@ -385,14 +386,14 @@ TEST(AsMadeResult, JudgesGoalsOfEveryKindBySoftBlocks) {
     EXPECT_LE(made["taken"]["strain"], made["taken"]["strain_allowed"]);
     EXPECT_THAT(one.out, HasSubstr("taken for tango blocks"));
     EXPECT_THAT(one.out, ::testing::ContainsRegex("held there by [0-9.]+ N"));
-    // 200 prints know their rms to 5 % in 95 of 100 cases.
+    // The rms of 200 prints is within 5 % in 95 of 100 cases.
     EXPECT_EQ(made["prints"]["failed"], 0) << goal;
     EXPECT_NEAR(made["prints"]["rms_mm"], made["rms_mm"].get<double>(), 0.2 * made["rms_mm"].get<double>())
         << goal;
   }
 }
 
-/// The block that stands for hinges which the file leaves open.
+/// Returns the assumed block of a result whose file does not specify hinges.
 model::MadeHinge block_of(const Json& taken) {
   return {.kind = model::HingeKind::block,
           .material = *model::find_material("tango"),
@@ -401,7 +402,7 @@ model::MadeHinge block_of(const Json& taken) {
           .height_mm = taken["height_mm"]};
 }
 
-// In a plane every hinge turns by twice theta, as the driven one does.
+// In a plane every hinge turns by twice theta, as the driven hinge does.
 TEST(AsMadeResult, SaysWhatHoldsAFoldOfSoftBlocks) {
   const Scratch scratch;
   const std::string folder = scratch / "out";
@@ -422,11 +423,12 @@ TEST(AsMadeResult, SaysWhatHoldsAFoldOfSoftBlocks) {
   EXPECT_NEAR(taken["strain"], strain(block, 2 * theta), 1e-12);
 }
 
-// Its rotors turn by twice theta, so that plates close in by 1 - cos(2 theta) of them and not by 1 - cos(theta) of the block.
+// The block's rotors turn by twice theta. Plates close in by 1 - cos(2 theta) of the rotors, not by 1 - cos(theta) of
+// the block.
 TEST(AsMadeResult, SaysWhatHoldsABlockInSpace) {
   const Scratch scratch;
   const std::string folder = scratch / "out";
-  const double size_mm = 60, pressed = 0.82;  // along y, between the plates
+  const double size_mm = 60, pressed = 0.82;  // along y, between the plates, as a share of the size
   const Outcome run = kinetix_opt(
       scratch.write(
           "block.yaml",

@@ -12,15 +12,15 @@
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
 
-/// What results say of contact: proven ranges of theta.
+/// Tests of the contact part of results: collision-free ranges of theta.
 namespace kinetix::testing {
 namespace {
 
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
-/// Turns of a helix of columns that bend and columns that shear brush past each other at 25.1 deg; samples a degree apart
-/// see walls meet at 31.8 deg.
+/// A helix with alternating bending and shearing columns. Its turns touch at 25.1 deg; samples one degree apart detect
+/// contact at 31.8 deg.
 std::string helix_design(double theta_deg) {
   std::string hinges;
   for (int c = 0; c < 24; ++c)
@@ -73,7 +73,7 @@ TEST(Certify, TellsTheClosedFormsEndOfAPanel) {
   EXPECT_THAT(told.words, HasSubstr("free of contact for theta -42.61 to 42.61 deg, limited by walls [["));
 }
 
-/// Three standard deviations of polyjet: 0.05 mm, and 0.25 deg at the corner of a plate 5 mm long and 6 mm high.
+/// Three standard deviations of PolyJet: 0.05 mm, and 0.25 deg at the corner of a plate 5 mm long and 6 mm high.
 TEST(Certify, GrowsWallsByWhatTheProcessLetsThemBeOff) {
   const model::Structure s = make_structure(model::rectangle(1, 1), {10, 0.8, 6});
   const double corner = std::sqrt(5 * 5 + 3 * 3 + 0.4 * 0.4);
@@ -81,7 +81,7 @@ TEST(Certify, GrowsWallsByWhatTheProcessLetsThemBeOff) {
               0.15 + std::sin(0.75 * radians_per_degree) * corner, 1e-12);
 }
 
-/// What a pin plays leans and shifts walls as errors of printing do.
+/// The clearance of a pin tilts and shifts walls as print errors do.
 TEST(Certify, GrowsWallsByWhatTheirPinsPlay) {
   const std::string sheet =
       "kinetix: 1\nname: panel\nstructure: {cells: [3, 2], cell_mm: 20, wall_mm: {thickness: 2, height: "
@@ -116,8 +116,8 @@ TEST(Certify, SaysThatElasticHingesComeNearTheClosedFormAlone) {
   EXPECT_THAT(told.words, HasSubstr("of the closed form: equilibria of elastic hinges come near it"));
 }
 
-/// Bricks that one wall drives past the place where a second motion begins: the closed form is free of contact, and so far
-/// away that this says nothing of them.
+/// One wall drives the bricks beyond the bifurcation. The closed form is free of contact, but too far from the
+/// equilibrium to prove anything about it.
 TEST(Certify, ProvesNothingOfAnEquilibriumThatHasLeftTheClosedForm) {
   const Told told = told_of(
       "kinetix: 1\nname: bricks\nstructure: {lattice: brick, cells: [3, 3], rim: closed, wall_mm: "
@@ -147,7 +147,7 @@ TEST(Certify, SaysWhyNothingIsProvenWithoutAClosedForm) {
   EXPECT_THAT(certified["why_not"].get<std::string>(), HasSubstr("no exact family"));
 }
 
-// Walls 14 mm high that lean by 50 deg from a vertex reach through the wall beside them, 10 mm away.
+// Walls 14 mm high that lean by 50 deg from a vertex cross the wall next to them, 10 mm away.
 TEST(Certify, FindsWallsThatOverlapAsBuilt) {
   std::string hinges;
   for (int j = 0; j < 4; ++j)
@@ -205,7 +205,8 @@ TEST(Certify, IsPartOfACheck) {
           .contains("certified"));
 }
 
-/// Small ones of every kind that moves exactly; kinetix-bench --only certified looks at the larger ones.
+/// Tests small shipped targets of every kind with an exact motion. kinetix-bench --only certified covers the larger
+/// ones.
 TEST(Certify, CoversShippedTargetsWithinOnePercentOfWallsThatOverlap) {
   for (const char* name : {"helmet_rib", "half_circle", "s_curve", "cube", "open_tray", "tetrahedron",
                            "octahedron", "helix", "shrinking_block", "headform", "disc"}) {

@@ -20,9 +20,9 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using Json = nlohmann::json;
 
-const double degree = std::acos(-1) / 180;  // rad, so that angles below read in degrees
+const double degree = std::acos(-1) / 180;  // rad: angles below are written in degrees
 
-// Small and planar, so that it is quick.
+// A small planar panel, for short tests.
 constexpr const char* panel = R"(kinetix: 1
 name: panel
 structure: {cells: [3, 3], cell_mm: 10}
@@ -30,7 +30,7 @@ drive: {kind: plates, axis: y, compression: 0.15}
 hinge: {model: elastic, k_point: 1000, k_turn: 0.2, reach_mm: 1.8}
 )";
 
-// One cell that twists, with the default hinges.
+// One twisting cell with the default hinges.
 constexpr const char* twist_unit = R"(kinetix: 1
 structure: {cells: [1, 1], cell_mm: 20}
 design: {theta_deg: 30, pattern: {even: {A_in_deg: [90, 80, 90, 80]}}}
@@ -42,7 +42,7 @@ Outcome equilibrium(const Scratch& scratch, const std::string& design, const std
                      " -o " + scratch.path());
 }
 
-/// Numbers that are not finite are null in a file.
+/// Counts the nulls, which replace numbers that are not finite in a file.
 int nulls(const Json& value) {
   if (value.is_null()) return 1;
   int sum = 0;
@@ -208,7 +208,7 @@ TEST(Equilibrium, SaysThatAnAngleTakesThePlaceOfTheFilesDrive) {
   EXPECT_THAT(own.err, Not(HasSubstr("drive")));
 }
 
-/// Four cells in a row, the middle of three rows, each of 10 mm.
+/// Four cells in a row, the middle of three rows, each cell 10 mm wide.
 const std::string corded = R"(kinetix: 1
 name: corded
 structure: {cells: [4, 3], cell_mm: 10}
@@ -246,7 +246,7 @@ TEST(Equilibrium, OfACordHasTheTensionThatDoesTheWork) {
   EXPECT_LE(Json::parse(physics.out)["metrics"]["verify_rms"], 1e-3);
 }
 
-// Its theta goes by the cord's length, to the side asked; the sheet twists to its own side.
+// The drive's theta follows the length of the tendon and has the requested sign. The sheet twists to the other side.
 TEST(Equilibrium, OfACordThatTwistsACellTellsItsBarrierAtTheThetaOfTheSheet) {
   const Scratch scratch;
   const Outcome run = equilibrium(
@@ -448,7 +448,7 @@ TEST_P(RefusedDesign, EndsWith2OneClearMessageAndNothingWritten) {
   EXPECT_FALSE(fs::exists(folder));
 }
 
-// The structure of the files below, each wrong in another way.
+// A valid structure for the files below. Each of them has another error.
 const std::string sheet = "structure: {cells: [2, 2], cell_mm: 10}\n";
 
 INSTANTIATE_TEST_SUITE_P(
@@ -507,7 +507,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadDesign{"no_cells", "structure: {}", "structure"}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
-/// Of a strip whose first column alone leans, either side is an equilibrium between plates: which one it is, is told.
+/// If only the first column leans, a strip between plates has an equilibrium on either side. The result reports which
+/// one it is.
 TEST(Equilibrium, SaysWhereASheetFoldsToTheOtherSide) {
   const Scratch scratch;
   const Outcome run = equilibrium(
@@ -524,7 +525,7 @@ TEST(Equilibrium, SaysWhereASheetFoldsToTheOtherSide) {
   EXPECT_EQ(run.out.find("where 17.50 was asked for") != std::string::npos, theta < 0) << run.out;
 }
 
-/// Compression past what the cells can take, and stiffnesses far apart: an answer or a diagnosed stop.
+/// Compressions beyond the cells' limit and very different stiffnesses give an answer or a stop with its reason.
 TEST(Equilibrium, WritesNoNumberThatIsNotFiniteHoweverFarItIsDriven) {
   for (const char* sections :
        {"drive: {kind: plates, compression: 0.999}\nhinge: {model: elastic}",

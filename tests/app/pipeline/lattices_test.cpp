@@ -28,7 +28,7 @@ drive: {kind: plates, axis: y, compression: 0.06}
 hinge: {model: elastic, k_turn: 0.2}
 )";
 
-// Single walls that stand out, no cell at all.
+// Two single walls without a cell.
 constexpr const char* two_walls = R"(kinetix: 1
 structure: {lattice: graph, vertices_mm: [[0, 0], [10, 0], [15, 8]], walls: [[0, 1], [1, 2]]}
 design: {theta_deg: 10}
@@ -36,7 +36,7 @@ design: {theta_deg: 10}
 
 const std::string rosette = KINETIX_SOURCE "/targets/shapes/rosette.yaml";
 
-/// The result of a run with a model, which must keep to the schema.
+/// Returns the result of a run with a model and checks it against the schema.
 Json simulated(const std::string& file, const std::string& model) {
   const Scratch scratch;
   const Outcome run = kinetix_opt("simulate " + file + " --model " + model + " --quiet -o " + scratch.path());

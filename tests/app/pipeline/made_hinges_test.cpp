@@ -9,7 +9,7 @@
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
 
-/// Designs whose hinges are given as they are made, from the file to the result.
+/// Tests of designs with manufactured hinges, from the file to the result.
 namespace kinetix::testing {
 namespace {
 
@@ -46,7 +46,7 @@ model::HingeStiffness k_of(const Json& result, std::size_t hinge) {
   return out;
 }
 
-/// The walls of a basic panel between plates turn by 2 theta: their springs store 2 k_turn theta^2 each.
+/// The walls of a basic panel between plates turn by 2 theta, so each spring stores 2 k_turn theta^2.
 TEST(MadeHinges, FoldAPanelWithTheStiffnessOfTheirShape) {
   const model::MadeHinge block{.kind = model::HingeKind::block,
                                .material = *model::find_material("tango"),
@@ -60,7 +60,7 @@ TEST(MadeHinges, FoldAPanelWithTheStiffnessOfTheirShape) {
   EXPECT_LE(s.result["metrics"]["verify_rms"], 1e-4);
   const double theta = 20 * radians_per_degree, springs = 31 * 2 * k.turn * theta * theta;
   EXPECT_NEAR(s.result["metrics"]["energy_Nmm"], springs, 0.1 * springs);
-  // Bending, and at most as much again by what plates pull the blocks apart.
+  // The strain is that of bending. The plates' pull on the blocks adds at most as much again.
   EXPECT_GE(s.result["metrics"]["strain_max"], strain(block, 2 * theta) - 0.02);
   EXPECT_LE(s.result["metrics"]["strain_max"], 2 * strain(block, 2 * theta));
   EXPECT_THAT(s.out, Not(HasSubstr("is strained by")));
@@ -90,7 +90,7 @@ TEST(MadeHinges, OfSingleWallsAreWrittenBesideTheOthers) {
   EXPECT_NEAR(turns[0], 16.05, 0.01);
 }
 
-/// Walls that touch are pressed together by the stiffness of the hinges that there are.
+/// The contact stiffness of walls depends on the hinges that they have, not on a section that no wall uses.
 TEST(MadeHinges, OfAllWallsLeaveNothingOfWhatOthersWouldBe) {
   const std::string block = "kind: block, material: tango, gap_mm: 2, thickness_mm: 1.5",
                     film = "kind: film, material: pp, gap_mm: 3, thickness_mm: 0.4";
@@ -132,7 +132,8 @@ TEST(MadeHinges, SayWhatTheyCannotBear) {
   EXPECT_THAT(corners.out, HasSubstr("43.6 deg"));  // 2 atan(0.4 / 1)
 }
 
-/// A block of rubber-like plastic opens far and bears it; the film beside it is strained less and comes nearer to its limit.
+/// The block of rubber-like plastic turns far within its limit. The film next to it has a smaller strain but is nearer
+/// to its limit.
 TEST(MadeHinges, AreStrainedBesideWhatTheirOwnMaterialBears) {
   const std::string film = "{kind: film, material: pa12, gap_mm: 3, thickness_mm: 0.4}";
   const Simulated s = verified_design(design_with("kind: block, material: tpu95a, gap_mm: 1.5",
@@ -144,7 +145,7 @@ TEST(MadeHinges, AreStrainedBesideWhatTheirOwnMaterialBears) {
                               .thickness_mm = 0.4,
                               .height_mm = 6};
   EXPECT_EQ(s.result["metrics"]["strain_allowed"], 0.04);
-  // Its walls turn against each other by 2 theta, 40 deg, or a little less.
+  // The walls of the film turn against each other by 2 theta, 40 deg, or a little less.
   EXPECT_NEAR(s.result["metrics"]["strain_max"], strain(made, 40 * radians_per_degree), 0.01);
   const Json& verdict = s.result["verdict"];
   EXPECT_EQ(verdict["reaches"], false);

@@ -17,7 +17,7 @@
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
 
-/// Goals whose hinges are made of something.
+/// Tests of goals with elastic hinges.
 namespace kinetix::testing {
 namespace {
 
@@ -69,7 +69,7 @@ TEST(Matter, MakesUpForSoftHingesOfACurve) {
   EXPECT_NE(is_free, true) << "nothing is proven of an equilibrium";
   EXPECT_EQ(run.out.find("are allowed: holds\n"), std::string::npos) << run.out;
 
-  // The curve that is told is that of the state shown, two bodies a column.
+  // The result's curve is that of the displayed state. A column has two bodies.
   const Json &folded = run.result["curve"]["folded_mm"], &poses = run.result["states"][0]["poses"];
   ASSERT_EQ(2 * folded.size(), poses.size());
   for (std::size_t c = 0; c < folded.size(); ++c)
@@ -78,7 +78,7 @@ TEST(Matter, MakesUpForSoftHingesOfACurve) {
       EXPECT_NEAR(folded[c][k], (one + other) / 2, 1e-5) << "column " << c;
     }
 
-  // The design by itself comes to the same state.
+  // `verify` of the design alone gives the same result.
   const std::string folder = scratch / "out";
   const Outcome again = kinetix_opt("verify " + folder + "/design.yaml -o " + scratch.path() + "/again");
   EXPECT_EQ(again.code, 0) << again.out << again.err;
@@ -93,7 +93,7 @@ TEST(Matter, KeepsTiltsAlikeThatTheFileTies) {
         scratch, arc + thin_rubber + springs + "variables: {beta: {" + beta + "}}\n", " --no-verify");
     EXPECT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
     EXPECT_GT(run.result["matter"]["largest_change_rad"], 0);
-    std::set<long> all;  // of a millionth of a rad
+    std::set<long> all;  // sizes in millionths of a radian
     for (const Json& hinge : run.result["structure"]["hinges"])
       all.insert(std::lround(1e6 * std::abs(hinge["beta_rad"].get<double>())));
     all.erase(0);
@@ -103,7 +103,7 @@ TEST(Matter, KeepsTiltsAlikeThatTheFileTies) {
   EXPECT_EQ(sizes("per: all"), 1u);
 }
 
-/// It keeps its shape in thick blocks as well, by 0.65 of the 0.5 that they bear.
+/// The strip keeps its shape with thick blocks, too, but at a strain of 0.65. They withstand 0.5.
 TEST(Matter, ACurveWhoseHingesTearIsNotMet) {
   const Scratch scratch;
   const Finished run = finished(scratch, arc + rubber + springs, " --no-verify");
@@ -117,8 +117,8 @@ TEST(Matter, ACurveWhoseHingesTearIsNotMet) {
               AllOf(HasSubstr("the hinge of wall "), HasSubstr("its material bears 0.5")));
 }
 
-/// The walls of this cuff touch on the way, of which the search for its tilts knows nothing: its path from flat ends beside
-/// what was found, and near enough to the goal.
+/// The walls of this cuff touch during the motion, which the search for its tilts ignores. The path from flat ends next
+/// to the result of that search, within the goal's tolerance.
 TEST(Matter, JudgesACurveWhereItsPathFromFlatEnds) {
   const Scratch scratch;
   const Finished run = finished(scratch, R"(kinetix: 1
@@ -150,7 +150,8 @@ structure: {cells: [32, 1]}
                                        "all hinges, 4 times as stiff as these"));
 }
 
-/// A crease that is a little off is no sheet that leans: no spring is proposed, and how far the path ends from what was found is told.
+/// A sheet with a small crease error does not lean. No spring is proposed, and the distance between the end of the path
+/// and the searched state is reported.
 TEST(Matter, ProposesNoSpringsWhereASheetFoldsWell) {
   const Scratch scratch;
   const Finished run =
@@ -306,7 +307,7 @@ TEST(Matter, ACurveOfPinsHasItsCreasesOfFilm) {
   EXPECT_EQ(run.result["as_made"]["play"]["clearance_mm"], 0.05) << "of pins, which films have none of";
   EXPECT_LT(run.result["as_made"]["play"]["rms_without_mm"], run.result["as_made"]["rms_mm"]);
 
-  // The design by itself comes to the same state, and can be made.
+  // `verify` of the design alone reaches the same state, and the design can be made.
   const std::string design = (scratch / "out" / "design.yaml").string();
   const Outcome again = kinetix_opt("verify " + design + " -o " + scratch.path() + "/again");
   EXPECT_EQ(again.code, 0) << again.out << again.err;
@@ -442,7 +443,7 @@ TEST(Matter, ARobustFoldIsOneWhosePrintsComeNearer) {
   EXPECT_THAT(robust.out, HasSubstr("designs tried"));
 }
 
-/// All creases of a tetrahedron have as many hinges.
+/// All creases of a tetrahedron have the same number of hinges.
 TEST(Matter, TellsTheTiltsOfASolidThatMakesUpForItsHinges) {
   const Scratch scratch;
   const Finished run = finished(
@@ -494,7 +495,7 @@ TEST(Matter, ARobustCurveInSpaceIsOneWhosePrintsComeNearer) {
   ASSERT_EQ(robust.code, 0) << robust.out << robust.err;
   EXPECT_EQ(schema_errors(plain.result), "");
   EXPECT_EQ(schema_errors(robust.result), "");
-  double least = 1e9;  // mm
+  double least = 1e9;  // mm: smallest expected rms of the allowed designs
   for (const Json& one : robust.result["robust"])
     if (one["allowed"]) least = std::min(least, one["as_made_rms_mm"].get<double>());
   EXPECT_GE(robust.result["robust"].size(), 5u);
@@ -549,7 +550,7 @@ TEST(Matter, PrintsOfADisplayAreAsExpected) {
   EXPECT_NEAR(expected["auc"], prints["auc"], 0.01);
 }
 
-/// Equilibria of hinges as soft as these agree to 2e-4 cell edges, by what is left of forces, and are one all the same.
+/// Equilibria of such soft hinges agree within 2e-4 cell edges because of residual forces. They count as one.
 TEST(Matter, TellsNoOtherEquilibriumWhereThePathEndsInTheOneThatWasFound) {
   const Scratch scratch;
   const Finished run = finished(

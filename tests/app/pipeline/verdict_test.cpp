@@ -19,7 +19,7 @@ constexpr const char* flag_names[] = {"met", "agrees", "printable", "reaches"};
 
 bool is_false(const VerdictJson& flag) { return flag == false; }
 
-/// What holds of every verdict: errors where flags are false, a kind of hinge for each flag, and the exit code.
+/// Checks rules of every verdict: errors if flags are false, a kind of hinge for each flag, and the exit code.
 void expect_consistent(const VerdictJson& verdict, int code, const std::string& who) {
   bool any_false = false;
   for (const char* name : flag_names) {
@@ -57,7 +57,7 @@ std::string errors_of(const VerdictJson& verdict) {
   return out;
 }
 
-/// The shipped handle of three times as many cells, whose walls are too thin to print.
+/// Returns the shipped handle with three times as many cells. Its walls are too thin to print.
 std::string thin_handle() {
   return "kinetix: 1\ntarget: {kind: space_curve, points: " KINETIX_SOURCE
          "/targets/shapes/handle.csv}\nstructure: {cells: [60, 1]}\ntolerance: {shape: 0.005}\n";
@@ -93,7 +93,7 @@ TEST(Verdict, ThreeGoesBeforeFourAndWhatWasNotAskedCountsForNothing) {
         }
 }
 
-// Three kinds of goals whose sheets `export` refuses, and walls thinner than the process prints.
+// Sheets of three kinds that `export` refuses, and walls thinner than the process prints.
 TEST(Verdict, OfASheetThatExportRefusesIsThree) {
   const Scratch scratch;
   const std::string shapes = KINETIX_SOURCE "/targets/shapes/",
@@ -114,7 +114,7 @@ TEST(Verdict, OfASheetThatExportRefusesIsThree) {
   }
 }
 
-// Pins where they fit, else blocks, and hinges of the file's own, as export has them.
+// The verdict names the hinges of `export`: pins if they fit, otherwise blocks, or the hinges of the file.
 TEST(Verdict, OfASheetThatExportWritesNamesItsHinges) {
   const Scratch scratch;
   const std::string curve =
@@ -132,7 +132,7 @@ TEST(Verdict, OfASheetThatExportWritesNamesItsHinges) {
   }
 }
 
-// Panels of honeycomb, the walls of most of which lock them on the way.
+// Panels of honeycomb. The walls of most of them lock during the motion.
 TEST(Verdict, AGoalIsNotMetWhereTheDriveNeverArrives) {
   const Scratch scratch;
   int stopped = 0;
@@ -171,7 +171,7 @@ TEST(Verdict, OfForwardRunsAsksNothingOfPrints) {
   EXPECT_EQ(beyond.verdict()["reaches"], false);
 }
 
-// A film strained by more than its material bears, in an exact and in an elastic state.
+// A film with a strain beyond its material's limit, in an exact and in an elastic state.
 TEST(Verdict, OfAStrainBeyondTheMaterialsIsThatTheDriveDoesNotReach) {
   const Scratch scratch;
   const std::string design =

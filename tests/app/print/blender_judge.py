@@ -1,5 +1,8 @@
-"""Run by Blender: `blender -b --factory-startup --python blender_judge.py -- FILE.glb`. Says what it finds in the file:
-objects with a mesh, how many of them move, materials, the last frame, and where each object is then (rows of its matrix, metres)."""
+"""Reports what Blender finds in a glTF file: `blender -b --factory-startup --python blender_judge.py -- FILE.glb`.
+
+It prints the objects with a mesh, how many of them move, the materials and the last frame. Then it prints the
+pose of each object in that frame (rows of its matrix, metres).
+"""
 import sys
 
 import bpy

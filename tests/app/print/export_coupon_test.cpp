@@ -56,7 +56,7 @@ TEST(Export, RefusesOptionsOfDesignsForACoupon) {
   }
 }
 
-/// Its hinges stay whole: each tile has as much of the coupon as it has hinges.
+/// The cut leaves the hinges whole. Each tile has a share of the coupon in proportion to its hinges.
 TEST(Export, CutsACouponIntoTilesBetweenItsHinges) {
   const Scratch scratch;
   const std::string coupon = "export --coupon --process sla --format stl -o " + std::string(scratch / "out");

@@ -38,7 +38,7 @@ TEST(Export, RefusesWhatItCannotMake) {
                  "--format stl --process fdm", "a rod of 1 mm is less than fdm prints, 3 mm", not_printable);
 }
 
-/// Thin walls of the same plastic: one extruder, nothing to glue.
+/// Films of the walls' material are thin walls: one extruder, no glue.
 TEST(Export, MakesFilmsOfTheWallsMaterialWhereTheProcessPrintsThem) {
   for (const auto& [process, material, volumes] :
        {std::tuple{"fdm", "pp", 1}, {"sls", "pa12", 1}, {"polyjet", "pp", 2}, {"sla", "pp", 2}}) {
@@ -53,7 +53,7 @@ TEST(Export, MakesFilmsOfTheWallsMaterialWhereTheProcessPrintsThem) {
   }
 }
 
-/// Of a sheet in memory: files have at least one wall.
+/// The design without hinges exists only in memory, since a file has at least one wall.
 TEST(Export, RefusesADesignWithoutHinges) {
   const Scratch scratch;
   app::Design design = app::read_design(scratch.write("panel.yaml", panel));
@@ -132,7 +132,7 @@ design: {theta_deg: 15, hinges: [{wall: [[0, 0], [1, 0]], t: 0.45}]}
               HasSubstr("its fold is the equilibrium at its own size, scaled"));
 }
 
-/// result.json of such a design tells its equilibrium.
+/// The result.json of such a design describes its equilibrium.
 TEST(Export, SaysHowFarTheEquilibriumIsFromAFoldByTheClosedForm) {
   const std::string words = "folded along its exact motion: the equilibrium of its elastic hinges";
   const auto warnings = [&](const char* hinge, const char* state) {
@@ -146,7 +146,7 @@ TEST(Export, SaysHowFarTheEquilibriumIsFromAFoldByTheClosedForm) {
   EXPECT_THAT(warnings("k_point: 100000, k_turn: 0.001", "folded"), Not(HasSubstr(words)));
 }
 
-/// The flat sheet is not written as the folded one, of which nothing is known.
+/// The folded state is unknown. The flat sheet is not written in its place.
 TEST(Export, RefusesAFoldedStateThatItsEquilibriumDoesNotReach) {
   const std::string design = R"(kinetix: 1
 structure: {cells: [2, 2], cell_mm: 20, wall_mm: {thickness: 4, height: 6}}
@@ -161,7 +161,7 @@ drive: {kind: plates, axis: y, compression: 0.45}
   EXPECT_EQ(said_of(scratch)["state"], "flat");
 }
 
-/// Blocks are made for the largest turn on the way, where hinges turn back before the end.
+/// Blocks are sized for the largest turn during the motion. Some hinges turn back before its end.
 TEST(Export, MakesBlocksForTheLargestTurnOnTheWay) {
   const Scratch scratch;
   const std::string design = scratch.write("panel.yaml", R"(kinetix: 1
@@ -188,7 +188,7 @@ drive: {kind: plates, axis: y, compression: 0.3}
   EXPECT_GT(most_back, 0.05);
 }
 
-/// Of a twist unit, whose bodies rock, the upper and lower edges of blocks are pulled further apart than their middles.
+/// The bodies of a twist unit rock, so the upper and lower edges of blocks are stretched more than their middles.
 TEST(Export, MakesBlocksThatBearHowTheirBodiesRock) {
   const Scratch scratch;
   const std::string design = scratch.write("twist.yaml", R"(kinetix: 1
@@ -223,14 +223,14 @@ hinge: {{kind: block, material: tango, gap_mm: {}}}
                        gap);
   };
   ASSERT_EQ(exported(scratch, panel_with("0.8"), "--format stl").code, 0);
-  // 70 degrees times half the thickness over the gap
+  // strain: 70 degrees times half the thickness over the gap
   EXPECT_THAT(text_of(scratch / "out/print.txt"),
               HasSubstr("is strained by 0.611 on the way to the fold; its material bears 0.5"));
   ASSERT_EQ(exported(scratch, panel_with("1.2"), "--format stl").code, 0);
   EXPECT_EQ(text_of(scratch / "out/print.txt").find("strained"), std::string::npos);
 }
 
-/// Who has blocks that do not fit is not told to take blocks.
+/// The message for blocks that do not fit does not suggest blocks.
 TEST(Export, AdvisesNoOtherHingesWhereTheDesignSaysWhichItHas) {
   const std::string design = R"(kinetix: 1
 structure: {cells: [3, 3], cell_mm: 20, wall_mm: {thickness: 6, height: 8}}
@@ -250,8 +250,8 @@ TEST(Export, RefusesThetaAtWhichKnucklesMeet) {
   expect_refused(design, "--format stl --hinge pin", "run into each other at theta", not_printable);
 }
 
-/// Opposite knuckles come to L (cos theta - sin theta) of each other, less their width: here to the clearance but for what
-/// polygons may take of it.
+/// The gap of opposite knuckles is L (cos theta - sin theta) minus their width. Here it equals the clearance, within
+/// the error of the polygons.
 TEST(Export, SaysFromWhichThetaOnSolidsAreTooNear) {
   const Scratch scratch;
   const std::string design =
@@ -266,7 +266,7 @@ TEST(Export, SaysFromWhichThetaOnSolidsAreTooNear) {
   EXPECT_NEAR(std::stod(from[1]), closed_form, 0.25) << "0.02 mm of polygons, 0.1 degrees of rounding";
 }
 
-/// One block in the middle of pins: they are still held to their clearance.
+/// One block among pins: the pins must still keep their clearance.
 TEST(Export, HoldsPinsBesideABlockToTheirOwnClearance) {
   std::string design = panel;
   design.replace(
@@ -284,7 +284,7 @@ TEST(Export, HoldsPinsBesideABlockToTheirOwnClearance) {
   EXPECT_TRUE(json["swelling_mm"].is_null()) << "its parts are joined";
 }
 
-/// Films in the creases of a sheet of blocks.
+/// A sheet of blocks with films in its creases.
 TEST(Export, NamesEachKindOfHingeAndTheMaterialThatItsFilesMix) {
   std::string design = panel;
   design.replace(
@@ -301,7 +301,7 @@ TEST(Export, NamesEachKindOfHingeAndTheMaterialThatItsFilesMix) {
   EXPECT_THAT(words, HasSubstr("polyjet prints soft parts of tango"));
 }
 
-/// Ends of walls at blocks come as near as they like, and nearer than a pin's clearance.
+/// Ends of walls at blocks have no minimum distance and may be nearer than a pin's clearance.
 TEST(Export, SaysHowNearPartsComeThatNeedNotKeepApart) {
   const auto fold_mm = [](const std::string& own) {
     std::string design = panel;
@@ -321,7 +321,7 @@ TEST(Export, SaysHowNearPartsComeThatNeedNotKeepApart) {
             blocks);
 }
 
-/// What is said of one hinge is of those that most are, wherever the others stand.
+/// The text describes the most frequent kind of hinge, wherever the others are.
 TEST(Export, SaysTheClearanceAndStiffnessOfMostHinges) {
   std::string design = panel;
   design.replace(
@@ -362,7 +362,7 @@ TEST(Export, SaysThatANozzleLaysNoFilmsThinnerThanItsLine) {
   }
 }
 
-/// A block so long that it crosses the wall of another body, once its own two have turned away from it.
+/// A block that is long enough to cross the wall of another body.
 TEST(PathClearance, CountsBlocks) {
   const Scratch scratch;
   app::PreparedPrint print =
@@ -379,7 +379,8 @@ TEST(PathClearance, CountsBlocks) {
               HasSubstr("soft part of "));
 }
 
-/// Rods of their own hold as much as those that are part of a fork: bores and rods have the same circle but for polygons.
+/// Loose rods have the volume of rods that are part of a fork: bores and rods have the same circle, within the error of
+/// the polygons.
 TEST(Export, MakesLooseRodsThatFillTheBoresOfTheirForks) {
   const Scratch captive, loose;
   ASSERT_EQ(exported(captive, panel, "--format stl --hinge pin").code, 0);
@@ -412,7 +413,7 @@ TEST(Export, RefusesPinsWithoutRoomForAnEyeAndSaysHowHighTheirWallsHaveToBe) {
   EXPECT_NEAR(double(said_of(scratch)["bounds_mm"][2]), 2.12, 1e-6) << "in floats";
 }
 
-/// Walls that lean all alike: no exact motion, so hinges stretch.
+/// All walls lean to the same side. The sheet has no exact motion, so its hinges stretch.
 TEST(Export, SaysWhatToChangeInADesignWhoseOwnPinsWouldStretch) {
   const std::string leaning = R"(kinetix: 1
 structure: {cells: [3, 2], cell_mm: 30, wall_mm: {thickness: 2, height: 12}}

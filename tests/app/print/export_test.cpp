@@ -35,7 +35,7 @@ TEST(Export, WritesTheSameBytesAgain) {
   }
 }
 
-/// Formats and beds have commas between them, so that what follows is the design.
+/// Formats and beds are lists with commas, so the next argument is the design.
 TEST(Export, TakesADesignBehindItsOptions) {
   const Scratch scratch;
   const std::string design = scratch.write("panel.yaml", panel), out = " -o " + std::string(scratch / "out");
@@ -63,7 +63,7 @@ TEST(Export, SaysTheVolumesOfItsFiles) {
   EXPECT_NEAR((hard + soft) / all, 1, 1e-6);
 }
 
-/// The radius is the slicer's own, or less where that would close the pins.
+/// The radius is the slicer's default, or smaller if the default would close the pins.
 TEST(Export, NamesTheSettingsThatKeepGapsOpen) {
   for (const auto& [process, radius_mm, foot_mm] :
        {std::tuple{"polyjet", 0.4 * 0.05, 0.0}, {"sla", 0.049, 0.2}}) {
@@ -144,7 +144,7 @@ TEST(Export, SaysThatDrawingsAreAlwaysFlat) {
               HasSubstr("orientation  folded, as its motion leaves it, as it"));
 }
 
-/// By the overhang as the sheet lies, and by what the process lays under it itself.
+/// Support depends on the overhang in the sheet's orientation, and on support material that the process adds itself.
 TEST(Export, AsksForSupportsWhereTheProcessNeedsThem) {
   for (const auto& [options, words] :
        {std::pair{"--process fdm --hinge block", "supports     none\n"},
@@ -204,7 +204,7 @@ TEST(Export, SaysHowFarPartsMaySwell) {
   EXPECT_NEAR(said_of(scratch)["swelling_mm"], 0.25 / 2, 1e-9) << "rods and bores, and eyes between forks";
 }
 
-/// The pin with least to spare over its own clearance, by rounding, is not the one that fuses first.
+/// Rounding can give a pin the least margin over its clearance although another pin fuses first.
 TEST(Export, SaysWhatTheNarrowestPinLeaves) {
   std::string design = panel;
   design.replace(design.find("{theta_deg: 20}"), 15,
@@ -219,7 +219,7 @@ TEST(Export, SaysWhatTheNarrowestPinLeaves) {
   EXPECT_NEAR(Json::parse(text_of(scratch / "coupon/print.json"))["swelling_mm"], 0.1 / 2, 0.005);
 }
 
-/// Tiles do not help there.
+/// Tiles do not help, since they do not reduce the height.
 TEST(Export, SaysWhereThePrintIsHigherThanUsualPrinters) {
   const std::string words = " mm high: a usual fdm printer prints 250 mm at most";
   for (const auto& [height, is_told] : {std::pair("251", true), {"249", false}}) {
@@ -233,7 +233,7 @@ TEST(Export, SaysWhereThePrintIsHigherThanUsualPrinters) {
   }
 }
 
-/// The flat sheet of 24 columns is 12 * 24 mm long: what folds within the bed is cut for nothing.
+/// The flat sheet of 24 columns is 12 * 24 mm long. The folded sheet fits on the bed, so tiles would not help.
 TEST(Export, AdvisesNoTilesOfTheFold) {
   std::string design = panel;
   design.replace(design.find("[3, 2]"), 6, "[24, 1]");

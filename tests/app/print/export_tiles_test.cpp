@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using Json = nlohmann::json;
 
-/// Its own size along x and y, as print.json has it, up to whole mm.
+/// Returns the size along x and y in print.json, rounded up to whole mm.
 std::pair<int, int> whole_mm(const Json& json) {
   return {static_cast<int>(std::ceil(double(json["bounds_mm"][0]))),
           static_cast<int>(std::ceil(double(json["bounds_mm"][1])))};
@@ -83,7 +83,7 @@ TEST(Export, SaysThatTheBedIsTooSmallAndNotThatLargerCellsAreNone) {
   EXPECT_EQ(said_of(scratch)["tiles"], Json::array({4, 3})) << "a body each";
 }
 
-/// Files that come with some sheets only would be taken for parts of the new one.
+/// Optional files of an earlier sheet would be mistaken for parts of the new one.
 TEST(Export, TakesAwayTilesOfAnEarlierExportThatAreNotItsOwn) {
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, panel, "--format stl,3mf --hinge pin --bed 28,30").code, 0);
@@ -112,7 +112,7 @@ TEST(Export, GluesBlocksBetweenTiles) {
   EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("2 x 1, one bed each: glue the soft parts"));
 }
 
-/// Pins in the lower walls, blocks in the upper: a cut through both needs rods and glue.
+/// Pins in the lower walls and blocks in the upper walls: a cut through both needs rods and glue.
 TEST(Export, SaysHowTilesOfSeveralKindsOfHingesJoin) {
   const Scratch scratch;
   const std::string design = R"(kinetix: 1

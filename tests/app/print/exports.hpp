@@ -14,22 +14,23 @@
 
 namespace kinetix::testing {
 
-/// A flat sheet whose hinges it leaves open.
+/// A flat sheet without specified hinges.
 inline constexpr const char* panel = R"(kinetix: 1
 structure: {cells: [3, 2], cell_mm: 12, wall_mm: {thickness: 0.8, height: 6}}
 design: {theta_deg: 20}
 )";
 
-/// Exit code of an export that is refused as the design cannot be printed.
+/// Exit code of an export that is refused because the design cannot be printed.
 inline constexpr int not_printable = 3;
 
-/// What `export` says of a design that it writes into `out`.
+/// Writes a design, runs `export` on it into `out`, and returns its output.
 inline Outcome exported(const Scratch& scratch, const std::string& design, const std::string& options) {
   return kinetix_opt("export " + scratch.write("panel.yaml", design) + " -o " + std::string(scratch / "out") +
                      " " + options);
 }
 
-/// A refusal: one line, exit code 2, 3 for a design that cannot be printed, nothing written. Quiet, since a slow machine may say before what it is busy with.
+/// Expects a refusal: one line on stderr, no files, and exit code 2, or 3 if the design cannot be printed. Uses
+/// --quiet, since a slow machine may print its progress first.
 inline void expect_refused(const std::string& design, const std::string& options, const std::string& says,
                            int code = 2) {
   const Scratch scratch;
@@ -40,14 +41,14 @@ inline void expect_refused(const std::string& design, const std::string& options
   EXPECT_FALSE(fs::exists(scratch / "out")) << says;
 }
 
-/// print.json, which its schema allows.
+/// Returns print.json and checks it against its schema.
 inline nlohmann::json said_of(const Scratch& scratch) {
   nlohmann::json json = nlohmann::json::parse(text_of(scratch / "out/print.json"));
   EXPECT_EQ(schema_errors(json, "print"), "");
   return json;
 }
 
-/// Along x, mm.
+/// Computes the width of a binary STL file along x, mm.
 inline double width_of_stl(const std::string& bytes) {
   float least = INFINITY, most = -INFINITY;
   for (std::size_t at = 84; at + 50 <= bytes.size(); at += 50) {

@@ -20,16 +20,16 @@ using Eigen::Vector3d;
 using Json = nlohmann::json;
 using Model = fcl::BVHModel<fcl::OBBRSSd>;
 
-constexpr int block_corners = 8;  // of the box that takes the place of a hinge's solid
+constexpr int block_corners = 8;  // corners of the box that replaces a hinge's solid
 
-/// Points that go with bodies, and the triangles between them.
+/// Points that move with bodies, and the triangles between them.
 struct Part {
   std::string name;
-  std::vector<int> body;         // of each point
-  std::vector<Vector3d> points;  // relative to where it is at rest, mm
+  std::vector<int> body;         // body of each point
+  std::vector<Vector3d> points;  // relative to the body's rest position, mm
   std::vector<std::array<int, 3>> triangles;
   std::set<int> bodies;
-  double radius = 0;  // of its points from their bodies' rest positions
+  double radius = 0;  // largest distance of a point from its body's rest position, mm
 };
 
 class File {
@@ -121,7 +121,7 @@ class File {
   std::vector<Vector3d> rest_;
 };
 
-// ---- how deep two meshes are in each other
+// ---- penetration depth of two meshes
 
 struct Mesh {
   std::vector<Vector3d> points;
@@ -160,7 +160,7 @@ double distance_to(const Mesh& mesh, const Vector3d& p) {
   return least;
 }
 
-/// By the solid angle that the surface takes up, seen from the point.
+/// Sums the solid angles of the triangles seen from the point: 4 pi inside, 0 outside.
 bool is_inside(const Mesh& mesh, const Vector3d& p) {
   double angle = 0;
   for (const auto& [i, j, k] : mesh.triangles) {
@@ -171,7 +171,7 @@ bool is_inside(const Mesh& mesh, const Vector3d& p) {
   return angle > 2 * M_PI;
 }
 
-/// Where a segment goes through a mesh, as shares of its length.
+/// Computes where a segment crosses a mesh, as shares of its length, with 0 and 1.
 std::vector<double> cuts(const Mesh& mesh, const Vector3d& p, const Vector3d& q) {
   std::vector<double> out{0, 1};
   for (const auto& [i, j, k] : mesh.triangles) {
@@ -187,7 +187,7 @@ std::vector<double> cuts(const Mesh& mesh, const Vector3d& p, const Vector3d& q)
   return out;
 }
 
-/// Of the first one's corners and edges within the other.
+/// Computes the largest depth of points on the first mesh's corners and edges inside the other mesh.
 double depth_in(const Mesh& one, const Mesh& other) {
   double most = 0;
   const auto try_point = [&](const Vector3d& p) {
@@ -233,7 +233,7 @@ class Folding {
   }
 
  private:
-  /// A block and one of its bodies.
+  /// Checks whether a block is paired with one of its bodies.
   static bool belong(const Part& a, const Part& b) {
     return a.bodies.size() != b.bodies.size() &&
            std::includes(b.bodies.begin(), b.bodies.end(), a.bodies.begin(), a.bodies.end());
@@ -257,7 +257,7 @@ class Folding {
     return model;
   }
 
-  /// What FCL takes, in one state.
+  /// Returns the FCL model and pose of a part in one state.
   std::pair<std::shared_ptr<Model>, fcl::Transform3d> at(std::size_t p, int step) const {
     fcl::Transform3d pose = fcl::Transform3d::Identity();
     if (!models_[p]) return {model_of(placed(parts_[p], states_[step]).points, parts_[p]), pose};
@@ -272,7 +272,7 @@ class Folding {
     const auto& other = states_[step][*parts_[b].bodies.begin()].p;
     return (one - other).norm() - reach(a, step) - reach(b, step);
   }
-  /// Of all its points from its first body.
+  /// Bounds the distance of a part's points from its first body, mm.
   double reach(std::size_t p, int step) const {
     double most = parts_[p].radius;
     for (const int body : parts_[p].bodies)
@@ -312,7 +312,7 @@ class Folding {
   const std::vector<Part> parts_;
   const int steps_;
   std::vector<model::State> states_;
-  std::vector<double> largest_step_;  // of each part, mm
+  std::vector<double> largest_step_;  // largest motion of each part between two states, mm
   std::vector<std::shared_ptr<Model>> models_;
 };
 

@@ -22,14 +22,14 @@ using ::testing::HasSubstr;
 
 constexpr double step_rad =
     0.01 * radians_per_degree;       // rad: parts move by less than a micrometre per mm in a step
-constexpr double allowed_mm = 0.01;  // mm: files hold floats, and no printer knows less
+constexpr double allowed_mm = 0.01;  // mm: files store floats, and no printer is more accurate
 
 struct Judged {
-  std::string refused;  // empty: it was exported
+  std::string refused;  // empty: the design was exported
   Crossing crossing;
 };
 
-/// The states between two of a path, which has them at uneven thetas.
+/// Interpolates the states of a path, whose thetas are unevenly spaced.
 model::State between(const app::PrintPath& path, double part) {
   const auto last = static_cast<double>(path.states.size() - 1);
   const auto k = static_cast<std::size_t>(std::min(std::floor(part * last), last - 1));
@@ -50,7 +50,7 @@ app::PrintRequest request_of(const std::string& process, const std::string& hing
   return request;
 }
 
-/// Why no print is prepared; nothing where one is.
+/// Returns the reason why no print is prepared, or nothing if one is.
 std::optional<std::string> refusal(const app::Design& design, const app::PrintRequest& request) {
   const model::Process& process = *model::find_process(request.process);
   std::optional<std::string> why;
@@ -64,7 +64,7 @@ std::optional<std::string> refusal(const app::Design& design, const app::PrintRe
   return why;
 }
 
-/// Exports a design and folds the meshes that were written.
+/// Exports a design and folds the written meshes.
 Judged judged(const app::Design& design, const app::PrintRequest& asked) {
   const Scratch scratch;
   app::PrintRequest request = asked;
@@ -109,7 +109,7 @@ app::Design read(const std::string& text, const std::string& name) {
   return design;
 }
 
-/// A strip of columns that bend and shear by turns, which winds round an axis: a helix whose turns pass each other.
+/// Returns a strip of alternating bending and shearing columns. It winds into a helix whose turns pass each other.
 app::Design helix(int columns, double t, double beta_deg, double theta_deg, double height_mm,
                   double thickness_mm = 0.8) {
   auto design = model::ExactDesign<double>::basic(columns, 1);
@@ -119,7 +119,8 @@ app::Design helix(int columns, double t, double beta_deg, double theta_deg, doub
                    "helix");
 }
 
-/// What a helix of the issue does: exported plates were 1.1 mm in each other between two of twenty steps, and free in all of them.
+/// Regression: exported plates of such a helix overlapped by 1.1 mm between two of twenty steps, and were free in all
+/// of these steps.
 TEST(Folding, HelicesWhoseTurnsCrossBetweenTwoStepsAreRefused) {
   const auto beyond = [](const app::Design& design, const app::PrintRequest& request) {
     const std::string why = refusal(design, request).value_or("");
@@ -134,7 +135,7 @@ TEST(Folding, HelicesWhoseTurnsCrossBetweenTwoStepsAreRefused) {
   beyond(helix(26, 0.35, 35, 25.5, 3, 1), request_of("polyjet", "block"));
 }
 
-/// The first theta of the message is that of the meshes, to 0.1 degrees.
+/// The first theta of the message agrees with the meshes within 0.1 degrees.
 TEST(Folding, RefusalNamesThePartsAndWhereTheyMeet) {
   const app::Design design = helix(24, 0.35, 35, 25.325, 3);
   const std::string why = refusal(design, request_of("polyjet", "block")).value_or("");
@@ -149,7 +150,7 @@ TEST(Folding, RefusalNamesThePartsAndWhereTheyMeet) {
   EXPECT_LE(free.crossing.mm, allowed_mm) << free.crossing.first << free.crossing.second;
 }
 
-/// Sheets that have a closed form and sheets that have none, by turns.
+/// Alternates between sheets with and without a closed form.
 app::Design random_sheet(std::mt19937& random, int k) {
   const auto uniform = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
@@ -197,7 +198,7 @@ app::Design random_sheet(std::mt19937& random, int k) {
   }
 }
 
-/// A few sheets; KINETIX_SHEETS=200 for as many as the figure asks for, KINETIX_SHEET=17 for one again.
+/// Tests a few sheets. KINETIX_SHEETS=200 tests as many as the figure needs; KINETIX_SHEET=17 repeats one.
 TEST(Folding, NoExportOfRandomSheetsCrosses) {
   const char* const many = std::getenv("KINETIX_SHEETS");
   const char* const one = std::getenv("KINETIX_SHEET");
@@ -241,7 +242,7 @@ TEST(Folding, NoExportOfRandomSheetsCrosses) {
   EXPECT_GT(largest_tests, 0);
 }
 
-/// The judge itself sees a crossing, and how deep it is: of the design's solids, which `--cell-mm` is not asked to mend.
+/// The judge detects a crossing and its depth in the design's own solids, without `--cell-mm`.
 TEST(Folding, JudgeSeesWhatTheExporterIsNotAskedAbout) {
   const Scratch scratch;
   const app::Design design = read(panel, "panel");

@@ -36,22 +36,23 @@ PrintSheet sheet_of(const char* design, const char* process, model::HingeKind ki
       .job.sheet;
 }
 
-/// In the flat sheet, mm.
+/// Returns a body in the flat sheet, mm.
 model::Polyhedron at_rest(const PrintSheet& sheet, int body) {
   return placed_body(sheet, sheet.path.front(), body);
 }
 
-/// The first four corners of a block are on the lower body's wall, the last four on the upper's; a ring each.
+/// Returns one end of a block as a ring of four corners. The first four corners of a block are on the lower body's
+/// wall, the last four on the upper's.
 std::array<Vector3d, 4> end_of(const model::Polyhedron& block, int first) {
   const auto& p = block.points;
   return first == 0 ? std::array{p[0], p[2], p[3], p[1]} : std::array{p[4], p[5], p[7], p[6]};
 }
 
-/// Design, and how its hinges are made.
+/// A design and the kind of its hinges.
 using Case = std::pair<const char*, model::HingeKind>;
 class Soft : public ::testing::TestWithParam<Case> {};
 
-/// Issue's figure: at least 0.9 of each interface.
+/// At least 0.9 of each interface must touch, as the issue requires.
 TEST_P(Soft, PartsTouchTheirWallsOverNearlyAllOfEachEnd) {
   const PrintSheet sheet = sheet_of(GetParam().first, "polyjet", GetParam().second);
   for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h) {
@@ -72,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Soft,
 
 class Pins : public ::testing::TestWithParam<const char*> {};
 
-/// Of the surfaces as they are written, by corners and edges: not the distance that the program itself measures.
+/// Measures the written surfaces by corners and edges, independently of the program's own distance.
 TEST_P(Pins, KeepNineTenthsOfTheirClearanceInTheMeshes) {
   for (const char* design : {upright, leaning}) {
     const PrintSheet sheet = sheet_of(design, GetParam(), model::HingeKind::pin);
@@ -86,7 +87,8 @@ TEST_P(Pins, KeepNineTenthsOfTheirClearanceInTheMeshes) {
   }
 }
 
-/// Moved either way along each of three axes by a little more than it has play, an eye runs into its fork.
+/// An eye that moves along any of three axes by a little more than its clearance collides with its fork, in both
+/// directions.
 TEST_P(Pins, HoldInAllSixDirections) {
   const PrintSheet sheet = sheet_of(upright, GetParam(), model::HingeKind::pin);
   const model::HingePrint& made = sheet.hinges[0];
@@ -107,7 +109,7 @@ TEST_P(Pins, HoldInAllSixDirections) {
 
 INSTANTIATE_TEST_SUITE_P(Of, Pins, ::testing::Values("polyjet", "fdm", "sla", "sls"));
 
-/// Rims alone hang over, not the cones within them: less by both cones' shadows.
+/// Only the rims overhang, not the cones within them. The overhang is smaller by the projections of both cones.
 TEST(InclinedFaces, TakeTheOverhangFromWithinTheRims) {
   app::PrintSheet inclined = sheet_of(upright, "fdm", model::HingeKind::pin), flat = inclined;
   ASSERT_GT(inclined.hinges[0].rim_mm, 0);
@@ -137,8 +139,8 @@ double area_of(const std::vector<Eigen::Vector2d>& ring) {
   return twice / 2;
 }
 
-/// Walls of 12 x 6 mm with their hinge in the middle: tabs 3 mm long, 6 mm wide at their foot and 6 - 2 x 0.3 x 3 mm at
-/// their end.
+/// Walls of 12 x 6 mm have their hinge in the middle. Tabs are 3 mm long, 6 mm wide at the base and 6 - 2 x 0.3 x 3 mm
+/// wide at the end.
 TEST(Strips, AreTheWallsAndTheirTabs) {
   const PrintSheet sheet = sheet_of(upright, "polyjet", model::HingeKind::film);
   const app::Strips strips = app::strips(sheet);
@@ -156,7 +158,7 @@ TEST(Strips, AreTheWallsAndTheirTabs) {
   EXPECT_EQ(strips.vertices.size(), 2 * 17U);
 }
 
-/// Whether a line, upright or not, comes into the box of a label.
+/// Checks whether a line, horizontal or vertical, enters the box of a label.
 bool strikes(const std::pair<Eigen::Vector2d, Eigen::Vector2d>& line, const app::Strips::Label& label) {
   const double half = app::digit_share * label.height * static_cast<double>(label.text.size()) / 2;
   for (int k = 0; k <= 100; ++k) {
@@ -166,7 +168,7 @@ bool strikes(const std::pair<Eigen::Vector2d, Eigen::Vector2d>& line, const app:
   return false;
 }
 
-/// 1.3 mm and more high in walls of 6 mm, where "[2, 3]" has half a wall of 12 mm to stand in.
+/// Labels in walls of 6 mm are at least 1.3 mm high. "[2, 3]" has half a wall of 12 mm as its space.
 TEST(Strips, HaveLabelsThatAreReadAndStandClearOfLines) {
   for (const char* design : {upright, leaning}) {
     const app::Strips strips = app::strips(sheet_of(design, "polyjet", model::HingeKind::film));
@@ -180,7 +182,7 @@ TEST(Strips, HaveLabelsThatAreReadAndStandClearOfLines) {
   }
 }
 
-/// The box of the drawing is that of its parts: numbers at its rim move in.
+/// The drawing is as large as its parts, so numbers at its boundary move inwards.
 TEST(Drawing, CutsNoNumberOff) {
   const Scratch scratch;
   const Outcome run = kinetix_opt("export " + scratch.write("panel.yaml", upright) + " -o " +
@@ -204,7 +206,8 @@ TEST(Drawing, CutsNoNumberOff) {
   EXPECT_EQ(numbers, 17);
 }
 
-/// First x of each outline, mm. @param pattern with the number as its first group
+/// Returns the first x of each outline, mm.
+/// @param pattern with the number as its first group
 std::vector<double> first_places(const std::string& text, const char* pattern) {
   std::vector<double> out;
   const std::regex place(pattern);
@@ -213,7 +216,7 @@ std::vector<double> first_places(const std::string& text, const char* pattern) {
   return out;
 }
 
-/// Also of a sheet of more than a metre.
+/// Includes a sheet of more than a metre.
 TEST(Drawing, HasTheSamePlacesInBothFormats) {
   const Scratch scratch;
   const std::string design =
@@ -232,7 +235,8 @@ TEST(Drawing, HasTheSamePlacesInBothFormats) {
   for (std::size_t k = 0; k < cut.size(); ++k) EXPECT_NEAR(drawn[k], cut[k] - low[0], 2e-4) << k;
 }
 
-/// What printers shrink to their paper shows by a line of known length that they did; cutters, which take SVG, would cut it.
+/// Printers scale a drawing to their paper, which a line of known length reveals. Cutters read SVG and would cut such a
+/// line.
 TEST(Drawing, OfPaperHasALineToMeasureBelowWhatIsLargerThanA4) {
   const Scratch scratch;
   const auto foot_mm = [&](int columns) {
@@ -252,7 +256,7 @@ TEST(Drawing, OfPaperHasALineToMeasureBelowWhatIsLargerThanA4) {
   EXPECT_NEAR(foot_mm(20), 10, 0.01);
 }
 
-/// As wide as its unit says, and with everything in it, to rsvg-convert.
+/// rsvg-convert finds the width that the unit gives, and all parts.
 TEST(Strips, AreDrawnOneToOneBesideTheSheetOfFilms) {
   const Scratch scratch;
   const Outcome run = kinetix_opt("export " + scratch.write("panel.yaml", upright) + " -o " +
@@ -278,7 +282,7 @@ TEST(Strips, AreDrawnOneToOneBesideTheSheetOfFilms) {
   EXPECT_FALSE(fs::exists(scratch / "out/panel_strips.dxf"));
 }
 
-/// Of walls that fill a page of more than a metre, too.
+/// Includes walls that fill a page of more than a metre.
 TEST(Strips, AreAsLongAsTheirWalls) {
   const Scratch scratch;
   const double edge_mm = 250.0333;

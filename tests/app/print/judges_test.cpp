@@ -30,7 +30,7 @@ namespace {
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
-/// What a program prints, both streams. Fails where it is not there: a judge that is missing has not judged.
+/// Returns both output streams of a program. Fails if the program is missing.
 std::string said_by(const std::string& command) {
   std::string out;
   FILE* pipe = popen((command + " 2>&1").c_str(), "r");
@@ -47,7 +47,7 @@ double number_after(const std::string& text, const std::string& pattern) {
   return std::stod(match[1]);
 }
 
-/// A design without a target of its own, small enough to be judged in moments: hinges that lean both ways.
+/// A design without a target, small enough for quick checks. Its hinges lean to both sides.
 constexpr const char* leaning_panel = R"(kinetix: 1
 name: leaning
 structure: {cells: [2, 2], cell_mm: 16, wall_mm: {thickness: 0.8, height: 6}}
@@ -55,7 +55,7 @@ design: {theta_deg: 12, hinges: [{wall: [[0, 0], [1, 0]], beta_deg: 20}, {wall: 
   {wall: [[0, 2], [1, 2]], beta_deg: 20}]}
 )";
 
-/// A shipped target's result, in a folder; searched once.
+/// Returns the folder with the result of a shipped target, which is searched once.
 std::string found(const std::string& target) {
   static const Scratch scratch;
   static std::map<std::string, std::string> folders;
@@ -71,7 +71,7 @@ std::string found(const std::string& target) {
   return known->second;
 }
 
-/// A shipped target, searched, or the leaning panel, exported.
+/// The export of a shipped target's result or of the leaning panel.
 struct Exported {
   std::string target, hinge, process;
   Scratch scratch;
@@ -128,7 +128,7 @@ TEST_P(Judges, AdmeshFindsNothingToRepair) {
     for (const char* what : {"Degenerate facets", "Edges fixed", "Facets removed", "Facets added",
                              "Facets reversed", "Backwards edges", "Normals fixed"})
       EXPECT_EQ(number_after(said, std::string(what) + R"(\s*:)"), 0) << name << ": " << what << "\n" << said;
-    // Of the file as it is, before admesh repairs it: all facets with three neighbours.
+    // All facets have three neighbours in the file itself, before admesh repairs it.
     std::smatch columns;
     ASSERT_TRUE(
         std::regex_search(said, columns, std::regex(R"(Facets with 3 disconnected edges\s*:\s*(\d+))")))
@@ -168,7 +168,7 @@ TEST_P(Judges, Lib3mfReadsOneManifoldObjectWithoutWarning) {
   EXPECT_GE(verdict.triangles, 12 * given().bodies());
 }
 
-/// Hard and soft from an extruder each, as much as their volumes.
+/// The shares of hard and soft filament, one extruder each, follow from their volumes.
 TEST(Extruders, GetFilamentInTheRatioOfTheVolumes) {
   const Exported panel("leaning", "block", "polyjet", "3mf");
   const Json volume = panel.json()["volume_mm3"];
@@ -176,7 +176,7 @@ TEST(Extruders, GetFilamentInTheRatioOfTheVolumes) {
   EXPECT_NEAR(filament_ratio(panel.scratch.path(), panel.of(".3mf")) / asked, 1, 0.1);
 }
 
-/// Of objects by name, as blender_judge.py says them, mm.
+/// Returns poses by object name from the output of blender_judge.py, in mm.
 std::map<std::string, model::Pose> poses_in(const std::string& said) {
   std::map<std::string, model::Pose> poses;
   std::istringstream lines(said);
@@ -196,7 +196,7 @@ std::map<std::string, model::Pose> poses_in(const std::string& said) {
   return poses;
 }
 
-/// Of those that were written in all formats.
+/// Tests of exports in all formats.
 class AllFormats : public Judges {};
 
 TEST_P(AllFormats, AssimpFindsEveryBodyAndItsMotion) {
@@ -238,7 +238,7 @@ TEST_P(AllFormats, FindsAsManyValidSolidsAsThereAreParts) {
   EXPECT_EQ(step.names["hinge"], given().blocks());
   EXPECT_EQ(step.colours["#D8D8D2"], given().bodies()) << "hard, as in the 3MF file";
   EXPECT_EQ(step.colours["#2E6FB7"], given().blocks()) << "soft";
-  // The same solids by another method: polygons in place of circles, so fine that they make no difference.
+  // Computes the volume of the same solids with polygons fine enough to replace the circles.
   const app::PrintSheet& sheet = given().print.job.sheet;
   std::vector<model::HingePrint> fine = sheet.hinges;
   for (model::HingePrint& hinge : fine) hinge.tolerance_mm = 1e-5;
@@ -294,7 +294,8 @@ std::string name_of(const ::testing::TestParamInfo<const Exported& (*)()>& run) 
 INSTANTIATE_TEST_SUITE_P(Of, Judges, ::testing::Values(pinned, blocked, pinned_cube, filmed), name_of);
 INSTANTIATE_TEST_SUITE_P(Of, AllFormats, ::testing::Values(pinned, blocked, filmed), name_of);
 
-/// @param panel cells and sizes
+/// Checks the number of bodies in the slices.
+/// @param structure cells and sizes
 void expect_bodies_in_slices(const std::string& structure, const std::string& process, int bodies) {
   const Scratch scratch;
   const std::string design =
@@ -312,7 +313,7 @@ TEST(Slices, OfPinsFallIntoTheBodiesAndStillDoWhenSwollen) {
   expect_bodies_in_slices("{cells: [4, 3], cell_mm: 16}", "fdm", 20);
 }
 
-/// Gaps of 0.05 mm, which the slicer's own radius would close: the 3MF file brings a smaller one along.
+/// The slicer's default radius would close gaps of 0.05 mm. The 3MF file contains a smaller radius.
 TEST(Slices, OfSmallClearancesStayApartBecauseTheFileSaysSo) {
   const Scratch scratch;
   const std::string design = scratch.write(
@@ -325,7 +326,7 @@ TEST(Slices, OfSmallClearancesStayApartBecauseTheFileSaysSo) {
   EXPECT_EQ(printed_pieces(sliced(scratch.path(), scratch / "out/panel.3mf", fine)), 4);
 }
 
-/// Both with their rods pushed in, and tile by tile.
+/// Covers rods in their bores, and single tiles.
 TEST(Slices, OfLooseRodsAreBodiesAndRods) {
   const Scratch scratch;
   const std::string design = scratch.write(
@@ -361,14 +362,15 @@ TEST(Slices, OfACouponFuseWhereTheGapIsNarrow) {
   ASSERT_EQ(run.code, 0) << run.err;
   const std::string slices = sliced(scratch.path(), scratch / "out/hard.stl", {200, 60});
   EXPECT_EQ(printed_pieces(slices), 36) << "the slicer closes gaps of less than 0.098 mm";
-  // Swollen by 0.1 mm a side, gaps of 0.1 mm fuse in all three rows, and none that is wider than both sides, a pixel and
-  // the step of a layer of 0.1 mm on the slope together: 0.25 mm upright, 0.31 mm at 30 degrees, 0.42 mm at 60.
+  // All parts are swollen by 0.1 mm per side. Gaps of 0.1 mm fuse in all three rows. A gap stays open if it exceeds
+  // both sides, a pixel and the step of a 0.1 mm layer on the slope together. These limits are 0.25 mm upright, 0.31 mm
+  // at 30 degrees and 0.42 mm at 60 degrees.
   const int swollen = printed_pieces(slices, 2);
   EXPECT_LE(swollen, 36 - 3);
   EXPECT_GE(swollen, 36 - (2 + 3 + 4));
 }
 
-/// The slicer's own rule: it closes gaps narrower than twice its radius, and no others, however the pins lean.
+/// The slicer closes exactly the gaps narrower than twice its radius, for any tilt of the pins.
 TEST(Coupon, FallsFromTwoPiecesAHingeToOneWhereTheSlicerClosesItsGap) {
   const Scratch scratch;
   const Outcome run =
@@ -380,7 +382,7 @@ TEST(Coupon, FallsFromTwoPiecesAHingeToOneWhereTheSlicerClosesItsGap) {
         << "gaps of less than " << 2 * radius_mm << " mm, at 0, 30 and 60 degrees";
 }
 
-/// A block among pins, which is no joint of the tree: they hold back for it.
+/// A block among pins is not a joint of the tree. The pins resist in its place.
 TEST(Mujoco, CountsABlockThatIsInALoopAlone) {
   const Scratch scratch;
   const std::string design = scratch.write("panel.yaml", R"(kinetix: 1
@@ -402,7 +404,7 @@ hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.1}
   EXPECT_NEAR(1e3 * verdict.energy_J, energy_Nmm, 0.02 * energy_Nmm);
 }
 
-/// Films that lean among pins: what the actuator pulls at is what holds back, at every joint.
+/// Films lean among pins. The actuator's force balances the resistance of every joint.
 TEST(Mujoco, FoldsPinsBesideFilmsToTheExactShape) {
   std::string hinges;
   for (const auto& [column, lean] : {std::pair{2, 15}, {3, -12}})
@@ -431,7 +433,7 @@ TEST(Mujoco, FoldsPinsBesideFilmsToTheExactShape) {
   EXPECT_LE(aligned_distance(sheet.linkage, settled, sheet.path.back()).max, 1e-4) << "cell edges";
 }
 
-/// Eighteen hinges beside one another, each of which turns alone.
+/// Eighteen hinges next to one another, each of which turns independently.
 TEST(Coupon, IsReadByMujocoAsAHingeEach) {
   const Scratch scratch;
   const Outcome run = kinetix_opt("export --coupon --format mjcf -o " + std::string(scratch / "out"));
@@ -460,7 +462,7 @@ TEST(Coupon, IsCleanWithItsRaisedNumbers) {
   }
 }
 
-/// A small picture, whose hinges are off their walls by up to 0.8 mm.
+/// A small picture. Its hinges are off their walls by up to 0.8 mm.
 constexpr const char* dot = R"(kinetix: 1
 name: dot
 target: {kind: display, rows: ["000", "010", "000"]}
@@ -468,7 +470,7 @@ structure: {cells: [3, 3], cell_mm: 20, wall_mm: {thickness: 0.8, height: 6}}
 variables: {offset_mm: 0.8}
 )";
 
-/// Bores off the middle, in caps that do not tell: as clean, as many and as free as other pins.
+/// Caps hide bores that are off the middle. The pins are as clean, as many and as free as other pins.
 TEST(Caps, HideWhereTheAxesAreAndFoldAsWell) {
   const Scratch scratch;
   const std::string result = scratch / "dot", out = scratch / "out";
@@ -520,7 +522,8 @@ TEST(Caps, OfADesignWhosePinsHaveThem) {
   EXPECT_EQ(Json::parse(text_of(out + "/print.json"))["caps"], true);
 }
 
-/// The slices of a file that lies beside its print.json, on a bed a little larger than the print.
+/// Slices a file next to its print.json, on a bed a little larger than the print.
+/// @return the path of the slices
 std::string sliced_close(const Scratch& scratch, const fs::path& folder, const char* name, double layer_mm) {
   const Json bounds = Json::parse(text_of(folder / "print.json"))["bounds_mm"];
   const auto mm = [&](int k) { return static_cast<int>(std::ceil(double(bounds[k]))) + 4; };
@@ -529,7 +532,7 @@ std::string sliced_close(const Scratch& scratch, const fs::path& folder, const c
 
 fs::path folder_of(const Exported& print) { return fs::path(print.file("")).parent_path(); }
 
-/// Walls and soft parts stand upright all through: thick layers see as much.
+/// Walls and soft parts are upright over their whole height, so thick layers show as much as thin ones.
 TEST(SlicesOfTargets, OfARibOfBlocksAndAPanelOfFilmsAreOnePiece) {
   for (const Exported& print : {std::cref(blocked()), std::cref(filmed())}) {
     const Scratch scratch;
@@ -537,7 +540,7 @@ TEST(SlicesOfTargets, OfARibOfBlocksAndAPanelOfFilmsAreOnePiece) {
   }
 }
 
-/// Layers below the axial clearance see all gaps; swollen by a pixel, 0.05 mm a side.
+/// Layers thinner than the axial clearance show all gaps. The parts are swollen by a pixel, 0.05 mm per side.
 TEST(SlicesOfTargets, OfPinsFallIntoTheBodiesAndStillDoWhenSwollen) {
   const Scratch scratch;
   const Outcome run =

@@ -22,7 +22,7 @@ std::vector<Triangle> triangles_of(const Polyhedron& solid) {
 
 Vector3d normal_of(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]); }
 
-/// Whether the foot of p on the triangle's plane lies within it.
+/// Checks whether the foot of p on the triangle's plane is within the triangle.
 bool is_over(const Vector3d& p, const Triangle& t) {
   const Vector3d n = normal_of(t);
   for (int k = 0; k < 3; ++k)
@@ -32,7 +32,7 @@ bool is_over(const Vector3d& p, const Triangle& t) {
 
 double height_over(const Vector3d& p, const Triangle& t) { return (p - t[0]).dot(normal_of(t).normalized()); }
 
-/// Of two segments (Ericson, Real-Time Collision Detection, section 5.1.9).
+/// Computes the distance of two segments (Ericson, Real-Time Collision Detection, section 5.1.9).
 double distance(const Vector3d& p, const Vector3d& q, const Vector3d& r, const Vector3d& s) {
   const Vector3d u = q - p, v = s - r, w = p - r;
   const double a = u.squaredNorm(), e = v.squaredNorm(), f = v.dot(w), b = u.dot(v), c = u.dot(w),
@@ -55,7 +55,7 @@ double distance(const Triangle& a, const Triangle& b) {
   return least;
 }
 
-/// Not more than the distance of the two.
+/// Computes a lower bound on the distance of two triangles, from their boxes.
 double gap_of_boxes(const Triangle& a, const Triangle& b) {
   Eigen::AlignedBox3d one, other;
   for (int k = 0; k < 3; ++k) {
@@ -96,7 +96,7 @@ bool surfaces_cross(const Polyhedron& a, const Polyhedron& b) {
 
 double covered_share(const std::array<Vector3d, 4>& corners, const Polyhedron& solid) {
   constexpr int n = 40;
-  constexpr double same_mm = 1e-6;  // mm: two faces in one plane, but for rounding
+  constexpr double same_mm = 1e-6;  // mm: rounding error of two faces in one plane
   const Vector3d outwards = (corners[1] - corners[0]).cross(corners[3] - corners[0]).normalized();
   std::vector<Triangle> facing;
   for (const Triangle& t : triangles_of(solid))

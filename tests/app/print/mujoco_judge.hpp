@@ -6,16 +6,17 @@
 
 namespace kinetix::testing {
 
-/// What MuJoCo makes of a scene whose actuator goes slowly from 0 to 1.
+/// The simulation by MuJoCo of a scene whose actuator moves slowly from 0 to 1.
 struct MujocoVerdict {
-  std::string error;  ///< why it does not load, or what it warned of; empty: nothing
+  std::string error;  ///< load error or warnings; empty: none
   double mass_kg = 0;
   int joints = 0, constraints = 0;
-  double energy_J = 0;                     ///< of its springs at the end
-  std::vector<Eigen::Vector3d> positions;  ///< of the bodies b0, b1, ... at the end, m
+  double energy_J = 0;                     ///< energy of the springs at the end
+  std::vector<Eigen::Vector3d> positions;  ///< positions of the bodies b0, b1, ... at the end, m
 };
 
-/// @param fold_seconds in which the actuator moves, simulated
+/// Simulates a scene in MuJoCo.
+/// @param fold_seconds simulated time of the actuator's motion
 MujocoVerdict fold_in_mujoco(const std::string& xml, double fold_seconds, double settle_seconds);
 
 }  // namespace kinetix::testing

@@ -1,5 +1,5 @@
-// self_crossing FILE.stl: how many faces a binary STL file has, whether they close, and whether any two cross, by
-// CGAL. A program of the tests alone: CGAL's algorithms are under the GPL.
+// self_crossing FILE.stl: counts the faces of a binary STL file, and checks with CGAL whether they close and whether
+// any two cross. Only the tests use this program, since CGAL's algorithms are under the GPL.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
@@ -19,6 +19,7 @@ struct Corner {
   auto operator<=>(const Corner&) const = default;
 };
 
+/// Reads a binary STL file.
 /// @return whether all faces could be added, each edge to two of them
 bool read(const std::string& file, Mesh& mesh) {
   std::ifstream in(file, std::ios::binary);

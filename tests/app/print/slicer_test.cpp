@@ -21,7 +21,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using Json = nlohmann::json;
 
-/// The sheets' volume in plastic, to within what skirts and rounding of lines to whole widths come to.
+/// The material equals the volume of the sheets, except for skirts and the rounding of lines to whole widths.
 TEST(Slicer, TellsTimeAndAsMuchMaterialAsThereIsVolume) {
   for (const char* process : {"fdm", "sla"}) {
     const Scratch scratch;
@@ -39,7 +39,7 @@ TEST(Slicer, TellsTimeAndAsMuchMaterialAsThereIsVolume) {
   }
 }
 
-/// Loose rods are a file and a print of their own.
+/// Loose rods are a separate file and a separate print.
 TEST(Slicer, CountsLooseRods) {
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge pin --process sla --loose-rods --slice").code, 0);
@@ -52,7 +52,7 @@ TEST(Slicer, CountsLooseRods) {
   EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("in 2 prints"));
 }
 
-/// The report beside the design learns it, if it is of the same sheet.
+/// The report next to the design quotes the slicer if the print is of the same sheet.
 TEST(Slicer, IsQuotedByTheReportOfTheSameSheet) {
   const Scratch scratch;
   const std::string folder = scratch / "result", page = folder + "/report.html",
@@ -110,7 +110,7 @@ TEST(Slicer, TimesAreReadInDaysHoursMinutesAndSeconds) {
   EXPECT_TRUE(std::isnan(app::seconds_of("soon")));
 }
 
-/// A square frustum on its wide, then on its narrow end: its four slanting faces hang over, or none.
+/// A square frustum on its wide end has no overhang. On its narrow end, its four slanting faces overhang.
 TEST(Overhang, IsThatOfAFrustumByHand) {
   model::Polyhedron frustum;
   for (const double half : {1.0, 0.5})
@@ -142,7 +142,7 @@ TEST(Orientation, OfASheetThatIsLaidOnItsFaceIsThatOfItsFiles) {
   EXPECT_NE(text_of(over / "out/all.stl"), text_of(flat / "out/all.stl"));
 }
 
-/// Formats that no printer reads have the sheet in its own place, as their motion has it.
+/// Formats that are not for printers keep the sheet in its original pose, as their motion does.
 TEST(Orientation, LeavesTheSceneWhereItsMotionIs) {
   const Scratch flat, over;
   ASSERT_EQ(exported(flat, panel, "--format glb --hinge block").code, 0);
@@ -190,13 +190,13 @@ TEST(RaisedText, KeepsTheSolidClosedAndAddsItsSquares) {
   EXPECT_TRUE(is_closed(block)) << "as it was";
 }
 
-/// Opposite knuckles of a basic cell come to L (cos theta - sin theta) of each other, less their own width.
+/// The gap of opposite knuckles of a basic cell is L (cos theta - sin theta) minus their width.
 TEST(PathClearance, IsThatOfTheClosedFormInABasicPanel) {
   const Scratch scratch;
   const app::PreparedPrint print = app::prepared(app::read_design(scratch.write("panel.yaml", panel)),
                                                  *model::find_process("sla"), {}, false);
   const double theta = 20 * M_PI / 180, knuckle = 1 + 2 * (0.25 + 0.8),
-               tolerance = 0.02;  // polygons for circles
+               tolerance = 0.02;  // mm: error of polygons for circles
   EXPECT_NEAR(print.clearance.elsewhere.mm, 12 * (std::cos(theta) - std::sin(theta)) - knuckle, tolerance);
   EXPECT_NEAR(print.clearance.elsewhere.theta, theta, 1e-12);
   EXPECT_NEAR(print.clearance.in_hinges.mm, 0.25, 1e-9);

@@ -16,7 +16,7 @@
 namespace kinetix::testing {
 namespace {
 
-/// White pixels of a row, [from, to).
+/// White pixels of a row, from `from` to before `to`.
 struct PixelRun {
   int row, from, to, piece;
 };
@@ -64,7 +64,7 @@ std::vector<PixelRun> runs_of(PIX* image, Pieces& pieces) {
   return runs;
 }
 
-/// Runs of one row above or below the other.
+/// Joins the pieces of pixel runs that overlap in rows of a and b with `row_step` between them.
 void join(const std::vector<PixelRun>& a, const std::vector<PixelRun>& b, int row_step, Pieces& pieces) {
   std::size_t first = 0;
   for (const PixelRun& run : a) {
@@ -96,7 +96,7 @@ PIX* layer(zip_t* archive, const std::string& name, int swelling_px) {
   zip_fclose(file);
   PIX* grey = pixReadMem(reinterpret_cast<const l_uint8*>(png.data()), png.size());
   PIX* eight = pixConvertTo8(grey, 0);
-  PIX* dark = pixThresholdToBinary(eight, 128);  // 1 where black
+  PIX* dark = pixThresholdToBinary(eight, 128);  // 1: black
   PIX* light = pixInvert(nullptr, dark);
   for (PIX* image : {grey, eight, dark}) pixDestroy(&image);
   if (swelling_px == 0) return light;
@@ -105,14 +105,14 @@ PIX* layer(zip_t* archive, const std::string& name, int swelling_px) {
   return swollen;
 }
 
-/// @return its path
+/// Writes a file and returns its path.
 std::string written(const std::string& folder, const std::string& name, const std::string& content) {
   const std::string file = folder + "/" + name;
   std::ofstream(file) << content;
   return file;
 }
 
-/// What it says is of interest only where it gives up.
+/// Runs the slicer. Its output becomes the error message if it fails.
 void run_slicer(const std::string& folder, const std::string& options) {
   const std::string said = folder + "/slicer.txt";
   if (std::system(("prusa-slicer " + options + " >" + said + " 2>&1").c_str()) == 0) return;

@@ -4,24 +4,28 @@
 
 namespace kinetix::testing {
 
-/// A printer and a slicer's settings.
+/// A printer and the settings of its slicer.
 struct SlicingOf {
-  int width, height;          // of its bed, mm
-  double closing_mm = 0.049;  // by which the slicer closes gaps: those narrower than twice that; its default
-  int pixels = 20;            // to a mm
+  int width, height;  // of the printer's bed, mm
+  double closing_mm =
+      0.049;        // gap closing radius, mm: the slicer closes gaps narrower than twice this; its default
+  int pixels = 20;  // pixels per mm
   double layer_mm = 0.1;
 };
 
-/// PrusaSlicer's SLA archive of a file. @param folder for it, and for settings
-/// @throws std::runtime_error where the slicer is missing or gives up
+/// Slices a file into PrusaSlicer's SLA archive.
+/// @param folder for the archive and the settings
+/// @throws std::runtime_error if the slicer is missing or fails
 std::string sliced(const std::string& folder, const std::string& file, const SlicingOf& how);
 
-/// Filament of the first extruder over that of the second, of a 3MF file in PrusaSlicer's G-code. @param folder as above
-/// @throws std::runtime_error likewise
+/// Computes the filament length of the first extruder over that of the second, from PrusaSlicer's G-code of a 3MF file.
+/// @param folder for the G-code and the settings
+/// @throws std::runtime_error if the slicer is missing or fails
 double filament_ratio(const std::string& folder, const std::string& file);
 
-/// Connected pieces of what an SLA archive (one PNG a layer) would print: pixels that share an edge within a layer, or
-/// lie over each other in two. @param swelling_px by which all is made larger in each layer first
+/// Counts the connected pieces in an SLA archive (one PNG per layer). Pixels are connected if they share an edge within
+/// a layer or are above each other in two layers.
+/// @param swelling_px growth of all pixels in each layer before the count
 int printed_pieces(const std::string& archive, int swelling_px = 0);
 
 }  // namespace kinetix::testing

@@ -5,14 +5,14 @@
 
 namespace kinetix::testing {
 
-/// What OpenCASCADE's own reader finds in a STEP file.
+/// Findings of OpenCASCADE's reader in a STEP file.
 struct StepVerdict {
   bool valid = false;
   int solids = 0, shells = 0;
-  int open_shells = 0;  ///< with edges that bound one face only
+  int open_shells = 0;  ///< shells with edges that bound one face only
   double volume_mm3 = 0;
-  std::map<std::string, int> names;    ///< of the assembly's parts: how many begin with this word
-  std::map<std::string, int> colours;  ///< of these parts' shapes, as #RRGGBB of the screen: how many have it
+  std::map<std::string, int> names;    ///< number of the assembly's parts by the first word of their names
+  std::map<std::string, int> colours;  ///< number of these parts' shapes by colour, as #RRGGBB of the screen
 };
 
 StepVerdict read_step(const std::string& file);

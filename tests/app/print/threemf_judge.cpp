@@ -5,7 +5,7 @@
 namespace kinetix::testing {
 namespace {
 
-/// Of an object of lib3mf, which counts its references.
+/// Owner of one reference to an object of lib3mf.
 template <class Object>
 struct Owned {
   Object* object = nullptr;

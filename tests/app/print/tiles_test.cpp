@@ -9,7 +9,7 @@ namespace {
 using ::testing::HasSubstr;
 using Boxes = std::vector<Eigen::AlignedBox2d>;
 
-/// Crosses of a sheet of cells of 30 mm: 34 mm wide in its middle, half of that at its rim.
+/// Returns boxes of crosses in a sheet of 30 mm cells: 34 mm wide inside, 17 mm wide at the boundary.
 Boxes panel_boxes(int columns, int rows) {
   Boxes all;
   for (int row = 0; row < rows; ++row)
@@ -22,7 +22,7 @@ Boxes panel_boxes(int columns, int rows) {
   return all;
 }
 
-/// Each tile has bodies, all bodies are of one, and the bed holds each.
+/// Checks that each tile has bodies, that each body belongs to a tile, and that each tile fits on the bed.
 void expect_sound(const Tiles& tiles, const Boxes& boxes, const Eigen::Vector2d& bed_mm) {
   ASSERT_EQ(tiles.of_body.size(), boxes.size());
   std::vector<Eigen::AlignedBox2d> whole(tiles.count());
@@ -69,7 +69,7 @@ TEST(Tiles, AreNeverEmptyOfSheetsOfAnySize) {
       }
 }
 
-/// A sheet in the form of an L: of the four places of its grid one has no body, and is no tile.
+/// A sheet in the shape of an L. One of the four places of its grid has no body and is not a tile.
 TEST(Tiles, AreOnlyWhereThereAreBodies) {
   Boxes boxes = panel_boxes(4, 4);
   for (const int gone : {10, 11, 14, 15}) boxes[gone].setEmpty();

@@ -17,7 +17,7 @@ using app::studio::Autosave;
 using app::studio::Opened;
 using nlohmann::json;
 
-/// A design on the disk that is opened again and again; the studio is killed each time: nobody puts anything aside.
+/// A design on the disk that is opened repeatedly. The studio is killed each time, so it cannot clean up.
 class KilledStudio : public ::testing::Test {
  protected:
   std::shared_ptr<Autosave> place(const std::string& source = "design.yaml") const {

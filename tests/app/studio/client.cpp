@@ -1,6 +1,6 @@
 #include "tests/app/studio/client.hpp"
 
-// Boost.Asio of 1.74 forgets <utility>, which the header above includes.
+// Boost.Asio 1.74 does not include <utility>; the header above does.
 #include <boost/asio.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
@@ -15,7 +15,8 @@ namespace beast = boost::beast;
 namespace http = beast::http;
 using tcp = asio::ip::tcp;
 
-/// What answers a request. @return the status and the body
+/// Sends a request.
+/// @return the status and the body of the answer
 std::pair<int, std::string> answer(std::uint16_t port, const http::request<http::empty_body>& request) {
   asio::io_context io;
   tcp::socket socket(io);
@@ -39,7 +40,7 @@ struct Client::Socket {
   beast::websocket::stream<tcp::socket> stream;
   beast::flat_buffer buffer;
   boost::system::error_code read;
-  bool reads = false;  // a read waits for its message
+  bool reads = false;  // true: a pending read waits for its message
 };
 
 Client::Client(std::uint16_t port) : socket_(std::make_unique<Socket>(port)) {}

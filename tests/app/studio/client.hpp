@@ -10,11 +10,11 @@
 
 namespace kinetix::testing {
 
-/// What a page receives.
+/// A text or a frame that a page receives.
 struct Received {
-  bool closed = false;        ///< or nothing came in time
-  nlohmann::json text;        ///< of a text
-  std::vector<double> frame;  ///< of a frame
+  bool closed = false;        ///< true: the connection is closed, or nothing came in time
+  nlohmann::json text;        ///< content of a text
+  std::vector<double> frame;  ///< numbers of a frame
 
   double head(int k) const { return frame.at(k); }
   std::vector<double> pose(int body) const {
@@ -22,7 +22,7 @@ struct Received {
   }
 };
 
-/// A page that is no browser: one WebSocket, blocking, with patience.
+/// A page that is not a browser: one blocking WebSocket with timeouts.
 class Client {
  public:
   struct Manners {
@@ -41,9 +41,9 @@ class Client {
   void acknowledge(const Received& received);
   Received receive(std::chrono::milliseconds patience = std::chrono::seconds(20));
 
-  /// Whether the server shows it out, whatever it had been saying.
+  /// Checks whether the server closes the connection, after any other messages.
   bool is_shown_out();
-  /// The next text of a type; frames that come before it are acknowledged.
+  /// Returns the next text of a type. Acknowledges frames that come before it.
   nlohmann::json text(const std::string& type);
   /// Sends a command and waits for the frame that shows its effect, or for its error.
   Received ask(nlohmann::json command);
@@ -55,11 +55,12 @@ class Client {
   double id_ = 0;
 };
 
-/// What answers a request for a page. @return the status and the body
+/// Requests a page.
+/// @return the status and the body of the answer
 std::pair<int, std::string> fetch(std::uint16_t port, const std::string& target, const std::string& host,
                                   const std::string& verb = "GET");
 
-/// The status that answers a handshake which is refused.
+/// Returns the status with which the server refuses a handshake.
 int refusal(std::uint16_t port, const Client::Manners& manners);
 
 }  // namespace kinetix::testing

@@ -18,7 +18,7 @@ Message hinge_at_offset(const std::string& mm) {
   return Message(R"({"type": "hinge", "index": 3, "offset_mm": )" + mm + "}");
 }
 
-/// What the studio saves can be read again: a hinge goes no further off its wall than it can be made.
+/// The studio must be able to read the designs that it saves. A hinge's offset is limited to what can be made.
 TEST(DesignEdits, KeepOffsetsToWhatAMadeHingeCanHave) {
   const Message films(R"({"type": "made", "kind": "film", "material": "pp"})");
   const app::Design panel = template_design("panel"), stiff_far = with_hinges(panel, hinge_at_offset("4"));

@@ -50,7 +50,7 @@ TEST(StudioEquilibria, ComesBackWithoutAWayFromFlat) {
   EXPECT_NEAR(last.step.theta, 7 * deg, 1e-6);
 }
 
-/// A strip that one hinge, a cord, or springs fold.
+/// The drive that folds a strip: one hinge, a tendon, or springs.
 enum class Moved { by_hinge, by_cord, by_springs };
 
 app::Design driven(Moved moved) {

@@ -18,7 +18,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-/// A page that reads late gets the newest design, not all of them.
+/// A page that reads late receives only the newest design.
 TEST_F(Studio, SendsAPageThatSleptTheNewestDesignAlone) {
   client.ask({{"type", "sheet"}, {"columns", 40}, {"rows", 40}});
   Client sleeping(studio.port()), awake(studio.port());
@@ -34,7 +34,7 @@ TEST_F(Studio, SendsAPageThatSleptTheNewestDesignAlone) {
   EXPECT_LT(designs, 30) << "but for those that the system's own buffers took";
 }
 
-/// Says when it may go on; what it was sent is counted.
+/// A session that waits for permission to continue, and counts the messages that it receives.
 class Waiting : public app::studio::SessionLoop {
  public:
   explicit Waiting(app::studio::Outlet outlet) : SessionLoop(std::move(outlet)) {}
@@ -172,7 +172,7 @@ TEST_F(Studio, RefusesASearchWithThousandsOfFiles) {
   EXPECT_THAT(client.text("error")["message"].get<std::string>(), ::testing::HasSubstr("at most 100 files"));
 }
 
-/// The variable is the program's own, so nobody else may run beside.
+/// Sets an environment variable of the process, so no other thread may run at that time.
 class TemporaryPlace {
  public:
   explicit TemporaryPlace(const std::string& path) { setenv("TMPDIR", path.c_str(), 1); }

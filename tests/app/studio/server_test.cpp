@@ -14,7 +14,7 @@ using Manners = Client::Manners;
 class StudioServer : public ::testing::Test {
  protected:
   std::string here() const { return "127.0.0.1:" + std::to_string(studio.port()); }
-  /// The server goes on as if nothing had happened.
+  /// Checks that the server still serves a page.
   void expect_alive() {
     Client client(studio.port());
     ASSERT_TRUE(client.open(studio.token));

@@ -22,14 +22,14 @@ using ::testing::HasSubstr;
 
 constexpr double wall = 20, gap = 1;  // mm: from hinge to hinge, and between two walls
 
-/// A wall or a block about a place in the plane, turned there about z.
+/// Returns a wall or a block at a place in the plane, turned there about z.
 model::ModelPart part(const std::string& name, bool soft, double length, double x, double y, double deg) {
   const Isometry3d place = Eigen::Translation3d(x, y, 0) *
                            Isometry3d(Eigen::AngleAxisd(deg * radians_per_degree, Vector3d::UnitZ()));
   return {name, soft, moved(box_solid(-length / 2, length / 2, 0.8, 6), place)};
 }
 
-/// Two walls in a line along x, and the block between them, whose axis is that of z.
+/// Returns two walls in line along x and the block between them. Its axis is parallel to z.
 app::Design pair_of_walls() {
   return {.name = "pair",
           .structure = model::Lattice(model::make_assembly({part("left", false, wall - gap, -wall / 2, 0, 0),
@@ -37,7 +37,8 @@ app::Design pair_of_walls() {
                                                             part("joint", true, gap, 0, 0, 0)}))};
 }
 
-/// Four crosses at the corners of a square, with walls between them: a parallelogram. Its blocks are in the walls' middles.
+/// Returns four crosses at the corners of a square, with walls between them: a parallelogram. Its blocks are in the
+/// middle of the walls.
 app::Design parallelogram() {
   std::vector<model::ModelPart> parts;
   const double corner[4][2] = {{0, 0}, {wall, 0}, {wall, wall}, {0, wall}};
@@ -47,7 +48,7 @@ app::Design parallelogram() {
     const Isometry3d place =
         Eigen::Translation3d(a[0], a[1], 0) *
         Isometry3d(Eigen::AngleAxisd((deg - 90) * radians_per_degree, Vector3d::UnitZ()));
-    // An angle of two arms: one closed shell, its section in the plane an L.
+    // An angle of two arms is one closed shell with an L-shaped section in the plane.
     model::Polyhedron angle;
     const std::vector<Eigen::Vector2d> outline = {{-0.4, -0.4}, {half, -0.4}, {half, 0.4},
                                                   {0.4, 0.4},   {0.4, half},  {-0.4, half}};
@@ -71,12 +72,13 @@ Eigen::Isometry3d pose_of(const Received& frame, int body) {
   return Eigen::Translation3d(v[0], v[1], v[2]) * Eigen::Quaterniond(v[3], v[4], v[5], v[6]);
 }
 
-/// Where a point of a body, at its rest place, is in a frame.
+/// Computes the position in a frame of a body's point that is given at rest.
 Vector3d carried(const Received& frame, const model::Assembly& assembly, int body, const Vector3d& at) {
   return pose_of(frame, body) * (at - assembly.bodies[body].position);
 }
 
-/// The design once the way of its hinge is known. @param hinge that is to be turned; nothing: whichever it is
+/// Waits until the path of a hinge is known, and returns the design.
+/// @param hinge to be turned; nothing: any hinge
 json followed(Client& client, std::optional<int> hinge = {}) {
   json design = client.text("design");
   const auto waits = [&] {
@@ -87,7 +89,7 @@ json followed(Client& client, std::optional<int> hinge = {}) {
   return design;
 }
 
-/// The first design that is told after a change of another one.
+/// Returns the first design with another revision than `before`.
 json changed(Client& client, const json& before) {
   json design = client.text("design");
   while (design["revision"] == before["revision"]) design = client.text("design");
@@ -106,7 +108,7 @@ class StudioOfBodies : public ::testing::Test {
     client.send(command.dump());
     return client.text("error")["message"];
   }
-  /// Of the states that are told from then on, one of the next has it so.
+  /// Sends a command and checks that one of the next five states has this value.
   void expect_state(const json& command, const char* key, const json& value) {
     client.send(command.dump());
     json state;
@@ -150,9 +152,11 @@ TEST_F(StudioOfBodies, TellsMeshesNamesAndHowFarAFreeHingeTurns) {
 
 TEST_F(StudioOfBodies, NamesTheTurnAtWhichTwoWallsMeet) {
   while (design["bodies"]["meets"].is_null()) design = client.text("design");
-  // Corners of the two ends, 0.5 mm before and behind the axis and 0.4 mm beside it, meet where these subtend no angle any more.
+  // Corners of the two ends are 0.5 mm before and behind the axis and 0.4 mm beside it. They meet once they subtend no
+  // angle.
   const double meet = 2 * std::atan2(gap / 2, 0.4), step = 2 * radians_per_degree;
-  const double late = 0.1 / std::hypot(gap / 2, 0.4);  // rad: they are seen once they overlap by 0.1 mm
+  const double late =
+      0.1 / std::hypot(gap / 2, 0.4);  // rad: contact is detected once walls overlap by 0.1 mm
   for (int side = 0; side < 2; ++side) {
     const json& met = design["bodies"]["meets"][side];
     const double turn = met["turn_rad"], sign = side == 0 ? -1 : 1;

@@ -20,7 +20,7 @@ TEST_F(Studio, ExportsFilesForThePrinter) {
   EXPECT_THAT(out["summary"].get<std::string>(), ::testing::HasSubstr("clearance 0.12 mm a side"));
 }
 
-/// Between plates that close in by 0.3: theta 45.6 degrees.
+/// Returns a panel between plates with a compression of 0.3: theta is 45.6 degrees.
 app::Design pressed_panel() {
   app::Design design = app::studio::template_design("panel");
   design.drive = model::Plates{.compression = 0.3};

@@ -24,7 +24,7 @@ using app::studio::SessionLoop;
 using app::studio::Text;
 using nlohmann::json;
 
-/// Fails as it is told to, and notes what it did.
+/// A session that fails on request and records its steps.
 class Failing : public SessionLoop {
  public:
   explicit Failing(Outlet outlet) : SessionLoop(std::move(outlet)) {}
@@ -73,14 +73,14 @@ class Failing : public SessionLoop {
 
 struct Told {
   std::vector<json> texts;
-  std::vector<double> heard;  ///< of client 1, in frames
+  std::vector<double> heard;  ///< counters of client 1's commands, in frames
   std::vector<std::string> done;
   bool halted = false;
 };
 
 using Commands = std::vector<std::pair<int, json>>;
 
-/// What clients 1 and 2 are told when they send commands, one after the other, all at once.
+/// Collects the replies to clients 1 and 2, which send all their commands at once.
 Told told_of(const Commands& commands) {
   Told told;
   std::stop_source stop;
@@ -135,7 +135,7 @@ TEST(SessionLoop, GoesOnWhateverElseFails) {
   }
 }
 
-/// An equilibrium that is found late is the answer to an older command.
+/// An equilibrium that is found late answers an older command.
 TEST(SessionLoop, NeverGoesBackInTheCommandsThatItHasHeard) {
   Told told;
   for (const auto& ids : {std::vector{5, 3}, std::vector{1, 2, 7, 4, 6}, std::vector{2, 2, 1}}) {
@@ -159,7 +159,7 @@ TEST(SessionLoop, TakesCommandsFromEachPageInTurn) {
             (std::vector<std::string>{"many", "one", "many", "two", "many"}));
 }
 
-/// The newest of many starts is run; those between are told that they are dropped.
+/// The newest of many waiting starts is run. The others are dropped and notified.
 TEST(Job, RunsOneAfterTheOtherAndTheNewestOfThoseThatWait) {
   std::vector<int> ran, dropped;
   std::atomic<int> at_once = 0, most = 0;

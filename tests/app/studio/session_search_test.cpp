@@ -71,7 +71,7 @@ TEST_F(Studio, KeepsItsResultWhereThereIsNothingToRedo) {
   EXPECT_EQ(back["has_result"], false) << "which nothing was found for";
 }
 
-/// Its result is told again, and saved with it.
+/// The result is sent again and saved with the design.
 TEST_F(Studio, HasItsResultAgainWhereUndoAndRedoComeBackToIt) {
   client.send(json{{"type", "search"}, {"target", target}, {"files", {{"arc.csv", base64(arc())}}}}.dump());
   ASSERT_TRUE(client.text("result").is_object());

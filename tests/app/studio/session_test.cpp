@@ -20,7 +20,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Largest difference of places, mm, and of turns, of a frame from a state.
+/// Computes the largest difference in position, mm, and in rotation between a frame and a state.
 double difference(const Received& frame, const model::State& state) {
   double largest = 0;
   for (std::size_t b = 0; b < state.size(); ++b) {
@@ -42,7 +42,7 @@ model::State state_of(const Received& frame) {
   return state;
 }
 
-/// The next stable state that is shown. Which there are is known a while after a path was followed.
+/// Returns the next stable state. The stable states are known some time after a path was followed.
 Received snapped(Client& client) {
   for (int tries = 0; tries < 600; ++tries) {
     const Received frame = client.ask({{"type", "snap"}});
@@ -53,7 +53,7 @@ Received snapped(Client& client) {
   return {};
 }
 
-/// The body of a design whose rest place is nearest, in cells from the lower left.
+/// Finds the body with the nearest rest position, in cells from the lower left.
 int body_at(const model::Structure& sheet, double i, double j) {
   int nearest = 0;
   const Eigen::Vector3d place = sheet.size.edge_mm * Eigen::Vector3d(i, j, 0);
@@ -75,7 +75,7 @@ TEST(Templates, MoveAsTheyAreSaidTo) {
                       &above = folded[body_at(sheet, 0, 2)];
     const bool stays_flat = one.name == "panel" || one.name == "shear";
     EXPECT_EQ((first.R.col(2) - last.R.col(2)).norm() < 1e-9, stays_flat) << one.name;
-    if (one.name == "strip") continue;  // of one row
+    if (one.name == "strip") continue;  // the strip has one row
     const Eigen::Vector3d up = first.R.transpose() * (above.p - first.p);
     const Eigen::Vector3d rest = sheet.rest_position(body_at(sheet, 0, 2));
     EXPECT_LT(up.norm(), 0.99 * rest.norm()) << one.name << " shrinks";
@@ -168,7 +168,7 @@ TEST_F(Studio, ShowsAnEditedColumnAsItsSavedDesignFolds) {
   EXPECT_LT(difference(frame, exact_motion(saved.structure).at(saved.theta)), 1e-9);
 }
 
-/// The slider looks at a design, it does not change it.
+/// The slider changes the view of a design, not the design.
 TEST_F(Studio, SavesTheDesignWhereverTheSliderStands) {
   const auto saved = [&](Client& page, const char* command) {
     page.send(command);
@@ -242,7 +242,7 @@ TEST_F(Studio, GrowsAlongItsCreases) {
   EXPECT_EQ(told["structure"]["bodies"].size(), 35u);
 }
 
-/// The twist unit of the paper has two stable states; both are reached, one after the other.
+/// The twist unit of the paper has two stable states. The studio reaches one after the other.
 TEST_F(Studio, SnapsFromOneStableStateToTheOther) {
   OpenStudio twist{app::read_design(std::string(KINETIX_SOURCE) + "/targets/sweeps/twist.yaml")};
   Client other{twist.port()};
@@ -260,7 +260,7 @@ TEST_F(Studio, SnapsFromOneStableStateToTheOther) {
   EXPECT_NEAR(std::abs(third.head(3)), a, 1e-9) << "and back";
 }
 
-/// The first frame that shows an equilibrium at theta, rad, or the last one after a while.
+/// Returns the first frame with an equilibrium at theta, rad, or the last frame after a while.
 Received in_equilibrium(Client& client, double theta) {
   Received frame;
   for (int k = 0; k < 600; ++k) {
@@ -295,7 +295,7 @@ TEST_F(Studio, OpensADesignWithoutClosedFormInEquilibrium) {
   EXPECT_GT(later.text("path")["rows"].size(), 2u) << "the way is told to a page that comes later";
 }
 
-/// The frame in which it has come that far, or the last one after a while.
+/// Returns the frame that reaches this fold, or the last frame after a while.
 Received folded_to(Client& client, double deg) {
   Received frame;
   for (int k = 0; k < 600; ++k) {
@@ -381,7 +381,7 @@ TEST_F(Studio, KeepsTheDriveWhileItsCellsStay) {
   EXPECT_EQ(page.text("design")["drive"], "");
 }
 
-/// The image of a hinge's point under a mirror is the point of the image's hinge, and so are the axes.
+/// A mirror maps a hinge's point to the point of the mirrored hinge. It maps the axes in the same manner.
 TEST_F(Studio, EditsComeTwiceWhereTheyAreToBeSymmetric) {
   OpenStudio panel{app::studio::template_design("panel")};
   Client other{panel.port()};
@@ -450,7 +450,7 @@ TEST_F(Studio, WakesUpToThePresent) {
   EXPECT_GT(now.head(4), late.back().head(4) + 0.5);
 }
 
-/// Its physics would keep a core busy for as long as the program is open.
+/// Without this rest, the simulation would keep a core busy while the program is open.
 TEST(Session, RestsWhileNoPageIsThere) {
   const TemporaryFolder folder;
   std::atomic<int> shown = 0;

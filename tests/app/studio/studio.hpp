@@ -12,7 +12,7 @@
 
 namespace kinetix::testing {
 
-/// A studio that is open, with its server and session, as `view` opens it.
+/// An open studio with its server and session, as `view` opens it.
 class OpenStudio {
  public:
   using Maker = std::function<std::unique_ptr<app::studio::SessionLoop>(app::studio::Outlet)>;
@@ -32,7 +32,8 @@ class OpenStudio {
       : OpenStudio([&](app::studio::Outlet outlet) {
           return std::make_unique<app::studio::Session>(std::move(opened), std::move(outlet));
         }) {}
-  /// @param came for every command that the server passes on
+  /// Opens a session.
+  /// @param came called for every command that the server passes on
   explicit OpenStudio(
       const Maker& make, const std::function<void()>& came = [] {})
       : server(files(), token, 0,
@@ -73,7 +74,7 @@ class OpenStudio {
   std::thread listener;
 };
 
-/// A page that has opened a strip.
+/// A test with a page that has opened a strip.
 class Studio : public ::testing::Test {
  protected:
   void SetUp() override {

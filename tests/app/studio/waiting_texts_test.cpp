@@ -41,7 +41,7 @@ TEST(WaitingTexts, HoldEveryAnswerInItsOrderAndCountItsBytes) {
   EXPECT_EQ(texts.counted_bytes(), 0u);
 }
 
-/// A page that gets a result before its design would lay it over the design before.
+/// A page would draw a result over the previous design if the result came before its own design.
 TEST(WaitingTexts, KeepADesignBeforeItsResult) {
   WaitingTexts texts;
   texts.add(text("design", "design5"));

@@ -9,7 +9,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// A factor that is right, for files that are wrong elsewhere.
+// A valid factor for files with errors elsewhere.
 const std::string theta = "  - {path: design.theta_deg, range: [5, 40], levels: 8}\n";
 
 struct Bad {
@@ -17,7 +17,7 @@ struct Bad {
   std::string says;
 };
 
-// Sweep files, and what the message must say.
+// Invalid sweep files, and the required part of each message.
 const Bad bad_sweeps[] = {
     {sweep_of("{kind: factorial}", "  - {path: design.tetha_deg, range: [5, 40]}\n", "end_mm"),
      "doe.yaml:6:5: factors[0]: the base has no number at `design.tetha_deg`; the nearest is "
@@ -157,7 +157,8 @@ TEST(SweepBadInput, AFolderThatCannotBeWrittenIsNamed) {
   EXPECT_THAT(run.err, HasSubstr("/proc/nowhere: cannot create this output folder"));
 }
 
-// Names of so many columns were compared with each other before: a minute of a sheet of 100 x 100 cells.
+// Regression: the names of all columns were compared with each other, which took a minute for a sheet of 100 x 100
+// cells.
 TEST(SweepBadInput, CountsItsColumnsBeforeItComparesThem) {
   const Scratch scratch;
   const Outcome run = run_sweep_in(

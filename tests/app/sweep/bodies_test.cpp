@@ -15,9 +15,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr double arm_mm = 4.75;  // from the middle of a wall to the hinge
+constexpr double arm_mm = 4.75;  // mm: from the middle of a wall to the hinge
 
-/// Two walls of 0.8 x 6 mm with a block of 1 mm between them, as `import` makes them: imported/design.yaml in the folder.
+/// Imports two walls of 0.8 x 6 mm with a block of 1 mm between them. Writes imported/design.yaml into the folder.
 void import_pair(const Scratch& scratch) {
   model::Polyhedron hard = box_solid(-9, -0.5, 0.8, 6);
   append(box_solid(0.5, 9, 0.8, 6), hard);
@@ -99,7 +99,7 @@ TEST(SweepOfBodies, ResistsByTheStiffnessThatAFactorSetsOrMultiplies) {
                 1e-6);
 }
 
-/// Their corners meet at tan(phi / 2) = L / t: 102.7 degrees.
+/// The corners of the walls meet at tan(phi / 2) = L / t: 102.7 degrees.
 TEST(SweepOfBodies, StopsWhereWallsMeet) {
   const Scratch scratch;
   import_pair(scratch);
@@ -113,7 +113,8 @@ TEST(SweepOfBodies, StopsWhereWallsMeet) {
   EXPECT_EQ(pressed.number(0, "contacts"), 0);
   EXPECT_NEAR(pressed.number(0, "load_Nmm"), k * 95 * radians_per_degree, 1e-5);
   EXPECT_GT(pressed.number(1, "contacts"), 0);
-  // Beyond, corners that did not give way at all would pull the block by h = t sin(phi / 2) - L cos(phi / 2), with the moment k_axial h h'.
+  // Beyond contact, rigid corners would stretch the block by h = t sin(phi / 2) - L cos(phi / 2), with the moment
+  // k_axial h h'.
   const double half = 53 * radians_per_degree, free = k * 2 * half;
   const double rigid =
       axial * (0.8 * std::sin(half) - std::cos(half)) * (0.4 * std::cos(half) + 0.5 * std::sin(half));

@@ -17,12 +17,12 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
-/// What `simulate` gives for one design: its target state.
+/// Returns the result of `simulate` for one design in its target state.
 Json simulated(const Scratch& scratch, const std::string& design, const std::string& model) {
   const std::string out = scratch / "single";
   const Outcome run =
       kinetix_opt("simulate " + scratch.write("single.yaml", design) + " --model " + model + " -o " + out);
-  EXPECT_TRUE(run.code == 0 || run.code == 3) << run.err;  // of walls that meet, too
+  EXPECT_TRUE(run.code == 0 || run.code == 3) << run.err;  // also if walls meet
   return Json::parse(text_of(out + "/result.json"));
 }
 
@@ -67,7 +67,7 @@ TEST(SweepContent, EachRowOfAFactorialIsWhatSimulateGivesForThatDesign) {
     }
 }
 
-/// sweep.json, which its schema allows.
+/// Returns sweep.json and checks it against its schema.
 Json analysis_of(const Scratch& scratch) {
   Json json = Json::parse(text_of(scratch / "out/sweep.json"));
   EXPECT_EQ(schema_errors(json, "sweep"), "");
@@ -106,7 +106,8 @@ TEST(SweepContent, PercentilesOfTwoSamplesLieBetweenThem) {
   EXPECT_NEAR(spread["p95"], 29, 1e-9);
 }
 
-// The distance of a straight strip's ends is cell_mm times a function of theta: shares of a small grid add up to nearly all of it.
+// The distance of a straight strip's ends is cell_mm times a function of theta. The shares of a small grid add up to
+// nearly 1.
 TEST(SweepContent, SharesOfAGridAddUp) {
   const Scratch scratch;
   const std::string factors =
@@ -171,7 +172,7 @@ TEST(SweepContent, DocumentKeysAndListedHingesGiveTheSameAsColumns) {
   }
 }
 
-/// Equations 3 and 4 and the crease law, by sweeps of one cell or one crease.
+/// Compares sweeps of one cell or one crease with equations 3 and 4 and the crease law.
 TEST(SweepContent, FollowsTheClosedFormsOfThePaper) {
   const Scratch scratch;
   const std::string cell = "kinetix: 1\nstructure: {cells: [1, 1]}\ndesign: {theta_deg: 67.5}\n";
@@ -242,7 +243,8 @@ TEST(SweepContent, AEquilibriumIsWhatSimulateFinds) {
   EXPECT_EQ(csv.number(1, "load_N"), single["metrics"]["load_N"].get<double>());
 }
 
-/// Of a strip whose first column alone leans, either side is an equilibrium: a sample on the other one missed its drive.
+/// If only the first column leans, a strip has an equilibrium on either side. A sample on the other side misses its
+/// drive's target.
 TEST(SweepContent, ASheetThatFoldsToTheOtherSideIsMissed) {
   const Scratch scratch;
   ASSERT_EQ(
@@ -263,7 +265,7 @@ TEST(SweepContent, ASheetThatFoldsToTheOtherSideIsMissed) {
   EXPECT_EQ(csv.rows[0].at("reason").find("where 17.50 was asked for") != std::string::npos, other);
 }
 
-// Driven by a hinge, a strip in equilibrium lies aslant: its midline is not in the plane of x and z.
+// A strip in equilibrium that a hinge drives is inclined: its midline is not in the plane of x and z.
 TEST(SweepContent, TurnsAreThoseOfTheSheetHoweverItLies) {
   const std::string bent =
       "kinetix: 1\nstructure: {cells: [6, 1], cell_mm: 10}\ndesign:\n  theta_deg: 20\n  hinges:\n"
@@ -300,7 +302,8 @@ TEST(SweepContent, PhysicsRunsInProcessesOfTheirOwnAgreeWithTheModel) {
   }
 }
 
-// Joints that yield, as those of sheets without a closed form, let the ends of a long strip sway for longer than a run has time.
+// Sheets without a closed form have elastic joints. The ends of a long strip then sway for longer than the simulated
+// time.
 TEST(SweepContent, APhysicsRunOfALongStripSettlesAsASingleOneDoes) {
   constexpr int columns = 150;
   std::string curl = fmt::format(
@@ -323,7 +326,7 @@ TEST(SweepContent, APhysicsRunOfALongStripSettlesAsASingleOneDoes) {
   EXPECT_LE(csv.number(0, "verify_rms"), 1e-5);
 }
 
-/// A straight strip, drawn together by a cord.
+/// A straight strip that a tendon contracts.
 const std::string corded =
     "kinetix: 1\nstructure: {cells: [6, 1], cell_mm: 10}\ndesign: {}\nhinge: {k_turn: 5}\n"
     "drive: {kind: cord, through: [[[0, 0], [0, 1]], [[6, 0], [6, 1]]], shorten_mm: 5}\n";
@@ -418,7 +421,7 @@ TEST(SweepContent, ATargetIsSearchedInEverySample) {
   EXPECT_GT(csv.number(1, "fold_deg"), 10) << "likewise: folds alone write a list of this name";
 }
 
-// Its blocks would overlap junctions in the designs whose prints come nearest.
+// The blocks would overlap junctions in the designs with the smallest print errors.
 TEST(SweepContent, ARobustSearchTakesWhatASingleOneTakes) {
   const Scratch scratch;
   const std::string bend =
@@ -514,7 +517,7 @@ TEST(SweepContent, WallsInARowHaveNoCellsToMeasure) {
   EXPECT_NEAR(csv.number(0, "end_mm"), 40 * std::cos(10 * radians_per_degree), 1e-9);
 }
 
-// One hinge of a honeycomb off its middle leaves no exact motion, so that the hinges strain.
+// With one hinge off its middle, a honeycomb has no exact motion, so its hinges are strained.
 TEST(SweepContent, TurnsTheKnobsOfAHoneycombByTheNumbersOfItsWalls) {
   const Scratch scratch;
   const auto design = [](double t, double theta) {

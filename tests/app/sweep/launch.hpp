@@ -10,15 +10,15 @@
 
 namespace kinetix::testing {
 
-/// What launches a program as that many ranks, as root and on fewer cores than ranks too, for implementations
-/// that ask. Memory that these keep to the end is no leak of ours.
+/// Returns the command prefix that starts a program with `count` ranks. It permits root and fewer cores than ranks,
+/// which some MPI implementations refuse. Leak detection is off, since MPI keeps memory until the end.
 inline std::string ranks(int count) {
   return "ASAN_OPTIONS=detect_leaks=0 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
          "OMPI_MCA_rmaps_base_oversubscribe=1 " MPIEXEC " -n " +
          std::to_string(count);
 }
 
-/// Starts a program and ends it after some milliseconds, as a power cut would.
+/// Starts a program and kills it after some milliseconds, as a power cut would.
 /// @return whether it was still running
 inline bool run_and_kill(const std::vector<std::string>& arguments, double milliseconds) {
   const pid_t child = fork();

@@ -23,7 +23,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// FIPS 180-4, examples of the standard.
+/// The expected values are examples of the standard, FIPS 180-4.
 TEST(Sha256, IsThatOfTheStandard) {
   EXPECT_EQ(app::sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
   EXPECT_EQ(app::sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
@@ -79,7 +79,7 @@ TEST(Edit, WritesEachNumberOfAHingeAndItsMirrorImage) {
   }
 }
 
-/// A sample is held to what `check` asks of a design.
+/// A sample must pass the checks that `check` applies to a design.
 TEST(Edit, RefusesAnOffsetThatTheHingeCannotHave) {
   app::Design design = app::studio::template_design("panel");
   const model::CellSize size = design.structure.size();
@@ -117,13 +117,13 @@ TEST(WorkQueue, HandsOutWhatIsMissingOnce) {
   EXPECT_THAT(queue.take(1), IsEmpty());
 }
 
-/// Some samples throw, some end their process, some take the next one with them.
+/// An evaluator with samples that throw, end their process, or crash it.
 class Troubled final : public app::Evaluator {
  public:
   void evaluate(app::SampleRow& row) override {
     if (row.sample == 3) throw std::runtime_error("three is not to my liking");
     if (row.sample == 5) {
-      std::signal(SIGSEGV, SIG_DFL);  // a sanitizer has a handler of its own
+      std::signal(SIGSEGV, SIG_DFL);  // a sanitizer installs another handler
       std::raise(SIGSEGV);
     }
     if (row.sample == 6) _exit(9);

@@ -45,8 +45,8 @@ TEST(ShippedSweeps, AreThePapersEquations) {
                 1e-5);
 }
 
-/// Driven to theta = 44.95 deg: the unit is nearly at the state of Eq. 6. Barrier and play grow with 90 deg -
-/// alpha.
+/// The drive reaches theta = 44.95 deg, so the unit is nearly in the state of Eq. 6. Barrier and joint separation grow
+/// with 90 deg - alpha.
 TEST(ShippedSweeps, TheTwistUnitComesToEquationSixOverItsBarrier) {
   const Scratch scratch;
   const Csv twist = read_csv(run_shipped(scratch, "eq6_twist"));
@@ -60,7 +60,7 @@ TEST(ShippedSweeps, TheTwistUnitComesToEquationSixOverItsBarrier) {
   }
 }
 
-/// Section 5.1: the smaller the tolerance, the higher the resistance.
+/// Section 5.1: a smaller tolerance gives a higher resistance.
 TEST(ShippedSweeps, LooserHingesResistLess) {
   const Scratch scratch;
   const Csv csv = read_csv(run_shipped(scratch, "hinge_tolerance"));
@@ -71,13 +71,14 @@ TEST(ShippedSweeps, LooserHingesResistLess) {
   }
 }
 
-/// Its hook meets the finger at 34.8 degrees; up to there a joint turns by its stiffness alone.
+/// The hook meets the finger at 34.8 degrees. Below that angle only the joint's stiffness resists.
 TEST(ShippedSweeps, AFingerIsStoppedByItsHook) {
   const Scratch scratch;
   const Csv csv = read_csv(run_shipped(scratch, "finger_stop"));
   ASSERT_EQ(csv.rows.size(), 36u);
   const double stop = std::atan2(8, 8) - std::asin(2 / std::hypot(8, 8));
-  const double free = csv.number(4, "load_Nmm") / csv.number(4, "angle_deg");  // the modulus is 1 there
+  const double free = csv.number(4, "load_Nmm") /
+                      csv.number(4, "angle_deg");  // slope without contact; the modulus is 1 there
   for (std::size_t row = 0; row < csv.rows.size(); ++row) {
     const double angle = csv.number(row, "angle_deg"), moment = csv.number(row, "modulus") * free * angle;
     if (angle * radians_per_degree < stop) {
@@ -90,7 +91,7 @@ TEST(ShippedSweeps, AFingerIsStoppedByItsHook) {
   }
 }
 
-/// Small errors move the shape in proportion.
+/// Small errors change the shape in proportion.
 TEST(ShippedSweeps, TolerancesStartFromTheBasesOwnState) {
   const Scratch scratch;
   const std::string base =

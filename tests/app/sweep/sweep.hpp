@@ -8,7 +8,7 @@
 
 namespace kinetix::testing {
 
-/// A strip of six columns whose first one bends.
+/// A strip of six columns. The first column bends.
 inline constexpr const char* strip = R"(kinetix: 1
 structure: {cells: [6, 1], cell_mm: 10}
 design:
@@ -18,14 +18,14 @@ design:
     - {wall: [[0, 1], [1, 1]], beta_deg: -30}
 )";
 
-/// Text of a sweep over strip.yaml in the same folder.
+/// Returns the text of a sweep over strip.yaml in the same folder.
 inline std::string sweep_of(const std::string& method, const std::string& factors,
                             const std::string& responses, const std::string& more = {}) {
   return "kinetix: 1\nname: swept\nbase: strip.yaml\nmethod: " + method + "\nfactors:\n" + factors +
          "responses: [" + responses + "]\n" + more;
 }
 
-/// samples.csv by columns; the lines of comment are left out.
+/// The columns of samples.csv, without its comment lines.
 struct Csv {
   std::vector<std::string> head;
   std::vector<std::map<std::string, std::string>> rows;
@@ -63,7 +63,7 @@ inline Csv read_csv(const std::string& folder) {
   return csv;
 }
 
-/// Writes both files, runs the sweep into FOLDER/out.
+/// Writes both files and runs the sweep into FOLDER/out.
 inline Outcome run_sweep_in(const Scratch& scratch, const std::string& doe, const std::string& arguments = {},
                             const std::string& base = strip) {
   scratch.write("strip.yaml", base);

@@ -17,7 +17,7 @@ namespace {
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
-// Quick samples, but so many that all threads and ranks get some.
+// Quick samples, in a number that gives work to all threads and ranks.
 const std::string many = sweep_of("{kind: lhs, samples: 20000}",
                                   "  - {path: design.theta_deg, range: [5, 40]}\n  - {path: "
                                   "\"design.columns[*].beta_deg\", range: [-40, 40]}\n",
@@ -84,7 +84,7 @@ TEST(SweepTable, SharesAndWhatTheyLackGiveTheSameTable) {
   const Scratch scratch;
   scratch.write("strip.yaml", strip);
   const std::string doe = scratch.write("doe.yaml", many), out = scratch / "out";
-  // The first is done, the second is killed on its way, the third never runs.
+  // The first share is done, the second is killed during its run, and the third never runs.
   const Outcome first = kinetix_opt("sweep " + doe + " -o " + out + " --share 1/3 --json");
   ASSERT_EQ(first.code, 0) << first.err;
   EXPECT_EQ(Json::parse(first.out)["computed"], 6667);
@@ -183,7 +183,8 @@ TEST(SweepTable, IsKeptFromBeingReplacedTakenForAnotherOrWrittenTwiceAtOnce) {
   EXPECT_EQ(Json::parse(done.out)["computed"], 0);
 }
 
-/// Runs statements, without quotes, on the table of a sweep into `out`. @return 0 where they were done
+/// Runs SQL statements without quotes on the table of a sweep in `out`.
+/// @return 0 on success
 int change_table(const Scratch& scratch, const std::string& sql) {
   const std::string script = scratch.write(
       "change.py", "import sqlite3, sys\nsqlite3.connect(sys.argv[1]).executescript('" + sql + "')\n");
@@ -193,7 +194,8 @@ int change_table(const Scratch& scratch, const std::string& sql) {
 const std::string grid = sweep_of(
     "{kind: factorial}", "  - {path: design.theta_deg, range: [5, 40], levels: 12}\n", "end_mm, turn_deg");
 
-/// The sweep goes on in a table that something has changed. @return what it said; samples.csv must be as before
+/// Resumes a sweep in a modified table and checks that samples.csv is as before.
+/// @return the run's output
 Outcome expect_same_rows(const Scratch& scratch, const std::string& before, const std::string& arguments) {
   const Outcome run = run_sweep_in(scratch, grid, arguments + " --json");
   EXPECT_EQ(run.code, 0) << run.err;
@@ -231,7 +233,7 @@ TEST(SweepTable, ComputesDamagedRowsAgainAndSaysSo) {
   }
 }
 
-/// Its checksum fits, but its factor is another than the plan's.
+/// The checksum is valid, but the factor differs from that of the plan.
 TEST(SweepTable, ComparesFactorsWithThePlan) {
   const Scratch scratch;
   ASSERT_EQ(run_sweep_in(scratch, grid).code, 0);
@@ -264,7 +266,7 @@ TEST(SweepTable, WithAnyBitFlippedGivesTheSameNumbersOrIsRefused) {
       EXPECT_EQ(run.code, 2) << run.err;
     return run.code == 2 || Json::parse(run.out)["damaged"] > 0;
   };
-  // The second page is that of the samples: rows of some 50 bytes, the first one at its end.
+  // The second page contains the samples: rows of about 50 bytes, the first row at the end of the page.
   const std::size_t page =
       256 * static_cast<unsigned char>(table[16]) + static_cast<unsigned char>(table[17]);
   ASSERT_GT(page, 12u * 50);
@@ -321,7 +323,7 @@ TEST(SweepTable, OfAnEarlierVersionWithoutChecksumsIsRefused) {
               HasSubstr("sweep.sqlite: was written by an earlier version, without a checksum per row"));
 }
 
-/// What a sweep leaves that is stopped before its first sample has nothing to lose.
+/// A sweep that is stopped before its first sample leaves nothing that could be lost.
 TEST(SweepTable, WithoutASampleIsTakenWithoutResume) {
   const Scratch scratch;
   const std::string small =

@@ -21,7 +21,7 @@ struct PressedGoal {
   Run run;
 };
 
-/// An arch of a strip with such hinges.
+/// Returns an arch of a strip with these hinges.
 PressedGoal pressed_arch(const std::string& rest) {
   const testing::TemporaryFolder folder;
   PressedGoal out{read_target(folder.write(
@@ -40,7 +40,7 @@ PressedGoal pressed_arch(const std::string& rest) {
 const std::string pins = "hinge: {kind: pin, model: elastic, clearance_mm: 0.1, diameter_mm: 2}\n";
 const std::string films = "hinge: {kind: film, model: elastic, material: pp, gap_mm: 1, thickness_mm: 0.1}\n";
 
-/// Warnings about prints on the other side.
+/// Returns the warning about prints on the other side, if any.
 std::string side_warning(const Run& run) {
   for (const Problem& problem : verdict_of(run).problems)
     if (problem.text.find("press from flat") != std::string::npos) return problem.text;
@@ -70,7 +70,7 @@ TEST(PrintsPressedFromFlat, WithFilmsFoldToEitherSide) {
   EXPECT_THAT(side_warning(one.run), HasSubstr("flat 20 fold to either side by chance: bend"));
 }
 
-// Springs push to one side, and hinges without stiffness are not pressed.
+// Springs push to one side, and hinges without stiffness are not pressed. Both need no such prints.
 TEST(PrintsPressedFromFlat, AreAskedOnlyOfElasticHingesBetweenPlates) {
   for (const std::string& rest : {films + "drive: {kind: shape_memory, k_turn: 20}\n", std::string()}) {
     const PressedGoal one = pressed_arch(rest);

@@ -11,16 +11,17 @@
 #include "model/linkage/state.hpp"
 #include "model/matter/made_hinge.hpp"
 
-/// Prints with errors by another way than model/tolerance and model/elastic: their own random numbers, the energy of
-/// docs/hinges.md section 1 written as a sum of squares in mm and rad, and Gauss and Newton's method with differences.
+/// Prints with errors, computed independently of model/tolerance and model/elastic. They use separate random numbers.
+/// The energy of docs/hinges.md section 1 is a sum of squares in mm and rad. The Gauss-Newton method minimises it with
+/// difference quotients.
 namespace kinetix::testing {
 
-/// Standard deviations from hinge to hinge.
+/// Standard deviations per hinge.
 struct FreeErrors {
-  double place_mm = 0, tilt = 0;  ///< along the wall; of beta, rad
+  double place_mm = 0, tilt = 0;  ///< `place_mm`: along the wall; `tilt`: of beta, rad
 };
 
-/// A sheet whose hinges sit and lean otherwise.
+/// Returns a sheet whose hinges have random errors in position and tilt.
 inline model::Lattice with_errors(model::Lattice sheet, const FreeErrors& sd, std::mt19937_64& random) {
   std::normal_distribution<double> normal(0, 1);
   for (int h = 0; h < sheet.hinges(); ++h) {
@@ -32,10 +33,11 @@ inline model::Lattice with_errors(model::Lattice sheet, const FreeErrors& sd, st
   return sheet;
 }
 
-/// Energy of blocks that rest at turns of their own, and of springs beside them.
+/// Energy of blocks with individual rest turns, and of springs in the same hinges.
 class FreeSheet {
  public:
-  /// @param k in its own frame, of every hinge   @param rests by hinge, rad
+  /// @param k of every hinge, in the hinge's frame
+  /// @param rests per hinge, rad
   FreeSheet(model::Linkage linkage, const model::HingeStiffness& k, double reach_mm,
             std::vector<double> rests)
       : linkage_(std::move(linkage)),
@@ -45,13 +47,16 @@ class FreeSheet {
         turn_(std::sqrt(k.turn)),
         rests_(std::move(rests)) {}
 
-  /// The same that springs turn as well. @param k N mm/rad   @param rests by hinge, rad
+  /// Adds springs that turn the hinges, too.
+  /// @param k N mm/rad
+  /// @param rests per hinge, rad
   void add_springs(double k, std::vector<double> rests) {
     spring_ = std::sqrt(k);
     spring_rests_ = std::move(rests);
   }
 
-  /// Plates hold these bodies where they are along their normal. @param axis 0 or 1
+  /// Fixes the positions of these bodies along the normal of the plates.
+  /// @param axis 0 or 1
   void grip(const model::GrippedRows& rows, int axis) {
     axis_ = axis;
     is_gripped_.assign(linkage_.bodies.size(), false);
@@ -72,8 +77,9 @@ class FreeSheet {
     return out;
   }
 
-  /// The nearest state in which no step lowers the energy any more. @param planar turns about z, and shifts across it, alone
-  /// @return whether it came to rest
+  /// Finds the nearest state of minimum energy.
+  /// @param planar allows rotation about z and translation across z alone
+  /// @return whether it converged
   bool settle(model::State& state, bool planar) const {
     for (int round = 0; round < 200; ++round) {
       const double step = improve(state, planar);
@@ -114,6 +120,7 @@ class FreeSheet {
     return out;
   }
 
+  /// Takes one step.
   /// @return the largest entry of the step, mm or rad
   double improve(model::State& state, bool planar) const {
     const int bodies = static_cast<int>(state.size()), held = bodies / 2;
@@ -142,7 +149,7 @@ class FreeSheet {
     }
     const auto is_held = [&](Eigen::Index k) {
       const Eigen::Index own = k % 6;
-      // Between plates a sheet may still shift along them and turn about their normal.
+      // Between plates a sheet may still translate along them and rotate about their normal.
       if (axis_ >= 0 && own == 3 + axis_) return bool(is_gripped_[static_cast<std::size_t>(k / 6)]);
       if (axis_ >= 0) return k / 6 == held && (own == axis_ || own >= 3);
       return k / 6 == held || (planar && (own < 2 || own == 5));
@@ -159,7 +166,7 @@ class FreeSheet {
     if (factor.info() != Eigen::Success) return std::nan("");
     const Eigen::VectorXd step = -factor.solve(gradient);
     const double before = energy(state);
-    // Steps that would raise the energy are shortened: on stiff hinges the whole one swings for ever.
+    // Steps that would raise the energy are shortened. With stiff hinges, full steps oscillate for ever.
     for (double part = 1; part > 1e-6; part /= 2) {
       model::State next = state;
       for (int b = 0; b < bodies; ++b) next[b] = moved(state[b], part * step.segment<6>(6 * b));

@@ -21,13 +21,13 @@ using testing::FreeSheet;
 using testing::TemporaryFolder;
 using testing::WallSolids;
 
-/// 1000 for the figures of docs/hinges.md: KINETIX_PRINTS=1000 test_print_tolerance.
+/// Returns the number of prints. The figures of docs/hinges.md need 1000: KINETIX_PRINTS=1000 test_print_tolerance.
 int count_prints() {
   const char* asked = std::getenv("KINETIX_PRINTS");
   return asked ? std::atoi(asked) : 40;
 }
 
-/// States on the way to the fold in which prints are looked at for contact, the fold among them.
+/// Returns the number of states up to the fold, inclusive, in which prints are checked for contact.
 int count_states() { return std::getenv("KINETIX_PRINTS") ? 8 : 4; }
 
 struct Tried {
@@ -49,7 +49,8 @@ model::State design_state(const Tried& one) {
   return one.run.matter ? one.run.equilibrium->path.state : one.run.own;
 }
 
-/// Distances of a state from its goal, each point in its directions, as the goal finds its nearest places anew.
+/// Computes the distances of a state from its goal. Each point has its directions, and the goal finds the nearest
+/// places again.
 VectorXd distances(const Tried& one, const model::Lattice& sheet, const model::State& state) {
   const auto judged = one.target.goal->observe(one.run, sheet, state);
   VectorXd out(judged->points.size());
@@ -57,8 +58,8 @@ VectorXd distances(const Tried& one, const model::Lattice& sheet, const model::S
   return out;
 }
 
-/// Rms over points of the distance of a print, after the best small rigid motion of what errors moved. Directions of one
-/// point are recognised by its bodies and its place, which follow each other.
+/// Rms distance of a print over its points, after the best small rigid motion of the errors. Consecutive rows with the
+/// same bodies and place are directions of one point.
 class FreeDistance {
  public:
   FreeDistance(const Tried& one, const model::State& design) {
@@ -81,12 +82,12 @@ class FreeDistance {
 
   double points() const { return count_; }
   double operator()(const VectorXd& print) const {
-    // A line's second direction turns with the first, so that only lengths of what is left compare.
+    // A line's second direction rotates with the first, so only the lengths of the residuals are compared.
     VectorXd moved = print - designed_;
     moved -= rigid_ * solver_.solve(moved);
     return (designed_ + moved).norm() / std::sqrt(count_);
   }
-  /// Without any motion.
+  /// Computes the rms distance without rigid motion.
   double plain(const VectorXd& print) const { return print.norm() / std::sqrt(count_); }
 
  private:
@@ -97,12 +98,12 @@ class FreeDistance {
 };
 
 struct Sampled {
-  double rms = 0, rms_error = 0, p95 = 0;  ///< mm; standard error of rms
-  double touching = 0;                     ///< share
+  double rms = 0, rms_error = 0, p95 = 0;  ///< `rms`, `p95`: mm; `rms_error`: standard error of rms, mm
+  double touching = 0;                     ///< share of prints that touch
   int failed = 0, prints = 0;
 };
 
-/// The hinges that a run's prints have, as the energy here takes them.
+/// The hinges of a run's prints, in the form that these tests use.
 struct FreeHinge {
   model::HingeStiffness k;
   double reach_mm = 0;
@@ -121,7 +122,7 @@ FreeSheet free_sheet(const Run& run, const model::Lattice& sheet, const model::S
   const std::vector<double> at = own.turns(design);
   if (!run.matter || !is_fold) return {model::Linkage(sheet), hinge.k, hinge.reach_mm, at};
   FreeSheet out(model::Linkage(sheet), hinge.k, hinge.reach_mm, none);
-  // The sheet reaches run.theta; the springs rest at a larger theta.
+  // The sheet reaches run.theta. The springs rest at a larger theta.
   const model::LinkageDrive& drive = run.equilibrium->drive;
   const model::Linkage linkage(run.design.structure);
   std::vector<double> rests;
@@ -185,7 +186,7 @@ std::string shipped(const std::string& file) {
   return std::string(KINETIX_SOURCE) + "/targets/shapes/" + file;
 }
 
-/// A ring that ends `gap_mm` before it closes.
+/// Returns a ring with an opening of `gap_mm`.
 std::string ring(double radius_mm, double gap_mm, int columns, const std::string& process) {
   std::string points;
   constexpr int count = 120;
@@ -200,7 +201,7 @@ std::string ring(double radius_mm, double gap_mm, int columns, const std::string
       points, columns, process);
 }
 
-/// The first few are quick; the others are tried where many prints are asked for.
+/// Returns the cases. The first few are quick; the others run only if many prints are requested.
 const std::vector<Case>& cases() {
   static const std::vector<Case> every = {
       {"curve",

@@ -13,7 +13,7 @@
 
 namespace kinetix::testing {
 
-/// Half walls as closed meshes with slanted ends at their hinges, which FCL compares.
+/// Half walls as closed meshes with slanted ends at their hinges. FCL compares these meshes.
 class WallSolids {
  public:
   using Pairs = std::set<std::pair<int, int>>;
@@ -33,7 +33,8 @@ class WallSolids {
     }
   }
 
-  /// Pairs that touch, but for those of one body, of one hinge and those left out. @param most after which it ends
+  /// Finds pairs that touch, except those of one body, of one hinge and in `left_out`.
+  /// @param most number of pairs after which the search ends
   Pairs touching(const model::State& state, const Pairs& left_out, std::size_t most = SIZE_MAX) const {
     Pairs out;
     for (int a = 0; a < static_cast<int>(walls_.size()); ++a)
@@ -47,12 +48,12 @@ class WallSolids {
 
   struct Wall {
     int body = 0, hinge = 0;
-    double reach = 0;  ///< from the body's position, mm
+    double reach = 0;  ///< largest distance from the body's position, mm
     std::shared_ptr<Mesh> mesh;
   };
 
   static std::shared_ptr<Mesh> mesh(const std::vector<Eigen::Vector3d>& corners) {
-    // Corners are counted along, up, across.
+    // The corners are counted along, up and across the wall.
     constexpr int faces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                  {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
     std::vector<fcl::Triangle> triangles;

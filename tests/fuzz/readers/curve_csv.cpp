@@ -2,7 +2,7 @@
 
 using namespace kinetix;
 
-/// The points of a curve in the plane, and of one in space.
+/// Reads the points of a curve in the plane, and of a curve in space.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::input_folder().write("input.csv", data, size);
   for (const char* kind : {"curve", "space_curve", "outline"})

@@ -5,7 +5,7 @@ using namespace kinetix;
 
 namespace {
 
-/// The text of a design is that of what is read of it.
+/// Checks that a design and its written text have the same content.
 void expect_round_trip(const app::Design& design) {
   const std::string text = design_text(design), file = fuzz::input_folder().path("again.yaml");
   try {
@@ -25,7 +25,7 @@ void read(const std::string& file) {
 
 }  // namespace
 
-/// A design.yaml, of a sheet or of general bodies.
+/// Reads a design.yaml of a sheet or of general bodies.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string file = fuzz::input_folder().write("input.yaml", data, size);
   fuzz::read_or_refuse([&] { read(file); });

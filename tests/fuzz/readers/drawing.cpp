@@ -2,7 +2,7 @@
 
 using namespace kinetix;
 
-/// A drawing as the lattice of a design: SVG where it has an element, else DXF.
+/// Reads a drawing as the lattice of a design: SVG if the input has an element, otherwise DXF.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const bool is_svg = std::string(reinterpret_cast<const char*>(data), size).find('<') != std::string::npos;
   const std::string name = is_svg ? "input.svg" : "input.dxf";

@@ -2,7 +2,7 @@
 
 using namespace kinetix;
 
-/// A crease pattern as the lattice of a design.
+/// Reads a crease pattern as the lattice of a design.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::input_folder().write("input.fold", data, size);
   fuzz::read_or_refuse([&] {

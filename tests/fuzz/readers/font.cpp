@@ -3,7 +3,7 @@
 
 using namespace kinetix;
 
-/// A font that draws a letter of two parts.
+/// Reads a font and draws a letter of two parts.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string file = fuzz::input_folder().write("input.ttf", data, size);
   for (const char* text : {"\xc3\x84", "A."})

@@ -15,7 +15,7 @@ std::string chunk(const std::string& kind, std::string content, char padding) {
   return word_of(content.size()) + kind + content;
 }
 
-/// A file of version 2 whose lengths are right: its JSON up to the first byte 0, then its buffer.
+/// Returns a file of version 2 with correct lengths: its JSON up to the first byte 0, then its buffer.
 std::string glb_of(const std::string& given) {
   const std::size_t end = std::min(given.find('\0'), given.size());
   std::string chunks = chunk("JSON", given.substr(0, end), ' ');
@@ -25,7 +25,7 @@ std::string glb_of(const std::string& given) {
 
 }  // namespace
 
-/// A binary glTF file, or what it holds: JSON, then its buffer.
+/// Reads a binary glTF file, or its content: JSON, then its buffer.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string given(reinterpret_cast<const char*>(data), size);
   const std::string file = given.starts_with('{') ? glb_of(given) : given;

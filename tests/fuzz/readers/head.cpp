@@ -2,7 +2,7 @@
 
 using namespace kinetix;
 
-/// A PLY file as the head that a helmet is made for, as far as `check` goes.
+/// Reads a PLY file as the head for a helmet, as `check` does.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::input_folder().write("input.ply", data, size);
   fuzz::read_or_refuse(

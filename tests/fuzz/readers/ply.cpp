@@ -2,7 +2,7 @@
 
 using namespace kinetix;
 
-/// A PLY file, as a mesh and as a model.
+/// Reads a PLY file as a mesh and as a model.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string file = fuzz::input_folder().write("input.ply", data, size);
   fuzz::read_as_mesh(file);

@@ -10,9 +10,9 @@ std::size_t number_at(const std::string& bytes, std::size_t at) {
   return number;
 }
 
-/// Of PNG (W3C 2003, annex D).
+/// Computes the checksum of a PNG chunk (W3C 2003, annex D).
 std::uint32_t sum_of(std::string_view bytes) {
-  constexpr std::uint32_t polynomial = 0xedb88320;  // of CRC-32, its bits from the lowest power on
+  constexpr std::uint32_t polynomial = 0xedb88320;  // CRC-32 polynomial, lowest power first
   std::uint32_t sum = 0xffffffff;
   for (const char byte : bytes) {
     sum ^= static_cast<unsigned char>(byte);
@@ -21,7 +21,7 @@ std::uint32_t sum_of(std::string_view bytes) {
   return ~sum;
 }
 
-/// The same with the right sum in each chunk, without which libpng reads none of them.
+/// Returns the bytes with the correct checksum in each chunk. libpng skips chunks with wrong checksums.
 std::string with_right_sums(std::string bytes) {
   for (std::size_t at = 8; at + 12 <= bytes.size();) {
     const std::size_t length = number_at(bytes, at), end = at + 8 + length;
@@ -35,7 +35,7 @@ std::string with_right_sums(std::string bytes) {
 
 }  // namespace
 
-/// A picture, of whatever format its content says, as the goal of a display.
+/// Reads a picture as the goal of a display. Its content decides the format.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string given(reinterpret_cast<const char*>(data), size);
   fuzz::input_folder().write("input.png", given.starts_with("\x89PNG") ? with_right_sums(given) : given);

@@ -2,7 +2,7 @@
 
 using namespace kinetix;
 
-/// An STL file, as a mesh and as a model.
+/// Reads an STL file as a mesh and as a model.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string file = fuzz::input_folder().write("input.stl", data, size);
   fuzz::read_as_mesh(file);

@@ -11,7 +11,7 @@ using app::studio::Session;
 
 namespace {
 
-/// Commands that leave the session's thread or write files: how long they take is no matter of what is read.
+/// Checks for commands that leave the session's thread or write files. Their duration does not depend on the reader.
 bool is_long(const std::string& text) {
   const auto command = nlohmann::json::parse(text, nullptr, false);
   if (!command.is_object()) return false;
@@ -22,7 +22,8 @@ bool is_long(const std::string& text) {
 
 }  // namespace
 
-/// What a page says, one message a line, to a session in its own thread. It ends at its answer to the last one.
+/// Sends a page's messages, one per line, to a session in its thread. The session ends with its answer to the last
+/// message.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string last = "987654321";
   std::stop_source stop;

@@ -14,10 +14,10 @@ const app::SweepPlan& plan() {
   return plan;
 }
 
-/// Shorter than that of a run, and the same for every version of the program.
+/// An identity that is shorter than that of a run, and the same for every version of the program.
 const app::SweepIdentity identity = {{"schema", "kinetix-sweep/1"}};
 
-/// What `sweep --resume` makes of a table that is all there.
+/// Reads a complete table as `sweep --resume` does.
 void resume(const std::string& folder) {
   const app::SweepTable table(folder, plan(), identity, true);
   sweep_json(plan(), identity, table).dump();
@@ -26,7 +26,7 @@ void resume(const std::string& folder) {
 
 }  // namespace
 
-/// A sweep.sqlite that somebody wants to go on with.
+/// Reads a sweep.sqlite that is to be resumed.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string folder = fuzz::input_folder().path("out");
   std::filesystem::remove_all(folder);

@@ -3,7 +3,7 @@
 
 using namespace kinetix;
 
-/// A doe.yaml, with its base.
+/// Reads a doe.yaml with its base.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string file = fuzz::input_folder().write("input.yaml", data, size);
   fuzz::read_or_refuse([&] {

@@ -3,7 +3,8 @@
 
 using namespace kinetix;
 
-/// A 3MF package, or the XML of its model, which a change of a package would not reach: its sums would be wrong.
+/// Reads a 3MF package, or the XML of its model. Changes of a package would not reach the XML, since its checksums
+/// would be wrong.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string given(reinterpret_cast<const char*>(data), size);
   const bool is_model = given.starts_with('<');

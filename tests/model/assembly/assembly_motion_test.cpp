@@ -24,7 +24,7 @@ TEST(AssemblyMotion, TurnsAllSquaresOfASheetAlike) {
     EXPECT_NEAR(std::abs(hinge_turn(sheet, way.states.back(), h)), 0.4, 1e-9) << h;
 }
 
-// Nothing but the first motion says where the other hinges of a chain go.
+// Only the first motion determines where the other hinges of a chain go.
 TEST(AssemblyMotion, LeavesRestAlongTheFirstMotion) {
   const Linkage chain = squares(4, 1);
   const FirstMotion first = first_motion(chain);

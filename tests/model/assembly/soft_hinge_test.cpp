@@ -43,7 +43,7 @@ std::vector<Case> shapes() {
           {"fillets", strip_solid(steps(-1.2, 1.2, 24), fillet, 6), 2.4}};
 }
 
-/// Two walls at the ends of a soft part, all of it turned.
+/// Returns a soft part between two walls, all of it moved by `motion`.
 std::vector<ModelPart> model_of(const Case& c, const Isometry3d& motion) {
   return {{"left", false, moved(box_solid(-c.length / 2 - 6, -c.length / 2, 3, 9), motion)},
           {"right", false, moved(box_solid(c.length / 2, c.length / 2 + 6, 3, 9), motion)},

@@ -51,7 +51,7 @@ TEST(Tiles, TurnEveryWayAboutABallAndOneWayAboutAHinge) {
   EXPECT_EQ(motions(), 1);
   pair.joints[0].both_faces = false;
   EXPECT_EQ(motions(), 3);
-  pair.joints[0].both_faces = true;  // but the tiles stand at a right angle, where no normal is that of both
+  pair.joints[0].both_faces = true;  // the tiles are at a right angle, so no normal belongs to both
   for (Vector3d& c : pair.tiles[1]) c = {0.5, c.y(), c.x() - 0.5};
   EXPECT_EQ(motions(), 3);
 }
@@ -63,7 +63,7 @@ TEST(Tiles, OfTheSquaresFollowTheirClosedForm) {
     const Linkage linkage = linkage_of(assembly);
     const TileTarget target = target_of_tiles(sheet, assembly, thin().scale_mm);
     EXPECT_LT(target.off_max, 1e-12);
-    // Downwards of 0 squares would have to pass through each other at first; the equations do not mind.
+    // Below 0, squares would first have to pass through each other. The equations allow that.
     const Deployment way = deploy(linkage, aligned_pull(linkage, {target.poses}));
     ASSERT_TRUE(way.reached) << turn;
     EXPECT_LT(way.off_max, 1e-8);
@@ -90,8 +90,8 @@ TEST(Tiles, PulledApartGoAsFarAsSquaresGo) {
   EXPECT_NEAR(mean_half_turn(linkage, last), quarter, 0.05) << "a maximum: a thousandth of it is a long way";
 }
 
-/// No motion that keeps the hinges closed brings a state nearer to where it is pulled: the gradient of the distance has no part in
-/// the null space of closure.
+/// Returns the slope of the squared distance to the pull along motions that keep the hinges closed. It vanishes at the
+/// nearest closed state, since the gradient then has no part in the null space of closure.
 double slope_along_motions(const Linkage& linkage, const Pull& pull, const State& state) {
   const auto off = [&](const State& at) {
     double sum = 0;

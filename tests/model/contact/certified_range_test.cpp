@@ -39,7 +39,7 @@ std::vector<WallPair> overlaps_of(const Lattice& sheet, double theta) {
   return found;
 }
 
-/// No overlap at many thetas within the range, one at its witness, and both within 1 %.
+/// Checks that there is no overlap at many thetas within the range and one at its witness, both within 1 %.
 void expect_proven(const Lattice& sheet, const std::string& what, int samples = 300) {
   const ContactRange range = certified(sheet);
   ASSERT_TRUE(range) << what << ": " << range.why_not;
@@ -92,7 +92,7 @@ TEST(CertifiedRange, OfRandomSheetsIsFreeInEverySampleAndEndsAtAWitness) {
   expect_proven(make_sodalite({1, 1, 1}, 0.2, {10, 0.8, 1}), "sodalite", 40);
 }
 
-/// Columns that bend and columns that shear in turns: it rolls up to a helix.
+/// Returns a strip of alternately bending and shearing columns, which rolls up to a helix.
 Structure helix(int columns, double tilt_deg, double t) {
   auto design = ExactDesign<double>::basic(columns, 1);
   for (int c = 0; c < columns; ++c) {
@@ -135,7 +135,7 @@ TEST(CertifiedRange, StopsAtTheLimitOfTheSearch) {
   EXPECT_FALSE(range.positive.touches);
 }
 
-// Walls whose tips reach just to the walls beside them, or into them.
+// Tips of these walls reach just to the walls next to them, or into them.
 TEST(CertifiedRange, LeavesOutPlatesThatTouchWhenBuiltAndIsEmptyWhereTheyOverlap) {
   Structure s = make_structure(rectangle(2, 1), {});
   const auto with_tips = [&](double part) {

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A body at a place of its own, as another one sees it.
+/// Returns point `r` of a body in the frame of the body `from`.
 Vector3d seen(const State& state, int from, int body, const Vector3d& r) {
   return state[from].R.transpose() * (state[body].p + state[body].R * r - state[from].p);
 }
@@ -35,7 +35,7 @@ SweptMotion motion_along(const Lattice& sheet, const HingeChain& chain, int from
   return motion;
 }
 
-/// Between random bodies of a sheet: twist and bounds against the closed form's own states.
+/// Compares twist and bounds between random bodies of a sheet with states of the closed form.
 void expect_bounds(const Lattice& sheet, std::mt19937& random) {
   const Linkage linkage = sheet;
   const ExactMotion exact = exact_motion(sheet);

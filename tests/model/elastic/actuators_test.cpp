@@ -15,7 +15,7 @@
 #include "tests/support/paper_scenes.hpp"
 #include "tests/support/random_elastic.hpp"
 
-/// Drives that hold on to hinges: a cord through some, a spring of shape memory in each.
+/// Tests of drives that act on hinges: a tendon through some, or a shape-memory spring in each.
 namespace kinetix::model {
 namespace {
 
@@ -23,14 +23,14 @@ using namespace testing;
 using Eigen::VectorXd;
 using Stop = EquilibriumPath::Stop;
 
-/// Through the hinges of the walls across a row of cells.
+/// Returns the hinges of the walls across a row of cells.
 std::vector<int> across_row(const Structure& s, int row, int columns) {
   std::vector<int> through;
   for (int i = 0; i <= columns; ++i) through.push_back(*s.hinge_at({{i, row}, Axis::y}));
   return through;
 }
 
-/// A cord that goes up, across and back, through a hinge twice.
+/// Returns the hinges on a tendon that goes up, across and back, and passes one hinge twice.
 std::vector<int> winding(const Structure& s) {
   const auto at = [&](int i, int j, Axis axis) { return *s.hinge_at({{i, j}, axis}); };
   return {at(0, 0, Axis::x), at(1, 0, Axis::y), at(0, 1, Axis::x),
@@ -41,7 +41,7 @@ Structure basic_sheet(int columns, int rows) { return make_sheet(columns, rows, 
 
 VectorXd zeros(const State& state) { return VectorXd::Zero(6 * static_cast<Eigen::Index>(state.size())); }
 
-/// Of some bodies among all.
+/// Returns the tendon's Hessian, spread over the twists of all bodies.
 Eigen::MatrixXd spread(const CordElement& cord, std::size_t bodies) {
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(6 * bodies, 6 * bodies);
   for (std::size_t a = 0; a < cord.bodies.size(); ++a)
@@ -63,7 +63,7 @@ TEST(CordElement, HasTheCentralDifferencesOfItsLengthAsDerivatives) {
     };
     const VectorXd gradient = cord_gradient(s, through, state);
     expect_jacobian(length, zeros(state), gradient.transpose());
-    // Of the gradient along the twists: by second differences of the length, since turns do not add up.
+    // The Hessian comes from second differences of the length along the twists, since turns do not add up.
     const auto along = [&](const VectorXd& x) -> VectorXd {
       return numeric_jacobian([&](const VectorXd& y) { return length(x + y); }, zeros(state), 3e-3)
           .transpose();
@@ -72,7 +72,7 @@ TEST(CordElement, HasTheCentralDifferencesOfItsLengthAsDerivatives) {
   }
 }
 
-/// Energy, gradient and Hessian of the whole system, off equilibrium and with a force on what is held.
+/// Checks energy, gradient and Hessian of the whole system, off equilibrium and with a force on the held coordinate.
 void expect_derivatives(const Structure& s, const LinkageDrive& drive, std::mt19937& random) {
   ElasticSystem system(s, Elasticity{1000, 20, 3, 3000}, drive, false, false);
   system.set_multiplier(-0.02);
@@ -121,7 +121,7 @@ TEST(ShapeMemory, LoadIsTheDerivativeOfTheEnergyByTheDriveAndTheirsByTheStateAre
   expect_jacobian(load, zeros(state), system.spring_gradient(state).transpose());
 }
 
-/// Springs of the alloy against those of the hinges: both turn alike, and stop where the moments are equal.
+/// The alloy's springs and the hinges turn by the same angle, and stop where their moments are equal.
 TEST(ShapeMemory, FoldsAnExactSheetAsFarAsTheHingesYield) {
   const Structure s = basic_sheet(4, 3);
   const double k_hinge = 2, k_spring = 5, angle = 40 * radians_per_degree,
@@ -154,7 +154,8 @@ TEST(ShapeMemory, FoldsToTheSideOfItsAngle) {
   EXPECT_GT(folded(0.6), 0.29);
 }
 
-/// A straight cord across an even number of cells is cos(theta) times as long: tension by virtual work.
+/// A straight tendon across an even number of cells has cos(theta) times its flat length. Its tension follows from
+/// virtual work.
 TEST(Cord, FoldsAnExactSheetByTheTensionThatDoesTheWork) {
   const Structure s = basic_sheet(4, 3);
   Elasticity elasticity;
@@ -177,7 +178,8 @@ TEST(Cord, FoldsAnExactSheetByTheTensionThatDoesTheWork) {
   }
 }
 
-/// Across one cell a cord is (cos(theta) + sin(theta)) times as long, or cos - sin: it pulls to one side from the first.
+/// A tendon across one cell has cos(theta) + sin(theta) times its flat length, or cos - sin on the other side. It pulls
+/// to one side from the start.
 TEST(Cord, AcrossAnOddNumberOfCellsPullsToTheSideThatIsShorter) {
   const Structure s = basic_sheet(1, 2);
   const double theta = 20 * radians_per_degree, L = s.size.edge_mm;
@@ -192,7 +194,8 @@ TEST(Cord, AcrossAnOddNumberOfCellsPullsToTheSideThatIsShorter) {
   EXPECT_NEAR(mean_theta(s, path.state), found, 1e-3);
 }
 
-/// A strip that curls up brings its ends near each other and apart again: a cord between them is as short at two folds, or many.
+/// A strip that curls up brings its ends near each other and apart again. A tendon between them is equally short at two
+/// folds, or at many.
 TEST(Cord, TakesTheFirstFoldAtWhichItIsShortEnoughHoweverShortlyItIs) {
   const double tilt = 40 * radians_per_degree;
   const Structure s = alternating(8, 1, {.beta = tilt}, {.beta = -tilt});
@@ -237,7 +240,7 @@ Structure twisting_cell() {
   return tiled(1, 1, twist, {}, {20, 0.4, 8});
 }
 
-/// Once it is over its barrier, it goes on by itself.
+/// Past its barrier the cell continues without the tendon.
 TEST(Cord, ThatWouldHaveToPushIsSaidToGoSlack) {
   const Structure s = twisting_cell();
   Elasticity soft;
@@ -255,7 +258,7 @@ TEST(Cord, ThatWouldHaveToPushIsSaidToGoSlack) {
   EXPECT_GT(slack->at.drive, 8);
 }
 
-/// Over the barrier of a cell that twists, whoever takes it there.
+/// All drives take a twisting cell over the same barrier.
 TEST(Drives, OfAllKindsFindTheSameStableStatesAndBarrier) {
   const Structure s = twisting_cell();
   Elasticity soft;
@@ -274,11 +277,11 @@ TEST(Drives, OfAllKindsFindTheSameStableStatesAndBarrier) {
     SCOPED_TRACE(drive.coordinate_unit());
     ASSERT_EQ(found.states.size(), 2u);
     ASSERT_EQ(found.barriers.size(), 1u);
-    // Of springs, the highest state on the way counts: one or another of them.
+    // With springs, the barrier is the highest of the path's states, which need not be the exact summit.
     const double exactness = !drive.acts_from_outside() ? 0.01 : 1e-6;
     EXPECT_NEAR(found.barriers[0].energy, by_hinge.barriers[0].energy,
                 exactness * by_hinge.barriers[0].energy);
-    // A summit is flat: its theta is known to the root of what its energy is known to.
+    // A summit is flat, so theta is known to the square root of the relative error of the energy.
     EXPECT_NEAR(found.barriers[0].theta, by_hinge.barriers[0].theta, std::sqrt(exactness))
         << "of the sheet, whoever drives it";
     EXPECT_NEAR(found.states[1].energy, by_hinge.states[1].energy, 1e-6 * by_hinge.states[1].energy);
@@ -286,7 +289,7 @@ TEST(Drives, OfAllKindsFindTheSameStableStatesAndBarrier) {
   }
 }
 
-/// Soft springs let go of a cell that twists: at some heat it snaps through, and is said to.
+/// A twisting cell with soft springs snaps through during heating, and the path reports that.
 TEST(ShapeMemory, SnapsThroughWhereItsSpringsAreSoft) {
   const Structure s = twisting_cell();
   Elasticity soft;
@@ -320,7 +323,7 @@ TEST(ShapeMemory, OfNumbersOutOfRangeIsRefused) {
   EXPECT_THROW(shape_memory_drive(s, {1, 2, 1}, 1, 0.5), InvalidInput);
 }
 
-/// An equilibrium under a drive that is made anew where the structure changes.
+/// Equilibrium under a drive that is rebuilt when the structure changes.
 struct Held {
   Structure structure;
   Elasticity elasticity;
@@ -361,7 +364,7 @@ Held changed(Held b, const VectorXd& q) {
   return b;
 }
 
-/// A number of all poses.
+/// Returns one number that depends on all poses.
 double weighted_sum(const Held& b, const State& state) {
   double sum = 0;
   for (std::size_t k = 0; k < state.size(); ++k) {
@@ -385,7 +388,7 @@ Eigen::RowVectorXd packed(const Held& b, const Sensitivity& s) {
   return out;
 }
 
-/// Rows as of values().
+/// Returns derivatives by the adjoint method, with the rows of values().
 Eigen::MatrixXd by_adjoint(const Held& b, double* by_spring = nullptr) {
   ElasticSystem system = system_of(b);
   system.set_multiplier(b.multiplier);
@@ -410,7 +413,7 @@ Eigen::MatrixXd by_adjoint(const Held& b, double* by_spring = nullptr) {
   return out;
 }
 
-/// A 3 x 2 panel in space, folded from flat.
+/// Returns a 3 x 2 panel in space, folded from flat.
 Held folded(const std::function<LinkageDrive(const Structure&)>& drive, unsigned seed) {
   std::mt19937 random(seed);
   Structure s = random_panel(3, 2, random);

@@ -67,7 +67,7 @@ TEST(Adjoint, OfManyFunctionsIsThatOfEach) {
   }
 }
 
-/// Turning springs, points and contacts scaled together leave an equilibrium where it is.
+/// Scaling turning springs, points and contacts together does not move an equilibrium.
 TEST(Adjoint, StatesDependOnRatiosOfStiffnessesAlone) {
   for (const EquilibriumCase& c : equilibrium_cases(3)) {
     SCOPED_TRACE(to_string(c));
@@ -96,8 +96,8 @@ TEST(Adjoint, OfNothingIsZeroAndOfNaNIsNaN) {
   }
 }
 
-/// A hinge of every wall by its own number, with frames of three stiffnesses, and every third with tilt stiffnesses of
-/// its own.
+/// Gives each hinge its own elasticity with a frame of three stiffnesses. One hinge in three has both tilt stiffnesses,
+/// one has only the twist stiffness, and one has neither.
 Elasticity by_hinge(Elasticity whole, std::size_t hinges) {
   for (std::size_t h = 0; h < hinges; ++h) {
     const double wave = std::cos(1.0 + static_cast<double>(h));
@@ -176,7 +176,7 @@ TEST(Adjoint, OfFramedHingesByDesignIsTheCentralDifferenceOfEquilibriaFoundAnew)
   }
 }
 
-/// They stay as stiff against tilting where their points are stiffer.
+/// Hinges with their own tilt stiffnesses keep these when their points become stiffer.
 TEST(Adjoint, OfHingesWithTiltStiffnessesOfTheirOwnIsTheCentralDifferenceOfEquilibriaFoundAnew) {
   for (const EquilibriumCase& c : equilibrium_cases(1))
     for (const TiltStiffness& tilt : {TiltStiffness{9000, {}}, TiltStiffness{{}, 12000}}) {
@@ -192,7 +192,7 @@ TEST(Adjoint, OfHingesWithTiltStiffnessesOfTheirOwnIsTheCentralDifferenceOfEquil
     }
 }
 
-/// Twice as stiff in all directions is k_point twice as large.
+/// Doubling the stiffness in all directions equals doubling k_point.
 TEST(Adjoint, ByTheDirectionsOfAllHingesTogetherIsThatByKPoint) {
   for (const EquilibriumCase& c : equilibrium_cases(1)) {
     SCOPED_TRACE(to_string(c));

@@ -12,8 +12,7 @@ namespace {
 using testing::plates_drive;
 using Outcome = EquilibriumComparison::Outcome;
 
-// rad, half way to where the walls close the cells; and cell edges, as far as two states may differ and
-// agree.
+// Theta in rad, half way to where the walls close the cells. Distance in cell edges up to which two states agree.
 constexpr double compared_theta = 0.4, tolerance = 1e-2;
 
 class Comparison : public ::testing::Test {

@@ -44,8 +44,8 @@ TEST(PaperGrids, At45DegreesTheyAreTheClosedFormButForTheStiffnessRatio) {
     }
 }
 
-/// There the bars of all cells are on one line, and the hinges resist a motion off it in the third order
-/// only: the distance goes with the cube root of the stiffness ratio.
+/// At 90 degrees the bars of all cells are on one line. The hinges resist a motion off it in the third order only, so
+/// the distance grows with the cube root of the stiffness ratio.
 TEST(PaperGrids, At90DegreesTheDistanceGoesWithTheCubeRootOfTheStiffnessRatio) {
   for (const Structure& s : {crossable_grid(), uncrossable_grid()})
     EXPECT_NEAR(error(s, 45 * radians_per_degree, 1e-2) / error(s, 45 * radians_per_degree, 1e-5), 10, 0.3);
@@ -98,7 +98,7 @@ TEST(PaperGrids, CrossableGridPasses90DegreesWithoutContact) {
 
 // ---- Figs. 13 and 14 ----
 
-/// E = 2 N k theta^2 and the plates are n L cos(theta) apart: the force is their quotient of rates.
+/// The energy is E = 2 N k theta^2 and the plates are n L cos(theta) apart. The force is the quotient of their rates.
 TEST(PaperPanels, SingleUnitPanelIsTheClosedFormUnderTheForceOfItsTurningSprings) {
   const Structure s = single_unit_panel();
   for (const double theta : {30 * radians_per_degree, 41 * radians_per_degree, -41 * radians_per_degree}) {

@@ -21,7 +21,7 @@ using testing::shaken;
 // Turn (over k_point edge^2), reach (cell edges) and contact (over k_point): all of the order of one, so
 // that no part of the energy hides an error in another.
 const Stiffness stiff{0.3, 0.4, 10};
-/// The same number in all directions, and other ones in each: a block, and a pin that slides on its rod.
+/// Hinges with equal and with different stiffness per direction, with and without tilt stiffnesses and clearance.
 const std::vector<Stiffness> kinds{stiff,
                                    {.turn = 0.3, .reach = 0.4, .ratios = {1, 0.3, 0.5}},
                                    {.turn = 0.3, .reach = 0.4, .ratios = {0.9, 1, 0.2}},
@@ -37,7 +37,7 @@ std::optional<double> plus(const std::optional<double>& tilt, double by) {
   return *tilt + by;
 }
 
-/// The twists of the two bodies of a hinge, written into those of all.
+/// Returns the state with the two bodies of a hinge moved by their twists x.
 State moved_pair(const Structure& s, const State& state, const Hinge& hinge, const Vector12& x) {
   Eigen::VectorXd twists = Eigen::VectorXd::Zero(6 * s.bodies.size());
   twists.segment<6>(6 * hinge.lower) = x.head<6>();
@@ -49,8 +49,7 @@ Element element_of(const Structure& s, const State& state, const Hinge& hinge, c
   return hinge_element(rest_hinge(hinge), k, state[hinge.lower], state[hinge.upper], s.size.edge_mm);
 }
 
-/// With t, alpha and beta changed by the first three entries.
-/// Hinges beside their walls, each by another distance.
+/// Returns the structure with hinges off their walls, each by another distance.
 Structure with_offsets(Structure s) {
   for (std::size_t k = 0; k < s.hinges.size(); ++k)
     s.hinges[k].parameters.offset = 0.1 * std::cos(1.0 + static_cast<double>(k));
@@ -65,17 +64,17 @@ RestHinge redesigned(Hinge hinge, const Eigen::VectorXd& by) {
   return rest_hinge(hinge);
 }
 
-/// f . grad of the energy at x by a difference of the elements' gradients needs the gradient at a moved state
-/// in the moved coordinates: to first order they differ by half a commutator, which the symmetric Hessian
-/// leaves out. So second derivatives are those of the energy.
+/// Returns the gradient of f at x by central differences. Second derivatives are those of the energy. Differences of
+/// the elements' gradients would need the gradient of a moved state in the moved coordinates. To first order the two
+/// differ by half a commutator, which the symmetric Hessian leaves out.
 Eigen::VectorXd numeric_gradient(const std::function<double(const Vector12&)>& f, const Vector12& x) {
   return testing::numeric_jacobian(
              [&](const Eigen::VectorXd& y) { return Eigen::VectorXd::Constant(1, f(y)); }, x, 1e-3)
       .transpose();
 }
 
-/// Half of what a point pulls with by each direction of the hinge's frame, which stands half way between the
-/// two bodies. @param gap cell edges
+/// Returns the energy of a point's springs along the directions of the hinge's frame. The frame is half way
+/// between the two bodies. @param gap cell edges
 double spring_energy(const Stiffness& k, const Eigen::Vector3d& gap, const Eigen::Matrix3d& lower,
                      const Eigen::Matrix3d& upper, const Hinge& hinge) {
   const Eigen::Vector3d c0 = hinge_axis(hinge.wall.axis, hinge.parameters),
@@ -177,8 +176,8 @@ TEST(HingeEnergy, RatesByDesignAndStiffnessMatchCentralDifferences) {
   }
 }
 
-/// One hinge of a flat cell whose upper body is moved, without its turning spring. The wall runs along x, its axis
-/// stands along z.
+/// Returns the energy of one hinge of a flat cell with its upper body moved, without its turning spring. The wall runs
+/// along x, its axis along z.
 double energy_of_moved(const Stiffness& k, const Eigen::Vector3d& shift, const Eigen::Vector3d& turn) {
   const Structure s = make_structure(rectangle(1, 1), {});
   const RestHinge h = rest_hinge(s.hinges[*s.hinge_at({{0, 0}, Axis::x})]);
@@ -212,7 +211,7 @@ TEST(HingeEnergy, OfAPinWithPlayBeginsBeyondIt) {
   }
   EXPECT_NEAR(energy_of_moved(k, 0.05 * Vector3d::UnitZ(), Vector3d::Zero()),
               0.5 * (0.03 * 0.03 + 2e-3 * 2e-3 / 12), loose * 0.05 * 0.05 + 1e-15);
-  // Two points tilt by asin(play / reach): before it nothing holds the axis, behind it their reach does.
+  // Two points tilt freely by asin(play / reach). Beyond that, their reach resists.
   const double free = std::asin(0.9 * 0.02 / 0.4), held = std::asin(0.05 / 0.4);
   EXPECT_LE(energy_of_moved(k, Vector3d::Zero(), free * Vector3d::UnitX()), loose * 0.02 * 0.02);
   EXPECT_GT(energy_of_moved(k, Vector3d::Zero(), held * Vector3d::UnitX()), 0.7 * 0.03 * 0.03);

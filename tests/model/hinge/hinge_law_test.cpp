@@ -18,7 +18,7 @@ namespace {
 
 using testing::expect_jacobian;
 
-/// A law of one's own, all that it takes: the energy 1/4 k_turn turn^4, a spring that stiffens as it turns.
+/// Smallest user-defined law: the energy 1/4 k_turn turn^4, a spring that stiffens with its turn.
 class CubicHinge final : public HingeLaw {
  public:
   TurnResponse at(double turn, double k) const override {

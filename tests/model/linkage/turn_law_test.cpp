@@ -62,7 +62,7 @@ TEST(TurnLaw, BoundsHoldOverTheirIntervalAndAreReached) {
   }
 }
 
-/// How far the states of a sheet turn their hinges otherwise than the laws say, rad.
+/// Returns how far the turns of a sheet's hinges differ from the laws, rad.
 double off_the_laws(const Lattice& sheet) {
   const Linkage linkage = sheet;
   const ExactMotion exact = exact_motion(sheet);

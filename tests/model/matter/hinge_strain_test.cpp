@@ -17,7 +17,7 @@ constexpr MadeHinge block_of_a_mm() {
   return {.kind = HingeKind::block, .gap_mm = 1, .thickness_mm = 0.8, .height_mm = 6};
 }
 
-/// Flat but for the upper body of hinge 0, which turns by `angle` about `direction` through the hinge point.
+/// Returns the flat state with the upper body of hinge 0 turned by `angle` about `direction` through the hinge point.
 State turned(const Linkage& linkage, double angle, const Vector3d& direction) {
   State state = rest_state(linkage);
   const RestHinge& h = linkage.hinges[0];
@@ -28,8 +28,9 @@ State turned(const Linkage& linkage, double angle, const Vector3d& direction) {
   return state;
 }
 
-/// Rocked by 0.1 rad across its axis, a block 6 mm high is pulled apart by 3 mm times that at its edge, over a gap of 1 mm; turned
-/// about its axis, its outermost fibre is strained by angle times thickness over twice the gap.
+/// Rocking by 0.1 rad across its axis pulls a block 6 mm high apart at its edge. It opens there by 3 mm times that
+/// angle, over a gap of 1 mm. Turning about its axis strains its outermost fibre by angle times thickness over twice
+/// the gap.
 TEST(HingeStrain, CountsWhatRockingPullsApart) {
   const Linkage linkage = make_structure(rectangle(1, 1), {20, 1, 6});
   const MadeHinge block = block_of_a_mm();

@@ -38,7 +38,7 @@ TEST(MadeHinge, OfAMaterialThatDoesNotContractIsATimoshenkoBeam) {
     }
 }
 
-/// Of a long and much higher strip the ends and edges do not count: a plate in cylindrical bending.
+/// Ends and edges have no effect on a long and much higher strip: it is a plate in cylindrical bending.
 TEST(MadeHinge, OfALongHighFilmIsAPlateInCylindricalBending) {
   const double E = 1300, nu = 0.42, L = 3, t = 0.03, h = 3000;
   const HingeStiffness k = stiffness(block(L, t, h, nu, E));
@@ -59,7 +59,7 @@ TEST(MadeHinge, StiffnessGrowsAsTheModulusAndWithTheSize) {
   EXPECT_NEAR(large.turn, 8 * one.turn, 1e-12);
 }
 
-/// A rod between two knuckles of its own length each end held: deflection F h^3 / (192 E I) + F h / (4 k G A).
+/// A rod of length h is clamped by a knuckle at each end: its deflection is F h^3 / (192 E I) + F h / (4 k G A).
 TEST(MadeHinge, APinIsARodThatIsHeldAtBothEnds) {
   const MadeHinge pin{.kind = HingeKind::pin,
                       .material = *find_material("pa12"),

@@ -35,7 +35,7 @@ TEST(Process, NamesWhatItCannotPrintAndTheCellThatItCould) {
   EXPECT_DOUBLE_EQ(least_cell_mm(fdm, sheet(10, 0.4), pin(1, 0.2)), 30);
 }
 
-/// Printed at that size, nothing is too small any more.
+/// Printed at the suggested size, no part is too small any more.
 TEST(Process, PrintsASheetThatIsLargerByTheFactorItAsksFor) {
   for (const Process& process : processes())
     for (const double thickness : {0.1, 0.7, 2.0})

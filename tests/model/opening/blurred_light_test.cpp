@@ -67,16 +67,15 @@ TEST(BlurredLight, IsWhatARasterShows) {
   for (const double theta : {0.35, 0.6}) expect_as_in_raster(theta, 0.8, 0.005);
 }
 
-// A larger cell's area once covered from its middle alone, by 1.7 of a hexagon and 3.1 of an octagon: panels of these said
-// more light than there is, and letters stood out by half as much again.
+// Regression: a larger cell's area was once covered from its middle alone, by 1.7 of a hexagon and 3.1 of an octagon.
+// Such panels showed too much light, and letters stood out by half as much again.
 TEST(BlurredLight, OfOtherLatticesIsWhatARasterShows) {
   for (const PlanarLattice* lattice : {&honeycomb_lattice, &brick_lattice, &octagon_lattice})
     for (const double theta : {0.0, 0.35}) {
       const PlanarStructure sheet = make_planar_structure(LatticeSheet{lattice, lattice_cells(5, 5)}, size);
       const Linkage panel = sheet;
       State state = rest_state(panel);
-      for (std::size_t b = 0; b < state.size();
-           ++b) {  // hinges in the middle of their walls: all shrinks alike
+      for (std::size_t b = 0; b < state.size(); ++b) {  // centred hinges: uniform shrinking
         state[b].p *= std::cos(theta);
         state[b].R = Eigen::AngleAxisd(sheet.senses[b] * theta, Eigen::Vector3d::UnitZ()).toRotationMatrix();
       }
@@ -89,8 +88,8 @@ TEST(BlurredLight, OfOtherLatticesIsWhatARasterShows) {
     }
 }
 
-// Walls that meet at a vertex once counted twice there: by 0.16 of such walls, and light went below zero. Where one half of
-// a wall comes to lie over the other they still do.
+// Regression: walls that meet at a vertex once counted twice there, by 0.16 for such walls, and light fell below zero.
+// One half of a wall that lies over the other still counts twice.
 TEST(BlurredLight, IsNearWhatARasterShowsOfThickWalls) {
   expect_as_in_raster(0, 4, 0.02);
   expect_as_in_raster(0.3, 4, 0.02);
@@ -115,7 +114,7 @@ TEST(BlurredLight, OfAFlatPanelIsTheSameInAllCells) {
   EXPECT_NEAR(light.front(), (1 - 0.08) * (1 - 0.08), 0.007);
 }
 
-/// Of a panel whose hinges stand beside their walls, by up to 0.03 cell edges, and turn by up to 0.4 rad.
+/// Checks the slopes of a panel with hinges up to 0.03 cell edges off their walls, turned by up to 0.4 rad.
 /// @param parameters of a hinge of a sheet
 template <class Sheet, class Parameters>
 void expect_slopes(Sheet sheet, const Parameters& parameters, std::mt19937& random) {

@@ -66,7 +66,7 @@ TEST(CellOpening, TheWidestCircleIsWiderThanAnyOnAGrid) {
   }
 }
 
-// Between parallel walls all circles of a row are as wide: none of them is looked for on its own.
+// Between parallel walls all circles of a row are equally wide, so none of them is searched for separately.
 TEST(CellOpening, OfASlotIsItsWidthTakenAtOnce) {
   Opening slot;
   const std::vector<Eigen::Vector2d> corners = {{0, 0},   {50, 0}, {100, 0}, {100, 0.5},
@@ -90,8 +90,8 @@ TEST(CellOpening, ABrokenStateHasNoAperture) {
   EXPECT_TRUE(std::isnan(aperture(panel.at())));
 }
 
-/// A flat panel whose bodies moved apart, so that all hinges are stretched by `gap` cell edges and their
-/// wall tips lie on one line.
+/// Returns a flat panel whose bodies are moved apart. All hinges are stretched by `gap` cell edges, and their wall tips
+/// are on one line.
 Panel pulled_apart(double gap) {
   Panel panel = basic_panel(0);
   for (std::size_t b = 0; b < panel.state.size(); ++b) {

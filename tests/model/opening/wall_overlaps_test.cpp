@@ -39,7 +39,7 @@ TEST(WallOverlaps, OfAStraightWallIsNothing) {
   EXPECT_EQ(straight.middle, Vector2d::Zero());
 }
 
-/// How many half walls of the body cover a place, cell edges.
+/// Returns how many half walls of the body cover a place, cell edges.
 long covers_at(const Linkage& panel, const Vector2d& place) {
   return std::count_if(panel.plates.begin(), panel.plates.end(), [&](const Plate& plate) {
     const Vector2d along = plate.edge.head<2>();
@@ -47,7 +47,7 @@ long covers_at(const Linkage& panel, const Vector2d& place) {
   });
 }
 
-/// By a raster: what more than one half wall covers, each time but the first.
+/// A raster counts the area that more than one half wall covers, each time except the first.
 TEST(WallOverlaps, AreWhatARasterCountsTwice) {
   constexpr double pixel = 2e-3, reach = 1;  // cell edges
   const std::vector<std::vector<double>> bodies = {

@@ -246,7 +246,7 @@ TEST(BodySolid, OfCapsIsClosed) {
 
 double frustum_mm3(double R, double r, double along) { return M_PI / 3 * along * (R * R + R * r + r * r); }
 
-/// Against knuckles with flat faces: cones about a fork's rod, and sunk into an eye.
+/// Compares with knuckles that have flat faces: cones about a fork's rod, and sunk into an eye.
 TEST(BodySolid, AtInclinedFacesHasTheVolumeOfTheirCones) {
   HingePrint flat = pin();
   flat.tolerance_mm = 1e-6;
@@ -289,7 +289,7 @@ double least_edge_mm(double alpha) {
   return taken;
 }
 
-/// Triangles on the sides of an arm's plate that face into it.
+/// Counts the triangles on the sides of an arm's plate that face into it.
 int turned_over(const Polyhedron& mesh, const ArmSolid& arm) {
   int count = 0;
   for (const auto& [a, b, c] : mesh.triangles) {

@@ -29,7 +29,7 @@ AsMade of_equilibrium(const Equilibrium& b, const std::vector<ObservedPoint>& po
   return as_made(system, b.state, b.theta, tangent, points, scatter, options);
 }
 
-/// A bent sheet, its first wall turned.
+/// Returns a bent sheet with its first wall turned.
 Equilibrium bent(int columns, int rows) {
   Structure s = make_structure(rectangle(columns, rows), {10, 0.8, 6});
   for (Hinge& hinge : s.hinges)
@@ -40,7 +40,7 @@ Equilibrium bent(int columns, int rows) {
   return b;
 }
 
-/// Every body, seen along a direction of its own.
+/// Returns every body as an observed point, each seen along another direction.
 std::vector<ObservedPoint> every_body(const Equilibrium& b, double miss_mm) {
   std::vector<ObservedPoint> points;
   for (int k = 0; k < static_cast<int>(b.state.size()); ++k)
@@ -49,7 +49,7 @@ std::vector<ObservedPoint> every_body(const Equilibrium& b, double miss_mm) {
   return points;
 }
 
-/// The change of all hinges in one print, as changed() takes it.
+/// Returns the change of all hinges in one print, as changed() takes it.
 VectorXd printed(const Equilibrium& b, const HingeScatter& scatter, std::mt19937& random) {
   std::normal_distribution<double> normal(0, 1);
   VectorXd q = VectorXd::Zero(parameter_count(b));
@@ -59,7 +59,7 @@ VectorXd printed(const Equilibrium& b, const HingeScatter& scatter, std::mt19937
   return q;
 }
 
-/// Rms over the points of a state against those of the design, after the best small rigid motion.
+/// Returns the rms distance of a state's points from those of the design, after the best small rigid motion.
 double distance(const std::vector<ObservedPoint>& points, const State& state, bool aligned) {
   const auto count = static_cast<Eigen::Index>(points.size());
   VectorXd miss(count);
@@ -101,7 +101,8 @@ TEST(AsMade, IsWhatManyPrintsComeTo) {
   }
 }
 
-// Pins that rest evenly in bores of scattered clearance, and lean evenly in them: not normal, hinge by hinge.
+// Pins rest uniformly in bores of scattered clearance and lean uniformly in them: each hinge is not normally
+// distributed.
 TEST(AsMade, CountsPlayAsManyLoosePrintsDo) {
   const Equilibrium b = bent(4, 3);
   const double edge_mm = b.structure.size.edge_mm, sd_mm = 0.03;

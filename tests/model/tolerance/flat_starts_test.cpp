@@ -50,7 +50,7 @@ FlatStarts starts_of(const HingeScatter& scatter, double theta, int threads = 1)
                       scatter, prints, options);
 }
 
-/// Theta of a print under plates that close in small steps, from equilibrium to equilibrium.
+/// Returns theta of a print under plates that close in small steps, from equilibrium to equilibrium.
 double walked_theta(const Linkage& print, const LinkageDrive& drive, double theta) {
   ElasticSystem system(print, soft_blocks(), drive, false, true);
   TangentStiffness tangent(system.dofs());

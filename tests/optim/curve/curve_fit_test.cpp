@@ -27,8 +27,7 @@ void expect_exact_derivatives(const CurveFit& fit, const Eigen::VectorXd& x) {
   testing::expect_jacobian(f, x, J, 1e-7, 1e-5);
 }
 
-/// Few long segments, so that no place sits where its closest point passes a corner and the distance has a
-/// kink.
+/// Returns few long segments. No closest point passes a corner, where the distance has a kink.
 targets::Curve bent_line() { return targets::Curve({{0, 0}, {60, 5}, {110, 60}}); }
 
 TEST(CurveFit, DerivativesMatchCentralDifferences) {
@@ -166,7 +165,7 @@ TEST(CurveReach, HasNothingToSayWhenTheGoalIsWithinReach) {
   EXPECT_TRUE(analyse_reach(fit).obstacles.empty());
 }
 
-/// Whatever sizes they may take, tilts of the first row keep to the range, and columns that bend alike do so on.
+/// At both ends of the ties' ranges, the tilts of the first row stay in their own range.
 TEST(BendTies, TieTheTiltsOfTheirStrip) {
   struct Case {
     Per per;

@@ -118,7 +118,7 @@ TEST(FitFreeCurve, KeepsThetaBelowTheAngleAtWhichBasicCellsClose) {
 
 model::CellSize usual_walls(const CurveVariables& v) { return {v.cell_mm, 0.1 * v.cell_mm, 0.6 * v.cell_mm}; }
 
-/// Gentle tilts miss this corner by a little more than steep ones do; both ranges are the search's own doing.
+/// Gentle tilts miss this corner by a little more than steep ones do. The search chooses both ranges.
 TEST(FitFreeCurve, SpeaksOfTheTiltsThatWereAskedForWhateverItNarrows) {
   const targets::Curve corner({{0, 0}, {100, 0}, {100, 100}});
   CurveVariables variables = strip(corner, 38);
@@ -135,7 +135,7 @@ TEST(FitFreeCurve, SpeaksOfTheTiltsThatWereAskedForWhateverItNarrows) {
   EXPECT_LT(near.design.error.rms, 0.95 * gentle.design.error.rms);
 }
 
-/// Where tilts that follow these corners take walls into each other, a smaller theta does not.
+/// Tilts that follow these corners make walls collide; a smaller theta does not.
 TEST(FitFreeCurve, FindsASmallerThetaWhereWallsWouldMeet) {
   const targets::Curve step({{0, 0}, {30, 0}, {30, 30}, {60, 30}});
   const CurveVariables variables = strip(step, 17);

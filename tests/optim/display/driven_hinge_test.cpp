@@ -28,7 +28,7 @@ TEST(DrivenHinge, IsTheNearestToTheMiddleWhereNoWallIsScaled) {
 TEST(DrivenHinge, HasTheLeastOffsetOfTheMiddleHalf) {
   const model::PlanarStructure panel = planar_structure(model::make_sheet(8, 8, {}));
   model::Redrawing y = none(panel);
-  // Walls are scaled alike but for those at one vertex off the middle, which move by as much as they would be.
+  // All walls change equally. Below, one vertex off the middle moves by as much as one of its walls would.
   for (std::size_t v = 0; v < y.size(); ++v) {
     const Vector2d& x = panel.graph.vertices[v];
     y[v] = 0.1 * Vector2d(-x.y(), x.x());

@@ -81,7 +81,7 @@ TEST(HingeTies, PanelsLookTheSameAfterTheMotion) {
     }
 }
 
-/// A mirror takes class A to class B where sides are odd.
+/// A mirror maps class A to class B when the number of cells is odd.
 TEST(DisplaySearch, StartsOfTiedPanelsAreAsFarOffTheMiddleAsTheRule) {
   for (const int side : {5, 6}) {
     const model::Structure panel = make_structure(model::rectangle(side, side), {});
@@ -310,8 +310,8 @@ TEST(FitDisplay, CompressionAndDirectionAreVariablesToo) {
   for (const DisplayDesign& found : {fixed, free}) EXPECT_GT(found.view.score.contrast, 20);
 }
 
-/// Where the picture asks for more than the hinges may give: a panel pressed far, and a limit below what
-/// the search without it would take.
+/// The picture requires more than the hinges may stretch: a panel pressed far, and a limit below the stretch of a
+/// search without it.
 TEST(FitDisplay, KeepsTheLimitOfStretch) {
   const model::Structure panel = make_structure(model::rectangle(5, 5), {});
   std::vector<double> levels;

@@ -87,7 +87,7 @@ TEST(LinearEffects, AreNotKnownForDependentFactorsOrTooFewRows) {
   EXPECT_EQ(linear_effects(twins, std::vector<double>(10, nan)).used, 0);
 }
 
-/// Responses of 80 factors, of which the first 20 have the share `share` together and the rest is noise.
+/// The first 20 of 80 factors together have the share `share` of the responses; the rest is noise.
 TEST(LinearShare, OfAFamilyIsRightInTheMeanWithMoreFactorsThanRowsAsWell) {
   std::mt19937 random(11);
   std::normal_distribution<double> normal;

@@ -30,7 +30,8 @@ TEST(MainEffects, OfATwoByTwoTableAreThoseByHand) {
   EXPECT_FALSE(effects[0].binned);
 }
 
-/// Of a grid the means of levels hold nothing of the other factor: shares of a sum are those of its terms, however few levels.
+/// In a grid, the means of one factor's levels contain nothing of the other factor. Shares of a sum are those of its
+/// terms, however few the levels.
 TEST(MainEffects, SharesOfAGridAreExact) {
   const Eigen::MatrixXd samples{{1, 5}, {1, 6}, {2, 5}, {2, 6}};
   const std::vector<double> sum = {6, 7, 7, 8}, first = {1, 1, 2, 2};

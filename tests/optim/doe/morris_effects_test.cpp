@@ -38,7 +38,8 @@ TEST(MorrisEffects, OfALinearFunctionAreExact) {
   }
 }
 
-// Of a square, a step of h from x has the slope 2 x + h: by steps of one size, effects of either side of the mean balance.
+// For a square, a step of h from x has the slope 2 x + h. With steps of one size, effects on both sides of the mean
+// balance.
 TEST(MorrisEffects, OfASquareOfANormalFactorBalance) {
   for (const int levels : {4, 6, 8, 10}) {
     const Factor factor{"x", NormalSpread{0, 1}, levels};

@@ -162,7 +162,7 @@ TEST(Sobol, FillsTheCubeBetterThanChance) {
   const auto of = [](SamplingMethod method, std::uint64_t seed) {
     return discrepancy(rows(SamplePlan(unit_cube(4), options(method, 256, seed))));
   };
-  // By chance the square is (2^-d - 3^-d) / n on average.
+  // For random points the mean of the square is (2^-d - 3^-d) / n.
   const double by_chance = (std::pow(2, -4) - std::pow(3, -4)) / 256;
   double monte_carlo = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {

@@ -42,7 +42,8 @@ TEST(FitBox, KeepsACellEdgeThatIsGiven) {
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(found.folded_mm[k], asked.asked_mm[k], 5) << "half a cell";
 }
 
-/// As a search finds it of that edge: walls of a given size close cells at a theta that depends on their edge.
+/// A given edge leads to the box that the search found for it. Walls of a given size close cells at a theta that
+/// depends on the edge.
 TEST(FitBox, OtherCellsGiveABoxItsSizeWhenTheyAreGiven) {
   BoxOptions asked = box({83, 47, 29});
   asked.edge_mm = 8;

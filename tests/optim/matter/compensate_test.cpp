@@ -14,9 +14,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double held_theta = 0.5;  // rad: so far that what springs hold back is easily seen
+constexpr double held_theta = 0.5;  // rad: large enough to show what the springs hold back
 
-/// A strip of one row whose columns bend alike, by the tilts of their walls along x.
+/// Returns a strip of one row whose columns bend to the same side, by the tilts of their walls along x. The tilts grow
+/// by 5 % of `tilt` per column.
 model::Lattice bent_strip(int columns, double tilt) {
   model::Structure s = make_structure(model::rectangle(columns, 1), {10, 0.8, 6});
   for (model::Hinge& hinge : s.hinges)
@@ -25,7 +26,7 @@ model::Lattice bent_strip(int columns, double tilt) {
   return s;
 }
 
-/// Blocks of rubber, and springs that fold them.
+/// Returns blocks of rubber as hinges, which springs fold below.
 model::Elasticity rubber() { return model::elasticity_of(model::HingeStiffness{6, 1.5, 1.5, 0.3}, 1.7); }
 
 model::LinkageDrive springs(const model::Lattice& sheet, double to) {
@@ -62,7 +63,7 @@ TEST(Compensate, BringsSoftHingesBackToTheExactState) {
   EXPECT_LT(found.after.rms_mm, found.before.rms_mm / 50) << found.why;
   EXPECT_GT(found.after.theta, held_theta) << "more heat makes up for the hinges' own springs";
 
-  // A path of its own from flat comes to the same state.
+  // A separate path from flat reaches the same state.
   const model::EquilibriumPath again = trace_equilibrium(
       {found.after.sheet, springs(found.after.sheet, found.after.theta), exact_motion(found.after.sheet)},
       rubber());
@@ -78,7 +79,7 @@ TEST(Compensate, EndsAtOnceWhereTheGoalIsMet) {
   EXPECT_EQ(found.why, "it meets the goal");
 }
 
-// Each variable by itself: the equilibrium followed to both sides.
+// Each variable is changed alone, and the equilibrium is followed to both sides.
 TEST(Compensate, KnowsHowDeviationsChange) {
   const model::Lattice sheet = bent_strip(4, 0.3);
   const InMatter at = settled(sheet);

@@ -29,7 +29,7 @@ const model::PlanarStructure& panel() {
   return made;
 }
 
-/// The corners of the rim at theta, in the outline's own mm, from the hinges alone.
+/// Returns the corners of the boundary at theta, in the outline's own mm, from the hinges alone.
 std::vector<Eigen::Vector2d> folded_rim(const OutlineDesign& design) {
   const model::RedrawingFit motion = redrawing_of(design.panel);
   EXPECT_LE(motion.misfit, 1e-11) << "every cell closes";

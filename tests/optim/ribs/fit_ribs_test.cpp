@@ -56,8 +56,8 @@ TEST(FitRibs, IsTheSameAtEverySize) {
   EXPECT_NEAR(at(25), usual, 0.02 * usual);
 }
 
-/// Round a cylinder a rib is a regular polygon: bodies in the middle of its sides, hinges at its corners, which are
-/// edge^2 / (8 radius) at most farther out; the fit shares that between them.
+/// Around a cylinder a rib is a regular polygon. Its bodies are in the middle of the sides, its hinges at the corners.
+/// Corners are at most edge^2 / (8 radius) farther out, and the fit shares that between both.
 TEST(FitRibs, LooseRibsMissACylinderByPartOfACellsSagitta) {
   targets::SurfacePatch cylinder{"cylinder", {80, 40}, [](const Eigen::Vector2d& at) {
                                    const double z = std::sqrt(2500 - at.y() * at.y());

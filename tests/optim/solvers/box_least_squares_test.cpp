@@ -58,7 +58,7 @@ BoxLeastSquares random_problem(unsigned seed, int rows = 30, int unknowns = 20, 
           .from = random.vector(unknowns)};
 }
 
-/// What pulls at u: the slope of half the cost.
+/// Returns the slope of half the cost at u.
 VectorXd slope(const BoxLeastSquares& p, const VectorXd& u) {
   return p.A.transpose() * (p.A * u - p.b) + p.damping * (u - p.from);
 }

@@ -23,7 +23,8 @@ Points anywhere(Points points, unsigned seed) {
   return points;
 }
 
-/// Of a cone of this half angle round z, from `low` to `high` of its height, over an angle. A half angle of 0 is a cylinder.
+/// Returns points of a cone of this half angle about z, from height `low` to `high`, over an angle. Its radius at z = 0 is
+/// `radius`. A half angle of 0 is a cylinder.
 Points cone(double half_angle, double low, double high, double radius, double over) {
   Points out;
   for (int i = 0; i <= 20; ++i)

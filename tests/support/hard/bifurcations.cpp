@@ -17,8 +17,8 @@ bool told_of_branching(const model::EquilibriumPath& path) {
   });
 }
 
-/// Past the point where all bars are in line, other motions without strain begin: an equilibrium of one of
-/// these is right as long as the path tells of its choice.
+/// Follows a path past the point where all bars are in line. Other motions without strain begin there. An equilibrium
+/// of one of these counts as diagnosed if the path reports the branching.
 HardAnswer follow_through(const HardScene& scene, double allowed) {
   HardAnswer a = follow_closed_form(scene, allowed);
   if (a.mark == HardAnswer::Mark::right) return a;

@@ -17,7 +17,7 @@ using model::SodaliteStructure;
 using Arms = std::array<double, 6>;
 
 constexpr model::CellSize block_size = {10, 0.4, 1};  // mm: walls so thin that none is in the way
-// Rotors follow from one another along some ten bridges a cell: each adds its rounding.
+// Each rotor follows from the one before along some ten bridges per cell, and each bridge adds its rounding.
 constexpr double block_closure = 1e-12;                // cell edges, rad
 constexpr double rotors_half_round = 90 * deg - 1e-6;  // rad of theta: rotors turn by twice that
 
@@ -36,7 +36,8 @@ double closure_of_block(const SodaliteStructure& block) {
   return worst;
 }
 
-/// Both hinges of every edge are parted by its gusset; the middle of an edge of arms a shrinks by a (1 - cos(2 theta)).
+/// Returns the error of edges. Each edge's two hinges are parted by its gusset, and its middle, of arms a, shrinks by a
+/// (1 - cos(2 theta)).
 double edge_error(const SodaliteStructure& block, double theta) {
   const model::State state = exact_motion(block).at(theta);
   double worst = 0;
@@ -69,7 +70,8 @@ void add_arms(HardCases& cases) {
        {Lengths{"of 1e-6 of an edge", no_arms}, Lengths{"of 1e-4 of an edge", hardly_any_arms},
         Lengths{"next to half an edge", long_arms}, Lengths{"of 1e-6 to 0.49 edges", mixed_arms}})
     for (const int n : {1, 2, 3}) {
-      // Rotors of such arms in 3^3 cells turn together with 1e-8 of a gap: no null space tells that from nothing.
+      // In 3^3 cells, rotors with such arms turn together with a gap of only 1e-8. A null space cannot separate that
+      // from zero.
       if (arms == no_arms && n == 3) continue;
       HardCase c{text("block of %d^3 cells, six arms %s, to theta = 90 deg - 1e-6 rad", n, name),
                  "closure equations, and edges that keep their direction and shrink by a (1 - cos(2 theta)), "
@@ -108,7 +110,8 @@ void add_spoilt(HardCases& cases) {
                    }});
 }
 
-/// Newton's method from the closed form: how far its equilibrium lies from there, cell edges; NaN where there is none.
+/// Runs Newton's method from the closed form. Returns how far its equilibrium is from there, cell edges; NaN if there
+/// is none.
 double settled_off(const SodaliteStructure& block, double theta, double ratio) {
   model::ElasticSystem system(block, of_ratio(ratio), hinge_drive(block, 0, model::turn_at_theta(1, theta)),
                               false, false);
@@ -119,7 +122,8 @@ double settled_off(const SodaliteStructure& block, double theta, double ratio) {
   return aligned_distance(block, state, exact).rms;
 }
 
-/// Flat has 36 first-order motions, and paths from there need not find the closed form: it is looked for at its own place.
+/// The flat state has 36 first-order motions, and paths from it need not find the closed form. The search starts from
+/// the closed form instead.
 HardAnswer settle_block(double theta) {
   const SodaliteStructure block = block_with_arms({2, 2, 2}, {0.8, 0.7, 0.6, 0.5, 0.75, 0.65}, block_size);
   const double soft = settled_off(block, theta, 1e-8), stiff = settled_off(block, theta, 1e-9);

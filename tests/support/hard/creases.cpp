@@ -20,7 +20,7 @@ namespace {
 using model::PlanarStructure;
 using Stop = model::EquilibriumPath::Stop;
 
-// Facets follow from one another along some ten creases: each adds its rounding.
+// Each facet follows from the one before along some ten creases, and each crease adds its rounding.
 constexpr double crease_closure = 1e-11;                  // cell edges, rad
 constexpr double fold_probes[] = {1e-9, 0.4, 1.2, -0.7};  // rad
 
@@ -81,7 +81,7 @@ void add_miura(HardCases& cases) {
                    [] { return folds_exactly(creased_rhombi(5, 4, 30 * deg)); }});
 }
 
-/// How far vertices rise, over theta: near flat a number of the sheet's.
+/// Checks how far vertices rise, over theta: near flat this is a constant of the sheet.
 HardAnswer fold_hardly(double theta) {
   const PlanarStructure s = miura_of_hexagons(4, 4, 60 * deg, 0.9);
   const model::ExactMotion exact = exact_motion(s);

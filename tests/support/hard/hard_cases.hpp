@@ -12,7 +12,7 @@
 
 namespace kinetix::testing {
 
-/// An equilibrium of squares that was found, for another program to look for it too.
+/// Equilibrium of squares that was found, so that another program can search for it too.
 struct HardEquilibrium {
   model::Structure structure;
   model::Drive drive;
@@ -34,8 +34,7 @@ struct HardAnswer {
 
 std::string to_string(HardAnswer::Mark mark);
 
-/// A case at or past the edge of what a model is for. The one failure is a wrong answer that
-/// looks fine.
+/// Case at or past the limit of what a model can represent. The only failure is a wrong answer that looks correct.
 struct HardCase {
   std::string name, asked;
   std::function<HardAnswer()> solve;

@@ -27,7 +27,7 @@ double travel(const HardScene& scene) {
   return (at(1) - at(0)) * scene.structure.size.edge_mm;
 }
 
-/// By the trapezoidal rule.
+/// Integrates the load over the drive by the trapezoidal rule.
 double load_by_drive(const model::EquilibriumPath& path) {
   double sum = 0;
   for (std::size_t k = 1; k < path.steps.size(); ++k)
@@ -168,7 +168,7 @@ void judge_leaving(const LinkageScene& scene, const model::EquilibriumPath& path
 
 namespace {
 
-/// How far an equilibrium is from its closed form.
+/// Distance of an equilibrium from its closed form.
 struct Softened {
   model::EquilibriumPath path;
   double off = 0, missing = 0;  ///< rms, cell edges; energy, as a part of the closed form's

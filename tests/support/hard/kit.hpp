@@ -5,7 +5,7 @@
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/hard/hard_cases.hpp"
 
-/// What the hard cases are made of. Each theme is a file of its own.
+/// Tools of the hard cases. Each theme has a separate file.
 namespace kinetix::testing {
 
 using HardCases = std::vector<HardCase>;
@@ -33,7 +33,7 @@ std::string text(const char* format, Numbers... numbers) {
   return out;
 }
 
-/// What is run: a structure under a drive.
+/// Scene of a hard case: a structure under a drive.
 struct HardScene {
   model::Structure structure;
   model::Drive drive;
@@ -43,7 +43,7 @@ struct HardScene {
   double theta() const { return drive_on(structure, drive).theta(); }  ///< rad
 };
 
-/// The same of any lattice, with its closed form where it has one.
+/// Scene of any lattice under a drive, with its closed form if it has one.
 struct LinkageScene {
   model::DrivenLinkage driven;
   model::Elasticity elasticity;
@@ -54,17 +54,17 @@ struct LinkageScene {
 model::Elasticity of_ratio(double ratio);
 
 model::EquilibriumPath followed(const HardScene& scene, model::EquilibriumPathOptions options = {});
-/// In steps so short that the trapezoidal rule gives the work of the drive.
+/// Follows a path in steps so short that the trapezoidal rule gives the work of the drive.
 model::EquilibriumPath followed_finely(const HardScene& scene);
 
-/// Energy of a state, N mm.
+/// Returns the energy of a state, N mm.
 double energy_of(const HardScene& scene, const model::State& state);
-/// Work of the drive on its way, N mm: a path of equilibria without jumps stores it all.
+/// Returns the work of the drive during the motion, N mm. A path of equilibria without jumps stores it all.
 double work_of(const HardScene& scene, const model::EquilibriumPath& path);
 
-/// "reached: E 1.2 N mm, gap 3e-7", then events, then `found`.
+/// Formats the path as "reached: E 1.2 N mm, gap 3e-7", then events, then `found`.
 std::string told(const model::EquilibriumPath& path, const std::string& found);
-/// An unstable equilibrium is never right.
+/// Returns the answer for a path. An unstable equilibrium is never right.
 HardAnswer answer(const HardScene& scene, const model::EquilibriumPath& path, bool right,
                   const std::string& found);
 
@@ -72,31 +72,31 @@ HardAnswer answer(const HardScene& scene, const model::EquilibriumPath& path, bo
 HardAnswer follow_closed_form(const HardScene& scene, double allowed);
 HardCase closed_form_case(std::string name, std::function<HardScene()> scene, double allowed);
 
-/// Right where the drive's work is the energy stored, to a part `allowed` of it.
+/// Follows a path, right if the drive's work is the energy stored, to a part `allowed` of it.
 HardAnswer follow_strained(const HardScene& scene, double allowed);
 
 model::EquilibriumPath followed(const LinkageScene& scene);
-/// As of a HardScene, but for what another program would need to look for it.
+/// Returns the answer for a path, without the equilibrium that another program could search for.
 HardAnswer answer(const model::EquilibriumPath& path, bool right, const std::string& found);
-/// As of a HardScene.
+/// Follows a path, right if the drive's work is the energy stored, to a part `allowed` of it.
 HardAnswer follow_strained(LinkageScene scene, double allowed);
 double work_of(const LinkageScene& scene, const model::EquilibriumPath& path);
-/// Of the turning springs in a state, N mm: all that a closed form stores.
+/// Returns the energy of the turning springs in a state, N mm. A closed form stores no other.
 double turning_energy(const LinkageScene& scene, const model::State& state);
 
-/// Of a path that ended off its closed form, by more than 0.1 rad of a hinge: a right answer is a diagnosed one where it
-/// says so, and wrong where it does not.
+/// Judges a path that ended off its closed form, by more than 0.1 rad of a hinge. If the path reports the departure, a
+/// right answer becomes diagnosed; otherwise the answer is wrong.
 void judge_leaving(const LinkageScene& scene, const model::EquilibriumPath& path, HardAnswer& answer);
 
 inline constexpr const char* softly_asked =
     "distance from the closed form, and energy missing from its, 10 times those of ratio 1e9, to 1 %";
-/// Springs bend a closed form by their stiffness ratio times a number of the structure's, to first order.
-/// @param scene of a stiffness ratio   @param theta at which the closed form has what the drive asks for
+/// Checks that springs bend a closed form in proportion to their stiffness ratio, to first order.
+/// @param scene of a stiffness ratio   @param theta at which the closed form has the drive's value
 HardAnswer follow_softly(const std::function<LinkageScene(double ratio)>& scene, double theta);
 
-/// A closed form that is asked for itself: right where `worst` is at most `allowed`.
+/// Checks a closed form alone: right if `worst` is at most `allowed`.
 HardAnswer closed_to(double worst, double allowed, const std::string& what);
-/// Right where nothing that should be refused is taken for exact. @param exact what the model says
+/// Returns a right answer if the model refuses what is not exact. @param exact answer of the model
 HardAnswer told_apart(bool right, const std::string& exact, const std::string& found);
 
 }  // namespace kinetix::testing

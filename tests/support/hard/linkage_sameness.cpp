@@ -18,7 +18,7 @@ namespace {
 
 using model::Linkage;
 
-/// A structure with hinges of its own under a driven hinge, and a state of it.
+/// Structure with individual hinges under a driven hinge, and a state of it.
 struct SameScene {
   Linkage linkage;
   model::LinkageDrive drive;
@@ -33,7 +33,7 @@ std::vector<int> shuffled_places(std::size_t count, std::mt19937& random) {
   return place;
 }
 
-/// What its bodies and hinges are called says nothing of what they do.
+/// Returns the scene with bodies and hinges in random order, which must not change the results.
 SameScene renumbered(const SameScene& scene, std::mt19937& random) {
   const Linkage& l = scene.linkage;
   const std::vector<int> body = shuffled_places(l.bodies.size(), random),
@@ -64,7 +64,7 @@ SameScene renumbered(const SameScene& scene, std::mt19937& random) {
   return out;
 }
 
-/// The whole turned in space, at rest and in its state.
+/// Returns the scene turned in space as a whole, at rest and in its state.
 SameScene turned_in_space(const SameScene& scene) {
   const Eigen::Matrix3d Q =
       Eigen::AngleAxisd(2.1, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
@@ -125,7 +125,7 @@ model::MadeHinge loose_pin() {
           .with_play = true};
 }
 
-/// Rubber blocks, loose pins and hinges alike in all directions in turn.
+/// Returns rubber blocks, loose pins and isotropic hinges, in turn.
 model::Elasticity hinges_of_three_kinds(std::size_t count) {
   model::Elasticity all;
   const model::Elasticity kinds[] = {elasticity_of(rubber_block()), elasticity_of(loose_pin()), {}};

@@ -35,7 +35,7 @@ LinkageScene in_space(const PlanarStructure& s, const model::LinkageDrive& drive
   return scene;
 }
 
-// Newton's method leaves a turn to 1e-12 rad, of which the energy is the square.
+// Newton's method leaves a turn to 1e-12 rad; the energy is its square.
 constexpr double of_one_hinge = 1e-9;
 
 /// E = k turn^2 / 2 and M = k turn, with no gap.
@@ -99,10 +99,11 @@ PlanarStructure quads_with_offsets(int cells, unsigned seed) {
   return s;
 }
 
-// Of the stiffest spring below to the unit of energies, 1000 N/mm (10 mm)^2.
+// Ratio of the stiffest spring below to the unit of energies, 1000 N/mm (10 mm)^2.
 constexpr double stiffest_ratio = 1e-5;
 
-/// Springs from 1e-6 to 1 N mm/rad, and points from 1 to 1e6 N/mm: a sheet that moves exactly does so in all of them.
+/// Returns springs from 1e-6 to 1 N mm/rad, and points from 1 to 1e6 N/mm. A sheet with an exact motion keeps it with
+/// all of them.
 model::Elasticity hinges_of_all_stiffnesses(std::size_t count) {
   model::Elasticity all;
   for (std::size_t h = 0; h < count; ++h) {
@@ -142,7 +143,7 @@ void add_mixed(HardCases& cases) {
        "work is energy to 1e-3", strain_in_all_stiffnesses});
 }
 
-/// Springs that rest where the design has them: its exact state is an equilibrium without energy.
+/// Checks springs that rest in the design's folded state: its exact state is an equilibrium without energy.
 HardAnswer rest_at_design(const PlanarStructure& s, double theta) {
   const model::ExactMotion exact = exact_motion(s);
   LinkageScene scene{{s, first_hinge_to(s, theta), exact}, {}};
@@ -167,7 +168,7 @@ void add_rests(HardCases& cases) {
                    asked, [] { return rest_at_design(creased_quads(3, 2), 40 * deg); }});
 }
 
-/// A twist unit with alpha = 75 deg whose hinge is turned to where it must strain.
+/// Returns a twist unit with alpha = 75 deg whose hinge is turned to where it must strain.
 LinkageScene half_twisted(double play_mm) {
   const model::Structure unit = paper_twist_unit(75 * deg);
   const model::DrivenLinkage flip = flipping(unit, 12 * deg);
@@ -176,7 +177,8 @@ LinkageScene half_twisted(double play_mm) {
   return {flip, pins, flip_options()};
 }
 
-/// What the gaps of both points of all hinges press with, times a play that they lose: the change of energy to first order.
+/// Returns the first-order change of energy by a clearance, N mm. It is the force on the gaps of both points of all
+/// hinges, times the clearance that they lose.
 double lost_to_play(const LinkageScene& scene, const model::EquilibriumPath& path, double play_mm) {
   const model::Linkage& l = scene.driven.linkage;
   const double edge = l.size.edge_mm;
@@ -194,7 +196,7 @@ HardAnswer hardly_any_play(double play_mm) {
   const model::EquilibriumPath path = followed(with), tight = followed(without);
   const double energy = tight.steps.back().energy, lost = lost_to_play(without, tight, play_mm),
                off = std::abs(path.steps.back().energy - (energy - lost)) / energy;
-  // What is left of stiffness within the play adds 1e-5 of the energy.
+  // The small stiffness within the clearance adds 1e-5 of the energy.
   const double allowed = 2 * model::played_loose + 4 * std::pow(lost / energy, 2);
   HardAnswer a = answer(path, path.stop == Stop::reached && tight.stop == Stop::reached && off <= allowed,
                         text("energy %.8g N mm, by %.1e", path.steps.back().energy, off));
@@ -202,7 +204,8 @@ HardAnswer hardly_any_play(double play_mm) {
   return a;
 }
 
-/// Within their play pins hold nothing but by what is left of their stiffness: at most 1e-5 of it over all of the play.
+/// Within their clearance, pins resist only with their small remaining stiffness. It adds at most 1e-5 of the energy
+/// over all of the clearance.
 HardAnswer flip_freely(double alpha, double play_mm) {
   const model::Structure unit = paper_twist_unit(alpha);
   const model::Elasticity pins = played_pins(unit, play_mm);

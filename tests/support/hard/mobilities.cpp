@@ -20,7 +20,7 @@ HardScene between_plates(const model::Structure& s) {
   return {s, plates_drive(model::Axis::y, 30 * deg), of_ratio(1e-6), true};
 }
 
-/// With more degrees of freedom than the one of the closed form, the cells share the turns as costs least.
+/// With more degrees of freedom than the one of the closed form, the cells share the turns at the least energy.
 HardAnswer share_turns() {
   const HardScene scene = between_plates(staircase());
   const model::EquilibriumPath path = followed_finely(scene);

@@ -41,7 +41,7 @@ HardAnswer buckle(double over) {
 
 model::Structure even_panel() { return make_structure(model::rectangle(4, 3), {}); }
 
-/// The mirror image of each is the other: neither way to fold is favoured.
+/// The mirror image of each is the other, so neither side is favoured.
 HardScene imperfect(double by, double theta) {
   HardScene scene{even_panel(), plates_drive(model::Axis::y, theta), {}, true};
   model::Structure& s = scene.structure;

@@ -16,7 +16,7 @@ namespace {
 using model::PlanarStructure;
 using Stop = model::EquilibriumPath::Stop;
 
-// Of sums over some tens of walls of length one: a hundred times the rounding of each.
+// Tolerance of sums over some tens of walls of length one: a hundred times the rounding of each.
 constexpr double planar_closure = 1e-12;             // cell edges
 constexpr double next_to_closing = 90 * deg - 1e-6;  // rad
 
@@ -25,7 +25,7 @@ struct NamedPanel {
   PlanarStructure structure;
 };
 
-/// Panels with one freedom: floppy lattices have closed rims.
+/// Returns panels with one degree of freedom. Underconstrained lattices have closed boundaries.
 std::vector<NamedPanel> stiff_panels() {
   const auto closed = [](const model::PlanarLattice& lattice) {
     return model::make_planar_structure({&lattice, model::lattice_cells(3, 3), 0, true}, {});
@@ -116,7 +116,7 @@ void add_distorted(HardCases& cases) {
                      [lattice = lattice] { return close_one_row(*lattice); }});
 }
 
-/// A panel that closes but for one hinge must neither have a closed form nor be mobile.
+/// Checks that a panel that does not close at one hinge has neither a closed form nor mobility.
 HardAnswer nearly_closed(double off, double unit) {
   model::PlanarGraph graph = random_quads(3, 5);
   for (Eigen::Vector2d& p : graph.vertices) p *= unit;
@@ -150,7 +150,7 @@ double from_exact(const LinkageScene& scene, const model::EquilibriumPath& path,
   return aligned_distance(scene.driven.linkage, path.state, scene.driven.exact.at(theta)).rms;
 }
 
-/// The axis along which plates find two lines to hold.
+/// Returns the axis along which plates find two lines to grip.
 model::Axis plates_axis(const PlanarStructure& s) {
   const auto rows = [&](model::Axis axis) { return rim_rows(s, axis); };
   try {
@@ -165,17 +165,19 @@ model::LinkageDrive between_rims(const PlanarStructure& s, double theta) {
   return plate_drive(s, plates_axis(s), 1 - std::cos(theta), theta < 0 ? -1 : 1);
 }
 
-/// The first wall.
+/// Returns the drive of the first wall.
 model::LinkageDrive first_wall(const PlanarStructure& s, double theta) {
   return hinge_drive(s, 0, model::turn_at_theta(s.senses[s.graph.edges[0].from], theta));
 }
 
-/// Floppy lattices with a rim that leaves them one freedom: stiff enough between plates, not at every single wall.
+/// Returns whether a closed boundary leaves a lattice one degree of freedom. Such panels are stiff enough between
+/// plates, but not at every single wall.
 bool has_closed_rim(const NamedPanel& panel) {
   return panel.structure.drawn.lattice && panel.structure.drawn.closed_rim;
 }
 
-/// How nearly a second motion begins on the way of the closed form: the least singular value beside that of its own.
+/// Returns how nearly a second motion begins along the closed form: the smallest singular value except that of the
+/// motion itself.
 double least_other(const PlanarStructure& s, const model::ExactMotion& exact, double theta) {
   double least = INFINITY;
   for (double at = deg; at <= theta; at += deg)
@@ -183,8 +185,8 @@ double least_other(const PlanarStructure& s, const model::ExactMotion& exact, do
   return least;
 }
 
-/// Where a second motion begins on the way a single wall need not take a panel along its closed form: it does so with less
-/// energy then, and says so.
+/// Follows a panel driven at one wall. If a second motion begins during the motion, the panel may leave its closed
+/// form. It then has less energy, and the path reports the departure.
 HardAnswer follow_one_wall(const PlanarStructure& s, double theta) {
   const LinkageScene scene = driven_to(s, first_wall(s, theta), 1e-6);
   HardAnswer a = follow_strained(scene, 1e-3);
@@ -279,7 +281,7 @@ HardAnswer turn_far(const PlanarStructure& s, double theta) {
   return a;
 }
 
-/// Energy over k_point L^2 speaks of no size.
+/// Checks that energy over k_point L^2 does not depend on size.
 HardAnswer resize(double edge_mm) {
   const auto part = [](double edge) {
     PlanarStructure s = with_hinges_anywhere(stiff_panels()[0].structure, 14);

@@ -23,7 +23,7 @@ bool says_unstable(const std::string& text) {
   return text.find("closed form is unstable") != std::string::npos;
 }
 
-/// The closed form of a strip beyond its tipping length is no minimum: an elastic one takes less energy.
+/// Checks a strip beyond its tipping length. Its closed form is not a minimum: an elastic one takes less energy.
 HardAnswer tip_over(const HardScene& scene) {
   const model::EquilibriumPath path = followed(scene);
   const model::State exact = fold(classify(scene.structure), scene.structure, path.theta);

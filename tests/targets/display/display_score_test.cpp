@@ -24,7 +24,7 @@ TEST(DisplayScore, CellsThatAreAllTheSameShowNothing) {
 
 TEST(DisplayScore, TiesCountHalf) { EXPECT_DOUBLE_EQ(display_score({1, 1, 0}, {1, 0, 0}).auc, 0.75); }
 
-// As of 2 x 2 cells: it was infinite, which JSON does not hold.
+// Regression: a score, such as that of 2 x 2 cells, was infinite, which JSON cannot hold.
 TEST(DisplayScore, APictureWithoutScatterHasThatOfTheLeastOneThatCounts) {
   EXPECT_DOUBLE_EQ(display_score({1, 1, 0}, {1, 1, 0}).contrast, 1e5);
   EXPECT_DOUBLE_EQ(display_score({0, 0, 1}, {1, 1, 0}).contrast, -1e5);

@@ -81,7 +81,7 @@ TEST(GlyphGoal, StretchesASlimLetterByOneAndAHalfAtMost) {
   EXPECT_LT(cells, 50);
 }
 
-// Of cells twice as wide as high a letter has half as many columns.
+// On cells twice as wide as high, a letter has half as many columns.
 TEST(GlyphGoal, CountsTheShapeOfCellsInWhatItStretches) {
   const FontFile font = find_font(default_font);
   const auto columns_of = [&](double cell_shape) {

@@ -106,7 +106,7 @@ TEST(WholePicture, AFrameCountsAsAStroke) {
   const DisplayGoal coarse = image_goal(file, PanelSize{6, 6});
   EXPECT_FALSE(coarse.whole);
   ASSERT_TRUE(coarse.needed);
-  EXPECT_EQ(*coarse.needed, (PanelSize{12, 12}));  // where the frame covers half of each cell at the rim
+  EXPECT_EQ(*coarse.needed, (PanelSize{12, 12}));  // where the frame covers half of each cell at the edge
 }
 
 // Its tip is thinner than a cell on every panel.

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using testing::refusal;
 
 enum class Colour { red, green };
-// What a key may say.
+// Words that the key `colour` accepts.
 constexpr Word<Colour> colours[] = {{"red", Colour::red}, {"green", Colour::green}};
 
 const KeyTable& keys() {

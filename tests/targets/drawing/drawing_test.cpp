@@ -50,7 +50,7 @@ void expect_lines(const Drawing& found, const std::vector<std::array<double, 4>>
         EXPECT_NEAR(found[k][end][i], expected[k][2 * end + i], 1e-9) << "line " << k << ", end " << end;
 }
 
-// Of a closed polyline: its flags and corners.
+// Flags and corners of a closed polyline.
 const std::string square_of_lines = "70\n1\n10\n0\n20\n0\n10\n2\n20\n0\n10\n2\n20\n2\n10\n0\n20\n2\n";
 
 TEST(DxfDrawing, HasTheLinesOfItsEntities) {
@@ -97,7 +97,7 @@ TEST(DxfDrawing, LeavesTextAndOtherSectionsAlone) {
       {{0, 0, 1, 0}});
 }
 
-// The frame of a layout was taken for walls: it stands on paper (group 67), in another scale.
+// Regression: the frame of a layout was read as walls. It belongs to the paper (group 67), in another scale.
 TEST(DxfDrawing, LeavesWhatStandsOnPaperOut) {
   const std::string frame = "0\nLINE\n8\n0\n67\n1\n10\n0\n20\n0\n11\n297\n21\n0\n",
                     border = "0\nLWPOLYLINE\n67\n1\n90\n4\n" + square_of_lines,
@@ -269,13 +269,13 @@ TEST(SvgDrawing, LeavesDefinitionsAlone) {
                {{0, 0, 1, 0}});
 }
 
-// Likewise every element and transform.
+// Every element and transform once, so that damage may fall on each.
 const std::string small_svg =
     svg("<g transform='translate(1 2) rotate(30) matrix(1 0 0 1 2 3)'><line x1='1' y1='2' x2='3' y2='4'/>"
         "<polyline points='0,0 1,0 1,1'/><rect x='1' y='2' width='3' height='4'/><path d='m1 1 2 0 0 "
         "2h-2v-2z'/></g>");
 
-/// Whether a damaged file gives finite lines, or says what is wrong; anything else ends the test.
+/// Returns whether a damaged file gives finite lines, or an error message; anything else ends the test.
 template <class Parse>
 bool is_read(const std::string& text, const Parse& parse) {
   try {
@@ -329,7 +329,7 @@ TEST(WallsOfADrawing, MeetWhereEndsAreNear) {
   EXPECT_NO_THROW(validate(graph));
 }
 
-/// Off by a thousandth of a millimetre, as files of three decimals are: plates press on all of a side.
+/// Ends are off by a thousandth of a millimetre, as in files of three decimals. Plates still press on a whole side.
 TEST(WallsOfADrawing, OfASideLieOnOneLine) {
   const model::PlanarGraph graph = walls_of({{{{0, 0.001}, {10, 0}}},
                                              {{{10, 0}, {20, 0.001}}},
@@ -355,7 +355,7 @@ TEST(WallsOfADrawing, AreThereOnceWhereLinesAreDrawnTwice) {
   EXPECT_EQ(graph.edges.size(), 2u);
 }
 
-/// What the message says of a drawing that a document names.
+/// Returns the error message for a drawing that a document names.
 std::string refusal_of(const std::string& name, const std::string& content) {
   const TemporaryFolder folder;
   if (!content.empty()) folder.write(name, content);

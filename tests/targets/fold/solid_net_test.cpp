@@ -29,8 +29,8 @@ TEST(Solid, TurnsItsFacesByTheKnownAngles) {
     for (const SolidEdge& edge : edges_of(named_solid(k))) EXPECT_NEAR(edge.turn, pi - inside[k], 1e-12);
 }
 
-// Creases in three directions that do not meet, and all faces where the closed solid has them, at the theta for which the
-// hinges were leant; hinges are closed at every theta.
+// Creases have three directions that do not meet. At the theta for which the hinges were tilted, all faces are where
+// the closed solid has them. Hinges are closed at every theta.
 TEST(SolidNet, FoldsExactlyToItsSolid) {
   for (int k = 0; k < static_cast<int>(solid_names().size()); ++k)
     for (const int columns : {1, 2, 3}) {

@@ -24,7 +24,7 @@ TriangleMesh random_soup(std::mt19937& random, int triangles) {
   return mesh;
 }
 
-/// Nearest by dense sampling of the triangle's area.
+/// Returns the distance to the nearest point of a dense sampling of the triangle's area.
 double sampled_distance(const std::array<Vector3d, 3>& c, const Vector3d& p, int n = 60) {
   double least = 1e300;
   for (int i = 0; i <= n; ++i)

@@ -21,7 +21,7 @@ constexpr double pi_ = std::numbers::pi;  // rad; 4 pi is the solid angle of all
 
 WindingNumber winding_of(const TriangleMesh& mesh) { return WindingNumber(TriangleTree(mesh)); }
 
-/// The definition, triangle by triangle.
+/// Sums the definition, triangle by triangle.
 double summed(const TriangleMesh& mesh, const Vector3d& p) {
   double sum = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -29,7 +29,7 @@ double summed(const TriangleMesh& mesh, const Vector3d& p) {
   return sum / (4 * pi_);
 }
 
-/// Another method: how often a ray crosses the mesh, in the plane of two coordinates.
+/// Checks by another method: how often a ray crosses the mesh, in the plane of two coordinates.
 bool is_inside_by_parity(const TriangleMesh& mesh, const Vector3d& p) {
   int crossings = 0;
   const auto side = [&](const Vector3d& a, const Vector3d& b) {

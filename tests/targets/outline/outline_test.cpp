@@ -25,7 +25,7 @@ Points square(double side, const Vector2d& from = {0, 0}) {
 /// An L of 3 squares, with a corner that points inwards.
 const Points ell = {{0, 0}, {20, 0}, {20, 10}, {10, 10}, {10, 20}, {0, 20}};
 
-/// Round a point, at a distance that changes.
+/// Returns an outline around a point, at a changing distance.
 Points star(int corners, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> radius(4, 12);
@@ -83,7 +83,7 @@ TEST(Outline, HasPointsByArcLengthRoundAndRound) {
 // Along an outline of some 100 mm: a hundredth of a mm from one to the next.
 constexpr int samples = 20'000;
 
-/// Of many points along the outline.
+/// Returns the distance of p from the nearest of many points along the outline.
 double sampled_distance(const Outline& outline, const Vector2d& p) {
   double least = INFINITY;
   for (int k = 0; k < samples; ++k)

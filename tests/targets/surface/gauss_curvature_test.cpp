@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Over squares of a grid of the whole patch.
+/// Sums the integrals over squares of a grid of the whole patch.
 double whole_integral(const SurfacePatch& patch, int sides = 8) {
   double sum = 0;
   const Vector2d step = 2 * patch.half / sides;

@@ -57,7 +57,7 @@ TEST(Revolution, OfACircleIsASphere) {
     EXPECT_NEAR(p.norm(), 50, std::abs(p.x()) < 12 ? 1e-4 : chord);
 }
 
-// Where heights go on as a parabola was told by the radius in the middle, so that a narrow end was not round.
+// Regression: the radius in the middle decided where heights continue as a parabola, so a narrow end was not round.
 TEST(Revolution, IsRoundAtItsNarrowEndsToo) {
   const Profile spindle({{10, 0}, {50, 60}, {10, 120}});
   const double turn = 59 * radians_per_degree;

@@ -1,4 +1,4 @@
-// How near a strip comes to its curve: the verdict, distance along the curve, turn needed against turn allowed.
+// Curve: the verdict, the distance along the curve, and needed against allowed turn.
 
 function readCurve(raw, target) {
   const turn = list(raw.turn).filter((t) => finite(t?.column) !== null && finite(t?.needed_deg) !== null);
@@ -99,7 +99,7 @@ function errorRange(data) {
   return [-1.35 * most, 1.35 * most];
 }
 
-/** What the rms is, and what it may be: a number, since single places may be farther off. */
+/** Labels the chart with the rms and its limit, as text: a line would mislead, because points may exceed the rms. */
 function rmsRemark(axes, data, labelLeft) {
   const rms = lengthOf(data, data.metrics.shape_rms), allowed = lengthOf(data, data.tolerance.shape), {left, right, top} = axes.area;
   if (rms === null) return [];
@@ -148,7 +148,7 @@ function isOver(turn) {
   return turn.allowed !== null && Math.abs(turn.needed) > turn.allowed * (1 + 1e-9);
 }
 
-/** The sides on which some column turns: 1 up, -1 down. */
+/** Returns the sides to which some column turns: 1 up, -1 down. */
 function sidesOf(turn) {
   return [1, -1].filter(
       (side) => turn.some((t) => side * t.needed > 0.05) ||
@@ -167,7 +167,7 @@ function turnMarks(axes, turn, sides) {
   ];
 }
 
-/** Limits far above the bars are left to the words, so that the bars can be read. */
+/** Returns whether limits are drawn. Limits far above the bars appear only in the text, so the bars stay legible. */
 function showsLimits(turn) {
   const needed = Math.max(...turn.map((t) => Math.abs(t.needed)));
   return turn.some((t) => t.allowed !== null && t.allowed < 4 * needed);
@@ -219,7 +219,7 @@ function turnFigure(data) {
           showsLimits(turn) && ["turn-limit", "most that the tilt range allows"]));
 }
 
-/** Those that no other one beats in both errors. */
+/** Returns the Pareto front: strips that no other strip beats in both errors. */
 function frontOf(tried) {
   const sorted = [...tried].sort((a, b) => a.shape_rms - b.shape_rms);
   let least = Infinity;
@@ -244,7 +244,7 @@ function drawRobust(data, width) {
   return axes.root;
 }
 
-/** What a design that is made for its prints gives up, and what it gains. */
+/** Draws the candidates of a robust search: error of the design against error of its prints. */
 function robustFigure(data) {
   const {robust} = data.goal;
   if (!robust.length || data.goal.scale === null) return null;

@@ -1,4 +1,4 @@
-// What a panel shows: before and after compression, its hinges, and the reading of every cell.
+// Display: the panel before and after compression, its hinges, and the reading of every cell.
 
 function readDisplay(raw) {
   if (!raw) return null;
@@ -44,7 +44,7 @@ function displayVerdict(data) {
           text: model + (run || " It was not checked by a physics run.")};
 }
 
-/** How many cells of a picture in two levels show on their side of the middle between letter and rest. */
+/** Counts the cells of a two-level picture that are on the correct side of the middle between letter and rest. */
 function rightSide(display, reading) {
   if (!reading || isGrey(display) || reading.cells.length !== display.levels.length || reading.letter === null) return null;
   const middle = (reading.letter + reading.rest) / 2, up = reading.letter > reading.rest;
@@ -58,7 +58,7 @@ function rightSideWords(counted) {
   return right === all ? `all ${all} cells on the right side` : `${right} of ${all} cells on the right side`;
 }
 
-/** Vertices and hinge points round a cell, in turn. */
+/** Returns the outline of a cell: vertices and hinge points in turn. */
 function cellOutline({structure, raw}, {bodies, hinges}, state) {
   return list(bodies).flatMap((body, k) => {
     const {rest} = structure.bodies[body], pose = state.poses[body];
@@ -73,20 +73,20 @@ function areaOf(points) {
   }, 0));
 }
 
-/** Each cell as a lamp behind the panel shows it: [outline, luminance from 0 to 1, its open area over that of the flat cell]. */
+/** Returns [outline, luminance] of each lit cell. Luminance, 0 to 1, is the open area over that of the flat cell. */
 function litCells(data, state) {
   const cells = list(data.raw.structure?.cells), outlines = cells.map((cell) => cellOutline(data, cell, state));
   return outlines.map((points, k) => [points, Math.min(1, areaOf(points) / (areaOf(cellOutline(data, cells[k], data.states.flat)) || 1))]);
 }
 
 const LIT_CELL = [255, 222, 115];  // sRGB of the lamp
-const SRGB_GAMMA = 2.2;            // about: values of pixels over luminance
+const SRGB_GAMMA = 2.2;            // approximate exponent between luminance and pixel values
 
 function cellColour(bright) {
   return `rgb(${LIT_CELL.map((full) => Math.round(full * bright ** (1 / SRGB_GAMMA))).join(",")})`;
 }
 
-/** The panel before a lamp, seen from near. */
+/** Draws the panel in front of a lamp, from near. */
 function litShot(data) {
   const cells = litCells(data, data.states.model), walls = plates(data.structure).map((plate) => carriedPlate(data.structure, data.states.model, plate));
   return {
@@ -98,10 +98,10 @@ function litShot(data) {
   };
 }
 
-const ARC_MINUTE = 2.9e-4;                 // rad, what an eye tells apart
-const FARTHEST_M = 60, USUAL_CELLS = 0.5;  // of the slider; of a cell that its first place blurs: walls are gone, strokes are not
+const ARC_MINUTE = 2.9e-4;                 // rad: resolution of an eye
+const FARTHEST_M = 60, USUAL_CELLS = 0.5;  // end of the slider, m; initial blur in cells: hides walls but not strokes
 
-/** The panel as it looks from a distance that a slider sets: blurred by an arc minute, in true luminance unless enhanced. */
+/** Draws the panel from the distance on a slider: blurred by an arc minute, in true luminance unless enhanced. */
 function distanceView(data) {
   const {goal: display, structure, states} = data, shown = [states.flat, states.model].filter(Boolean);
   const near = Math.min(FARTHEST_M, Math.round((USUAL_CELLS * structure.cell) / (1000 * ARC_MINUTE)));
@@ -130,7 +130,7 @@ function distanceView(data) {
       html("figcaption", {}, html("strong", {}, "From a distance:"), " walls blur by an arc minute, in true luminance unless enhanced"));
 }
 
-/** A panel from above, to the scale of `view`. */
+/** Draws a panel from above, at the scale of `view`. */
 function panelFromAbove(structure, state, view, pale) {
   const to = ([x, y]) => [(x - view.low[0]) * view.scale, (view.high[1] - y) * view.scale];
   const d = structure.hinges.flatMap(
@@ -165,7 +165,7 @@ function pictureBox(label, note, draw) {
   return html("figure", {class: "shot"}, responsive(draw), html("figcaption", {}, html("strong", {}, `${label}:`), " ", note));
 }
 
-/** What an eye sees from a distance, as the program drew it. */
+/** Makes the program's pictures of the panel from a distance. */
 function farViews(data) {
   const pictures = dictionary(data.raw.pictures);
   const view = (name, label, note) => typeof pictures[name] === "string" && html(
@@ -204,7 +204,7 @@ function displaySection(data) {
       limitsTable(display), printsTable(display), neededPanel(display), startsTable(display));
 }
 
-/** What limits of force and strain cost. */
+/** Makes the table of loads and contrast with and without limits of force and strain. */
 function limitsTable(display) {
   if (!display.loads) return null;
   const row = (name, loads) => ({cells: [
@@ -216,7 +216,7 @@ function limitsTable(display) {
               table(["", "compressed by", "force, largest", "strain, largest", "AUC", "contrast"], rows, "Limits of force and strain"));
 }
 
-/** What prints with the errors of their process show. */
+/** Makes the table of the print tolerance analysis. */
 function printsTable(display) {
   if (!display.printed) return null;
   const {expected, prints} = display.printed;
@@ -227,7 +227,7 @@ function printsTable(display) {
                     display.printed.confirmed === false ? "What prints show: first order is far from them" : "What prints show"));
 }
 
-/** How large a panel would have to be; what this one lacks is said at the top. */
+/** Describes the size of a panel that is needed or estimated. The reasons are at the top of the page. */
 function neededPanel(display) {
   const panel = ([columns, rows], words) => html("p", {}, html("strong", {}, `${columns} \u00d7 ${rows} cells`), words);
   if (display.needed.length === 2) return panel(display.needed, " is the smallest panel that keeps all strokes of the picture.");

@@ -1,6 +1,6 @@
-// How a net folds: the flat net with its creases, their angles, and the unfoldings that were tried.
+// Fold: the flat net with its creases, their angles, and the unfoldings that were tried.
 
-const EXACT_DEG = 5e-7;  // degrees: what six digits show as none
+const EXACT_DEG = 5e-7;  // degrees: six decimals show smaller errors as 0
 
 function readFold(raw) {
   if (!raw || typeof raw !== "object") return null;
@@ -49,7 +49,7 @@ function creaseColour(angle) {
   return colour(angle < 0 ? "tilt-minus" : angle > 0 ? "tilt-plus" : "tilt-none");
 }
 
-/** The net of a solid from above: faces and creases are polygons. */
+/** Draws the net of a solid from above. Faces and creases are polygons. */
 function drawSolidNet({faces, creases}, width) {
   const box = extent([...faces, ...creases].flatMap(({corners}) => corners));
   const px = Math.min(40, (width - 4) / box.size[0], 560 / box.size[1]);
@@ -67,7 +67,7 @@ function drawSolidNet({faces, creases}, width) {
       faces.map(label));
 }
 
-/** The net from above, a unit a cell. */
+/** Draws the net from above, with one unit per cell. */
 function drawNet({faces, creases}, width) {
   if (faces.some(({corners}) => corners.length)) return drawSolidNet({faces, creases}, width);
   const box = extent([...faces, ...creases].flatMap(({at, size}) => [at, add(at, size)]));
@@ -137,7 +137,7 @@ function foldSection({goal: fold, structure}) {
       html("div", {class: "scroll"}, creaseTable(fold)), foldLimits(fold), attemptTable(fold));
 }
 
-/** Bodies at corners of the first face, the bottom of a box: one, and others along x and along y; null where faces are no cells. */
+/** Returns three corner bodies of the first face: one, and others along x and y. Null for faces without cells. */
 function bottomCorners({goal, structure: {bodies}}) {
   const face = goal?.faces[0];
   if (!face?.size[0]) return null;

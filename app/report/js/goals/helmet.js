@@ -1,4 +1,4 @@
-// How a helmet fits: distance from the head and tilts by cell on the flat fishbone, its side view, its ribs.
+// Helmet: distance from the head and tilts by cell on the flat fishbone, the side view, and the ribs.
 
 function readHelmet(raw) {
   if (!raw || typeof raw !== "object") return null;
@@ -13,7 +13,7 @@ function readHelmet(raw) {
   };
 }
 
-/** The head's own frame, z up: what the mesh's file calls up does not matter for pictures. */
+/** Moves states into the frame of the head, z up, whatever the up direction of the mesh file is. */
 function inHeadFrame(raw, states) {
   const frame = readPose(dictionary(raw).head_frame);
   if (!frame) return states;
@@ -23,7 +23,7 @@ function inHeadFrame(raw, states) {
   return {...states, model: moved(states.model), physics: moved(states.physics), frames: states.frames.map(moved)};
 }
 
-/** Lines on the head, in its own frame. */
+/** Returns lines on the head in the frame of the head. */
 function headLines(raw, lines) {
   const frame = readPose(dictionary(raw).head_frame) ?? {p: [0, 0, 0], q: [1, 0, 0, 0]}, [w, ...v] = frame.q;
   return list(lines).map((line) => numberRows(line, 3).map((p) => turned([w, ...scale(v, -1)], subtract(p, frame.p))));
@@ -46,18 +46,18 @@ function helmetVerdict({goal: helmet, verdict: {met, verified}, ...data}) {
   return {mark: "\u2713", tone: verified ? "good" : "unsure", title: verified ? `It fits${near}, and the physics run agrees` : `It fits in the model${near}`, text};
 }
 
-/** Corners of each cell at rest, as rows of body indices. */
+/** Returns the corners of each cell, as rows of body indices. */
 function cellsOf(raw) {
   return numberRows(dictionary(raw.structure).cells?.map((cell) => cell?.bodies), 4);
 }
 
-/** Tilt of the cell's crease: whichever of its walls leans most. */
+/** Returns the tilt of a cell's crease, which is the largest tilt of its walls. */
 function tiltOfCell(raw, k, hinges) {
   const members = list(list(dictionary(raw.structure).cells)[k]?.hinges);
   return members.map((h) => hinges[h]?.beta ?? 0).reduce((a, b) => (Math.abs(b) > Math.abs(a) ? b : a), 0);
 }
 
-/** The flat fishbone, the front of the head at the top, a colour a cell. */
+/** Draws the flat fishbone with one colour per cell. The front of the head is at the top. */
 function cellMap({structure, raw}, values, most, unit, width, label) {
   const corners = cellsOf(raw), rest = (body) => structure.bodies[body].rest.slice(0, 2);
   const box = extent(corners.flat().map(rest));
@@ -105,7 +105,7 @@ function ribTable({ribs}) {
   })), "Ribs");
 }
 
-/** Tilts of the cells of each rib, from the spine outwards, and of the spine from back to front. */
+/** Makes the table of tilts: cells of each rib from the spine outwards, and cells of the spine from back to front. */
 function tiltTableOfHelmet({goal: {ribs}, raw, structure}) {
   const at = new Map(list(dictionary(raw.structure).cells).map((cell, k) => [list(cell?.cell).join(), toDegrees(tiltOfCell(raw, k, structure.hinges))]));
   const spine = ribs[0]?.cells ? [...at.keys()].map((key) => key.split(",").map(Number)) : [], inRibs = new Set(ribs.map(({row}) => row));

@@ -1,4 +1,4 @@
-// How near a panel's rim comes to its outline: the verdict, and what holds it back.
+// Outline: the verdict on a panel's boundary, and the active bounds.
 
 function readOutline(raw) {
   if (!raw || typeof raw !== "object") return null;

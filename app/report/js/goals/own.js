@@ -1,4 +1,4 @@
-// A goal of one's own, which a function of Python judges: its error, in a unit that the function alone knows.
+// Custom goal, measured by a Python function: its error, in the unit of that function.
 
 function readOwn(raw) {
   if (!raw || typeof raw !== "object") return null;

@@ -1,4 +1,4 @@
-// How far a block in space shrinks: the verdict, its lengths at rest and pressed.
+// Space block: the verdict, and the lengths at rest and pressed.
 
 function readSpaceBlock(raw) {
   if (!raw || typeof raw !== "object") return null;

@@ -1,4 +1,4 @@
-// How near a strip comes to its curve in space: the verdict, distance along the curve, what each column does.
+// Space curve: the verdict, the distance along the curve, and the turn or climb of each column.
 
 function readSpaceCurve(raw) {
   if (!raw || typeof raw !== "object") return null;

@@ -1,4 +1,4 @@
-// How near a sheet's vertices come to the two layers of a doubly curved surface, and how high its plates may be.
+// Surface: distance of a sheet's vertices from its two layers, and the largest plate height without collisions.
 
 function readSurface(raw) {
   if (!raw || typeof raw !== "object") return null;
@@ -47,7 +47,7 @@ function surfaceNumbers(data) {
   ];
 }
 
-// The crease pattern, flat.
+// Draws the flat crease pattern.
 function creasePattern({facets, flat}) {
   if (!facets || flat.length !== (facets[0] + 1) * (facets[1] + 1)) return null;
   const xs = flat.map(([x]) => x), ys = flat.map(([, y]) => -y);

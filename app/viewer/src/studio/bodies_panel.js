@@ -1,8 +1,8 @@
-// A design of bodies: how far it turns, its hinges, and what is known of the body or hinge that is chosen.
+// Panel of a design of bodies: its range of motion, its hinges, and data of the chosen body or hinge.
 import {$, degrees, element, neat, show, typed} from "./dom.js";
 import {status} from "./words.js";
 
-const MOST_LINES = 8;  // of the list of hinges: the rest is scrolled to
+const MOST_LINES = 8;  // of the list of hinges; longer lists scroll
 const KINDS = {block: "soft part", pin: "pin in a bore", hinge: "hinge", ball: "ball, turns every way"};
 const vector = (v, digits) => v.map((each) => neat(each, digits)).join(", ");
 
@@ -33,7 +33,7 @@ export class BodiesPanel {
     this.connection.send("hinge", {indices: this.state.chosen, [name]: Number(value)}).catch(() => this.showChosen());
   }
 
-  /** What has no meaning for bodies is hidden by the style sheet. */
+  /** Shows a design of bodies. The style sheet hides controls that do not apply to bodies. */
   showDesign() {
     const {bodies, structure} = this.state.design;
     if (bodies) document.documentElement.dataset.thing = "bodies";
@@ -98,7 +98,7 @@ export class BodiesPanel {
   }
 }
 
-/** Which way and how far it turns, in a sentence for the heading of the panel. */
+/** Describes the direction and range of the motion in a sentence for the heading of the panel. */
 export function turnWords({bodies, exact, structure}) {
   const {name} = structure.hinges[bodies.driven];
   if (bodies.pulled) return bodies.following ? "Following the pull\u2026" : `Bodies are pulled: hinges turn by ${neat(degrees(bodies.turn_range_rad[1]), 0)}\u00b0 in the mean.`;

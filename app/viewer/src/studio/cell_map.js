@@ -1,11 +1,12 @@
-// The sheet from above, flat: cells to paint, hinges to choose. One picture that the arrow keys walk over.
+// Flat sheet from above: cells to paint, hinges to choose. The picture is one element, and arrow keys move a mark over
+// it.
 import {cellAt} from "../squares.js";
 import {$, show, svg} from "./dom.js";
 import {status} from "./words.js";
 
-const CLICK_SHARE = 0.08;  // of a cell: a pointer that moved less has clicked
+const CLICK_SHARE = 0.08;  // of a cell: a smaller movement is a click
 const T_RANGE = [0.02, 0.98];
-const MOST_HINGES = 3000;  // drawn one by one; larger sheets show their cells alone
+const MOST_HINGES = 3000;  // drawn one by one; larger sheets show only their cells
 
 export class CellMap {
   constructor(state, box) {
@@ -21,13 +22,13 @@ export class CellMap {
     return $("symmetry").value;
   }
 
-  /** A place of the page in cells, as the picture has it. */
+  /** Converts a place on the page to cells of the picture. */
   at(event) {
     const {x, y} = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.picture.getScreenCTM().inverse());
     return [x, y];
   }
 
-  /** A hinge under the pointer is dragged along and across its wall, cells are painted. */
+  /** Starts dragging the hinge under the pointer along and across its wall, or painting cells. */
   press(event, what) {
     if (event.button !== 0) return;
     event.preventDefault();
@@ -69,7 +70,7 @@ export class CellMap {
       `hinge ${held.hinge}: t ${held.to.t.toFixed(2)}, ${held.to.offset_mm.toFixed(2)} mm beside its wall`);
   }
 
-  /** Where on its wall a hinge would be: t along it, mm across it, and the place in the picture. */
+  /** Projects a place to a hinge's wall: t along it, offset in mm across it, and the place in the picture. */
   onWall(hinge, [x, y]) {
     const {structure} = this.state.design, edge = structure.cell_mm, [a, b] = structure.hinges[hinge].bodies.map((k) => structure.bodies[k].position_mm);
     const along = [b[0] - a[0], b[1] - a[1]], length = Math.hypot(...along), e = along.map((v) => v / length);
@@ -80,7 +81,7 @@ export class CellMap {
     return {t, offset_mm, at: [at[0] / edge, this.flip - at[1] / edge]};
   }
 
-  /** @param words said once it is done */
+  /** @param words shown when it is done */
   send(type, keys, words) {
     this.state.connection.send(type, {...keys, symmetry: this.symmetry}).then(() => status(words), () => this.draw());
   }
@@ -91,7 +92,7 @@ export class CellMap {
       `${cells.length > 1 ? `${cells.length} cells` : `cell ${cells[0].join(", ")}`} ${on ? "added" : "taken away"}`);
   }
 
-  /** Cells there are, and one ring of places around where there could be more. */
+  /** Lists the cells, and the ring of places around them for new cells. */
   places() {
     const cells = this.state.design.structure.cells.map(({cell}) => cell), there = new Set(cells.map(String));
     this.there = there;
@@ -132,7 +133,7 @@ export class CellMap {
     this.moveCursor(0, 0, false);
   }
 
-  /** Says so where the picture is wider than its box: scroll bars are not seen everywhere. */
+  /** Reports a picture that is wider than its box, because some systems hide scroll bars. */
   tellWidth() {
     show($("map_wide"), this.box.clientWidth > 0 && this.box.scrollWidth > this.box.clientWidth + 1);
   }
@@ -165,7 +166,7 @@ export class CellMap {
     this.spots.forEach((spot, index) => spot.classList.toggle("chosen", chosen.has(index)));
   }
 
-  /** The mark stands at half cell edges: odd, odd is a cell, one of them even a wall. */
+  /** Moves the mark in half cell edges: two odd numbers are a cell, one even number is a wall. */
   moveCursor(dx, dy, says = true) {
     const most = this.high.map((v) => Math.ceil(2 * v) + 1);
     this.cursor = this.cursor.map((v, k) => Math.max(0, Math.min(most[k], v + [dx, dy][k])));

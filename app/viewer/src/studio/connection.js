@@ -3,7 +3,7 @@
 const HEAD = 10;          // numbers before the poses
 const RETRY_MS = 1500;    // after the connection was lost
 
-/** A frame, or null where its layout is not known. */
+/** Reads a frame; null if its layout is not known. */
 export function readFrame(buffer) {
   const head = new Float64Array(buffer, 0, HEAD);
   if (head[0] !== 1 || buffer.byteLength !== 8 * (HEAD + 7 * head[9])) return null;
@@ -61,7 +61,8 @@ export class Connection {
       if (id <= frame.heard) this.waiting.delete(id) && this.tell("done", {type}), resolve(frame);
   }
 
-  /** Sends a command; the promise is kept by the first frame with its effect, and broken where it is refused. */
+  /** Sends a command. The promise resolves with the first frame that shows its effect, and rejects if the command is
+   *  refused. */
   send(type, keys = {}) {
     if (this.socket?.readyState !== WebSocket.OPEN) return Promise.reject(new Error("The program is not there."));
     const id = this.next++;
@@ -71,7 +72,7 @@ export class Connection {
     return answer;
   }
 
-  /** As send, but while one is on its way only the newest of those that follow is kept: for sliders and pointers. */
+  /** Sends a command, for sliders and pointers. While one is unanswered, only the newest of the later ones is kept. */
   latest(type, keys) {
     const line = this.newest.get(type);
     if (line) return void (line.next = keys);
@@ -84,7 +85,7 @@ export class Connection {
     });
   }
 
-  /** Forgets what of that type has not been sent. */
+  /** Drops a kept command of this type that was not sent. */
   forget(type) {
     this.newest.delete(type);
   }

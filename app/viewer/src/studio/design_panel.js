@@ -1,4 +1,4 @@
-// The design in numbers: sheet, hinges, how they are made, what is wrong with it.
+// The design in numbers: sheet, hinges, how they are made, and its problems.
 import {$, degrees, element, foldWords, neat, show, typed} from "./dom.js";
 import {turnWords} from "./bodies_panel.js";
 import {CellMap} from "./cell_map.js";
@@ -16,7 +16,7 @@ export class DesignPanel {
     state.on("chosen", () => (unsay("choice"), this.showHinge()));
   }
 
-  /** @param words said once it is done */
+  /** @param words shown when it is done */
   send(type, keys, words = "") {
     return this.connection.send(type, keys).then(() => words && status(words), () => this.showDesign());
   }
@@ -42,7 +42,7 @@ export class DesignPanel {
     this.send("made", kind === "stiff" ? {kind} : {kind, material});
   }
 
-  /** All hinges of the chosen one's direction in its column or row. */
+  /** Chooses all hinges of the chosen one's direction in its column or row. */
   widen(line) {
     const {chosen, design} = this.state, first = chosen.length ? this.state.wall(chosen[0]) : null;
     if (!first) return say("Choose a hinge of a sheet of squares first.", {about: "choice"});
@@ -52,7 +52,7 @@ export class DesignPanel {
     }));
   }
 
-  /** Tilts alternate along a crease, and so do the halves of walls. */
+  /** Sets a number of the chosen hinges. Tilts alternate along a crease, and so do the halves of walls. */
   setHinges(name, value) {
     const {chosen: indices, squares} = this.state;
     if (!Number.isFinite(value) || !indices.length) return;
@@ -81,7 +81,7 @@ export class DesignPanel {
     this.showHinge();
   }
 
-  /** Whether it is saved, and else where it is kept; how far folded it is. */
+  /** Shows whether the design is saved, where it is kept if not, and its fold. */
   showUnsaved() {
     const {unsaved, kept, not_kept, restored, theta_rad, bodies} = this.state.design, {autosave} = this.state.hello ?? {};
     show($("unsaved"), unsaved);

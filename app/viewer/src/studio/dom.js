@@ -1,4 +1,4 @@
-// Elements of the page. Text goes in as text, never as markup.
+// Elements of the page. Text is inserted as text, never as markup.
 
 export const $ = (id) => document.getElementById(id);
 
@@ -22,17 +22,18 @@ export function show(node, on) {
   node.hidden = !on;
 }
 
-/** A number for people: `digits` after the point at most, without trailing zeros; a dash where there is none. */
+/** Formats a number for people: at most `digits` decimals, without trailing zeros; a dash without a number. */
 export function neat(value, digits = 3) {
   return Number.isFinite(value) ? String(Number(value.toFixed(digits))).replace("-", "\u2212") : "\u2013";
 }
 
-/** A number for an input field. */
+/** Formats a number for an input field. */
 export function typed(value, digits = 4) {
   return Number.isFinite(value) ? String(Number(value.toFixed(digits))) : "";
 }
 
-/** A run's summary, whose lines are a name and what is said of it, or go on with that: its first line, then rows. */
+/** Converts a run's summary to its first line and rows. Each line is a name and its value; a line without a name
+ *  continues the row before. */
 export function summaryRows(summary) {
   const [first, ...lines] = summary.split("\n").filter((line) => line.trim()), rows = [];
   for (const line of lines) {
@@ -42,7 +43,7 @@ export function summaryRows(summary) {
   return [element("p", {class: "note"}, first ?? ""), element("dl", {class: "rows"}, rows)];
 }
 
-/** How far a sheet is folded, for people. */
+/** Describes the fold of a sheet for people. */
 export const foldWords = (theta_rad) => (Math.abs(theta_rad) < 1e-9 ? "flat" : `${neat((theta_rad * 180) / Math.PI, 1)}\u00b0`);
 
 export const degrees = (radians) => (radians * 180) / Math.PI;

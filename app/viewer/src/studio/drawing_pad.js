@@ -1,12 +1,12 @@
-// A field to draw a line in with the pointer, or point by point with the keys. Points are in mm, y up.
+// Field for drawing a line with the pointer, or point by point with the keys. Points are in mm, y up.
 import {status} from "./words.js";
 
-const LEAST_STEP = 0.012;  // of the field's width between points that are kept
-const KEY_STEP = 0.05;     // of the field's width a press
-const SMOOTHING = 3;       // passes of a mean of three: the hand trembles
+const LEAST_STEP = 0.012;  // of the field's width, between kept points
+const KEY_STEP = 0.05;     // of the field's width per key press
+const SMOOTHING = 3;       // passes of a weighted mean of three points, against a trembling hand
 
 export class DrawingPad {
-  /** @param done is called with no argument when the line has changed */
+  /** @param done called without arguments after a change of the line */
   constructor(canvas, width_mm, done, closed = false) {
     Object.assign(this, {canvas, width_mm, done, closed, line: [], cursor: [0.2, 0.3]});
     canvas.addEventListener("pointerdown", (event) => this.start(event));

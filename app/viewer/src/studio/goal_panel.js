@@ -1,11 +1,11 @@
-// What to become: a kind of goal, its numbers, its file; the search and its verdict.
+// Panel of the goal: its kind, numbers and file; the search and its verdict.
 import {$, element, neat, show, summaryRows} from "./dom.js";
 import {DrawingPad} from "./drawing_pad.js";
 import {CARDS} from "./goals.js";
 import {say, status, unsay} from "./words.js";
 
-const LARGEST_FILE = 32 * 2 ** 20;  // bytes, of all files of a search: what the program takes (app/studio/session/parts.hpp)
-const PART = 480e3;                 // bytes, a multiple of 3: the program takes messages up to 768 kB, and base64 adds a third
+const LARGEST_FILE = 32 * 2 ** 20;  // bytes of all files of a search: limit of the program (app/studio/session/parts.hpp)
+const PART = 480e3;                 // bytes, a multiple of 3: the program accepts messages up to 768 KiB, and base64 adds a third
 
 export class GoalPanel {
   constructor(state) {
@@ -90,7 +90,7 @@ export class GoalPanel {
     return {...values, ...this.file};
   }
 
-  /** What is still missing, or null. */
+  /** Describes the missing input, or returns null. */
   missing(values) {
     if (!$("goal").checkValidity()) return "A number is out of its range.";
     if (this.kind.needsFile && !this.file) return "Choose a file first.";
@@ -116,7 +116,7 @@ export class GoalPanel {
       for (const [name, bytes] of Object.entries(this.files)) await this.sendParts(name, bytes);
       await this.connection.send("search", {target});
     } catch {
-      // What was refused is on the screen already.
+      // The error is on the screen already.
     }
   }
 
@@ -127,7 +127,7 @@ export class GoalPanel {
     }
   }
 
-  /** A search that came to nothing leaves the verdict of the design that is shown. */
+  /** Shows the verdict of the present design again after a search without a result. */
   restore() {
     show($("found"), Boolean(this.state.result));
     this.showWhose();
@@ -151,21 +151,21 @@ export class GoalPanel {
     $("progress_text").textContent = text + (left_s > 1 ? `, about ${Math.ceil(left_s)} s left` : "");
   }
 
-  /** What speaks against a goal that is met, by the result's verdict. */
+  /** Lists objections of the verdict to a goal that is met. */
   get faults() {
     const {agrees, printable, reaches} = this.state.result.result?.verdict ?? {};
     return [agrees === false && "the physics run does not confirm it", printable === false && "it cannot be printed like this",
       reaches === false && "its drive does not take it there"].filter(Boolean);
   }
 
-  /** In words: what came of the search. */
+  /** Describes the outcome of the search. */
   get verdict() {
     const {met, stopped, earlier} = this.state.result, but = this.faults.length ? `, but ${this.faults.join(", and ")}` : "";
     if (earlier) return (met ? `Met${but}` : met === false ? "Not met" : "Not known to be met") + ": what was found before";
     return met ? `Found: it meets the goal${but}` : stopped ? "Stopped: the best so far" : "Not met: this is the nearest";
   }
 
-  /** A verdict stays when the design is changed, and says that it is of another one. */
+  /** Marks the verdict as belonging to another design after a change of the design. */
   showWhose() {
     if (!this.state.result || this.state.design.has_result) return;
     $("found_title").textContent = `Of another design than that shown: ${this.verdict}`;

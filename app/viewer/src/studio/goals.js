@@ -1,4 +1,4 @@
-// Every kind of goal: the cards that ask for it, how its result is looked at, what stands beside it as a ghost.
+// All kinds of goals: their cards, the view of their results, and their ghosts.
 import {fitted} from "../placement.js";
 import {curveGoal} from "./goals/curve.js";
 import {displayGoal} from "./goals/display.js";
@@ -20,29 +20,30 @@ const GOALS = [
   helmetGoal,
 ];
 
-/** Each card: what is asked for, and the text of the target file that follows. `drop` are endings of files it takes. */
+/** Cards with their input fields and the text of their target file. `drop` lists the accepted file endings. */
 export const CARDS = {
   ...Object.assign({}, ...GOALS.map(({cards}) => cards)),
   file: {title: "File", about: "A target file (YAML) as it is.", drop: ".yaml,.yml", needsFile: true, fields: [], text: ({content}) => content ?? ""},
 };
 
-/** The kind of goal that a result is of; nothing where it is of none. */
+/** Returns the kind of goal that a result belongs to, if any. */
 export const goalOf = (result) => GOALS.find(({name}) => result?.[name]);
 
-/** How far every body lies off the goal of a result, mm; null where it does not say. */
+/** Returns the distance of every body from the goal of a result, mm; null if the result lacks it. */
 export function distancesOf(result) {
   const goal = goalOf(result), section = result?.[goal?.name], state = result?.states?.find(({name}) => name === "target");
   if (Array.isArray(section?.body_mm)) return section.body_mm.map(Math.abs);
   return goal?.apart && state && Array.isArray(section.goal_mm) ? state.poses.map(({position_mm}) => goal.apart(section, position_mm)) : null;
 }
 
-/** The goal in the frame of the result that it came with; null where there is none. */
+/** Returns the goal in the frame of its result; null without a goal. */
 export function ghostOf(design, result) {
   const goal = goalOf(result);
   return goal?.ghost?.(result[goal.name], design, result) ?? null;
 }
 
-/** How the goal of a result is laid onto the sheet that is shown; null where their bodies are not the same. @param poses 7 numbers a body */
+/** Computes the placement of a result's goal on the shown sheet; null if their bodies differ. @param poses 7 numbers
+ *  per body */
 export function placementOf(result, poses, cell_mm) {
   const state = result?.states?.find(({name}) => name === "target");
   if (state?.poses?.length * 7 !== poses.length) return null;

@@ -1,9 +1,9 @@
-// Pointer and keys on the scene: drag, fix, push, select. The view's own camera has what these tools leave.
+// Pointer and keys on the scene: drag, fix, push, select. The camera handles all other input.
 import {$} from "./dom.js";
 import {say, status} from "./words.js";
 
-const CLICK_PX = 5;        // a pointer that moved less has clicked
-const KEY_STEP = 0.25;     // of a cell edge a press, when a body is dragged by keys
+const CLICK_PX = 5;        // a smaller movement is a click
+const KEY_STEP = 0.25;     // of a cell edge per key press, when keys drag a body
 
 export class Hand {
   constructor(state, scene) {
@@ -20,7 +20,7 @@ export class Hand {
     return document.querySelector('input[name="tool"]:checked').value;
   }
 
-  /** Whether a pointer's press belongs to a tool and not to the camera. */
+  /** Returns whether a pointer press belongs to a tool instead of the camera. */
   takes(event) {
     if (event.button !== 0) return false;
     const wants = event.shiftKey ? "drag" : this.tool;
@@ -67,7 +67,7 @@ export class Hand {
     this.start = null;
   }
 
-  /** Ends what the hand does; the thing stays where it is or springs back, as the mode has it. */
+  /** Ends a drag or push. Depending on the mode, the object stays in place or springs back. */
   letGo() {
     this.held = null;
     if (this.pushed !== null) status("");
@@ -88,7 +88,7 @@ export class Hand {
     this.state.choose(add ? [...new Set([...chosen, found.hinge])] : [found.hinge]);
   }
 
-  /** Of bodies: the soft part or the body under the pointer. */
+  /** Chooses the soft part or the body under the pointer, in a design of bodies. */
   chooseThing(found) {
     this.body = found?.body ?? null;
     if (found?.hinge !== undefined) this.state.chooseHinge(found.hinge);
@@ -106,7 +106,7 @@ export class Hand {
     await this.connection.send("fix", {body, fixed}).then(() => status(`body ${body} is ${fixed ? "fixed" : "free"}`, holds), () => {});
   }
 
-  /** Tools of the engine take one there. */
+  /** Switches to the simulation, which these tools need. Returns whether it is active. */
   async inPhysics(what) {
     if (this.state.program.mode === "bullet") return true;
     try {
@@ -119,7 +119,7 @@ export class Hand {
     }
   }
 
-  /** N, B choose a body; J L I K U O drag it; X fixes it. Says whether the key was one of them. */
+  /** Handles keys: N, B choose a body; J L I K U O drag it; X fixes it. Returns whether the key was handled. */
   key(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return false;
     const count = this.state.design?.structure.bodies.length ?? 0, key = event.key.toLowerCase();
@@ -142,7 +142,7 @@ export class Hand {
     return true;
   }
 
-  /** By the directions that one sees it stand in. */
+  /** Drags the body along the axes of the shown orientation. */
   dragBy([x, y, z]) {
     const at = this.state.design.structure.bodies[this.body].position_mm, step = KEY_STEP * this.state.design.structure.cell_mm;
     if (!this.held || this.held.tool !== "keys") this.held = {body: this.body, at, tool: "keys", to: this.scene.carried(this.body, at)};

@@ -1,4 +1,4 @@
-// The studio's page: puts the parts together.
+// Main script of the studio's page.
 import {exactMotion} from "../fold.js";
 import {canRecord, record, saveAs} from "../recording.js";
 import {Scene} from "../scene.js";
@@ -18,7 +18,7 @@ import {turnBetween} from "../quaternion.js";
 import {tabs} from "./tabs.js";
 import {forgetDesign, forgetState, say, status, unsay} from "./words.js";
 
-const STAND_THETA = radians(20);  // how an exact sheet stands is read from its shape there at least
+const STAND_THETA = radians(20);  // least fold from which the orientation of an exact sheet is computed
 
 const connection = new Connection(location.hash.slice(1)), state = new PageState(connection);
 let hand = null;
@@ -32,7 +32,7 @@ new MakePanel(state);
 new PathChart(state);
 tabs(document.querySelector('[role="tablist"]'));
 
-// ---- what the program tells
+// ---- messages of the program
 
 for (const type of ["hello", "progress", "exported"])
   connection.on(type, (message) => {
@@ -89,7 +89,7 @@ connection.on("saved", (message) => (unsay("saved"), say(`Saved: ${message.path}
 connection.on("closed", () => state.design && say("The program has ended or was stopped. This page looks for it again."));
 connection.on("open", () => $("messages").replaceChildren());
 
-/** How far folded the design is that was saved, and whether that is what is seen. */
+/** Describes the fold of the saved design, and whether it is the shown fold. */
 function savedWords({theta_rad, at_fold}) {
   if (state.design.bodies) return `turned as ${at_fold ? "it is shown" : "the design says"}`;
   if (at_fold) return `folded as it is shown, ${foldWords(theta_rad)}`;
@@ -97,7 +97,7 @@ function savedWords({theta_rad, at_fold}) {
   return `${state.design.has_result ? "folded as it was found" : "folded as the design says"}, ${foldWords(theta_rad)}${is_other ? `, not as the slider has it, ${foldWords(shown)}` : ""}`;
 }
 
-/** Pictures and outlines are seen from above, everything else at a slant. */
+/** Sets the view for a result: pictures and outlines from above, everything else slanted. */
 function lookAt(result) {
   const {view = "slant", light = false} = goalOf(result) ?? {};
   $("view").value = view;
@@ -122,9 +122,10 @@ function newSheet(design, first) {
   scene.setGoal(ghostOf(design, state.found));
 }
 
-let laid = null;  // where the closed form meets the goal, by result and motion: it stays there while the sheet folds past it
+let laid = null;  // placement of the goal on the closed form, for one result and motion; it stays while the sheet folds further
 
-/** The goal onto the sheet that is shown: onto where its closed form meets it, or onto an equilibrium or physics as they are. */
+/** Places the goal on the shown sheet: on its closed form at the result's fold, or on an equilibrium or simulated
+ *  shape as it is. */
 function layGoal() {
   const {frame, found, motion, design} = state, theta = found?.states?.find(({name}) => name === "target")?.theta_rad, cell = design?.structure.cell_mm;
   if (!found || !frame) return;
@@ -133,7 +134,8 @@ function layGoal() {
   scene.placeGoal(laid.at);
 }
 
-/** Exact sheets by their shape well folded, so that they do not turn over on the way; others by how they are; bodies as they were drawn. */
+/** Sets the orientation: exact sheets from a well folded shape, to keep them from turning over during the motion;
+ *  others from the frame; bodies as drawn. */
 function stand(frame) {
   if (state.design.bodies) return scene.standBy(null);
   const theta = Math.max(Math.abs(frame.theta) || 0, STAND_THETA) * (frame.theta < 0 ? -1 : 1);
@@ -142,7 +144,7 @@ function stand(frame) {
 
 // ---- colours
 
-/** How far each hinge has turned, as a share of the largest turn. */
+/** Returns the turn of each hinge as a fraction of the largest turn. */
 function turns() {
   const {structure} = state.design, {poses} = scene;
   const turn = structure.hinges.map(({bodies: [a, b]}) => turnBetween(poses, a, b));
@@ -150,7 +152,7 @@ function turns() {
   return turn.map((value) => value / most);
 }
 
-/** Of the hinge that is turned, where bodies are not pulled, and of those that are chosen. */
+/** Shows the axes of the turned hinge, unless bodies are pulled, and of the chosen hinges. */
 function axes() {
   const {driven, pulled} = state.design.bodies, turned = pulled ? [] : [driven];
   const chosen = state.chosen.filter((hinge) => !turned.includes(hinge));

@@ -1,11 +1,11 @@
-// Files for printers, CAD and simulators: formats, process, what was written.
+// Files for printers, CAD and simulators: formats, process, and the list of written files.
 import {$, element, foldWords, show, summaryRows} from "./dom.js";
 import {status} from "./words.js";
 
-const USUAL = ["stl", "3mf"];  // what most printers take
-const MESHES = ["stl", "3mf", "glb"];  // what bodies are written as
+const USUAL = ["stl", "3mf"];  // accepted by most printers
+const MESHES = ["stl", "3mf", "glb"];  // formats for bodies
 
-/** {bed_mm: [x, y]}; {} where none is given, null where the text is no bed. */
+/** Reads {bed_mm: [x, y]}; {} for an empty text, null if the text is not a bed. */
 export function bedSides(text) {
   if (!text.trim()) return {};
   const sides = text.split(/[,x\u00d7]/).map(Number);
@@ -30,12 +30,12 @@ export class MakePanel {
     $("export").elements.process.replaceChildren(element("option", {value: ""}, "as the design says"), ...processes.map((name) => element("option", {value: name}, name)));
   }
 
-  /** Of bodies the turn of the hinge. */
+  /** Describes the fold of a sheet, or the turn of the hinge of bodies. */
   angle(theta) {
     return foldWords(theta * (this.state.design.bodies?.turn_per_theta ?? 1));
   }
 
-  /** How far folded the thing is written: as its design has it, or as it is shown. */
+  /** Shows the fold for the export: the design's, or the shown one. */
   showFold() {
     const {design, frame} = this.state, {folded} = $("export").elements;
     if (!design) return;
@@ -44,7 +44,7 @@ export class MakePanel {
     words.forEach((text, k) => folded.options[k].textContent !== text && (folded.options[k].textContent = text));
   }
 
-  /** Files stay when the design is changed, and are of the one before. */
+  /** Marks written files that belong to another design after a change of the design. */
   showWhose() {
     const {exported, design} = this.state;
     if (exported) $("written_title").textContent = exported.revision === design.revision ? "Written" : "Written, of another design than that shown";

@@ -1,8 +1,8 @@
-// Mode, fold slider, play, and what only the engine can do.
+// Mode, fold slider, play button, and controls of the simulation.
 import {$, degrees, neat, radians, show} from "./dom.js";
 import {status} from "./words.js";
 
-const PERIOD_S = 5;  // of one way there and back by the play button
+const PERIOD_S = 5;  // forward and back by the play button
 
 export class MotionBar {
   constructor(state) {
@@ -35,7 +35,7 @@ export class MotionBar {
     return asked.then(() => status(""));
   }
 
-  /** The slider shows theta, of bodies the turn of the driven hinge: as many times theta. */
+  /** Returns the slider's angle per theta. The slider shows theta, or the turn of the driven hinge of bodies. */
   get perTheta() {
     return this.state.design?.bodies?.turn_per_theta ?? 1;
   }
@@ -70,7 +70,7 @@ export class MotionBar {
     this.timer = requestAnimationFrame(tick);
   }
 
-  /** Of the slider; of bodies where none run into each other. */
+  /** Returns the range for the play button: the slider's range, limited for bodies to the part without collisions. */
   playRange() {
     const {min, max} = $("theta"), {meets} = this.state.design?.bodies ?? {};
     return [Math.max(Number(min), ...(meets?.[0] ? [degrees(meets[0].turn_rad)] : [])), Math.min(Number(max), ...(meets?.[1] ? [degrees(meets[1].turn_rad)] : []))];
@@ -101,7 +101,8 @@ export class MotionBar {
     $("driven_by").textContent = design.drive ? `moved by ${design.drive}` : "";
   }
 
-  /** Of bodies: from the least to the most turn of the driven hinge, or of all hinges in the mean where bodies are pulled. */
+  /** Sets the slider of a design of bodies: the range of the driven hinge's turn, or of the mean turn if bodies are
+   *  pulled. */
   showTurns() {
     const {design: {bodies, structure}} = this.state, [least, most] = bodies.turn_range_rad.map(degrees);
     Object.assign($("theta"), {min: Math.ceil(10 * least) / 10 || 0, max: Math.floor(10 * most) / 10, disabled: bodies.following});
@@ -112,7 +113,7 @@ export class MotionBar {
     document.querySelector('input[name="mode"][value="exact"]').parentElement.title = "All hinges closed, from rest on: no strain, no contact";
   }
 
-  /** Rigid hinges have no unit of force: a hand on them has none either. */
+  /** Formats the force. Rigid hinges have no stiffness and therefore no force scale; neither has a dragging hand. */
   force(frame) {
     if (Number.isFinite(frame.force)) return `${neat(frame.force, 3)} N`;
     return frame.mode === "bullet" && !this.state.program.springs && !this.state.design.bodies ? "needs springs" : "\u2013";

@@ -1,4 +1,4 @@
-// What the page knows: the design, the state of the program, the newest frame, what is chosen. Panels listen.
+// State of the page: the design, the program's state, the newest frame, the choice. Panels listen for its events.
 
 export class PageState extends EventTarget {
   constructor(connection) {
@@ -19,7 +19,7 @@ export class PageState extends EventTarget {
     this.changed("chosen");
   }
 
-  /** Of a design of bodies: one body or one hinge, of which the panel tells. */
+  /** Chooses one body, or with chooseHinge one hinge, to show in the panel of a design of bodies. */
   chooseBody(body) {
     this.body = body;
     this.choose([]);
@@ -34,7 +34,7 @@ export class PageState extends EventTarget {
     return this.design.structure.bodies.every(({vertex}) => vertex?.length === 2) && (this.design.structure.lattice ?? "square") === "square";
   }
 
-  /** A wall of squares: {along: "x" or "y", column, row}; null elsewhere. */
+  /** Returns a wall of squares: {along: "x" or "y", column, row}; null in other lattices. */
   wall(index) {
     const {structure} = this.design, ends = structure.hinges[index].bodies.map((body) => structure.bodies[body].vertex);
     if (ends.some((vertex) => vertex?.length !== 2)) return null;

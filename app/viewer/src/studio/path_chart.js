@@ -1,4 +1,4 @@
-// The way from flat in equilibrium: force and energy over theta, and where the thing is now.
+// Chart of the equilibrium path from flat: force and energy over theta, with a mark at the present state.
 import {$, degrees, neat, show, svg} from "./dom.js";
 
 const WIDTH = 250, HEIGHT = 120, LEFT = 8, TOP = 20, BOTTOM = 18;  // CSS pixels

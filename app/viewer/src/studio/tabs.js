@@ -1,4 +1,4 @@
-// Panels by tabs, as ARIA has them: arrow keys go from tab to tab.
+// Panels with tabs as in ARIA: arrow keys move from tab to tab.
 
 export function tabs(list) {
   const all = [...list.querySelectorAll('[role="tab"]')];

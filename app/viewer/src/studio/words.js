@@ -1,10 +1,10 @@
-// What the page says of the present, until it no longer holds: lines that stay, and one line of status.
+// Messages of the page, which disappear when they no longer apply: lines that stay, and one status line.
 import {$, element} from "./dom.js";
 
 const MOST_LINES = 4;
-const GOOD_MS = 8000;  // good news goes by itself
+const GOOD_MS = 8000;  // good news disappears after this time
 
-// Commands of one group replace each other's news: a drag that works takes away the words about one that was refused.
+// Commands of one group replace each other's messages: a successful drag removes the message of a refused one.
 const GROUPS = {
   motion: ["mode", "theta", "drag", "release", "fix", "push", "gravity", "pause", "step", "speed", "springs", "reset", "snap", "driven"],
   design: ["hinge", "nearest", "paint", "sheet", "made", "undo", "redo", "open"],
@@ -12,12 +12,12 @@ const GROUPS = {
   save: ["save"],
   export: ["export"],
 };
-const OF_THE_DISK = ["save", "page"];  // no change of the design makes them wrong
+const OF_THE_DISK = ["save", "page"];  // stay valid after a change of the design
 
-/** The group of a command; what is no command is a group of its own. */
+/** Returns the group of a command; any other word is a separate group. */
 export const groupOf = (type) => Object.keys(GROUPS).find((group) => GROUPS[group].includes(type)) ?? type ?? "page";
 
-/** What a person should read: bad news stays until it is closed, or `about` (a command, or a word) is news again. */
+/** Shows a message. Bad news stays until it is closed, or there is news about `about` (a command or another word). */
 export function say(text, {good = false, about = "page"} = {}) {
   const box = $("messages");
   if ([...box.children].some((line) => line.firstChild.textContent === text)) return;
@@ -29,26 +29,26 @@ export function say(text, {good = false, about = "page"} = {}) {
   if (good) setTimeout(() => line.remove(), GOOD_MS);
 }
 
-/** Takes away what was said about a command, or about a word. */
+/** Removes the messages about a command or another word. */
 export function unsay(about) {
   for (const line of [...$("messages").children]) if (line.dataset.about === groupOf(about)) line.remove();
 }
 
 let holds = null;
 
-/** @param stillHolds asked whenever the program's state changes; without it the line stays until the design changes */
+/** @param stillHolds called after changes of the program's state; without it the line stays until the design changes */
 export function status(text, stillHolds = null) {
   $("status").textContent = text;
   holds = stillHolds;
 }
 
-/** Another design: what was said of the one before is no longer true. */
+/** Removes messages that a change of the design makes invalid. */
 export function forgetDesign() {
   status("");
   for (const line of [...$("messages").children]) if (!OF_THE_DISK.includes(line.dataset.about)) line.remove();
 }
 
-/** Another state of the program. @param mode whether it is computed in another way */
+/** Removes messages that a new state of the program makes invalid. @param mode whether the mode changed */
 export function forgetState(mode) {
   if (mode) unsay("mode");
   if (mode || (holds && !holds())) status("");

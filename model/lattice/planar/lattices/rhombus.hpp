@@ -7,7 +7,7 @@ namespace kinetix::model {
 /// Rhombi whose walls along the rows and across them enclose the angle.
 extern const PlanarLattice rhombus_lattice;
 
-/// columns x rows squares, as rhombi of 90 deg.
+/// Returns columns x rows squares, as rhombi of 90 deg.
 PlanarGraph square_graph(int columns, int rows);
 
 }  // namespace kinetix::model

@@ -11,14 +11,15 @@
 namespace kinetix::model {
 namespace {
 
-/// Middle of the finite values; the fallback where there are none. A single odd hinge does not sway it.
+/// Returns the median of the finite values, or the fallback if there are none. A single deviating hinge does not
+/// change it.
 double median(std::vector<double> values, double fallback) {
   std::erase_if(values, [](double v) { return !std::isfinite(v); });
   if (values.empty()) return fallback;
   return lower_median(std::move(values));
 }
 
-/// Hinge parameters by column and row, with their alternation over the sheet undone.
+/// Hinge parameters by column and row, without their alternation over the sheet.
 struct Survey {
   std::vector<std::vector<double>> beta, t, s;
   std::vector<double> gamma;
@@ -35,7 +36,7 @@ struct Survey {
   }
 };
 
-/// Design that most hinges of each column and row suggest.
+/// Returns the design suggested by most hinges of each column and row.
 ExactDesign<double> suggested_design(const Structure& structure) {
   int columns = 0, rows = 0;
   for (const Cell& c : structure.cells) {
@@ -54,7 +55,7 @@ ExactDesign<double> suggested_design(const Structure& structure) {
   return design;
 }
 
-/// Empty where the hinge keeps the family's rule; otherwise the rule it breaks.
+/// Rule of a family: gives an empty text for a hinge that satisfies it, otherwise the broken rule.
 class Rule {
  public:
   Rule(Family family, const ExactDesign<double>& design, double tolerance)
@@ -104,16 +105,16 @@ Vertex swapped(Vertex v) { return {v.j, v.i}; }
 
 Wall swapped(const Wall& wall) { return {swapped(wall.from), wall.axis == Axis::x ? Axis::y : Axis::x}; }
 
-/// How far the hinges keep one family's rule.
+/// Agreement of the hinges with one family's rule.
 struct Attempt {
   Family family = Family::none;
   bool transposed = false;
   std::size_t broken = 0;  ///< number of hinges that break it
-  int first_broken = -1;   ///< index in the structure as given
-  std::string rule;        ///< that this one breaks
+  int first_broken = -1;   ///< index in the structure before transposition
+  std::string rule;        ///< rule broken by this hinge
 };
 
-/// @param sheet the structure, or its mirror image where `transposed`
+/// Tests a family. @param sheet the structure, or its mirror image if `transposed`
 Attempt attempt(Family family, const Structure& structure, const Structure& sheet, bool transposed,
                 const ExactDesign<double>& design, double tolerance) {
   Structure asked = sheet;
@@ -133,7 +134,7 @@ Attempt attempt(Family family, const Structure& structure, const Structure& shee
   return result;
 }
 
-/// Mirror image with x and y exchanged. Tilt and offset change their signs, a fraction and an in-plane angle
+/// Returns the mirror image with x and y exchanged. Tilt and offset change their signs; fraction and in-plane angle
 /// do not.
 Structure transposed(const Structure& s) {
   std::vector<Cell> cells;

@@ -23,8 +23,8 @@ bool is_rectangle(const Structure& structure) {
   return fits && static_cast<long>(structure.cells.size()) == columns * rows;
 }
 
-/// Whether the pins that keep the plates from tipping a sheet are on one line across it: where it bends,
-/// others would leave the plane z = 0.
+/// Returns true if the pins that keep the plates from tipping a sheet are on one line across it. Where the sheet
+/// bends, other pins would leave the plane z = 0.
 bool pins_face_each_other(const Structure& structure, Axis axis) {
   const GrippedRows rows = gripped_bodies(structure, axis);
   const auto place = [&](const std::vector<int>& row) {
@@ -33,7 +33,7 @@ bool pins_face_each_other(const Structure& structure, Axis axis) {
   return place(rows[0]) == place(rows[1]);
 }
 
-/// Whether the rows of vertices along the rim stay straight lines or plane curves while the sheet folds.
+/// Returns true if the rows of vertices along the boundary stay straight lines or plane curves while the sheet folds.
 bool keeps_its_rim_flat(const Classification& kind, const Structure& structure) {
   if (kind.family == Family::none) return is_rectangle(structure);
   if (kind.family == Family::planar) return false;
@@ -47,7 +47,7 @@ Plates plates_to(Axis axis, double theta) {
   return {.axis = axis, .compression = 2 * std::pow(std::sin(theta / 2), 2), .branch = theta < 0 ? -1 : 1};
 }
 
-/// Plates whose rows stay straight, parallel and closer than flat; along y if both directions have them.
+/// Returns plates whose rows stay straight, parallel and closer than flat; along y if both directions have them.
 std::optional<Plates> planar_plates(const Structure& structure, const Classification& kind, double theta) {
   const State state = fold(kind, structure, theta);
   for (const Axis axis : {Axis::y, Axis::x}) {
@@ -77,8 +77,8 @@ Eigen::Vector3d middle_of(const Structure& structure) {
   return sum / count;
 }
 
-/// The one nearest to the middle of those that turn by 2 theta; of the vertical ones, or of all, where there
-/// is none.
+/// Returns the hinge nearest to the middle among those that turn by 2 theta. Without any, it is the nearest vertical
+/// hinge, or the nearest of all.
 HingeTurn middle_hinge_drive(const Structure& structure, const NetTree& tree, double theta) {
   const Eigen::Vector3d middle = middle_of(structure);
   const std::vector<double> shifts = fold_shifts(tree.angles, structure);

@@ -11,87 +11,93 @@
 
 namespace kinetix::model {
 
-/// Two rigid planes normal to `axis` close in on the structure. They grip the bodies of the first
-/// and of the last row of vertices along the axis, of the whole structure or of the rectangle `grip`, like
-/// pins in a frictionless slot: such a body's coordinate along the axis is prescribed, and it is free to
-/// slide in the plane and to turn. Plates that merely press on the outline could not do this: the half walls
-/// at the rim stick out like wall tips, so that the outline of M rows has the height L (M cos(theta) +
-/// sin(theta)), which grows at first. In the exact families a row of vertices stays in one plane normal to
-/// the axis as long as the walls along the row have t = 1/2, so a strip that curls into a half circle stays
-/// between its plates. Other fractions make the row a zigzag or a slope: plates would strain such a sheet,
-/// and a driven hinge does not. A net is gripped at a part whose rows stay in two planes
-/// (keeps_between_plates): a flat panel, or a spine at its two long sides, which it bends in. The middle pin
-/// of each plate is keyed to the plane z = 0. Without it, nothing would keep a flat sheet from tipping over
-/// as a whole between plates that come closer. That of the first plate does not turn about the plates' normal
-/// either: a sheet could stand up on edge, and then tip over at no strain.
+/// Drive by two rigid planes normal to `axis` that close in on the structure. They grip the bodies of the first and
+/// last row of vertices along the axis, like pins in a frictionless slot. The coordinate of such a body along the
+/// axis is prescribed; it slides in the plane and turns freely. The rows are those of the whole structure or of the
+/// rectangle `grip`.
+///
+/// Plates that only press on the outline could not do this. The half walls at the boundary project like wall tips.
+/// The outline of M rows has the height L (M cos(theta) + sin(theta)), which grows at first.
+///
+/// In the exact families a row of vertices stays in one plane normal to the axis if the walls along the row have t =
+/// 1/2. A strip that curls into a half circle then stays between its plates. Other fractions make the row a zigzag or
+/// a slope: plates would strain such a sheet, and a driven hinge does not. A net is gripped at a part whose rows stay
+/// in two planes (keeps_between_plates): a flat panel, or the two long sides of a spine, in which it bends.
+///
+/// The middle pin of each plate is keyed to the plane z = 0. Otherwise a flat sheet could tip over as a whole between
+/// plates that close. The pin of the first plate also does not turn about the plates' normal. Otherwise a sheet could
+/// stand on edge and then tip over without strain.
 struct Plates {
-  Axis axis = Axis::y;             ///< their normal
+  Axis axis = Axis::y;             ///< normal of the plates
   double compression = 0;          ///< 1 - final / initial distance, in [0, 1); 1 - cos(theta)
-  std::optional<int> branch = {};  ///< sign of theta, 1 or -1; nothing: that of the design's theta
-  std::optional<Grip> grip = {};   ///< of squares: what they grip; nothing: the rim of the structure
-  bool press = false;              ///< push their rows and never pull them (LinkageDrive::press)
+  std::optional<int> branch = {};  ///< sign of theta, 1 or -1; empty: that of the design's theta
+  std::optional<Grip> grip = {};   ///< squares: gripped part; empty: the boundary of the structure
+  bool press = false;              ///< push the rows and never pull them (LinkageDrive::press)
 
   bool operator==(const Plates&) const = default;
 };
 
-/// A cord that runs without friction through the points of hinges gets shorter. It pulls and never pushes.
+/// Drive by a tendon that runs without friction through the points of hinges and is shortened. It pulls and never
+/// pushes.
 struct CordPull {
-  std::vector<int> through = {};  ///< the hinges, in order
-  double shorten_mm = 0;          ///< of its whole length
-  std::optional<int> branch =
-      {};  ///< sign of theta where it pulls to both sides alike; nothing: that of the design's theta
+  std::vector<int> through = {};  ///< hinges, in order
+  double shorten_mm = 0;          ///< shortening of its whole length
+  /// Sign of theta if it pulls equally to both sides; empty: that of the design's theta
+  std::optional<int> branch = {};
 
   bool operator==(const CordPull&) const = default;
 };
 
-/// A spring of its own in each of some hinges, whose rest angle goes from flat to that of a checkerboard.
+/// Drive by a spring in each of some hinges, whose rest angle changes from flat to that of a checkerboard.
 struct ShapeMemory {
-  double angle = 0;               ///< twice the theta at which springs rest in the end, rad, in (-pi, pi)
-  double k_turn = 0;              ///< of each spring, N mm/rad
-  std::vector<int> springs = {};  ///< the hinges that have one; empty: all
+  double angle = 0;               ///< twice the theta of the springs' final rest, rad, in (-pi, pi)
+  double k_turn = 0;              ///< stiffness of each spring, N mm/rad
+  std::vector<int> springs = {};  ///< hinges with a spring; empty: all
 
   bool operator==(const ShapeMemory&) const = default;
 };
 
-/// Imported bodies that are pulled, to poses or apart, in place of a hinge that is turned.
+/// Drive that pulls imported bodies, to poses or apart, instead of turning a hinge.
 struct BodyPull {
-  std::optional<State> poses = {};    ///< one a body, mm
-  std::optional<double> expand = {};  ///< times their distance from the middle, as far as they go, > 0
-  double tolerance = 0.05;            ///< rms from `poses` that counts as there, cell edges, > 0
+  std::optional<State> poses = {};    ///< one per body, mm
+  std::optional<double> expand = {};  ///< times their distance from the middle, as far as possible, > 0
+  double tolerance = 0.05;            ///< rms distance from `poses` that counts as reached, cell edges, > 0
 
   bool operator==(const BodyPull&) const = default;
 };
 
-/// What moves a structure, as files say it. A hinge that is turned leaves the structure floating freely.
+/// Drive of a structure, as in files. A driven hinge leaves the structure floating freely.
 ///
-/// Flat is a singular position: the height changes with theta squared and does not tell the two signs of
-/// theta apart. The run chooses the branch on purpose: the bodies start along the first-order motion of
-/// sim/start_motion.hpp, with the sign of theta, and class A is pushed on about z that way and class B
-/// against it, ever less, until the drive is through. A sheet that must strain needs the push, since it
-/// buckles only after its plates have come some way.
+/// Flat is a singular position: the height changes with theta squared, so it does not distinguish the two signs of
+/// theta. The run selects the branch: bodies start along the first-order motion of sim/start_motion.hpp, with the
+/// sign of theta. Sublattice A is then pushed about z in that direction and sublattice B against it, with decreasing
+/// strength until the drive is complete. A sheet that must strain needs the push, because it buckles only after some
+/// travel of its plates.
 using Drive = std::variant<Plates, HingeTurn, CordPull, ShapeMemory, BodyPull>;
 
-/// Plates on squares. @throws InvalidInput, naming the field, for a value outside its range (NaN included), for a part that
-/// they cannot grip, and for hinge parameters out of range
+/// Creates plates on squares.
+/// @throws InvalidInput, naming the field, for a value outside its range (NaN included), for a part that they cannot
+/// grip, and for hinge parameters out of range
 LinkageDrive plate_drive(const Structure& structure, Axis axis, double compression, int branch,
                          const std::optional<Grip>& grip = {});
-/// The second body of a wall turned against the first one. @param angle rad, in (-pi, pi)
+/// Creates a drive that turns the second body of a wall relative to the first one. @param angle rad, in (-pi, pi)
 /// @throws InvalidInput for an angle or hinge parameters out of range
 LinkageDrive hinge_drive(const Structure& structure, int hinge, double angle);
 
-/// The drive that turns the bodies at a wall by theta, rad, (-pi/2, pi/2).
-/// @throws InvalidInput for a wall that the structure does not have
+/// Returns the drive that turns the bodies at a wall by theta, rad, (-pi/2, pi/2).
+/// @throws InvalidInput for a wall that is not in the structure
 HingeTurn hinge_drive_to(const Structure& structure, const Wall& wall, double theta);
-/// Drives for a search that knows nothing of the structure: its first upright hinge (else its first one) to
+/// Returns drives for a search without knowledge of the structure: its first upright hinge (or its first one) to
 /// theta and to -theta. @param theta rad, (0, pi/2)
 std::vector<Drive> search_drives(const Structure& structure, double theta);
 
-/// The drive that takes an exactly mobile structure to fold angle theta. Plates normal to the direction in
-/// which its rows are stacked (y; x where the sheet folds along y) if its rim stays flat and is not ragged,
-/// or if it is a rectangle without an exact family; for other sheets the first vertical hinge, by twice
-/// theta. For nets plates that grip a part of it (model/lattice/square/family/net_grip.hpp), or where there is no
-/// such part the vertical hinge nearest to its middle of those that turn by twice theta, else by as much as
-/// its crease does at theta.
+/// Returns the drive that takes an exactly mobile structure to fold angle theta:
+/// - For planar sheets, plates whose rows stay straight, if there are any.
+/// - Plates normal to the direction in which its rows are stacked (y; x if the sheet folds along y). This needs a
+/// flat and straight boundary, or a rectangle without an exact family, or a sheet without vertical hinges.
+/// - For nets, plates that grip a part (model/lattice/square/family/net_grip.hpp). Without such a part, the vertical
+/// hinge nearest to its middle among those that turn by twice theta; otherwise by the turn of its crease at theta.
+/// - For other sheets, the first vertical hinge, by twice theta.
 /// @param theta rad, in (-pi/2, pi/2)
 /// @throws InvalidInput for theta outside its range
 Drive drive_to(const Structure& structure, double theta);

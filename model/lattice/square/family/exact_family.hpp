@@ -10,15 +10,14 @@
 
 namespace kinetix::model {
 
-/// The design of a structure that moves exactly (families F1, F2, F3 of kinematics.md section 2), by lattice
-/// columns and rows. Signs and classes alternate over the sheet as the families require; the functions below
-/// do it.
+/// Design of a structure that moves exactly (families F1, F2, F3 of kinematics.md section 2), by lattice columns and
+/// rows. Signs and sublattices alternate over the sheet as the families require; the functions below apply this.
 ///
 /// F1: beta and gamma 0, any t, s.   F2: gamma 0, s 1/2, in each column beta 0 or t 1/2.   F3: t, s 1/2.
 template <class T>
 struct ExactDesign {
   std::vector<T> beta;  ///< tilt of column c in row 0, rad; row j has (-1)^j beta
-  /// TA of the x-walls of column c: the fraction that belongs to the class-A vertex, (0, 1).
+  /// TA of the x-walls of column c: the fraction that belongs to the vertex of sublattice A, (0, 1).
   std::vector<T> t;
   std::vector<T> s;  ///< tA of the y-walls of row r, (0, 1)
   T gamma = T(0);    ///< tilt of the y-walls on vertex column 0, rad; column i has (-1)^i gamma
@@ -27,7 +26,7 @@ struct ExactDesign {
   int columns() const { return static_cast<int>(beta.size()); }
   int rows() const { return static_cast<int>(s.size()); }
 
-  /// All basic hinges, flat. @throws InvalidInput unless both are at least 1
+  /// Returns a flat design of basic hinges. @throws InvalidInput unless both are at least 1
   static ExactDesign basic(int columns, int rows) {
     check_extent(columns, rows);
     return {std::vector<T>(columns, T(0)), std::vector<T>(columns, T(0.5)), std::vector<T>(rows, T(0.5)),
@@ -35,13 +34,13 @@ struct ExactDesign {
   }
 };
 
-/// Fraction from the lower-index vertex, given tA and the class of that vertex.
+/// Returns the fraction from the lower-index vertex, given tA and the sublattice of that vertex.
 template <class T>
 T fraction_from_lower(const T& t_of_class_a, Vertex lower) {
   return lower.is_class_a() ? t_of_class_a : T(1) - t_of_class_a;
 }
 
-/// Pose of body (0,0): turned by theta about the axis of its y-wall, position at the origin.
+/// Returns the pose of body (0,0): turned by theta about the axis of its y-wall, position at the origin.
 template <class T>
 PoseOf<T> first_pose(const ExactDesign<T>& design) {
   using std::cos;
@@ -56,7 +55,7 @@ PoseOf<T> first_pose(const ExactDesign<T>& design) {
   return pose;
 }
 
-/// The mirror plane between a body and its x-neighbour: it holds the carried hinge axis and the direction y.
+/// Mirror plane between a body and its x-neighbour. It contains the carried hinge axis and the direction y.
 template <class T>
 struct MirrorPlane {
   T nx, nz;  ///< unit normal (nx, 0, nz)
@@ -75,13 +74,13 @@ struct MirrorPlane {
   }
 };
 
-/// Unit axis of an x-wall hinge with tilt beta as carried by orientation R: R (cos(beta) z - sin(beta) y).
+/// Returns the unit axis of an x-wall hinge with tilt beta, carried by orientation R: R (cos(beta) z - sin(beta) y).
 template <class T>
 Eigen::Matrix<T, 3, 1> carried_axis(const Eigen::Matrix<T, 3, 3>& R, const T& cos_beta, const T& sin_beta) {
   return cos_beta * R.col(2) - sin_beta * R.col(1);
 }
 
-/// x-neighbour of a body: its mirror image in the plane, placed so that the hinge points coincide.
+/// Returns the x-neighbour of a body: its mirror image in the plane, placed so that the hinge points coincide.
 /// @param t hinge fraction from the body; @param L cell edge, mm
 template <class T>
 PoseOf<T> neighbour_x(const PoseOf<T>& pose, const MirrorPlane<T>& mirror, const T& t, double L) {
@@ -93,7 +92,7 @@ PoseOf<T> neighbour_x(const PoseOf<T>& pose, const MirrorPlane<T>& mirror, const
   return next;
 }
 
-/// y-neighbour of a body: its mirror image in the plane normal to y through the hinge point.
+/// Returns the y-neighbour of a body: its mirror image in the plane normal to y through the hinge point.
 /// @param s hinge fraction from the body; @param L cell edge, mm
 template <class T>
 PoseOf<T> neighbour_y(const PoseOf<T>& pose, const T& s, double L) {
@@ -105,7 +104,7 @@ PoseOf<T> neighbour_y(const PoseOf<T>& pose, const T& s, double L) {
   return next;
 }
 
-/// fold() without its checks, for searches: NaN in, NaN out. @pre at least one column and one row
+/// Computes fold() without its checks, for searches: NaN in, NaN out. @pre at least one column and one row
 template <class T>
 void fold_unchecked(const ExactDesign<T>& design, double L, std::vector<PoseOf<T>>& poses) {
   using std::cos;
@@ -123,12 +122,12 @@ void fold_unchecked(const ExactDesign<T>& design, double L, std::vector<PoseOf<T
   }
 }
 
-/// @throws InvalidInput unless the cell edge is positive, theta is within (-pi/2, pi/2), every number is finite and there is
-/// a t for each column
+/// Checks the arguments of fold(). @throws InvalidInput unless the cell edge is positive, theta is within (-pi/2,
+/// pi/2), every number is finite and there is a t for each column
 void check_fold(const ExactDesign<double>& design, double L);
 
-/// Poses of all lattice vertices (i, j) of columns x rows cells, at index i * (rows + 1) + j, by reflection
-/// from body to body: O(bodies), no solver. `poses` is resized, so that a caller's buffer is reused.
+/// Computes the poses of all lattice vertices (i, j) of columns x rows cells, at index i * (rows + 1) + j. It
+/// reflects from body to body: O(bodies), no solver. `poses` is resized, so that a caller's buffer is reused.
 /// @param L cell edge, mm; positions are in mm   @throws InvalidInput as check_fold(), for numbers of type double
 template <class T>
 void fold(const ExactDesign<T>& design, double L, std::vector<PoseOf<T>>& poses) {
@@ -140,17 +139,17 @@ void fold(const ExactDesign<T>& design, double L, std::vector<PoseOf<T>>& poses)
 /// @pre the structure's lattice fits the design
 void apply(const ExactDesign<double>& design, Structure& structure);
 
-/// The whole sheet of columns x rows cells, with the design's hinges.
+/// Returns the whole sheet of columns x rows cells, with the design's hinges.
 Structure sheet_of(const ExactDesign<double>& design, const CellSize& size);
 
-/// Whether a structure is that whole sheet, so that its bodies are the lattice's in the lattice's order.
+/// Returns true if a structure is that whole sheet, so that its bodies are the lattice's in the lattice's order.
 /// @pre as for apply
 bool is_whole_sheet(const ExactDesign<double>& design, const Structure& structure);
 
-/// State (mm) of the bodies of a structure (any subset of the lattice of the design). @pre as for apply
+/// Returns the state (mm) of the bodies of a structure (any subset of the lattice of the design). @pre as for apply
 /// @throws InvalidInput as check_fold()
 State fold(const ExactDesign<double>& design, const Structure& structure);
-/// The same without checks.
+/// Returns the state of fold() without its checks.
 State fold_unchecked(const ExactDesign<double>& design, const Structure& structure);
 
 }  // namespace kinetix::model

@@ -13,7 +13,7 @@ using Vector3 = Eigen::Matrix<T, 3, 1>;
 template <class T>
 using VectorX = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 
-/// What pulls at a body: pairs with a twist to the change of the function.
+/// Generalised force on a body: its product with a twist is the change of the function.
 template <class T>
 struct Pull {
   Vector3<T> moment = Vector3<T>::Zero();  ///< about the body's position
@@ -24,7 +24,7 @@ struct Pull {
   }
 };
 
-// Entry by entry: Eigen has no vector instructions for lanes, and its expressions get in the compiler's way.
+// Written by entry: Eigen has no vector instructions for lanes, and its expressions hinder the compiler.
 template <class T>
 Vector3<T> cross(const Vector3<T>& a, const Vector3<T>& b) {
   return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()};
@@ -35,7 +35,8 @@ T dot(const Vector3<T>& a, const Vector3<T>& b) {
   return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
 }
 
-/// Moves to a body what pulls at its y-neighbour, which moves with it. @return by the hinge's fraction from the body
+/// Adds the force on the y-neighbour of a body to the body, since both move together. @return derivative by the
+/// hinge's fraction from the body
 template <class T>
 T add_neighbour_y(const Pull<T>& next, const PoseOf<T>& pose, const PoseOf<T>& next_pose, const T& s,
                   double L, Pull<T>& pull) {
@@ -47,13 +48,14 @@ T add_neighbour_y(const Pull<T>& next, const PoseOf<T>& pose, const PoseOf<T>& n
   return T(L) * dot<T>(next.force, y - next_y);
 }
 
-/// By the tilt of a hinge and by its fraction from the body.
+/// Derivatives by the tilt of a hinge and by its fraction from the body.
 template <class T>
 struct ByHinge {
   T beta, t;
 };
 
-/// The same over a hinge of an x-wall.
+/// Adds the force on the x-neighbour of a body to the body, over the hinge of their wall. @return derivatives by the
+/// hinge
 template <class T>
 ByHinge<T> add_neighbour_x(const Pull<T>& next, const PoseOf<T>& pose, const PoseOf<T>& next_pose,
                            const T& beta, const T& t, double L, Pull<T>& pull) {
@@ -63,8 +65,8 @@ ByHinge<T> add_neighbour_x(const Pull<T>& next, const PoseOf<T>& pose, const Pos
   const Vector3<T> x = pose.R.col(0), next_x = next_pose.R.col(0);
   const T near = t * T(L), far = T(L) - near;
   const Vector3<T> m = next.moment + far * cross<T>(next_x, next.force), own = near * cross<T>(x, next.force);
-  // The mirror plane turns about y by (-axis.y axis.x, |axis|^2 less axis.y^2, -axis.y axis.z) . omega over the second of
-  // these where the body turns by omega.
+  // A turn omega of the body turns the mirror plane about y. The turn is (-axis.y axis.x, |axis|^2 - axis.y^2,
+  // -axis.y axis.z) . omega divided by the second of these.
   const T turning = axis.y() * m.y() * twice_over,
           mirrored = (axis.z() * m.x() - axis.x() * m.z()) * twice_over;
   pull.moment += Vector3<T>(own.x() + mirrored * axis.z() - turning * axis.x() - m.x(), own.y() + m.y(),
@@ -89,7 +91,7 @@ void fold_gradient(const ExactDesign<T>& design, double L, const std::vector<Pos
                    const Eigen::Matrix<T, Eigen::Dynamic, 1>& by_state, ExactDesign<T>& gradient) {
   const int columns = design.columns(), rows = design.rows(), stride = rows + 1;
   resize(columns, rows, gradient);
-  Pull<T> beyond;  // what pulls at the first body of the column to the right
+  Pull<T> beyond;  // force on the first body of the column to the right
   for (int i = columns; i >= 0; --i) {
     const int first = i * stride;
     Pull<T> pull = Pull<T>::on(by_state, first + rows);

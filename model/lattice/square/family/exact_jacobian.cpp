@@ -9,7 +9,7 @@ using Eigen::Vector3d;
 
 Vector3d mirror_y(const Vector3d& v) { return {v.x(), -v.y(), v.z()}; }
 
-/// Rate at which the projection of `axis` to the xz plane turns about +y when the axis changes by `rate`.
+/// Returns the rate at which the projection of `axis` to the xz plane turns about +y if the axis changes by `rate`.
 double turn_about_y(const Vector3d& axis, const Vector3d& rate) {
   return (axis.z() * rate.x() - axis.x() * rate.z()) / (axis.x() * axis.x() + axis.z() * axis.z());
 }

@@ -19,7 +19,7 @@ class ExactJacobian {
   int gamma() const { return 2 * columns_ + rows_; }
   int theta() const { return 2 * columns_ + rows_ + 1; }
 
-  /// Twist of lattice body i * (rows + 1) + j with respect to one parameter, rad and mm per its unit.
+  /// Returns the twist of lattice body i * (rows + 1) + j with respect to one parameter, rad and mm per its unit.
   const Twist& twist(int parameter, int body) const { return twists_[index(parameter, body)]; }
 
  private:
@@ -35,9 +35,9 @@ class ExactJacobian {
   std::vector<Twist> twists_;  // entries of bodies before the parameter's hinge stay zero
 };
 
-/// fold() of exact_family.hpp together with its analytic Jacobian. A tilt turns all later columns rigidly
-/// about the line through its hinges along y, an offset moves them: so each entry costs a few operations.
-/// Buffers are reused. @param L cell edge, mm
+/// Computes fold() of exact_family.hpp with its analytic Jacobian. A tilt turns all later columns rigidly about the
+/// line through its hinges along y, an offset shifts them. Each entry therefore costs a few operations. Buffers are
+/// reused. @param L cell edge, mm
 void fold_with_jacobian(const ExactDesign<double>& design, double L, State& poses, ExactJacobian& jacobian);
 
 }  // namespace kinetix::model

@@ -8,7 +8,7 @@ namespace {
 
 using Step = FoldAngleTree::Step;
 
-/// Cells as a graph: each joins the crease of its x-walls and that of its y-walls.
+/// Graph of the cells: each joins the crease of its x-walls and that of its y-walls.
 using Crossings = std::vector<std::vector<Step>>;
 
 Crossings crossings(const Structure& structure, const Creases& creases) {
@@ -22,7 +22,7 @@ Crossings crossings(const Structure& structure, const Creases& creases) {
   return out;
 }
 
-/// b and g of a step.
+/// Returns b and g of a step.
 std::array<double, 2> tilts_at(const Structure& structure, const Step& step) {
   return {tilt_in_crease(structure.hinges[step.x_hinge]), tilt_in_crease(structure.hinges[step.y_hinge])};
 }

@@ -26,7 +26,7 @@ std::vector<std::vector<Neighbour>> neighbours(const Structure& structure) {
   return out;
 }
 
-/// Links from each body to those found from it, breadth first.
+/// Returns the links from each body to its children, breadth first.
 std::vector<std::vector<NetTree::Link>> children(const Structure& structure, const Creases& creases,
                                                  int root) {
   const auto near = neighbours(structure);
@@ -44,7 +44,7 @@ std::vector<std::vector<NetTree::Link>> children(const Structure& structure, con
   return out;
 }
 
-/// A turn about x or y: the fold line of a crease in panel frames.
+/// Turn about x or y: the fold line of a crease in panel frames.
 struct FoldLine {
   Vector3d axis;  ///< in the panel frame
   double turn;    ///< rad, about it
@@ -78,7 +78,7 @@ Matrix3d in_panel(Vertex v, double theta) {
   return turn;
 }
 
-/// From the parent's position to the hinge, and from there to the body, in rest directions, mm.
+/// Vectors from the parent's position to the hinge, and from there to the body, in rest directions, mm.
 struct Arms {
   Vector3d parent, body;
 };
@@ -97,7 +97,8 @@ std::vector<FoldAngle> fold_angles(const NetTree& tree, const Structure& structu
   return angles;
 }
 
-/// A frame turned by what theta is ahead of a crease's own fold angle. @param v of the body before the fold
+/// Returns a frame turned by the difference of theta and a crease's fold angle. @param v vertex of the body before
+/// the fold
 Matrix3d with_lead(const Matrix3d& frame, Vertex v, double theta, double own) {
   return own == theta ? frame : Matrix3d(frame * in_panel(v, theta - own));
 }
@@ -135,7 +136,7 @@ NetTree make_net_tree(const Structure& structure, int root) {
   const auto below = children(structure, creases, root);
   NetTree tree{root, {}, make_fold_angle_tree(structure, creases)};
   tree.links.reserve(below.size());
-  // Links yet to be entered, and, as -1 - index, links to be closed.
+  // Holds links to be entered, and links to be closed as -1 - index.
   std::vector<std::pair<NetTree::Link, int>> stack;
   const auto push = [&](int body) {
     for (auto link = below[body].rbegin(); link != below[body].rend(); ++link) stack.push_back({*link, -1});

@@ -14,7 +14,7 @@ using Cells = std::set<Cell>;
 
 bool halves_its_wall(const HingeParameters& p) { return std::abs(p.t - 0.5) <= 1e-9; }
 
-/// Cells whose walls all suit.
+/// Returns the cells with only suitable walls.
 template <class Suits>
 Cells cells_where(const Structure& structure, const Suits& suits_hinge) {
   const auto suits = [&](int hinge) { return suits_hinge(structure.hinges[hinge]); };
@@ -38,7 +38,7 @@ bool holds_column(const Cells& cells, int i, int begin, int end) {
   return true;
 }
 
-/// Rectangles of cells that no larger one contains.
+/// Returns the rectangles of cells that no larger one contains.
 std::vector<Grip> largest_rectangles(const Cells& cells) {
   std::vector<Grip> all;
   for (const auto& [i, j] : cells) {
@@ -64,7 +64,7 @@ std::vector<NetGrip> flat_panels(const Structure& structure) {
   return panels;
 }
 
-/// Between plates normal to the axis.
+/// Returns the spines between plates normal to the axis.
 std::vector<NetGrip> spines(const Structure& structure, Axis axis) {
   std::vector<NetGrip> all;
   const auto suits = [&](const Hinge& h) {
@@ -93,7 +93,7 @@ AdjacentBodies adjacent_bodies(const Structure& structure) {
   return near;
 }
 
-/// Sum over the bodies of the number of walls from each to the nearest in the grip.
+/// Returns the sum over the bodies of the number of walls to the nearest body in the grip.
 long distance_to(const Grip& grip, const Structure& structure, const AdjacentBodies& near) {
   std::vector<int> walls(near.size(), -1), queue;
   const auto reach = [&](int body, int distance) {

@@ -15,7 +15,7 @@
 namespace kinetix::model {
 namespace {
 
-/// Tilt and class-A fraction that most walls of a crease have.
+/// Tilt, and fraction at sublattice A, of most walls of a crease.
 struct CreaseParameters {
   double tilt = 0, t = 0.5;
 };
@@ -80,7 +80,7 @@ class Rules {
     return false;
   }
 
-  /// Whether the four cells between two opposite ones are there and cannot move together.
+  /// Returns true if the four cells between two opposite ones exist and cannot move together.
   bool is_hindered(const Cell& a, const Cell& b) const {
     const auto near = hinges_of(a), far = hinges_of(b);
     if (!near || !far || !hinges_of({a.i, b.j}) || !hinges_of({b.i, a.j})) return false;
@@ -97,12 +97,12 @@ class Rules {
   double tolerance_;
   Creases creases_;
   std::vector<CreaseParameters> parameters_;
-  std::vector<bool> is_beside_bend_;  ///< of each crease: runs through a cell of a crease that bends
-  std::vector<bool> is_hindered_;     ///< of each crease: it and one that crosses it bend, and cannot both
+  std::vector<bool> is_beside_bend_;  ///< per crease: it runs through a cell of a crease that bends
+  std::vector<bool> is_hindered_;     ///< per crease: it and one that crosses it bend, which is impossible
 };
 
-/// Fold lines in line with each other keep hinge points together whatever their tilts: the axes count too.
-/// A hinge that opens along the motion, or -1.
+/// Returns a hinge that opens during the motion, or -1. The axes count too, because aligned fold lines keep hinge
+/// points together for any tilts.
 int open_hinge(const Structure& structure, double tolerance) {
   const NetTree tree = make_net_tree(structure);
   const double allowed = tolerance * static_cast<double>(structure.bodies.size());

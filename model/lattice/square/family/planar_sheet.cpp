@@ -17,7 +17,7 @@ bool is_cell(const GraphFace& face, const Structure& sheet) {
   return std::binary_search(sheet.cells.begin(), sheet.cells.end(), Cell{first.i, first.j});
 }
 
-/// A face by the bodies at its lower left and upper right corner.
+/// Names a face by the bodies at its lower left and upper right corner.
 std::string name_of(const GraphFace& face, const Structure& sheet) {
   const auto [first, last] = std::minmax_element(face.vertices.begin(), face.vertices.end());
   return (is_cell(face, sheet) ? "the cell" : "the hole") + std::string(" from ") +

@@ -7,24 +7,24 @@
 
 namespace kinetix::model {
 
-/// A sheet of squares as a structure on a planar graph, whose vertices are the bodies and whose edges are the
+/// Returns a sheet of squares as a structure on a planar graph. Its vertices are the bodies and its edges are the
 /// hinges, in the same order. Its faces are the cells, in the same order, then the holes between them.
 PlanarStructure planar_structure(const Structure& sheet);
 
-/// The planar motion of a sheet (kinematics.md section 5).
+/// Planar motion of a sheet (kinematics.md section 5).
 struct PlanarSheet {
-  Redrawing y;      ///< of each body, where it moves exactly; else empty
-  int hinge = -1;   ///< where it does not: one on the rim of the face that closes worst
+  Redrawing y;      ///< per body, if it moves exactly; otherwise empty
+  int hinge = -1;   ///< if it does not move exactly: one around the face with the worst misfit
   std::string why;  ///< one sentence
 };
 
-/// @pre all hinges stand upright
+/// Computes the planar motion of a sheet. @pre all hinges are upright
 PlanarSheet planar_motion(const Structure& sheet);
 
-/// Puts the hinges of a sheet where y, of each body, has them; alpha and beta stay.
+/// Places the hinges of a sheet by y, given for each body; alpha and beta do not change.
 void place_hinges(const Redrawing& y, Structure& sheet);
 
-/// State at theta, mm. @param y of each body
+/// Returns the state at theta, mm. @param y per body
 State fold(const Redrawing& y, const Structure& sheet, double theta);
 
 }  // namespace kinetix::model

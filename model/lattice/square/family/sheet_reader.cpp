@@ -8,7 +8,7 @@
 namespace kinetix::model {
 namespace {
 
-// Marks what no hinge has given yet: no hinge parameter is infinite.
+// Marks a value that no hinge has set yet: no hinge parameter is infinite.
 constexpr double unread = std::numeric_limits<double>::infinity();
 
 /// Keeps the first value of a slot and compares the others with it.

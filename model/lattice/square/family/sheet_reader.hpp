@@ -4,16 +4,16 @@
 
 namespace kinetix::model {
 
-/// Reads the exact design off a sheet's hinges, as classify() does, but many times for one set of cells: a
-/// microsecond for a strip. Families F1, F2 and F3 along x only.
+/// Reads the exact design from a sheet's hinges, as classify() does, but repeatedly for one set of cells: a
+/// microsecond for a strip. It supports only families F1, F2 and F3 along x.
 class SheetReader {
  public:
-  /// @param structure gives the cells; its hinges' parameters do not matter
+  /// @param structure provides the cells; its hinges' parameters do not matter
   explicit SheetReader(const Structure& structure);
 
-  /// The design that the hinges have, each column and row as its first hinge has it; theta is left alone.
+  /// Reads the design of the hinges, each column and row from its first hinge; theta does not change.
   /// @param structure the same cells; @param tolerance on fractions (absolute) and angles (rad)
-  /// @return false where the hinges keep none of the three families' rules; `design` is then of no use
+  /// @return false if the hinges satisfy none of the three families' rules; `design` is then invalid
   bool read(const Structure& structure, ExactDesign<double>& design, double tolerance = 1e-9) const;
 
   int columns() const { return columns_; }

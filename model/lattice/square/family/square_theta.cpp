@@ -8,7 +8,8 @@
 namespace kinetix::model {
 namespace {
 
-/// Between plates normal to the direction in which it bends, a sheet can roll: its theta is not determined.
+/// Rejects plates normal to the direction in which a sheet bends: it can roll between them, so its theta is not
+/// determined.
 void refuse_plates_that_tilt(const LinkageDrive& drive, const Classification& kind) {
   const Axis bends_along = kind.transposed ? Axis::y : Axis::x;
   if (kind.family == Family::F1 || drive.axis != bends_along) return;

@@ -5,9 +5,9 @@
 
 namespace kinetix::model {
 
-/// theta, rad, at which a sheet of an exact family has what a drive asks for.
-/// @throws InvalidInput for a theta that there is not, plates that hold rows straight which curve, and plates
-/// between which a bending sheet would roll
+/// Returns the theta, rad, at which a sheet of an exact family reaches a drive's target.
+/// @throws InvalidInput if there is no such theta, if rows between plates do not stay straight, and if a bending
+/// sheet would roll between the plates
 double theta_of(const LinkageDrive& drive, const Classification& kind, const Structure& structure);
 
 }  // namespace kinetix::model

@@ -36,7 +36,7 @@ using ::testing::Not;
 using ::testing::StartsWith;
 using Json = nlohmann::json;
 
-/// A square ring of a cell's width on a small panel: quick to search and to verify.
+/// A square ring one cell wide on a small panel: quick to search and to verify.
 constexpr const char* ring = R"(kinetix: 1
 name: ring
 target: {kind: display, rows: ["000000", "011110", "010010", "010010", "011110", "000000"]}
@@ -61,7 +61,7 @@ TEST(Display, IsSearchedVerifiedAndDrawn) {
   EXPECT_GE(result["metrics"]["contrast_physics"], 3);
   EXPECT_LE(result["metrics"]["stretch_max"], 0.12);
   EXPECT_EQ(result["display"]["after"]["cells"].size(), 36u);
-  // First order starts from the apertures themselves, which scatter can but blur.
+  // The first-order estimate starts from the nominal apertures. Scatter can only blur them.
   EXPECT_LE(result["display"]["printed"]["expected"]["contrast"], result["display"]["after"]["contrast"]);
   EXPECT_TRUE(result["display"]["printed"]["confirmed"].is_boolean());
   for (const Json& cell : result["structure"]["cells"]) {
@@ -80,7 +80,7 @@ TEST(Display, IsSearchedVerifiedAndDrawn) {
   EXPECT_EQ(again.code, 0) << again.out << again.err;
 }
 
-/// Runs of other kinds, or without the physics, into the same folder.
+/// Runs of other kinds, or without the simulation, write to the same folder.
 TEST(Display, LeavesNoPicturesOfAnEarlierRun) {
   const Scratch scratch;
   const std::string folder = scratch / "out", display = scratch.write("ring.yaml", ring);
@@ -101,7 +101,7 @@ TEST(Display, LeavesNoPicturesOfAnEarlierRun) {
                                          "report.html", "result.json"}));
 }
 
-/// The picture has no symmetry of its own; its hinges are tied all the same.
+/// The picture is not symmetric, but its hinges are tied by the mirror symmetry.
 TEST(Display, HingesKeepTheirSymmetryAndTheirDistanceFromCorners) {
   const Scratch scratch;
   const std::string text = R"(kinetix: 1
@@ -167,7 +167,7 @@ solver: {starts: 1, max_evaluations: 40}
       << larger.out << larger.err;
 }
 
-// Growth of d'^2 with the width of strokes, without a limit.
+// No limit on the growth of d'^2 with the stroke width.
 constexpr double any_growth = std::numeric_limits<double>::infinity();
 
 TEST(PanelEstimate, NamesThePanelWhoseStrokesAreWideEnough) {
@@ -190,7 +190,7 @@ TEST(PanelEstimate, IsNothingWhereItsLawDoesNotHold) {
             std::nullopt);
 }
 
-/// An L on 6 x 6 cells and what else a file says, in the model.
+/// The run and the result of an L on 6 x 6 cells with further keys, without simulation.
 struct ShownL {
   Outcome run;
   Json result;
@@ -211,7 +211,7 @@ const std::string rubber_panel = R"(structure: {cell_mm: 15, wall_mm: {thickness
 hinge: {kind: block, material: tango, gap_mm: 2, thickness_mm: 1.2}
 )";
 
-// A panel of [8, 8] cells was promised by its exact motion alone, and so on from panel to panel.
+// Regression: the exact motion alone led to an estimate of [8, 8] cells, and so on from panel to panel.
 TEST(Display, APictureThatOnlyTheExactMotionShowsSaysSo) {
   const auto [run, result] = shown_l(rubber_panel);
   EXPECT_EQ(run.code, 3) << run.out << run.err;
@@ -245,7 +245,7 @@ TEST(Display, LimitsThatLeaveNothingToSeeAreNotKeptAndSayHowFarThatWasTried) {
   EXPECT_FALSE(result["display"].contains("unlimited"));
 }
 
-// Strained it is pressed by 60 N, and was told to take less than one.
+// Regression: a strained panel needs 60 N, but its file allows 2 N.
 TEST(Display, IsStrainedOnPurposeOnlyWithinItsLimits) {
   const Scratch scratch;
   const std::string goal =
@@ -271,7 +271,8 @@ TEST(Display, StretchIsThatOfTheStateThatIsShown) {
   EXPECT_EQ(metrics["stretch_max"], metrics["hinge_gap_max"]) << "the search has plates that grip";
 }
 
-// Some 580 points press: taken one after the other, 200 rounds a step do not do, and the run goes on for 640 steps.
+// About 580 contacts press. If a solver treats them one after the other, 200 rounds per step are too few, and the run
+// takes 640 steps.
 TEST(Display, OfThickWallsComesToRestSoon) {
   const Scratch scratch;
   const std::string goal =
@@ -288,7 +289,7 @@ TEST(Display, LightBelowZeroIsNoPicture) {
   const auto [run, result] = shown_l("structure: {cell_mm: 10, wall_mm: {thickness: 4}}\n");
   EXPECT_EQ(run.code, 3) << run.out << run.err;
   EXPECT_THAT(run.out, HasSubstr("cells is below zero: their walls lie over each other"));
-  // Without what walls cover twice at vertices the mean of both was below zero.
+  // Without a correction for the area that walls cover twice at vertices, the mean of both was negative.
   EXPECT_GT(result["display"]["after"]["letter"], 0.1);
 }
 
@@ -302,7 +303,7 @@ TEST(Display, ContrastWithoutScatterIsANumber) {
   EXPECT_GT(Json::parse(text_of(scratch / "result.json"))["metrics"]["contrast"], 100);
 }
 
-// By longer steps than those of the path that is told, the largest load on the way was another.
+// Regression: longer steps than those of the reported path gave another largest load.
 TEST(DisplayLimits, AreJudgedByTheLoadsThatAreTold) {
   const Scratch scratch;
   const std::string goal = R"(kinetix: 1
@@ -352,7 +353,8 @@ tolerance: {force_N: 0.01}
   EXPECT_TRUE(display.limits_stopped);
 }
 
-// A run that was stopped on the way to its equilibrium showed the flat panel, though its search had found a design.
+// Regression: a run that was stopped during its equilibrium path showed the flat panel, although its search had found a
+// design.
 TEST(DisplayGoal, ShowsTheStateOfItsSearchWhereThePathIsStopped) {
   const auto of = [](const std::string& extra, const char* stage) {
     std::stop_source stop;
@@ -467,7 +469,7 @@ TEST(PanelPicture, IsToScaleAndRefusesBrokenStates) {
   EXPECT_THROW(app::panel_picture(panel, state, {}), std::runtime_error);
 }
 
-/// Width and height in its header.
+/// Reads width and height from the header.
 std::array<int, 2> png_size(const std::string& png) {
   const auto number = [&](std::size_t at) {
     int out = 0;
@@ -477,7 +479,7 @@ std::array<int, 2> png_size(const std::string& png) {
   return {number(16), number(20)};
 }
 
-// A panel of four metres had pictures of 250 million pixels, which took a minute.
+// Regression: pictures of a panel of four metres had 250 million pixels and took a minute.
 TEST(PanelPicture, HasFewerPixelsAMillimetreOfLargePanels) {
   const auto size_of = [](double edge_mm, double most) {
     const model::Structure panel =
@@ -489,7 +491,7 @@ TEST(PanelPicture, HasFewerPixelsAMillimetreOfLargePanels) {
   EXPECT_THAT(size_of(1000, 400), ::testing::ElementsAre(400, 300));
 }
 
-// Hinges sit elsewhere, but a flat wall is a flat wall: nothing betrays the letter before compression.
+// The hinges differ, but the flat walls do not: the letter is invisible before compression.
 TEST(FarView, IsTheSameForEveryFlatPanel) {
   const model::Structure plain = make_structure(model::rectangle(10, 10), {}), letter = letter_panel(0.1);
   const model::State flat = rest_state(plain);
@@ -498,7 +500,7 @@ TEST(FarView, IsTheSameForEveryFlatPanel) {
             app::panel_picture(plain, flat, {.format = app::PictureFormat::png}));
 }
 
-/// A letter on 12 x 12 cells after a short search, in the model.
+/// Runs a short search for a letter on 12 x 12 cells, without simulation.
 app::Run searched(const std::string& text) {
   app::DisplayFile file;
   file.goal = glyph_goal(text, targets::find_font(targets::default_font), 12, 12);
@@ -519,7 +521,7 @@ TEST(FarView, ARecogniserReadsTheLetterAfterCompressionAndNothingBefore) {
   }
 }
 
-/// Luminance of the middle pixel, from sRGB.
+/// Computes the luminance of the middle pixel from sRGB.
 double middle_luminance(const std::string& png) {
   const TemporaryFolder folder;
   const targets::Picture light =
@@ -529,11 +531,11 @@ double middle_luminance(const std::string& png) {
   return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
 
-// Light of 0.755 beside light of 0.666 was drawn as white beside black, and inverted.
+// Regression: light of 0.755 beside light of 0.666 was drawn as white beside black, and inverted.
 TEST(FarView, ShowsTrueLuminanceUnlessItIsEnhanced) {
   for (const double thickness : {0.5, 1.0, 2.0}) {
     const model::Structure panel = make_structure(model::rectangle(11, 11), {10, thickness, 6});
-    const double open = std::pow(1 - thickness / 10, 2);  // of a cell, between its walls
+    const double open = std::pow(1 - thickness / 10, 2);  // share of a cell's area between its walls
     EXPECT_NEAR(middle_luminance(app::far_view(panel, rest_state(panel), {.blur_in_cells = 1.5})), open, 0.02)
         << thickness;
   }

@@ -11,7 +11,7 @@
 #include "tests/app/schema_errors.hpp"
 #include "tests/support/bad_input.hpp"
 
-/// What moves a display: plates that grip or press, or a hinge.
+/// Tests the drives of a display: plates that grip or press, or a hinge.
 namespace kinetix::testing {
 namespace {
 

@@ -25,7 +25,7 @@ DisplayFile shipped(const std::string& name) {
   return read_display_file(targets::read_document(std::string(KINETIX_SOURCE) + "/targets/shapes/" + name));
 }
 
-/// The equilibrium is read by the benchmark, which has the time.
+/// The benchmark decodes the equilibrium, which would take too long here.
 TEST(QrCode, IsReadFromTheExactStateOfAPlainGridAndNotBefore) {
   const DisplayFile file = shipped("qr_code.yaml");
   const model::Lattice panel = make_panel(file, {file.goal.columns, file.goal.rows});
@@ -55,7 +55,7 @@ TEST(DisplayOnHexagons, ShowsItsLetterBetweenPlates) {
   EXPECT_EQ(read_design(folder.path("design.yaml")).structure.hinges(), run.design.structure.hinges());
 }
 
-// "20 columns in its proportions" were rows of squares: a round picture on bricks came out half as high.
+// Regression: "20 columns in its proportions" counted rows of squares, so a round picture on bricks was half as high.
 TEST(DisplayOnOtherLattices, HasTheRowsThatKeepAnImagesProportions) {
   const TemporaryFolder folder;
   folder.write("a.pbm", "P1\n4 4\n1 1 0 0 1 1 0 0 0 0 0 0 0 0 0 0\n");

@@ -17,13 +17,13 @@ namespace {
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
-/// Small, so that it is quick to verify.
+/// A small box, quick to verify.
 constexpr const char* box = R"(kinetix: 1
 name: box
 target: {kind: fold, box: [2, 1, 1]}
 )";
 
-// Three small faces of different sizes, one to fold up and one to fold down.
+// Three small faces of different sizes: one folds up and one folds down.
 constexpr const char* net = R"(kinetix: 1
 name: net
 target:
@@ -96,7 +96,7 @@ TEST(Fold, ThatCannotBeSaysWhy) {
   EXPECT_EQ(schema_errors(Json::parse(text_of(scratch.path() + "/result.json"))), "");
 }
 
-/// The cell edge that it names gives the box its size.
+/// The cell edge in the message gives the box its size.
 TEST(Fold, OfABoxThatMissesItsSizeNamesCellsThatDoNot) {
   const Scratch scratch;
   const auto run = [&](const std::string& edge_mm) {
@@ -117,7 +117,7 @@ TEST(Fold, OfABoxThatMissesItsSizeNamesCellsThatDoNot) {
   EXPECT_EQ(met.code, 0) << met.out << met.err;
 }
 
-/// The vertices of an open box span its edges, of which one has a crease at one end alone.
+/// The vertices of an open box span its edges. One of these edges has a crease at one end only.
 TEST(Fold, OfAnOpenBoxIsAsHighAsItsWalls) {
   const Scratch scratch;
   const std::string folder = scratch / "out";

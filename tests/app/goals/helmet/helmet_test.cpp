@@ -15,10 +15,10 @@ namespace {
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
-// mm: half of a head's breadth, length and height.
+// Half of a head's breadth, length and height, mm.
 const std::string head = obj_text(ellipsoid({76, 98, 112}));
 
-/// Large cells, so that it is quick to verify.
+/// A cap of large cells, quick to verify.
 constexpr const char* helmet = R"(kinetix: 1
 name: cap
 target: {kind: helmet, mesh: head.obj, ribs: 3, coverage_mm: 70, clearance_mm: 11}
@@ -53,7 +53,7 @@ TEST(Helmet, IsFittedVerifiedAndReported) {
   EXPECT_EQ(again.code, 0) << again.out << again.err;
 }
 
-/// The states lie on the mesh wherever its axes point.
+/// The states fit the mesh for any direction of its axes.
 TEST(Helmet, IsGivenInTheFrameOfTheMesh) {
   const Scratch scratch;
   targets::TriangleMesh mesh = ellipsoid({76, 98, 112});
@@ -113,7 +113,7 @@ TEST(Helmet, ThatIsTooFarOffSaysByHowMuch) {
   EXPECT_THAT(run.out, HasSubstr("mm rms from head plus clearance; at most 0.001 mm is allowed"));
 }
 
-/// However much is allowed.
+/// Applies to any tolerance.
 TEST(Helmet, ThatRunsThroughAThinEarIsNotMet) {
   const Scratch scratch;
   scratch.write("head.obj", obj_text(head_with_thin_ears()));

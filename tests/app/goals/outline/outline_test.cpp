@@ -57,14 +57,15 @@ nlohmann::json written(app::Run& run) {
   return write_results(run, folder.path(".")).result;
 }
 
-/// The figures of the table that the search is judged by, measured from the poses alone.
+/// Computes the rms distance of the boundary from a circle, as a share of the diameter times sqrt(2). Uses the poses
+/// alone.
 double rms_from_circle(const nlohmann::json& result) {
   std::vector<Eigen::Vector2d> rim;
   for (const int body : result["outline"]["rim"]) {
     const auto& p = result["states"][0]["poses"][body]["position_mm"];
     rim.push_back({p[0].get<double>(), p[1].get<double>()});
   }
-  // Circle by linear least squares: |p|^2 = 2 c p + (r^2 - c^2).
+  // Fits a circle by linear least squares: |p|^2 = 2 c p + (r^2 - c^2).
   Eigen::MatrixXd rows(rim.size(), 3);
   Eigen::VectorXd squares(rim.size());
   for (std::size_t k = 0; k < rim.size(); ++k) {
@@ -78,7 +79,7 @@ double rms_from_circle(const nlohmann::json& result) {
   return std::sqrt(sum / static_cast<double>(rim.size())) / (2 * std::sqrt(2.0) * radius);
 }
 
-/// A polygon that is turned about the origin, as a list in YAML.
+/// Formats a polygon that is turned about the origin as a YAML list.
 std::string turned_points(const std::vector<Eigen::Vector2d>& points, double degrees) {
   const Eigen::Rotation2Dd turn(degrees * pi / 180);
   std::string text = "[";
@@ -89,7 +90,7 @@ std::string turned_points(const std::vector<Eigen::Vector2d>& points, double deg
   return text + "]";
 }
 
-/// r(angle) round the origin, mm.
+/// Returns points at r(angle) around the origin, mm.
 std::vector<Eigen::Vector2d> round_points(int count, const std::function<double(double)>& radius) {
   std::vector<Eigen::Vector2d> out;
   for (int k = 0; k < count; ++k) {
@@ -99,20 +100,20 @@ std::vector<Eigen::Vector2d> round_points(int count, const std::function<double(
   return out;
 }
 
-// mm: outlines whose lattices can lie in two, one and four ways.
+// An outline with two axes of symmetry, mm.
 const std::vector<Eigen::Vector2d> ellipse =
     round_points(80, [](double a) { return 1 / std::hypot(std::cos(a) / 60, std::sin(a) / 40); });
-// mm: one axis of symmetry.
+// An outline with one axis of symmetry, mm.
 const std::vector<Eigen::Vector2d> pear =
     round_points(60, [](double a) { return 50 + 12 * std::cos(a) + 6 * std::cos(2 * a); });
-// mm: four axes of symmetry.
+// An outline with four axes of symmetry, mm.
 const std::vector<Eigen::Vector2d> clover =
     round_points(64, [](double a) { return 50 + 8 * std::cos(4 * a); });
 const std::string gently_pressed =
     "variables: {offset_mm: 0.3, t: {range: [0.25, 0.75]}, theta: {range_deg: [30, 40]}}\ntolerance: {shape: "
     "0.05, iou: 0.8}\n";
 
-// The same ellipse had 79 or 90 % of its area in common with the panel, as it was drawn.
+// Regression: the panel overlapped the ellipse by 79 or 90 % of its area, depending on the orientation of the drawing.
 TEST(Outline, DoesNotDependOnHowItWasTurnedWhenItWasDrawn) {
   struct Case {
     const char* name;
@@ -155,7 +156,7 @@ TEST(Outline, LiesAsItWasDrawn) {
     for (std::size_t k = 1; k < pear.size(); ++k)
       EXPECT_NEAR((point(placed[k]) - point(placed[0]) - size * (point(drawn[k]) - point(drawn[0]))).norm(),
                   0, 1e-6);
-    // The rim lies on the outline where the result has both.
+    // The boundary of the sheet is on the outline that the result contains.
     std::vector<Eigen::Vector2d> corners;
     for (const auto& p : placed) corners.push_back(point(p));
     const targets::Outline goal(corners);
@@ -225,7 +226,7 @@ TEST(Outline, MayBePrescribedFlatAndPressed) {
   EXPECT_EQ(run.plan.mobility->dofs_along, 1);
 }
 
-/// Of the poses that a result shows, against the outline that it draws under them.
+/// Computes the rms error of the poses in a result against the outline that the result draws below them.
 double shown_rms(const nlohmann::json& result) {
   std::vector<Eigen::Vector2d> goal, rim;
   for (const auto& p : result["outline"]["goal_mm"]) goal.emplace_back(p[0], p[1]);
@@ -236,7 +237,7 @@ double shown_rms(const nlohmann::json& result) {
   return outline_error(targets::Outline(goal), rim).rms;
 }
 
-/// By no offsets that are allowed, and by blocks as thick as their walls, which leave none.
+/// All hinges are on their walls: the file allows no offset, or the blocks are as thick as the walls.
 TEST(Outline, MovesExactlyWithAllHingesOnTheirWalls) {
   const std::string plain = "variables: {offset_mm: 0}\n";
   for (const std::string& rest :
@@ -263,7 +264,7 @@ TEST(Outline, OfASheetWithoutAnExactMotionIsRefused) {
       false);
   std::vector<model::HingeParameters>& hinges = found.design.structure.planar()->hinges;
   hinges[hinges.size() / 2].beta = 0.3;
-  found.plan = {};  // its motion was that of the sheet before
+  found.plan = {};  // the plan belongs to the sheet before the change
   try {
     planned(found);
     FAIL() << "no error";

@@ -37,7 +37,7 @@ TEST(SpaceBlockResult, WhoseWallsMeetIsNotSaidToMissItsFactors) {
   EXPECT_THAT(run.out, HasSubstr(": WITHIN TOLERANCE, BUT NOT AS REQUIRED\n"));
 }
 
-// Smaller cells of the same number would be a smaller block.
+// Smaller cells of the same number would make a smaller block.
 TEST(SpaceBlockResult, WhoseOwnCellsMissItsSizeAsksForOtherCells) {
   const Scratch scratch;
   const std::string file =
@@ -50,7 +50,7 @@ TEST(SpaceBlockResult, WhoseOwnCellsMissItsSizeAsksForOtherCells) {
                                  "allowed: give other `cells`"));
 }
 
-// Gussets of its sides stand out beyond the rotors, from which its lengths are measured.
+// Gussets at the block's sides extend beyond the rotors, which define its lengths.
 TEST(SpaceBlockTarget, IsForetoldAsLargeAsItsDesignIs) {
   const Scratch scratch;
   const std::string file = scratch.write("block.yaml",

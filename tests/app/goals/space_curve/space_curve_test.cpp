@@ -28,7 +28,8 @@ TEST(SpaceCurveResult, IsAsTheSchemaHasIt) {
   EXPECT_NE(schema_errors(result), "") << "a column bends or shears";
 }
 
-/// Films bend towards flat: the tilts make up for them, and the physics run of the same hinges ends there too.
+/// Films bend towards flat, and the tilts compensate for it. The simulation with the same hinges reaches the same
+/// state.
 TEST(SpaceCurveResult, OfElasticHingesIsThatOfTheirEquilibrium) {
   const Scratch scratch;
   const std::string file = scratch.write(
@@ -43,13 +44,13 @@ TEST(SpaceCurveResult, OfElasticHingesIsThatOfTheirEquilibrium) {
   ASSERT_EQ(run.code, 0) << run.out << run.err;
   const Json result = Json::parse(text_of(scratch / "out/result.json"));
   EXPECT_EQ(schema_errors(result), "");
-  // Straight columns are off a curve with rigid hinges as well: no tilts make up for that.
+  // Straight columns do not follow a curve exactly, even with rigid hinges. Tilts cannot compensate for that.
   const auto matter = [&](const char* key) { return result["matter"][key].get<double>(); };
   EXPECT_LT(matter("after_mm") - matter("exact_mm"), 0.5 * (matter("before_mm") - matter("exact_mm")));
   EXPECT_LE(result["metrics"]["shape_rms"], 0.01);
   EXPECT_NEAR(result["metrics"]["shape_rms_physics"], result["metrics"]["shape_rms"], 1e-6);
 
-  // Turns are those of the state shown: between the columns that shear, two bodies a column.
+  // The result's turns are those of the displayed state, between the columns that shear. A column has two bodies.
   const Json& poses = result["states"][0]["poses"];
   const auto along = [&](std::size_t column, int axis) {
     double sum = 0;
@@ -64,7 +65,8 @@ TEST(SpaceCurveResult, OfElasticHingesIsThatOfTheirEquilibrium) {
     EXPECT_NEAR(columns[k]["turn_deg"], to_degrees(heading(k + 1) - heading(k - 1)), 0.05) << k;
 }
 
-/// Strips of given cells that become longer than at first sight: folded less, they would take more of what the file allows.
+/// Strips of given cells are longer than their first estimate. With less fold they would exceed the range that the file
+/// allows.
 TEST(SpaceCurveResult, OfGivenCellsKeepsToItsRanges) {
   const Scratch scratch;
   const auto hinges_of = [&](const std::string& curve, const std::string& cell_mm, const std::string& range) {

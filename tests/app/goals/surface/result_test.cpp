@@ -34,7 +34,7 @@ TEST(SurfaceResult, OfASheetIsAsTheSchemaHasIt) {
   EXPECT_THAT(schema_errors(result), HasSubstr("multipliers"));
 }
 
-// Its facets follow the usual rise within the usual tolerance, but so does a cylinder.
+// The facets match the usual rise within the usual tolerance, but a cylinder does so, too.
 TEST(SurfaceResult, OfASaddleSaysThatACylinderWouldDoAsWell) {
   const Json result =
       surface_result("shape: saddle", "structure: {facets: [5, 5]}\ntolerance: {shape: 0.05, cover: 0}\n");

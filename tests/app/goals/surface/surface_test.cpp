@@ -75,7 +75,7 @@ TEST(SurfaceGoal, TurnsAProfileForASheetAndForRibs) {
   const auto& outcome = measure_of<RibsMeasure>(ribs);
   EXPECT_TRUE(ribs.met());
   EXPECT_LE(outcome.ways.front().rms, 3e-3);
-  double lowest = 0;  // mm: ribs run round to the back
+  double lowest = 0;  // mm: the ribs extend to the back
   for (const model::Pose& pose : ribs.states.front().poses) lowest = std::min(lowest, pose.p.z());
   EXPECT_LT(lowest, -30);
 }
@@ -98,7 +98,7 @@ RunOptions without_physics() {
   return options;
 }
 
-/// A sheet that bends one way alone came within the usual tolerance of a shallow cap.
+/// Regression: a sheet that bends in one direction only was within the usual tolerance of a shallow cap.
 TEST(SurfaceGoal, OfACapIsNotMetByNearlyACylinder) {
   const testing::TemporaryFolder folder;
   const auto run = run_goal(*read(folder, ", shape: cap, arc_deg: 40",

@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using namespace testing;
 
-// Of a contact, over k_point: not 1, so that a factor that is left out shows.
+// Contact stiffness over k_point: not 1, so that a missing factor shows.
 constexpr double stiffness = 7;
 
 struct Touching {
@@ -84,7 +84,7 @@ TEST(ContactEnergy, GradientAndHessianMatchCentralDifferences) {
   });
 }
 
-/// t, alpha and beta of the two hinges of a contact changed by q.
+/// Returns the structure with t, alpha and beta of a contact's two hinges changed by q.
 Structure redesigned(Structure s, const Contact& c, const VectorXd& q) {
   for (const int k : {0, 1}) {
     HingeParameters& p = s.hinges[ContactModel::hinge(k == 0 ? c.plate : c.other)].parameters;
@@ -180,8 +180,8 @@ TEST(ContactEnergy, RememberedCandidatesGiveWhatAFreshModelFinds) {
   }
 }
 
-/// All bodies of a strip far apart, but for one whose wall tip hangs `high` above the middle of another's
-/// x-wall, `along` from that one's vertex, cell edges.
+/// Returns a state of a strip in which all bodies except two are far apart. A wall tip of one hangs `high` above the
+/// middle of the other's x-wall, `along` from that one's vertex, in cell edges.
 State hanging(const Structure& s, double along, double high) {
   const double L = s.size.edge_mm;
   State state(s.bodies.size());
@@ -208,7 +208,8 @@ TEST(ContactEnergy, APointThatJumpsAcrossAWallHasPassedThrough) {
   }
 }
 
-/// One body's half walls lie across those of another in two places, the lower rim of the ones `deep` in the upper of the others.
+/// Returns a state in which half walls of one body cross those of another in two places. Lower edges of the one are
+/// `deep` inside upper edges of the other.
 State crossing_rims(const Structure& s, double deep) {
   State state = hanging(s, 0, 0);
   state[*s.body_at({2, 1})].p << 0.25 * s.size.edge_mm, 0.25 * s.size.edge_mm,
@@ -268,7 +269,7 @@ TEST(ContactModel, SeesWallsThatCameToLieAcrossEachOther) {
   EXPECT_FALSE(walls.newly_cross(apart, apart));
 }
 
-/// Turned by `angle` about the upright through its vertex: the half wall along x.
+/// Returns a state in which the half wall along x is turned by `angle` about the vertical through its vertex.
 State turned_past(const Structure& s, double angle, double high = 0) {
   State state = hanging(s, 0.3, 0);
   Pose& pose = state[*s.body_at({2, 1})];
@@ -298,7 +299,7 @@ TEST(ContactModel, SeesThinWallsThatPassEachOtherBetweenTwoStates) {
     }
 }
 
-/// Boxes of half walls, cut along their hinges, are what presses: nothing touches that they leave apart.
+/// Contact acts between the boxes of half walls, cut along their hinges. Parts outside these boxes never touch.
 TEST(ContactEnergy, IsOfWallsCutAlongTheirHinges) {
   std::mt19937 random(11);
   int touching = 0;

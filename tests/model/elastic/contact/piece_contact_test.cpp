@@ -27,7 +27,8 @@ using testing::box_piece;
 constexpr double contact_stiffness = 7;  // over k_point: not 1, so that a factor that is left out shows
 constexpr double edge_mm = 10;           // mm: not 1, so that a unit that is left out shows
 
-/// Two bodies with a block between them about z at the origin, which resists alike in all directions of pull.
+/// Returns two bodies with a block between them about z at the origin. The block is equally stiff in all directions of
+/// pull.
 Assembly two_arms() {
   Assembly a;
   a.edge_mm = edge_mm;
@@ -162,12 +163,12 @@ TEST(PieceSurface, LiesInTheSmallestBallAboutTheMiddleOfItsBox) {
   EXPECT_NEAR(box.radius, half.norm() / edge_mm, 1e-12);
 }
 
-/// An arm of 0.8 x 6 mm turned about a block until the upper edge of its end, 9.5 mm from the axis, presses on a flat stop at y = 4:
-/// the hinge gives way by u along y, and with c for the edge's stiffness
+/// An arm of 0.8 x 6 mm turns about a block until the upper edge of its end, 9.5 mm from the axis, presses on a flat
+/// stop at y = 4. The hinge yields by u along y. With c for the edge's stiffness:
 ///
 ///     K u + c (h + u) = 0,  h = 9.5 sin phi + 0.4 cos phi - 4,  M = k_turn phi + c (h + u) h'
 ///
-/// so the moment at the drive is k_turn phi + h h' / (1 / K + 1 / c).
+/// The moment at the drive is k_turn phi + h h' / (1 / K + 1 / c).
 TEST(PieceContact, PressesABlockHingeOnAStopAsTheMomentBalanceSays) {
   const Assembly assembly = two_arms();
   const Linkage linkage = linkage_of(assembly);

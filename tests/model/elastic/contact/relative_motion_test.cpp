@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 constexpr double spacing_mm = 8, reach = 0.7, margin = 0.3;  // mm; cell edges
 
-/// Bodies on a grid in the plane, an edge apart.
+/// Returns bodies on a grid in the plane, one cell edge apart.
 State grid(int columns, int rows) {
   State state;
   for (int i = 0; i < columns; ++i)
@@ -27,7 +27,8 @@ Vector3d random_vector(std::mt19937& random) {
   return {unit(random), unit(random), unit(random)};
 }
 
-/// Compressed, sheared, bent along the columns by `wave` cell edges, and every body shaken by `shake` cell edges and rad.
+/// Returns the state compressed, sheared and bent along the columns by `wave` cell edges. Every body is also shaken by
+/// `shake` cell edges and rad.
 State moved(const State& from, double strain, double wave, double shake, std::mt19937& random) {
   Eigen::Matrix3d gradient;
   for (int column = 0; column < 3; ++column) gradient.col(column) = strain * random_vector(random);
@@ -42,12 +43,13 @@ State moved(const State& from, double strain, double wave, double shake, std::mt
   return to;
 }
 
-/// How a point that a body carries has moved, cell edges.
+/// Returns how far a point that a body carries has moved, cell edges.
 Vector3d way(const Pose& from, const Pose& to, const Vector3d& carried) {
   return (to.p - from.p) / spacing_mm + (to.R - from.R) * carried;
 }
 
-/// Whether two bodies can have brought points together that were apart by the margin: by what they did, not by a bound.
+/// Returns whether two bodies brought points together that were apart by the margin, from their motion and not from a
+/// bound.
 bool came_close(const State& from, const State& to, std::size_t a, std::size_t b, std::mt19937& random) {
   if ((from[a].p - from[b].p).norm() / spacing_mm > 2 * reach + margin)
     return (to[a].p - to[b].p).norm() / spacing_mm < 2 * reach;

@@ -13,7 +13,7 @@
 #include "tests/support/paper_scenes.hpp"
 #include "tests/support/random_elastic.hpp"
 
-/// What a path meets on its way does not depend on how far the drive is asked to go.
+/// Tests that the events of a path do not depend on how far the drive is requested to go.
 namespace kinetix::model {
 namespace {
 
@@ -69,7 +69,7 @@ std::vector<PathEvent> events_before(const EquilibriumPath& path, double theta) 
   return events;
 }
 
-/// Events and stable states of a path are those of one that goes further.
+/// Checks that events and stable states of a path are among those of a path that goes further.
 void expect_part_of(const Asked& shorter, const Asked& longer) {
   const double end = std::abs(shorter.path.theta);
   const std::vector<PathEvent> some = events_before(shorter.path, end), all = events_before(longer.path, end);
@@ -105,7 +105,7 @@ TEST(AskedAngle, OfATwistUnitChangesNeitherEventsNorStableStates) {
     }
 }
 
-/// The unit of twist_unit.yaml: it is held by its walls before it comes to Eq. 6, and locks soon after.
+/// Unit of twist_unit.yaml: its walls stop it before the state of Eq. 6, and it locks soon after.
 TEST(AskedAngle, OfATwistUnitWithWallsIsReachedOrLockedAtOnePlace) {
   std::vector<double> locked;
   for (double angle = 80; angle <= 100; angle += 4) {
@@ -118,7 +118,7 @@ TEST(AskedAngle, OfATwistUnitWithWallsIsReachedOrLockedAtOnePlace) {
   for (const double theta : locked) EXPECT_NEAR(theta, locked.front(), same);
 }
 
-/// Walls that are hardly there end where Eq. 6 has them: their tips meet at 45 deg.
+/// Very thin walls reach the state of Eq. 6, where their tips meet at 45 deg.
 TEST(AskedAngle, OfATwistUnitOfThreadsFindsEquationSixAndEndsThere) {
   const double alpha_deg = 60;
   for (double angle = 86; angle <= 100; angle += 2) {
@@ -126,7 +126,7 @@ TEST(AskedAngle, OfATwistUnitOfThreadsFindsEquationSixAndEndsThere) {
     const Asked unit = follow(twist_unit(alpha_deg, {10, 0.001, 0.01}, angle));
     ASSERT_EQ(unit.stable.states.size(), 2u);
     EXPECT_THAT(unit.stable.unresolved, IsEmpty());
-    // Springs pull it back by as much as the hinges give way.
+    // The springs pull it back by as much as the hinges yield.
     EXPECT_NEAR(unit.stable.states[1].theta, -45 * radians_per_degree, 5e-4);
     if (angle <= 90) continue;
     EXPECT_EQ(unit.path.stop, Stop::locked) << unit.path.why;
@@ -134,7 +134,7 @@ TEST(AskedAngle, OfATwistUnitOfThreadsFindsEquationSixAndEndsThere) {
   }
 }
 
-/// Of a strip between plates, a panel that a cord pulls, and panels in space that a hinge folds until walls touch.
+/// Covers a twist unit and a square panel between plates, and a strip and a panel in space that a hinge folds.
 TEST(AskedAngle, OfOtherSheetsAndDrivesChangesNoEvent) {
   const CellTuple unit{.A_in = {pi / 2, pi / 3, pi / 2, pi / 3}};
   const Structure twist = tiled(1, 1, unit, unit, {10, 0.8, 6}), strip = twisting_strip();

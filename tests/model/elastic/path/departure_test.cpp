@@ -25,7 +25,7 @@ double turned_off(const DrivenLinkage& driven, const EquilibriumPath& path) {
   return turn_distance(driven.linkage, path.state, driven.exact.at(path.theta));
 }
 
-// ---- Panels whose closed form comes to a place where a second motion begins ----
+// ---- Panels whose closed form reaches a place where a second motion begins ----
 
 struct ClosedRim {
   const char* name;
@@ -50,7 +50,7 @@ class PanelOfClosedRim : public ::testing::TestWithParam<ClosedRim> {
       make_planar_structure({GetParam().lattice, lattice_cells(3, 3), 0, true}, {});
 
  private:
-  /// The axis along which plates find two lines to hold.
+  /// Returns the axis along which plates find two lines to grip.
   Axis plates_axis() const { return GetParam().lattice == &brick_lattice ? Axis::y : Axis::x; }
 };
 
@@ -68,7 +68,7 @@ TEST_P(PanelOfClosedRim, IsToldToLeaveItsClosedFormByOneWall) {
   EXPECT_GT(turned_off(driven, path), 0.1);
 }
 
-/// The second motion costs the springs alone: nothing else of the path tells that it is taken.
+/// Only the turning springs resist the second motion. The path shows no other sign that it is taken.
 TEST_P(PanelOfClosedRim, LeavesItWithoutTurningUnstable) {
   const EquilibriumPath path = trace_equilibrium(by_one_wall(30 * deg), {}, without_contact());
   for (const EquilibriumStep& step : path.steps) EXPECT_TRUE(step.stable) << to_degrees(step.theta);
@@ -158,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Keeping{"letter_T", letter_panel(0.8)}, Keeping{"shearing_grid", uncrossable_grid()}),
     ::testing::PrintToStringParamName());
 
-/// Walls that press on each other take a sheet off its closed form: contact and lock tell that.
+/// Walls that press on each other take a sheet off its closed form. Contact and lock events report that.
 TEST(Departure, IsNoneWhereWallsMeetOnTheClosedForm) {
   const Structure s = uncrossable_grid();
   const EquilibriumPath path =

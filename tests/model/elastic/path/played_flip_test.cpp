@@ -3,13 +3,13 @@
 #include "model/base/angle.hpp"
 #include "tests/support/played_twist_unit.hpp"
 
-/// The flip of the paper's twist unit with play in its pins.
+/// Flip of the paper's twist unit with clearance in its pins.
 namespace kinetix::model {
 namespace {
 
 using testing::flip_barrier;
 
-/// Energy of stiff pins against geometry alone: neither knows of the other.
+/// Compares the energy of stiff pins with geometry alone, which shares no code with it.
 TEST(PlayedFlip, HasNoBarrierFromThePlayOnThatItsGeometryNeeds) {
   for (const double degrees : {60.0, 75.0, 80.0}) {
     SCOPED_TRACE(degrees);
@@ -18,7 +18,7 @@ TEST(PlayedFlip, HasNoBarrierFromThePlayOnThatItsGeometryNeeds) {
     EXPECT_LE(needed.upper, 1.0011 * needed.lower);
     const double gone = testing::vanishing_play(alpha, 0.4 * needed.upper, 0.7 * needed.upper);
     EXPECT_NEAR(gone / needed.upper, 1, 0.01);
-    // What is left is that of the turning springs, 5e-4 N mm, and of the looseness within the play.
+    // The remaining energy is that of the turning springs, 5e-4 N mm, and of the small stiffness within the clearance.
     EXPECT_LE(flip_barrier(alpha, 1.2 * needed.upper), 1e-3);
   }
 }

@@ -24,8 +24,8 @@ EquilibriumPath path_of(const Structure& sheet, const LinkageDrive& drive) {
 
 double last_energy(const EquilibriumPath& path) { return path.steps.back().energy; }
 
-/// In the state of least energy over all that keep their rows between the plates, no plate pulls, and none holds a
-/// body that is away from it.
+/// The equilibrium has the least energy of all states whose rows stay between the plates. In it no plate pulls, and
+/// none holds a body that is away from it.
 TEST(PressedPath, PushesNoneThatIsAwayAndPullsNone) {
   for (const double k : {0.1, 0.15, 0.8}) {
     const Structure panel = letter_panel(k, 6);

@@ -13,14 +13,15 @@
 #include "tests/support/paper_scenes.hpp"
 #include "tests/support/random_elastic.hpp"
 
-/// Events of a path against the way back, which is followed here from state to state, without what the path knew.
+/// Compares the events of a path with the way back. The tests follow that way from state to state, without the path's
+/// own data.
 namespace kinetix::model {
 namespace {
 
 using namespace testing;
 using Kind = PathEvent::Kind;
 
-/// Soft blocks of 1 mm as hinges: a cord compresses the sheet before it buckles.
+/// Returns soft blocks of 1 mm as hinges: a tendon compresses the sheet before it buckles.
 Elasticity block_hinges(double k_turn = 0.351) {
   Elasticity e{3.574, k_turn, 1.732, 35.74};
   e.ratios = {1, 0.158, 0.2125};
@@ -84,7 +85,7 @@ std::vector<Seen>::const_iterator seen_at(const std::vector<Seen>& seen, double 
   return std::find_if(seen.begin(), seen.end(), [&](const Seen& at) { return at.step.theta == theta; });
 }
 
-/// From one state of a path back to the theta of another, in steps of 1e-3 rad or less.
+/// Way from one state of a path back to the theta of another, in steps of 1e-3 rad or less.
 class WayBack {
  public:
   WayBack(const DrivenLinkage& driven, const Elasticity& elasticity, bool planar)
@@ -93,7 +94,7 @@ class WayBack {
         tangent_(system_.dofs()),
         unit_(energy_unit(elasticity, driven.linkage.size.edge_mm)) {}
 
-  /// Whether it ends in another state of other energy; nothing where it finds no stable state.
+  /// Returns whether it ends in another state of different energy, or empty if it finds no stable state.
   std::optional<bool> is_another(const Seen& after, const Seen& before) {
     State back = after.state, there = before.state;
     const double way = before.step.theta - after.step.theta;
@@ -109,8 +110,8 @@ class WayBack {
   }
 
  private:
-  /// The multiplier of a driven hinge or a cord is that of this state. That of another branch pushes it off its own near a
-  /// limit point.
+  /// Sets the multiplier of a driven hinge or a tendon to that of this state. The multiplier of another branch would
+  /// push the state off its own branch near a limit point.
   void hold(const State& state) {
     if (!system_.holds_coordinate()) return;
     system_.set_multiplier(0);
@@ -163,7 +164,7 @@ Structure random_sheet(int& columns, int& rows, std::mt19937& random) {
   }
 }
 
-/// KINETIX_RETRACED_SHEETS=1000 looks at as many.
+/// Returns the number of sheets to retrace: KINETIX_RETRACED_SHEETS=1000 requests as many.
 int sheets_to_retrace() {
   const char* const asked = std::getenv("KINETIX_RETRACED_SHEETS");
   return asked ? std::atoi(asked) : 100;

@@ -6,8 +6,8 @@
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/paper_scenes.hpp"
 
-/// A strip that folds between plates presses on them, and only its middle is keyed upright: from a length on
-/// it tips over there, by a twist along the strip, instead of folding on.
+/// Tests of strips that press on the plates between which they fold. Only the middle of a strip is keyed upright. From
+/// a certain length on, it tips over there by a twist along the strip instead of folding further.
 namespace kinetix::model {
 namespace {
 

@@ -8,8 +8,8 @@
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/random_designs.hpp"
 
-/// Sheets that move exactly, with hinges that turn almost freely. Their state and the load that it bears are
-/// known in closed form, and both signs of theta cost the same: nothing but what was asked tells the sides apart.
+/// Tests of sheets with an exact motion whose hinges turn almost freely. Their state and load are known in closed form.
+/// Both signs of theta cost the same energy, so only the requested sign distinguishes the sides.
 namespace kinetix::model {
 namespace {
 
@@ -20,14 +20,14 @@ using Stop = EquilibriumPath::Stop;
 
 const double asked_theta = std::acos(0.95);  // rad: plates that close in by 5 %
 
-/// Every second column tilts by 20 deg, from row to row to the other side.
+/// Returns a sheet whose every second column tilts by 20 deg, alternating from row to row.
 Structure bending_sheet(int cells, double edge_mm = 10) {
   auto design = ExactDesign<double>::basic(cells, cells);
   for (int c = 0; c < cells; c += 2) design.beta[c] = 20 * radians_per_degree;
   return structure_of(design, {.edge_mm = edge_mm});
 }
 
-/// Energy of the turning springs on the closed form, N mm.
+/// Returns the energy of the turning springs on the closed form, N mm.
 double turning_energy(const Structure& s, const Elasticity& elasticity, double theta) {
   const State state = fold(classify(s), s, theta);
   double sum = 0;
@@ -38,7 +38,7 @@ double turning_energy(const Structure& s, const Elasticity& elasticity, double t
   return sum * energy_unit(elasticity, s.size.edge_mm);
 }
 
-/// Its derivative by theta, N mm.
+/// Returns the derivative of turning_energy() by theta, N mm.
 double turning_slope(const Structure& s, const Elasticity& elasticity, double theta) {
   constexpr double step = 1e-4;  // rad: its square is below the accuracy asked, rounding too
   return (turning_energy(s, elasticity, theta + step) - turning_energy(s, elasticity, theta - step)) /
@@ -83,7 +83,7 @@ TEST(SoftTurning, BetweenPlatesFoldsToTheSideAsked) {
     // The springs pull the sheet off its closed form in proportion to their stiffness and its size squared.
     const double slack = 5 * ratio * (10 + cells * cells) + 1e-12;
     EXPECT_LE(from_closed_form(s, path), slack);
-    // Bodies of halved walls stand in the same places on both sides: how they turn tells which it is.
+    // Bodies of halved walls have the same positions on both sides. Only their turns show which side it is.
     EXPECT_LE(turn_distance(s, path.state, fold(classify(s), s, path.theta)), 20 * slack);
     const double force = plates_force(s, elasticity, sign * asked_theta, 10.0 * cells);
     EXPECT_NEAR(path.steps.back().load, force, 1e-5 * force);
@@ -114,7 +114,7 @@ TEST(SoftTurning, OfLargeCellsAndStiffPinsFoldsToTheSideAsked) {
       }
 }
 
-/// Each cell may fold to a side of its own, whatever the springs.
+/// Each cell may fold to either side independently, whatever the springs.
 TEST(SoftTurning, OfTwoCellsThatShareACornerFoldsBothToTheSideAsked) {
   const Structure s = make_structure({{0, 0}, {1, 1}}, {});
   for (const double k_turn : {1.0, 0.1, 1e-3, 1e-7})
@@ -203,7 +203,7 @@ struct Settled {
   }
 };
 
-/// Where springs are stiff, the force on what is driven is as good.
+/// With stiff springs, the force on the driven part is equally accurate.
 TEST(DriveLoad, IsTheForceOnWhatIsDriven) {
   const Structure s = bending_sheet(4);
   for (const Drive& drive :

@@ -91,8 +91,8 @@ TEST(StableStates, OfStructuresThatMoveExactlyAreFlatAlone) {
   }
 }
 
-/// Plates hold the unit's rows straight, which takes more than a driven hinge; what they let go of is the
-/// same.
+/// Plates keep the unit's rows straight, which takes more than a driven hinge. The state after their release is
+/// the same.
 TEST(StableStates, OfATwistUnitAreTheSameUnderPlatesBehindAHigherBarrier) {
   const Structure s = twist_unit(60 * radians_per_degree);
   const StableStates by_hinge = searched(s);

@@ -13,7 +13,7 @@
 namespace kinetix::model {
 namespace {
 
-/// Two of its walls stand tip to tip on the way, and a snap would take one across the other.
+/// Two of its walls are tip to tip during the motion, and a snap would take one across the other.
 TEST(EquilibriumPath, NeverHasWallsThatCrossEachOther) {
   CellSize size;
   size.thickness_mm = 0.4;
@@ -42,8 +42,8 @@ std::vector<WallPair> deep_in_each_other(const Linkage& sheet, const std::vector
   return found;
 }
 
-/// The walls of each column lean towards each other, and their rims meet before a cord has pulled its ends together; walls of
-/// the others, at random attitudes, meet in any way.
+/// The walls of each column lean towards each other. Their upper edges meet before a tendon has pulled the strip's ends
+/// together. Walls of the random panels meet in any way.
 TEST(EquilibriumPath, OfASheetInSpaceNeverHasWallsDeepInEachOther) {
   const double tilt = 40 * radians_per_degree;
   std::vector<DrivenLinkage> sheets;

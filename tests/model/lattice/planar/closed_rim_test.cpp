@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 
 // Columns and rows: even and odd, more of the one and of the other.
 constexpr std::pair<int, int> sizes[] = {{2, 2}, {3, 2}, {2, 3}, {3, 3}, {4, 4}, {5, 3}, {6, 6}};
-// Lattices that have more than one freedom as they are.
+// Lattices that are underconstrained unless their boundary is closed.
 constexpr const PlanarLattice* floppy[] = {&honeycomb_lattice, &brick_lattice, &octagon_lattice};
 
 std::string name(const PlanarLattice& lattice, int columns, int rows) {
@@ -46,7 +46,7 @@ TEST(WallDofs, AreOneOfQuadrilateralsAndWhatIsCountedOfFloppyPanels) {
   }
 }
 
-// One half is held twice over, the other not at all.
+// One half is overconstrained, the other is free.
 TEST(WallDofs, AreRightWhereOnePartRepeatsItsWalls) {
   PlanarGraph graph = square_graph(4, 4);
   const int last = static_cast<int>(graph.vertices.size()) - 1;

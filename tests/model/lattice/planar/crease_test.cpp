@@ -40,8 +40,8 @@ TEST(Crease, FoldsAnyLatticeByTheLawOfSquares) {
   }
 }
 
-// With rims closed as for displays one way to move is left, and springs follow it. Further on walls of bricks and
-// octagons touch.
+// With boundaries closed as for displays, one degree of freedom remains, and springs follow it. Further on, walls of
+// bricks and octagons touch.
 TEST(Crease, IsWhatTheElasticModelComesTo) {
   constexpr double theta = 0.2;
   for (const auto& [name, lattice] : lattices) {

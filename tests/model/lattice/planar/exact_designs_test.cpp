@@ -22,7 +22,7 @@ struct Case {
   int self_stresses = 0;
 };
 
-/// A cube seen from above: what any polyhedron's picture carries, one stress of its own (Maxwell 1864).
+/// Returns the graph of a cube seen from above. The picture of any polyhedron carries a self-stress (Maxwell 1864).
 PlanarGraph square_in_a_square() {
   return {{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}, {-1, -1}, {1, -1}, {1, 1}, {-1, 1}},
           {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
@@ -40,7 +40,7 @@ std::vector<Case> cases() {
           {"a chain of walls", {{{0, 0}, {1, 0}, {2, 0.5}}, {{0, 1}, {1, 2}}}}};
 }
 
-/// The matrix of kinematics.md section 5, written out: two rows a cell, a column a wall.
+/// Returns the matrix of kinematics.md section 5, written out: two rows per cell, one column per wall.
 MatrixXd conditions(const PlanarStructure& s) {
   MatrixXd m = MatrixXd::Zero(2 * s.faces.size(), s.hinges.size());
   for (int f = 0; f < static_cast<int>(s.faces.size()); ++f)

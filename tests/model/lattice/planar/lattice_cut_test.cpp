@@ -35,7 +35,7 @@ TEST(LatticeCut, HangsTogetherAcrossRowsBelowZero) {
 }
 
 TEST(LatticeCut, KeepsTheLargestPieceAndStartsAtZero) {
-  // Of a rectangle of 4 x 4 hexagons the two upper rows, and a cell by itself below.
+  // The shape covers the two upper rows of 4 x 4 hexagons, and a separate cell below them.
   const Vector2d alone = middle(honeycomb_lattice, 3, 0);
   const LatticePitch pitch = lattice_pitch(honeycomb_lattice, 0);
   const auto cells = cut_cells(honeycomb_lattice, 4, 4, 0, [&](const Vector2d& p) {

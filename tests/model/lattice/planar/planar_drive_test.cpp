@@ -24,7 +24,7 @@ std::vector<PlanarStructure> panels() {
           make_planar_structure({&octagon_lattice, lattice_cells(3, 3), 0, true}, {})};
 }
 
-/// A motion that shears every row, and so bends no line across either axis.
+/// Returns a motion that shears every row, and so bends no line across either axis.
 Redrawing sheared(const PlanarStructure& s, double by) {
   Redrawing y;
   for (const Eigen::Vector2d& x : s.graph.vertices) y.emplace_back(by * x.x(), -by * x.y());

@@ -106,7 +106,7 @@ TEST(PlanarMotion, HasF1AsItsSpecialCase) {
   }
 }
 
-// Sums of walls of 1e5 round by 1e-11; a hinge that is off beside walls of 1 is told as ever.
+// Sums over walls of length 1e5 round by 1e-11. A displaced hinge next to walls of length 1 is still detected.
 TEST(PlanarMotion, ClosesFacesOfLongWallsAsOfShortOnes) {
   PlanarStructure s = make_planar_structure(testing::growing_squares(7, 8), {});
   for (std::size_t h = 0; h < s.hinges.size(); ++h) {
@@ -130,7 +130,7 @@ TEST(PlanarMotion, NamesAFaceThatDoesNotClose) {
   EXPECT_THAT(exact_motion(s).why, ::testing::HasSubstr("does not stand upright"));
 }
 
-// A square panel has one way to move, whatever its offsets; a plain honeycomb 4 n - 1.
+// A square panel has one degree of freedom, whatever its offsets; a plain honeycomb has 4 n - 1.
 TEST(PlanarMotion, HasTheMobilityOfItsLattice) {
   struct Case {
     PlanarGraph graph;
@@ -179,7 +179,7 @@ TEST(PlanarGraph, SaysWhatIsWrongWithADrawing) {
   expect_refused({{{0, 0}}, {}}, "at least two vertices");
 }
 
-// Walls are compared where they pass near each other, however long one of them is.
+// Walls are compared where they pass near each other, even if one of them is long.
 TEST(PlanarGraph, TakesALongWallAmongManyShortOnes) {
   PlanarGraph graph = square_graph(60, 60);
   const int last = static_cast<int>(graph.vertices.size()) - 1;

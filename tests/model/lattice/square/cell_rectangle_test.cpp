@@ -50,7 +50,7 @@ std::set<Place> set_of(const std::vector<Place>& places) {
   return set;
 }
 
-/// Where a motion takes the cells of a rectangle.
+/// Returns the images of a rectangle's cells under a motion.
 template <class Motion>
 std::set<Cell> images(const CellRectangle& r, const Motion& motion) {
   std::set<Cell> out;

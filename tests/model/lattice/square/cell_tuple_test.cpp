@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Fractions and rad, no two of a kind alike: a wall in the place of another shows.
+// Fractions and rad, all different within a kind, so that a wall in the place of another shows.
 constexpr CellTuple odd_numbers{
     .P = {0.1, 0.2, 0.3, 0.4}, .A_in = {1.1, 1.2, 1.3, 1.4}, .A_out = {0.1, 0.2, 0.3, 0.4}};
 
@@ -44,7 +44,7 @@ TEST(CellTuple, TopAndLeftWallsRunAgainstOurs) {
   EXPECT_EQ(top.beta, -0.3);
 }
 
-/// Eq. 9: every cell of the grid scales alike, to the area of Eq. 3 at 135 deg.
+/// Eq. 9: every cell of the grid scales by the same factor, to the area of Eq. 3 at 135 deg.
 TEST(CellTuple, PapersCrossableGridEndsAtEquationThree) {
   Structure s = make_structure(rectangle(3, 5), {});
   apply_pattern(s, {.P = {0.2, 0.8, 0.2, 0.8}}, {.P = {0.8, 0.2, 0.8, 0.2}}, SharedWalls::must_agree);

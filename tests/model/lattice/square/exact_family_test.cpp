@@ -125,7 +125,8 @@ TEST(ReflectionChain, JacobianMatchesDualNumbers) {
     }
 }
 
-/// Of every body: place times a vector, and orientation entry by entry times a matrix.
+/// Linear function of a state. It sums, over all bodies, place times a vector and orientation times a matrix, entry by
+/// entry.
 struct LinearInState {
   std::vector<Eigen::Vector3d> places;
   std::vector<Eigen::Matrix3d> turns;

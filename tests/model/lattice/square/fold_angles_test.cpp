@@ -53,7 +53,8 @@ bool has_a_crossing(const Structure& s) {
   });
 }
 
-/// Flat, driven by one hinge to where the closed form has it, by a solver that knows nothing of families.
+/// Drives the flat structure by one hinge to its turn in the closed form, with a solver that does not know the
+/// families.
 Closure driven_to(const Structure& s, const Classification& kind, int hinge, double theta) {
   constexpr int steps = 12;
   Closure reached;
@@ -158,7 +159,7 @@ TEST(FoldAngles, ARingMayHoldCreasesBothWaysThatDoNotCrossInItsHole) {
   EXPECT_EQ(mobility(s, {}, {.turn = 0.8}).verdict, Verdict::mobile);
 }
 
-/// Of any column tilts and rows of one tilt: theta of F3 is half the turn of its first y-wall.
+/// Column tilts are arbitrary, and rows share one tilt. Theta of F3 is half the turn of its first y-wall.
 TEST(FoldAngles, ATiltedSheetFoldsAsTheReflectionsOfItsFamilyDo) {
   constexpr unsigned seed = 64;
   std::mt19937 random(seed);

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Of a sheet of 3 x 2 cells with hinges anywhere.
+/// Sheet of 3 x 2 cells with hinges anywhere, and its mirror image.
 class MirroredSheet : public ::testing::TestWithParam<std::pair<bool, bool>> {
  protected:
   MirroredSheet() {

@@ -1,11 +1,11 @@
-// A strip that bends into a curve: one round a wrist, or one that is drawn.
+// Strip that bends into a curve: around a wrist, or drawn.
 import {offLine} from "../../ghost.js";
 import {field, inQuotes, number, pairs, targetFile} from "./target_file.js";
 
-const GAP_DEG = 50;  // of a bracelet: where the wrist goes in
-const POINTS = 72;   // of its circle: one every 4 degrees
+const GAP_DEG = 50;  // of a bracelet: opening for the wrist
+const POINTS = 72;   // of its circle: about one every 4 degrees
 
-/** Points along an open circle round a wrist; the wall's outer half lies outside. */
+/** Returns points along an open circle around a wrist. The circle's radius includes half the wall's height. */
 export function braceletPoints(round_mm, height_mm, gap_deg = GAP_DEG) {
   const radius = round_mm / (2 * Math.PI) + height_mm / 2, start = -90 + gap_deg / 2;
   return Array.from({length: POINTS + 1}, (_, k) => {
@@ -24,7 +24,7 @@ function bracelet({round_mm, columns, rows, height_mm}) {
 const drawn = ({name, points, columns, rows}) => targetFile("curve", `{kind: curve, points: ${name ? inQuotes(name) : pairs(points)}}`,
   [`structure: {cells: [${columns}, ${rows}]}`]);
 
-/** The curve over the whole width of the strip and a little more, so that it shows on both sides. */
+/** Makes a surface from the curve, a little wider than the strip, which makes it visible on both sides. */
 function ribbon(goal, ys, more) {
   const [front, back] = [Math.min(...ys) - more, Math.max(...ys) + more].map((y) => goal.map(([x, z]) => [x, y, z]));
   const triangles = goal.slice(1).flatMap((_, k) => [[front[k], front[k + 1], back[k + 1]], [front[k], back[k + 1], back[k]]]);
@@ -42,7 +42,7 @@ export const curveGoal = {
   },
   ghost({goal_mm}, design, result) {
     if (!Array.isArray(goal_mm) || goal_mm.length < 2) return null;
-    // Where the strip is folded, it is narrower than flat.
+    // The folded strip is narrower than the flat one.
     const state = result.states?.find(({name}) => name === "target"), ys = (state?.poses ?? design.structure.bodies).map(({position_mm}) => position_mm[1]);
     return ribbon(goal_mm, ys, 0.75 * design.structure.cell_mm);
   },

@@ -1,4 +1,4 @@
-// A letter or a picture that shows when the panel is pressed.
+// Letter or picture that appears when the panel is pressed.
 import {pictureUnder} from "../../ghost.js";
 import {field, inQuotes, number, targetFile} from "./target_file.js";
 

@@ -1,4 +1,4 @@
-// A box that folds up.
+// Box or solid that folds up.
 import {field, number, targetFile} from "./target_file.js";
 
 const box = ({a, b, c, open}) => targetFile("box", `{kind: fold, box_mm: [${[a, b, c].map(number).join(", ")}]${open ? `, open: ${open}` : ""}}`);

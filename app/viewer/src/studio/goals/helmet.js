@@ -1,4 +1,4 @@
-// A dome over a head that comes as a mesh.
+// Dome over a head, which is given as a mesh.
 import {field, inQuotes, number, targetFile} from "./target_file.js";
 
 export const helmetGoal = {

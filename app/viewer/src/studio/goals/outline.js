@@ -1,4 +1,4 @@
-// A panel whose rim takes a shape when it is pressed.
+// Panel whose boundary takes a shape when it is pressed.
 import {field, inQuotes, pairs, targetFile} from "./target_file.js";
 
 export const outlineGoal = {

@@ -1,4 +1,4 @@
-// A block of rotors and gussets that shrinks in all directions at once.
+// Block of rotors and gussets that shrinks in all directions at once.
 import {field, targetFile} from "./target_file.js";
 
 export const space_blockGoal = {

@@ -1,4 +1,4 @@
-// A strip that bends and twists into a curve in space.
+// Strip that bends and twists into a curve in space.
 import {offLine} from "../../ghost.js";
 import {field, inQuotes, targetFile} from "./target_file.js";
 

@@ -1,15 +1,15 @@
-// A sheet that folds onto a doubly curved surface, or a fishbone of ribs over it.
+// Sheet that folds onto a doubly curved surface, or a fishbone of ribs over it.
 import {field, inQuotes, number, targetFile} from "./target_file.js";
 
 const FACETS = field("facets", "facets along a side", 8, {min: 2, max: 24, step: 1});
 const RIBS = field("ribs", "ribs instead of a sheet", 0, {min: 0, max: 60, step: 1});
 const WIDTH = field("width_mm", "wide", 100, {unit: "mm", min: 20, max: 5000});
-const RISE_A_DEGREE = 0.00375;                   // of a saddle, over half its width: 0.15 at 40 degrees
-const VASE_HEIGHT = 4 / 3, VASE_SWELL = 1 / 30;  // of its radius, likewise
+const RISE_A_DEGREE = 0.00375;                   // rise of a saddle over half its width, per degree: 0.15 at 40 degrees
+const VASE_HEIGHT = 4 / 3, VASE_SWELL = 1 / 30;  // over its radius
 const made = ({ribs, facets}) => (ribs > 0 ? [] : [`structure: {facets: [${facets}, ${facets}]}`]);
 const over = ({ribs}) => (ribs > 0 ? `, ribs: ${ribs}` : "");
 
-/** A vase whose front is so wide from rim to rim. */
+/** Returns the sizes of a vase with this width of its front. @param arc deg */
 function vase(wide, arc) {
   const radius = wide / (2 * Math.sin((arc * Math.PI) / 360));
   return `height_mm: ${number(VASE_HEIGHT * radius)}, radius_mm: ${number(radius)}, swell_mm: ${number(VASE_SWELL * radius)}, arc_deg: ${number(arc)}`;
