@@ -53,10 +53,10 @@ void* memory_or_throw(std::size_t bytes) {
 /// Returns the size of the engine's pools for pairs of near parts. By default it allocates and fills 8 MB,
 /// which costs small scenes more than their run. Further pairs get separate memory.
 btDefaultCollisionConstructionInfo memory_of_pairs(std::size_t parts) {
-  constexpr int pairs_a_part = 8;  // walls of a cell and of the adjacent cells
+  constexpr int pairs_per_part = 8;  // walls of a cell and of the adjacent cells
   btDefaultCollisionConstructionInfo memory;
-  memory.m_defaultMaxPersistentManifoldPoolSize = pairs_a_part * static_cast<int>(parts);
-  memory.m_defaultMaxCollisionAlgorithmPoolSize = pairs_a_part * static_cast<int>(parts);
+  memory.m_defaultMaxPersistentManifoldPoolSize = pairs_per_part * static_cast<int>(parts);
+  memory.m_defaultMaxCollisionAlgorithmPoolSize = pairs_per_part * static_cast<int>(parts);
   return memory;
 }
 
@@ -126,7 +126,7 @@ struct World::Engine {
     world.getDispatchInfo().m_enableSatConvex = wall_surface(options) == WallSurface::sharp;
     skip_walls_of_one_hinge();
     add_bodies();
-    if (contact_parts && options.contact) let_pass_what_touches();
+    if (contact_parts && options.contact) ignore_initial_contacts();
     add_hinges();
     if (drive) add_drive();
   }
@@ -153,7 +153,7 @@ struct World::Engine {
 
   /// Finds all pieces of two bodies that touch the other body at rest. All pairs of them are listed, since
   /// different pairs meet as the bodies turn.
-  void find_what_touches() {
+  void find_initial_contacts() {
     world.performDiscreteCollisionDetection();
     std::map<std::pair<int, int>, std::array<std::set<int>, 2>> touching;
     for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
@@ -178,8 +178,8 @@ struct World::Engine {
     return p.body < p.other ? p : TouchingPieces{p.other, p.piece_of_other, p.body, p.piece};
   }
 
-  void let_pass_what_touches() {
-    find_what_touches();
+  void ignore_initial_contacts() {
+    find_initial_contacts();
     for (const TouchingPieces& p : passing)
       PartShape::let_pass(*parts.bodies()[p.body], p.piece, *parts.bodies()[p.other], p.piece_of_other);
   }

@@ -60,7 +60,7 @@ std::string failure_text(const std::exception& error) {
   return std::string("internal error: ") + error.what();
 }
 
-void end_with_a_word() noexcept {
+void terminate_with_message() noexcept {
   remove_unfinished();
   try {
     if (const auto error = std::current_exception()) std::rethrow_exception(error);

@@ -17,6 +17,6 @@ void print_error(const std::string& message, int exit_code);
 std::string failure_text(const std::exception& error);
 /// Removes unfinished files, prints one line and ends the program with code 1. It is for std::set_terminate, which
 /// also handles exceptions in threads of libraries. Allocates no memory.
-[[noreturn]] void end_with_a_word() noexcept;
+[[noreturn]] void terminate_with_message() noexcept;
 
 }  // namespace kinetix::app

@@ -371,7 +371,7 @@ void end_at_once(int code, void*) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::set_terminate(kinetix::app::end_with_a_word);
+  std::set_terminate(kinetix::app::terminate_with_message);
   on_exit(end_at_once, nullptr);
   const bool as_json = asks_for_json(argc, argv);
   const kinetix::app::PrintableStreams printable;

@@ -6,7 +6,7 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double told_from_share = 0.02;  // of a stage: a smaller share is too little for an estimate
+constexpr double min_share_for_estimate = 0.02;  // of a stage: a smaller share is too little for an estimate
 constexpr double about_ratio = 1.25, about_s = 1;  // ratio and s by which "about" may be too short
 
 }  // namespace
@@ -18,7 +18,7 @@ void TimeLeft::update(double seconds, double done) {
     before_ = done;
   }
   done_ = done;
-  if (done - before_ > told_from_share && done < 1)
+  if (done - before_ > min_share_for_estimate && done < 1)
     total_ = seconds + (seconds - began_) * (1 - done) / (done - before_);
 }
 

@@ -176,7 +176,7 @@ WrittenResults write_results(const Run& run, const std::string& folder) {
   out.result["timing_s"]["write"] = watch.lap();
   files.add("result.json", out.result.dump(indent) + "\n");
   files.commit();
-  record.remove_what_is_left_over();
+  record.remove_leftovers();
   return out;
 }
 

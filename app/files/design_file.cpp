@@ -135,7 +135,7 @@ void read_hinges(const targets::Section& design, Design& file) {
     line_of[k] = node.place().line;
     structure.hinge(k) = read_parameters(hinge, structure.size().edge_mm);
     if (const targets::Section own = hinge.section("hinge"); own.given())
-      file.own_hinges[k] = read_single_hinge(own, structure.size());
+      file.hinge_overrides[k] = read_single_hinge(own, structure.size());
   }
   list->located([&] { validate_hinges(structure); });
 }
@@ -151,7 +151,7 @@ void read_state(const targets::Section& root, Design& file) {
 /// model.
 HingeSection read_common_hinge(const targets::Section& root, const Design& file) {
   HingeSection hinge = read_hinge_section(root, file.structure.size());
-  if (!file.own_hinges.empty() && !root.section("hinge").optional("model"))
+  if (!file.hinge_overrides.empty() && !root.section("hinge").optional("model"))
     hinge.model = HingeSection::Model::elastic;
   if (hinge.model == HingeSection::Model::elastic && !(hinge.k_turn > 0))
     throw root.section("hinge").optional("k_turn")->error(
@@ -163,13 +163,13 @@ HingeSection read_common_hinge(const targets::Section& root, const Design& file)
 /// mean, the cell edge.
 void check_gaps(const targets::Section& root, const Design& file) {
   for (int h = 0; h < file.structure.hinges(); ++h) {
-    const auto& made = hinge_at(file.hinge, file.own_hinges, h).made;
+    const auto& made = hinge_at(file.hinge, file.hinge_overrides, h).made;
     if (!made || made->kind == model::HingeKind::pin) continue;
     const model::HingedWall wall = file.structure.wall(h);
     const double length =
         (file.structure.rest_position(wall.upper) - file.structure.rest_position(wall.lower)).norm();
     if (made->gap_mm < length) continue;
-    const auto at = root.optional(file.own_hinges.contains(h) ? "design" : "hinge");
+    const auto at = root.optional(file.hinge_overrides.contains(h) ? "design" : "hinge");
     throw at->error(fmt::format("a gap of {:g} mm is longer than wall {}, {:.4g} mm; allowed: below that",
                                 made->gap_mm, wall_name(file.structure, h), length));
   }
@@ -181,7 +181,7 @@ void check_offsets(const targets::Section& root, const Design& file) {
   const WallReader walls(file.structure);
   for (const targets::Node& node : list->list("a list of hinges")) {
     const targets::Section hinge(node, hinge_entry_keys());
-    if (const auto why = why_offset_does_not_fit(file, walls.hinge_of(hinge)))
+    if (const auto why = find_offset_misfit(file, walls.hinge_of(hinge)))
       throw hinge.optional("offset_mm")->error(*why);
   }
 }
@@ -195,9 +195,9 @@ std::string offset_text(double offset, double edge_mm) {
   return offset == 0 ? "" : ", offset_mm: " + targets::shortest_text(mm_of(offset, edge_mm));
 }
 
-std::string own_hinge_text(const Design& design, int hinge) {
-  const auto own = design.own_hinges.find(hinge);
-  return own == design.own_hinges.end() ? "" : ", hinge: {" + hinge_text(own->second) + "}";
+std::string format_hinge_overrides(const Design& design, int hinge) {
+  const auto own = design.hinge_overrides.find(hinge);
+  return own == design.hinge_overrides.end() ? "" : ", hinge: {" + hinge_text(own->second) + "}";
 }
 
 std::string hinges_text(const Design& design) {
@@ -205,11 +205,12 @@ std::string hinges_text(const Design& design) {
   std::string text;
   for (int h = 0; h < structure.hinges(); ++h)
     if (const model::HingeParameters& hinge = structure.hinge(h);
-        !is_basic(hinge) || design.own_hinges.contains(h))
-      text += fmt::format("    - {{wall: {}, t: {}, alpha_deg: {}, beta_deg: {}{}{}}}\n",
-                          wall_name(structure, h), targets::shortest_text(hinge.t),
-                          targets::degrees_text(hinge.alpha), targets::degrees_text(hinge.beta),
-                          offset_text(hinge.offset, structure.size().edge_mm), own_hinge_text(design, h));
+        !is_basic(hinge) || design.hinge_overrides.contains(h))
+      text +=
+          fmt::format("    - {{wall: {}, t: {}, alpha_deg: {}, beta_deg: {}{}{}}}\n", wall_name(structure, h),
+                      targets::shortest_text(hinge.t), targets::degrees_text(hinge.alpha),
+                      targets::degrees_text(hinge.beta), offset_text(hinge.offset, structure.size().edge_mm),
+                      format_hinge_overrides(design, h));
   if (text.empty()) return {};
   return "  hinges:  # walls that are not named have t: 0.5, alpha_deg: 90, beta_deg: 0\n" + text;
 }
@@ -248,8 +249,8 @@ const targets::KeyTable& hinge_entry_keys() {
   return keys;
 }
 
-std::optional<std::string> why_offset_does_not_fit(const Design& design, int hinge) {
-  const auto& made = hinge_at(design.hinge, design.own_hinges, hinge).made;
+std::optional<std::string> find_offset_misfit(const Design& design, int hinge) {
+  const auto& made = hinge_at(design.hinge, design.hinge_overrides, hinge).made;
   if (!made) return std::nullopt;
   const model::CellSize size = design.structure.size();
   const double offset_mm = std::abs(design.structure.hinge(hinge).offset) * size.edge_mm;
@@ -298,7 +299,8 @@ Design read_design(const targets::Node& node) {
   const targets::Section root = read_root(node, design_keys());
   Design file{.name = read_name(root), .structure = read_structure(root)};
   read_state(root, file);
-  file.own_hinges.merge(read_own_hinges(root, file.structure));  // entries of single walls take precedence
+  file.hinge_overrides.merge(
+      read_hinge_overrides(root, file.structure));  // entries of single walls take precedence
   file.drive = read_drive_section(root, file.structure);
   file.side = read_side(root);
   file.hinge = read_common_hinge(root, file);
@@ -311,8 +313,9 @@ Design read_design(const targets::Node& node) {
 
 std::vector<const HingeSection*> hinge_sections(const Design& design) {
   std::vector<const HingeSection*> all;
-  if (static_cast<int>(design.own_hinges.size()) < design.structure.hinges()) all.push_back(&design.hinge);
-  for (const auto& [h, own] : design.own_hinges) all.push_back(&own);
+  if (static_cast<int>(design.hinge_overrides.size()) < design.structure.hinges())
+    all.push_back(&design.hinge);
+  for (const auto& [h, own] : design.hinge_overrides) all.push_back(&own);
   return all;
 }
 

@@ -27,7 +27,7 @@ struct Design {
   std::optional<model::Drive> drive = {};  ///< empty: to theta
   int side = 1;                            ///< `side` of the drive: branch to take at a bifurcation, 1 or -1
   HingeSection hinge = {};
-  std::map<int, HingeSection> own_hinges = {};  ///< per-hinge overrides, by index of the hinge
+  std::map<int, HingeSection> hinge_overrides = {};  ///< per-hinge overrides, by index of the hinge
   PhysicsSection physics = {};
 };
 
@@ -36,7 +36,7 @@ std::vector<const HingeSection*> hinge_sections(const Design& design);
 
 /// Describes why a hinge cannot have its axis as far off the middle of its wall as it does. Empty if it can, and for
 /// hinges that the file does not describe.
-std::optional<std::string> why_offset_does_not_fit(const Design& design, int hinge);
+std::optional<std::string> find_offset_misfit(const Design& design, int hinge);
 
 /// Returns the hinge that a design of imported bodies turns; null if none. Its number is -1 for the hinge that turns
 /// most in the first motion.

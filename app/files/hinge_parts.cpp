@@ -82,14 +82,15 @@ std::vector<HingePart> read_hinge_parts(const targets::Section& root, const mode
   return parts;
 }
 
-std::map<int, HingeSection> own_hinges_of(const model::Lattice& sheet, const std::vector<HingePart>& parts) {
+std::map<int, HingeSection> hinge_overrides_of(const model::Lattice& sheet,
+                                               const std::vector<HingePart>& parts) {
   std::map<int, HingeSection> own;
   for (const HingePart& part : parts)
     for (const int h : hinges_of_part(sheet, part)) own[h] = part.hinge;
   return own;
 }
 
-std::map<int, HingeSection> read_own_hinges(const targets::Section& root, const model::Lattice& sheet) {
+std::map<int, HingeSection> read_hinge_overrides(const targets::Section& root, const model::Lattice& sheet) {
   std::map<int, HingeSection> own;
   for (const targets::Node& entry : entries(root)) {
     const HingePart part = read_part(entry, sheet.size());

@@ -33,11 +33,12 @@ std::vector<HingePart> read_hinge_parts(const targets::Section& root, const mode
 /// Returns the per-hinge overrides of a sheet. If two parts include one hinge, the later counts. A sheet may have no
 /// creases.
 /// @throws InvalidInput for a column or row that the sheet does not have
-std::map<int, HingeSection> own_hinges_of(const model::Lattice& sheet, const std::vector<HingePart>& parts);
+std::map<int, HingeSection> hinge_overrides_of(const model::Lattice& sheet,
+                                               const std::vector<HingePart>& parts);
 
 /// Reads the per-hinge overrides of a design's file. Errors give the position of the part. A part without hinges is
 /// an error too.
-std::map<int, HingeSection> read_own_hinges(const targets::Section& root, const model::Lattice& sheet);
+std::map<int, HingeSection> read_hinge_overrides(const targets::Section& root, const model::Lattice& sheet);
 
 /// Rejects parts of a target that only a design can name, since a search finds its own columns. @throws InvalidInput
 void refuse_lines(const targets::Section& root, const std::vector<HingePart>& parts);

@@ -49,7 +49,7 @@ targets::Key limit_key(const char* name, double model::Process::*field, const ch
   return {name, field, value::number({0, 100, false, true, "mm"}), targets::otherwise("the process's"), text};
 }
 
-const targets::KeyTable& own_process_keys() {
+const targets::KeyTable& custom_process_keys() {
   static const targets::KeyTable keys({
       {"base", value::choice(process_names()), targets::by_default(process_names().front().c_str()),
        "the process that all other numbers come from"},
@@ -62,7 +62,7 @@ const targets::KeyTable& own_process_keys() {
 }
 
 targets::Key key_of_process(const char* meaning) {
-  return {"process", value::either({value::choice(process_names()), value::map(own_process_keys())}),
+  return {"process", value::either({value::choice(process_names()), value::map(custom_process_keys())}),
           targets::by_default(process_names().front().c_str()), meaning};
 }
 
@@ -87,7 +87,7 @@ targets::Key design_process_key() {
 std::string process_text(const model::Process& process) {
   const model::Process& base = *model::find_process(process.name);
   if (process == base) return process.name;
-  std::string own = own_process_keys().text(process, base);
+  std::string own = custom_process_keys().text(process, base);
   if (const std::string sd = sd_keys().text(process.sd, base.sd); !sd.empty())
     own += fmt::format("{}sd: {{{}}}", own.empty() ? "" : ", ", sd);
   return fmt::format("{{base: {}, {}}}", process.name, own);
@@ -114,7 +114,7 @@ model::Process read_process(const targets::Section& root) {
   const auto node = root.optional("process");
   if (!node) return model::processes().front();
   if (node->kind() != targets::Node::Kind::map) return named(*node);
-  const targets::Section own(*node, own_process_keys());
+  const targets::Section own(*node, custom_process_keys());
   const auto base = own.optional("base");
   model::Process process = base ? named(*base) : model::processes().front();
   own.read_into(process);

@@ -355,7 +355,7 @@ std::string FileRecord::text() const {
   return text;
 }
 
-void FileRecord::remove_what_is_left_over() const {
+void FileRecord::remove_leftovers() const {
   for (const auto& [file, hash] : earlier_)
     if (!now_.contains(file) && is_inside(folder_, file) &&
         sha256(content_of(fs::path(folder_) / file)) == hash)

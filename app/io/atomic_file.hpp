@@ -98,7 +98,7 @@ class FileRecord {
   std::string text() const;
   /// Removes files that the earlier run wrote and this one does not, and folders that become empty. Files that were
   /// changed stay, and files outside the folder or that cannot be removed.
-  void remove_what_is_left_over() const;
+  void remove_leftovers() const;
 
  private:
   using Hashes = std::map<std::string, std::string>;  // by name

@@ -56,7 +56,7 @@ model::HingeScatter scatter_with(const Design& design, bool with_play) {
     return std::abs(wall - edge_mm) <= one_length * edge_mm;
   });
   model::HingeScatter scatter = of(design.hinge, edge_mm);
-  if (design.own_hinges.empty() && are_alike) return scatter;
+  if (design.hinge_overrides.empty() && are_alike) return scatter;
   for (int h = 0; h < design.structure.hinges(); ++h)
     scatter.each.push_back(of(hinge_section(design, h), are_alike ? edge_mm : walls[h]));
   return scatter;
@@ -120,7 +120,7 @@ std::optional<model::TouchingPrints> count_touching(const Run& run, const Printe
   for (const NamedState& frame : run.states)
     if (frame.name == "frame") frames.push_back(&frame.poses);
   const bool is_on_path = run.matter.has_value();
-  const model::WayToFold way{
+  const model::FoldPath way{
       is_on_path ? static_cast<int>(frames.size()) : states_on_the_way - 1,
       [&](int k) -> std::optional<model::HeldState> {
         if (!is_on_path && !run.plan.exact) return std::nullopt;
@@ -200,8 +200,8 @@ model::Elasticity set_at(const model::MadeHinge& made, double turn) {
 
 int prints_of(const RunOptions& options) { return std::max(options.prints, least_prints); }
 
-model::AsMadeOptions print_options(const RunOptions& options, bool planar) {
-  model::AsMadeOptions out;
+model::ToleranceOptions print_options(const RunOptions& options, bool planar) {
+  model::ToleranceOptions out;
   out.planar = planar;
   out.threads = options.threads;
   out.stop = [&stop = options.stop] { return stop.stop_requested(); };
@@ -265,7 +265,7 @@ PrintHinges print_hinges(const Found& found, const model::LinkageDrive& drive, c
     largest_strain = std::max(largest_strain, hinge_strain(block, linkage, design, h));
   }
   if (open == 0) return out;
-  out.taken = TakenHinges{.made = block, .strain = largest_strain};
+  out.taken = AssumedHinges{.made = block, .strain = largest_strain};
   if (open == found.design.structure.hinges() && found.plan.exact && drive.acts_from_outside())
     out.taken->load = holding_load(found, drive, linkage, soft);
   out.taken->is_force = drive.has_force();

@@ -10,7 +10,7 @@ namespace kinetix::app {
 int prints_of(const RunOptions& options);
 /// Returns the options of a print analysis: threads and stop token of the run.
 /// @param planar prints move in the plane z = 0 only   @param options are kept by reference
-model::AsMadeOptions print_options(const RunOptions& options, bool planar);
+model::ToleranceOptions print_options(const RunOptions& options, bool planar);
 
 /// Returns the scatter of each hinge: errors of the design's process, and the clearance of pins
 /// (model::play_scatter).
@@ -37,8 +37,8 @@ std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& dr
 /// Hinges and drive with which prints of a run are judged.
 struct PrintHinges {
   model::Elasticity elasticity;
-  model::LinkageDrive drive;         ///< holds the prints
-  std::optional<TakenHinges> taken;  ///< assumed hinges, if the file leaves hinges open
+  model::LinkageDrive drive;           ///< holds the prints
+  std::optional<AssumedHinges> taken;  ///< assumed hinges, if the file leaves hinges open
 };
 
 /// Returns the hinges of prints of a design. Elastic hinges are the file's, under the drive that holds the design.

@@ -26,7 +26,7 @@ constexpr double least_way = 0.05;
 
 /// States along the motion with their theta, and a summary of the motion.
 struct FollowedWay {
-  ClosedWay way;
+  ClosedPath way;
   std::vector<model::State> states = {};
   std::vector<double> thetas = {};  ///< rad
   double gap = 0;                   ///< largest mismatch of hinge points during the motion, cell edges

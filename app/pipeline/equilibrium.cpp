@@ -61,7 +61,7 @@ std::string stiffness_sentence(const Design& design, const model::Elasticity& e)
                           ? "the design's hinges are rotary; for this model they are taken as elastic: "
                           : "elastic hinges: ";
   const std::string others =
-      design.own_hinges.empty() ? "" : fmt::format("; {} of their own", design.own_hinges.size());
+      design.hinge_overrides.empty() ? "" : fmt::format("; {} of their own", design.hinge_overrides.size());
   const std::string play = e.play_mm > 0 ? fmt::format(", play {:g} mm", e.play_mm) : "";
   const std::string end =
       fmt::format(", reach_mm {:g}, k_contact {:g} N/mm{}{}", e.reach_mm, e.k_contact, play, others);
@@ -70,7 +70,7 @@ std::string stiffness_sentence(const Design& design, const model::Elasticity& e)
         "{}{:g} N/mm along the wall, {:g} across it, {:g} along the axis, {:g} N mm/rad about it{}", start,
         k->axial, k->shear, k->along, k->turn, end);
   return fmt::format("{}k_point {:g} N/mm, k_turn {:g} N mm/rad{}", start,
-                     design.own_hinges.empty() ? e.k_point : design.hinge.k_point, e.k_turn, end);
+                     design.hinge_overrides.empty() ? e.k_point : design.hinge.k_point, e.k_turn, end);
 }
 
 /// Returns the drive up to the end of the path.

@@ -43,8 +43,8 @@ double rms_mm(const Goal::Observed& observed) {
   return model::ObservedPoints(observed.points, true).rms_mm();
 }
 
-optim::MatterGoal goal_of(const Found& found, const Goal& goal) {
-  optim::MatterGoal out;
+optim::ElasticGoal goal_of(const Found& found, const Goal& goal) {
+  optim::ElasticGoal out;
   out.observe = [&found, &goal](const model::Lattice& sheet, const model::State& state) {
     const auto observed = goal.observe(found, sheet, state);
     return observed ? observed->points : std::vector<model::ObservedPoint>{};
@@ -94,7 +94,7 @@ bool is_far_off(const Run& run, const Goal& goal, const model::State& state) {
 
 /// Replaces the exact design by the compensated one, with its path from flat. The plan keeps the sentences that the
 /// search added. The others described the exact design, whose states come from the closed form.
-Run showing(Run run, const optim::InMatter& found, const model::Elasticity& elasticity,
+Run showing(Run run, const optim::ElasticFit& found, const model::Elasticity& elasticity,
             const RunOptions& options) {
   const Plan exact = std::move(run.plan);
   run.design.structure = found.sheet;
@@ -122,7 +122,7 @@ std::string advise_springs(const model::Elasticity& elasticity, int hinges) {
       spring_over_hinge * stiffest_turn(elasticity, hinges), spring_over_hinge);
 }
 
-MatterResult result_of(const Goal::Observed& exact, const optim::Compensation& found) {
+ElasticResult result_of(const Goal::Observed& exact, const optim::Compensation& found) {
   return {.exact_mm = rms_mm(exact),
           .before_mm = found.before.rms_mm,
           .after_mm = found.after.rms_mm,
@@ -172,18 +172,19 @@ model::LinkageDrive goal_drive(const Found& found, const model::Lattice& sheet, 
   return springs ? drive_on(sheet, *springs) : drive_to(sheet, theta);
 }
 
-bool is_of_matter(const Found& found) {
+bool has_elastic_hinges(const Found& found) {
   return found.goal && found.design.hinge.model == HingeSection::Model::elastic &&
          found.plan.model != Model::equilibrium;
 }
 
-MatterPath path_in_matter(const Found& found, const Goal& goal, const std::stop_token& stop) {
+CompensatedPath path_in_matter(const Found& found, const Goal& goal, const std::stop_token& stop) {
   const model::Elasticity elasticity = elasticity_of(found.design);
-  MatterPath out{found.design.structure, found.theta, goal_drive(found, found.design.structure, found.theta),
-                 path_to(found, found.design.structure, found.theta, elasticity, stop)};
+  CompensatedPath out{found.design.structure, found.theta,
+                      goal_drive(found, found.design.structure, found.theta),
+                      path_to(found, found.design.structure, found.theta, elasticity, stop)};
   const auto exact = goal.observe(found, found.design.structure, found.own);
   if (!exact || out.path.stop != model::EquilibriumPath::Stop::reached) return out;
-  const optim::InMatter after =
+  const optim::ElasticFit after =
       made_up_for(found, goal, out.path, elasticity, exact->tolerance_mm, stop).after;
   const model::LinkageDrive drive = goal_drive(found, after.sheet, after.theta);
   model::EquilibriumPathOptions options = path_of_run(found.plan.planar);
@@ -192,16 +193,16 @@ MatterPath path_in_matter(const Found& found, const Goal& goal, const std::stop_
           trace_equilibrium({after.sheet, drive, exact_motion(after.sheet)}, elasticity, options)};
 }
 
-Run settled_in_matter(Run run, const Goal& goal, const RunOptions& options) {
+Run compensated_design(Run run, const Goal& goal, const RunOptions& options) {
   const auto exact = goal.observe(run, run.design.structure, run.own);
   if (!exact) return run;
   options.progress("hinges in matter", 0);
   const model::Elasticity elasticity = elasticity_of(run.design);
-  run.matter = MatterResult{.exact_mm = rms_mm(*exact),
-                            .before_mm = std::nan(""),
-                            .after_mm = std::nan(""),
-                            .tolerance_mm = exact->tolerance_mm,
-                            .why = ""};
+  run.matter = ElasticResult{.exact_mm = rms_mm(*exact),
+                             .before_mm = std::nan(""),
+                             .after_mm = std::nan(""),
+                             .tolerance_mm = exact->tolerance_mm,
+                             .why = ""};
   const model::EquilibriumPath path = path_to(run, run.design.structure, run.theta, elasticity, options.stop);
   if (path.stop != model::EquilibriumPath::Stop::reached) return missed(std::move(run), path.why);
   const optim::Compensation found =

@@ -90,9 +90,10 @@ model::Elasticity elasticity_of(const Design& design) {
   if (const model::Assembly* bodies = design.structure.assembly()) return elasticity_of_bodies(*bodies);
   const double edge_mm = design.structure.size().edge_mm;
   model::Elasticity whole = elasticity_of(design.hinge, design.physics, edge_mm);
-  if (design.own_hinges.empty()) return whole;
+  if (design.hinge_overrides.empty()) return whole;
   whole.each.assign(static_cast<std::size_t>(design.structure.hinges()), model::Elasticity(whole));
-  for (const auto& [h, own] : design.own_hinges) whole.each[h] = elasticity_of(own, design.physics, edge_mm);
+  for (const auto& [h, own] : design.hinge_overrides)
+    whole.each[h] = elasticity_of(own, design.physics, edge_mm);
   whole.k_point = whole.each.front().k_point;  // the common `hinge` may apply to no hinge
   for (const model::Elasticity& hinge : whole.each) whole.k_point = std::max(whole.k_point, hinge.k_point);
   whole.k_contact = design.hinge.k_contact.value_or(10 * whole.k_point);

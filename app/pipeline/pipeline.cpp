@@ -196,10 +196,10 @@ PhysicsTask design_task(const Run& run) {
 
 std::optional<PhysicsTask> physics_task(const Run& run) {
   if (!run.goal) return design_task(run);
-  const PhysicsWish& wish = run.physics;
-  if (wish.when == PhysicsWish::When::never) return std::nullopt;
+  const PhysicsRequest& wish = run.physics;
+  if (wish.when == PhysicsRequest::When::never) return std::nullopt;
   if (run.equilibrium) return elastic_task(run);
-  if (wish.when == PhysicsWish::When::if_met && !run.met()) return std::nullopt;
+  if (wish.when == PhysicsRequest::When::if_met && !run.met()) return std::nullopt;
   sim::PhysicsOptions options =
       rotary_physics(run.design.hinge, run.design.physics, run.design.structure.size().edge_mm);
   options.settle_seconds = std::max(options.settle_seconds, wish.least_settle_s);
@@ -252,7 +252,7 @@ Run with_physics(Run run, const Goal* goal, Verification verification, const Phy
 
 /// Returns why the drive of a goal stops before its end; empty if it does not. A goal counts only in the state at the
 /// end of its drive.
-std::optional<std::string> why_drive_stops(const Run& run) {
+std::optional<std::string> describe_drive_stop(const Run& run) {
   if (!run.goal || run.matter || !run.equilibrium || run.equilibrium->reached()) return std::nullopt;
   return drive_stop_reason(run.equilibrium->path);
 }
@@ -346,8 +346,8 @@ Run held(Found found, const Goal* goal, const RunOptions& options) {
 
 Run settled(Run run, const Goal& goal, const RunOptions& options) {
   Stopwatch watch;
-  if (is_of_matter(run)) run = settled_in_matter(std::move(run), goal, options);
-  if (const auto why = why_drive_stops(run)) run.violations.push_back(*why);
+  if (has_elastic_hinges(run)) run = compensated_design(std::move(run), goal, options);
+  if (const auto why = describe_drive_stop(run)) run.violations.push_back(*why);
   run.timings.matter = watch.lap();
   return run;
 }

@@ -32,7 +32,7 @@ std::optional<Expected> expected(const Run& run, const Goal& goal) {
   const auto drive = run.matter ? run.equilibrium->drive : goal_drive(run, run.design.structure, run.theta);
   const auto printed = expected_of_prints(run, drive, state, observed->points);
   if (!printed) return std::nullopt;
-  return Expected{observed->tolerance_mm, *printed, bears_its_strain(run.design, state)};
+  return Expected{observed->tolerance_mm, *printed, withstands_strain(run.design, state)};
 }
 
 /// Lists the trials, the plain search first.
@@ -106,7 +106,7 @@ RobustCandidate robust_candidate(Found found, const Goal& goal, const RunOptions
   const auto prints = expected(run, goal);
   out.why_not = run.met() ? "what its prints come to is not known" : missed_in_words(run);
   if (!prints) return out;
-  const model::AsMade& made = prints->printed.made;
+  const model::ToleranceResult& made = prints->printed.made;
   out.designed_mm = made.designed_mm;
   out.as_made_mm = made.rms_mm;
   out.as_made_p95 = made.p95_mm;

@@ -25,7 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double told_strain = 1e-6;  // of the strain that a material bears: a smaller excess is rounding
+constexpr double strain_report_threshold =
+    1e-6;  // of the strain that a material bears: a smaller excess is rounding
 
 /// Returns the value of that name. @param allowed pairs of name and value
 template <class Value>
@@ -69,7 +70,7 @@ std::vector<const PrintFormat*> formats_of(const PrintRequest& request) {
 }
 
 /// Returns the least clearance of the pins that the design itself describes, mm; empty without such pins.
-std::optional<double> own_clearance_mm(const Design& design) {
+std::optional<double> clearance_override_mm(const Design& design) {
   std::optional<double> least;
   for (const HingeSection* hinge : hinge_sections(design))
     if (hinge->made && hinge->made->kind == model::HingeKind::pin)
@@ -77,8 +78,8 @@ std::optional<double> own_clearance_mm(const Design& design) {
   return least;
 }
 
-void check_own_clearance(const PrintRequest& request, const Design& design) {
-  const std::optional<double> own = own_clearance_mm(design);
+void check_clearance_override(const PrintRequest& request, const Design& design) {
+  const std::optional<double> own = clearance_override_mm(design);
   if (own && *own < request.clearance_mm)
     throw InvalidInput(fmt::format(
         "the design's own pins have a clearance of {:g} mm, and --clearance asks for {:g}: change "
@@ -87,7 +88,7 @@ void check_own_clearance(const PrintRequest& request, const Design& design) {
 }
 
 /// Rejects options that would change a coupon. Its bed and orientation may be chosen.
-void refuse_what_makes_designs(const PrintRequest& request) {
+void reject_design_options(const PrintRequest& request) {
   const auto refuse = [](bool given, const char* option, const char* why) {
     if (given) throw InvalidInput(fmt::format("{} of designs: {}", option, why));
   };
@@ -100,7 +101,7 @@ void refuse_what_makes_designs(const PrintRequest& request) {
 }
 
 /// Rejects options that make sheets: imported bodies are written as their parts are.
-void refuse_what_makes_sheets(const PrintRequest& request) {
+void reject_sheet_options(const PrintRequest& request) {
   constexpr const char* instead = "a design of bodies is written as ";
   const auto refuse = [&](bool given, const char* option) {
     if (given) throw InvalidInput(fmt::format("{} makes sheets; {}its parts are", option, instead));
@@ -144,7 +145,7 @@ std::vector<std::string> idle_options(const PrintRequest& request, const Design&
   if (const auto kind = kind_of(request); kind && !has(*kind))
     all.push_back("--hinge changes nothing: the design says itself how its hinges are made");
   if (request.clearance_mm > 0 && !has_pins) all.push_back("--clearance changes nothing: no hinge is a pin");
-  if (const auto own = own_clearance_mm(design); own && request.clearance_mm > 0)
+  if (const auto own = clearance_override_mm(design); own && request.clearance_mm > 0)
     all.push_back(fmt::format(
         "--clearance {:g} leaves the design's own pins as they are: their clearance is {:g} mm or more",
         request.clearance_mm, *own));
@@ -157,13 +158,13 @@ std::vector<std::string> idle_options(const PrintRequest& request, const Design&
 /// Describes how cells of another edge change the size that the design was made for. Empty if they do not.
 std::optional<std::string> size_note(const Design& design, const PrintSheet& sheet) {
   const double edge_mm = sheet.linkage.size.edge_mm;
-  const double own_mm = design.structure.size().edge_mm;
-  const auto resized = resized_words(own_mm, edge_mm);
+  const double design_edge_mm = design.structure.size().edge_mm;
+  const auto resized = resized_words(design_edge_mm, edge_mm);
   if (!resized) return std::nullopt;
   return fmt::format(
       "made with cells of {:.3g} mm instead of {:.3g}: {}; for the size that its goal asked for search again "
       "with {} cells{}",
-      edge_mm, own_mm, *resized, edge_mm > own_mm ? "fewer" : "more",
+      edge_mm, design_edge_mm, *resized, edge_mm > design_edge_mm ? "fewer" : "more",
       sheet.is_path_exact ? "" : "; its fold is the equilibrium at its own size, scaled");
 }
 
@@ -172,7 +173,7 @@ std::optional<std::string> strain_note(const PrintSheet& sheet) {
   std::optional<model::StrainedHinge> worst;
   for (const model::State& state : sheet.path) {
     const auto one = most_strained(sheet.linkage, state, [&](int h) { return &sheet.hinges[h].made; });
-    if (one && one->share() > (worst ? worst->share() : 1 + told_strain)) worst = one;
+    if (one && one->share() > (worst ? worst->share() : 1 + strain_report_threshold)) worst = one;
   }
   if (!worst) return std::nullopt;
   return strained_words(*worst, sheet.linkage.wall_name(worst->hinge), " on the way to the fold");
@@ -243,13 +244,13 @@ struct Source {
   PreparedPrint prepared_for(const PrintRequest& request) const {
     const model::Process process = process_of(request, design ? design->process : model::processes().front());
     if (!design) {
-      refuse_what_makes_designs(request);
+      reject_design_options(request);
       PrintJob job{make_coupon(process, bed_of(request))};
       const PathClearance clearance = path_clearance(job.sheet);
       return {std::move(job), clearance};
     }
     if (design->structure.assembly()) {
-      refuse_what_makes_sheets(request);
+      reject_sheet_options(request);
       return {{imported_sheet(*design, process, request.folded), request.folded}, {}};
     }
     try {
@@ -273,7 +274,7 @@ struct Source {
  private:
   PreparedPrint prepared_of_design(const PrintRequest& request, const model::Process& process) const {
     std::optional<model::HingeKind> kind = kind_of(request);
-    check_own_clearance(request, *design);
+    check_clearance_override(request, *design);
     if (request.caps && kind.value_or(model::HingeKind::pin) != model::HingeKind::pin)
       throw InvalidInput("--caps are of pins");
     if (request.caps) kind = model::HingeKind::pin;
@@ -310,9 +311,9 @@ namespace {
 
 void lay_as_asked(const PrintRequest& request, PrintJob& job) {
   if (request.orient == "flat") return;
-  const std::vector<Lie> all = lies(job);
-  std::vector<std::pair<std::string_view, const Lie*>> allowed{{"best", &best(all)}};
-  for (const Lie& lie : all) allowed.emplace_back(lie.name, &lie);
+  const std::vector<PrintOrientation> all = lies(job);
+  std::vector<std::pair<std::string_view, const PrintOrientation*>> allowed{{"best", &best(all)}};
+  for (const PrintOrientation& lie : all) allowed.emplace_back(lie.name, &lie);
   lay(job, *named("--orient", request.orient, allowed));
 }
 
@@ -335,7 +336,7 @@ bool is_of_another_export(const std::string& file, const Exported& now, const st
 }
 
 /// Checks whether a report next to the design may describe this print: flat, of the design's size, in one piece.
-bool is_of_a_result(const Source& source, const PrintJob& job) {
+bool is_result_summary(const Source& source, const PrintJob& job) {
   if (!source.design || source.file.empty() || job.folded || job.sheet.tiles.count() > 1) return false;
   return !resized_words(source.design->structure.size().edge_mm, job.sheet.linkage.size.edge_mm);
 }
@@ -377,10 +378,10 @@ Exported exported(const Source& source, const PrintRequest& request, const std::
   record.keep([&](const std::string& file) { return is_of_another_export(file, out, print.job.sheet.name); });
   if (const std::string text = record.text(); !text.empty()) files.add(record_of_prints, text);
   files.commit();
-  record.remove_what_is_left_over();
+  record.remove_leftovers();
   folder.keep();
-  if (is_of_a_result(source, print.job) && slicer && slicer->estimate)
-    out.report = tell_report(source.file, *source.design, estimate_json(print.job, *slicer->estimate));
+  if (is_result_summary(source, print.job) && slicer && slicer->estimate)
+    out.report = send_report(source.file, *source.design, estimate_json(print.job, *slicer->estimate));
   return out;
 }
 

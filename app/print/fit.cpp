@@ -13,10 +13,10 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double largest_scale = 100;  // times the sheet: walls of millimetres would be too thin in it
-constexpr double step_mm = 0.5;        // mm: cell edges are proposed in whole steps
-constexpr double growth = 1.3;         // factor from one tried cell edge to the next, until one fits
-constexpr double told_size = 0.005;    // relative change of size: less is rounding to three digits.
+constexpr double largest_scale = 100;    // times the sheet: walls of millimetres would be too thin in it
+constexpr double step_mm = 0.5;          // mm: cell edges are proposed in whole steps
+constexpr double growth = 1.3;           // factor from one tried cell edge to the next, until one fits
+constexpr double reported_size = 0.005;  // relative change of size: less is rounding to three digits.
 // Heights of pins over their wall's, tried in this order: higher pins are stiffer.
 constexpr double lower_shares[] = {0.8, 0.6, 0.4};
 
@@ -123,7 +123,7 @@ std::optional<double> enough_mm(const Order& order, PrintChoice choice) {
   return high * step_mm;
 }
 
-bool has_pins_of_its_own(const Design& design) {
+bool has_custom_pins(const Design& design) {
   const auto hinges = hinge_sections(design);
   return std::any_of(hinges.begin(), hinges.end(), [](const HingeSection* hinge) {
     return hinge->made && hinge->made->kind == model::HingeKind::pin;
@@ -133,7 +133,7 @@ bool has_pins_of_its_own(const Design& design) {
 /// Suggests a replacement for pins whose hinges stretch. Empty if they do not stretch, or if there are no pins.
 std::string instead_of_pins(const Order& order, const PrintChoice& choice) {
   if (order.path.is_exact) return "";
-  if (has_pins_of_its_own(order.design))
+  if (has_custom_pins(order.design))
     return ": its hinges stretch on the way, and pins cannot. The design asks for pins itself, whatever "
            "--hinge says: change its `hinge:` to `kind: block`, or take it out and give --hinge block";
   if (choice.kind != model::HingeKind::pin || !leaves_hinges_open(order.design)) return "";
@@ -208,7 +208,7 @@ std::string named_kinds(const Design& design, model::HingeKind open) {
 
 std::optional<std::string> resized_words(double from_mm, double to_mm) {
   const double times = to_mm / from_mm;
-  if (std::abs(times - 1) < told_size) return std::nullopt;
+  if (std::abs(times - 1) < reported_size) return std::nullopt;
   return fmt::format("the sheet and what it folds to are {:.3g} times as large", times);
 }
 

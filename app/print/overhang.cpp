@@ -42,22 +42,23 @@ double overhang_mm2(const model::Polyhedron& solid, const Eigen::Matrix3d& turn)
   return area;
 }
 
-std::vector<Lie> lies(const PrintJob& laid) {
+std::vector<PrintOrientation> lies(const PrintJob& laid) {
   PrintJob job = laid;
   job.turned.reset();
   const model::Polyhedron all = joined(hard_part(job), soft_part(job));
-  std::vector<Lie> out{{"flat", Eigen::Matrix3d::Identity()},
-                       {"over", Eigen::Vector3d(1, -1, -1).asDiagonal()}};
-  for (Lie& lie : out) lie.overhang_mm2 = overhang_mm2(all, lie.turn);
+  std::vector<PrintOrientation> out{{"flat", Eigen::Matrix3d::Identity()},
+                                    {"over", Eigen::Vector3d(1, -1, -1).asDiagonal()}};
+  for (PrintOrientation& lie : out) lie.overhang_mm2 = overhang_mm2(all, lie.turn);
   return out;
 }
 
-const Lie& best(const std::vector<Lie>& all) {
-  return *std::min_element(all.begin(), all.end(),
-                           [](const Lie& a, const Lie& b) { return a.overhang_mm2 < b.overhang_mm2; });
+const PrintOrientation& best(const std::vector<PrintOrientation>& all) {
+  return *std::min_element(all.begin(), all.end(), [](const PrintOrientation& a, const PrintOrientation& b) {
+    return a.overhang_mm2 < b.overhang_mm2;
+  });
 }
 
-void lay(PrintJob& job, const Lie& lie) {
+void lay(PrintJob& job, const PrintOrientation& lie) {
   job.turned = job.state();
   for (model::Pose& pose : *job.turned) pose = {lie.turn * pose.R, lie.turn * pose.p};
   job.lie = lie.name;

@@ -19,7 +19,7 @@ double steepest_deg(const PrintSheet& sheet);
 double overhang_mm2(const model::Polyhedron& solid, const Eigen::Matrix3d& turn);
 
 /// Orientation on the bed, with its overhang.
-struct Lie {
+struct PrintOrientation {
   std::string_view name;  ///< on the command line
   Eigen::Matrix3d turn;   ///< rotation matrix from the place in the files
   double overhang_mm2 = 0;
@@ -27,11 +27,11 @@ struct Lie {
 
 /// Returns both flat orientations of the hard and soft parts in the job's own state: as in the files (flat), and
 /// turned over about x (over). On an edge most bodies would begin in the air.
-std::vector<Lie> lies(const PrintJob& job);
+std::vector<PrintOrientation> lies(const PrintJob& job);
 /// Returns the orientation with the least overhang; ties go to the first.
-const Lie& best(const std::vector<Lie>& all);
+const PrintOrientation& best(const std::vector<PrintOrientation>& all);
 
 /// Turns the solids that `stl`, `3mf` and `step` write.
-void lay(PrintJob& job, const Lie& lie);
+void lay(PrintJob& job, const PrintOrientation& lie);
 
 }  // namespace kinetix::app

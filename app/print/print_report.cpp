@@ -109,9 +109,9 @@ Json slicer_json(const std::optional<SlicerAnswer>& slicer) {
           {"prints", slicer->estimate->prints}};
 }
 
-Json lies_json(const std::vector<Lie>& all) {
+Json lies_json(const std::vector<PrintOrientation>& all) {
   Json out = Json::object();
-  for (const Lie& lie : all) out[std::string(lie.name)] = lie.overhang_mm2;
+  for (const PrintOrientation& lie : all) out[std::string(lie.name)] = lie.overhang_mm2;
   return out;
 }
 
@@ -161,19 +161,20 @@ std::string slicer_words(const SlicerAnswer& slicer, const Tiles& tiles) {
 }
 
 /// Returns the orientation of the sheet in its files.
-const Lie& lie_now(const PrintJob& job, const std::vector<Lie>& all) {
-  return *std::find_if(all.begin(), all.end(), [&](const Lie& lie) { return lie.name == job.lie; });
+const PrintOrientation& lie_now(const PrintJob& job, const std::vector<PrintOrientation>& all) {
+  return *std::find_if(all.begin(), all.end(),
+                       [&](const PrintOrientation& lie) { return lie.name == job.lie; });
 }
 
 /// Describes the orientation in the files, and whether another one has less overhang.
 std::string orientation_words(const PrintJob& job) {
-  const std::vector<Lie> all = lies(job);
-  const Lie& least = best(all);
+  const std::vector<PrintOrientation> all = lies(job);
+  const PrintOrientation& least = best(all);
   const char* const side = job.lie == "over" ? "turned over about x"
                            : job.folded      ? "as its motion leaves it"
                                              : "flat on the bed";
   const std::string here = fmt::format("{}{}, as it is in the files", job.folded ? "folded, " : "", side);
-  const Lie& now = lie_now(job, all);
+  const PrintOrientation& now = lie_now(job, all);
   const std::string hangs = fmt::format("{}; {:.1f} mm2 lean more than {:g} degrees over the bed", here,
                                         now.overhang_mm2, steep_deg);
   if (!(least.overhang_mm2 < worth_turning * now.overhang_mm2)) return hangs + ", no less on the other side";
@@ -304,7 +305,7 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
   return out;
 }
 
-std::string tell_report(const std::string& design_file, const Design& design, const Json& print) {
+std::string send_report(const std::string& design_file, const Design& design, const Json& print) {
   const fs::path folder = fs::path(design_file).parent_path(), file = folder / "report.html";
   std::error_code none;
   if (!fs::exists(file, none)) return {};

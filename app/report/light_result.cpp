@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t bytes_a_pose = 52;        // bytes of one row as text
+constexpr std::size_t bytes_per_pose = 52;      // bytes of one row as text
 constexpr std::size_t bytes_of_frames = 60000;  // keeps a page of 637 bodies under 1.2 MB
 // Significant digits: of numbers that a reader sees, and of values that only set colours.
 constexpr int digits_of_numbers = 6, digits_of_colours = 4;
@@ -45,7 +45,7 @@ void thin_frames(Json& states, bool none) {
   for (const Json& state : states) count += state["name"] == "frame";
   const std::size_t bodies = states.empty() ? 0 : states[0]["poses"].size();
   const std::size_t most =
-      std::max<std::size_t>(2, bytes_of_frames / (bytes_a_pose * std::max<std::size_t>(bodies, 1)));
+      std::max<std::size_t>(2, bytes_of_frames / (bytes_per_pose * std::max<std::size_t>(bodies, 1)));
   const std::size_t every = (count + most - 1) / most;
   for (Json& state : states) {
     const bool is_frame = state["name"] == "frame";

@@ -60,7 +60,7 @@ std::string verdict_words(const Run& run) {
                                                   : "NOT EVERY PRINT HOLDS";
 }
 
-Json taken_json(const TakenHinges& taken) {
+Json taken_json(const AssumedHinges& taken) {
   Json out = {{"kind", to_string(taken.made.kind)},
               {"material", taken.made.material.name},
               {"gap_mm", taken.made.gap_mm},
@@ -111,7 +111,7 @@ std::string held_load_text(double load) {
   return load < 100 ? fmt::format("{:.3g}", load) : fmt::format("{:.0f}", load);
 }
 
-std::string taken_words(const TakenHinges& taken) {
+std::string taken_words(const AssumedHinges& taken) {
   const model::MadeHinge& block = taken.made;
   const std::string held =
       !taken.load ? ""
@@ -162,7 +162,7 @@ std::vector<PlaceSource> sources_by_place(const Run& run) {
 }
 
 Json as_made_json(const Run& run) {
-  const model::AsMade& made = run.printed->made;
+  const model::ToleranceResult& made = run.printed->made;
   Json sources = Json::array();
   for (std::size_t k = 0; k < std::min(made.sources.size(), most_sources); ++k)
     sources.push_back({{"hinge", made.sources[k].hinge},
@@ -236,7 +236,7 @@ std::vector<std::string> scatter_warnings(const Run& run) {
 
 std::vector<SummaryLine> as_made_lines(const Run& run) {
   if (!run.printed) return {};
-  const model::AsMade& made = run.printed->made;
+  const model::ToleranceResult& made = run.printed->made;
   std::vector<SummaryLine> lines = {
       {"as made",
        fmt::format("printed by {}: {:.2f} mm off {} (rms over points of the sheet; {:.2f} "

@@ -34,7 +34,7 @@ std::string effort_of(const Equilibrium& equilibrium) {
   return equilibrium.drive.has_force() ? effort_of_force(load) : effort_of_moment(load);
 }
 
-std::string effort_of(const TakenHinges& taken) {
+std::string effort_of(const AssumedHinges& taken) {
   return taken.is_force ? effort_of_force(*taken.load) : effort_of_moment(*taken.load);
 }
 

@@ -14,6 +14,6 @@ std::string effort_of_moment(double newton_mm);
 /// Describes the peak actuation load. Shape-memory drives need none: "its own springs".
 std::string effort_of(const Equilibrium& equilibrium);
 /// Classifies the load that holds assumed hinges at the design. @pre taken.load
-std::string effort_of(const TakenHinges& taken);
+std::string effort_of(const AssumedHinges& taken);
 
 }  // namespace kinetix::app

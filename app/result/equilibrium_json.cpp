@@ -38,7 +38,7 @@ void add_directions(const model::Elasticity& e, Json& stiffness) {
   if (e.play_mm > 0) stiffness["play_mm"] = e.play_mm;
 }
 
-std::string change_text(const MatterResult& matter) {
+std::string change_text(const ElasticResult& matter) {
   return fmt::format("tilts changed by up to {:.2f} deg, theta by {:.2f} deg, in {} steps: {}",
                      to_degrees(matter.largest_change), to_degrees(matter.theta_change), matter.rounds,
                      matter.why);
@@ -93,7 +93,7 @@ void add_equilibrium_metrics(const Equilibrium& equilibrium, Json& metrics) {
   metrics["exact_max"] = equilibrium.from_exact->max;
 }
 
-Json matter_json(const MatterResult& matter) {
+Json matter_json(const ElasticResult& matter) {
   return {{"exact_mm", matter.exact_mm},
           {"before_mm", matter.before_mm},
           {"after_mm", matter.after_mm},
@@ -106,7 +106,7 @@ Json matter_json(const MatterResult& matter) {
 
 std::vector<SummaryLine> matter_lines(const Run& run) {
   if (!run.matter) return {};
-  const MatterResult& matter = *run.matter;
+  const ElasticResult& matter = *run.matter;
   if (!std::isfinite(matter.after_mm)) return {{"matter", "NO EQUILIBRIUM: " + matter.why}};
   return {
       {"matter",

@@ -17,7 +17,7 @@ double mean_moment(const Equilibrium& equilibrium);
 void add_equilibrium_metrics(const Equilibrium& equilibrium, nlohmann::ordered_json& metrics);
 
 /// Returns the section `matter` of result.json.
-nlohmann::ordered_json matter_json(const MatterResult& matter);
+nlohmann::ordered_json matter_json(const ElasticResult& matter);
 
 /// Returns the summary lines of the compensation for elastic hinges: distance from the goal before and after it. Empty
 /// without run.matter.

@@ -25,7 +25,7 @@ struct Turned {
 
 std::vector<Turned> turned_hinges(const Run& run) {
   std::vector<Turned> all;
-  if (run.states.empty() || !(run.design.hinge.made || !run.design.own_hinges.empty())) return all;
+  if (run.states.empty() || !(run.design.hinge.made || !run.design.hinge_overrides.empty())) return all;
   const model::Linkage linkage(run.design.structure);
   for (int h = 0; h < run.design.structure.hinges(); ++h) {
     const auto& made = hinge_section(run.design, h).made;

@@ -8,7 +8,7 @@
 namespace kinetix::app {
 
 const HingeSection& hinge_section(const Design& design, int hinge) {
-  return hinge_at(design.hinge, design.own_hinges, hinge);
+  return hinge_at(design.hinge, design.hinge_overrides, hinge);
 }
 
 std::vector<model::MadeHinge> made_hinges(const Design& design) {
@@ -16,8 +16,8 @@ std::vector<model::MadeHinge> made_hinges(const Design& design) {
   const auto add = [&](const HingeSection& hinge) {
     if (hinge.made && std::find(all.begin(), all.end(), *hinge.made) == all.end()) all.push_back(*hinge.made);
   };
-  if (static_cast<int>(design.own_hinges.size()) < design.structure.hinges()) add(design.hinge);
-  for (const auto& [h, own] : design.own_hinges) add(own);
+  if (static_cast<int>(design.hinge_overrides.size()) < design.structure.hinges()) add(design.hinge);
+  for (const auto& [h, own] : design.hinge_overrides) add(own);
   return all;
 }
 
@@ -40,7 +40,7 @@ model::PrintError wall_error(const Design& design) {
   return error;
 }
 
-bool bears_its_strain(const Design& design, const model::State& state) {
+bool withstands_strain(const Design& design, const model::State& state) {
   return !strained_too_far(design, state);
 }
 

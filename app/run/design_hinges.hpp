@@ -22,7 +22,7 @@ std::optional<model::MadeHinge> loosest_pin(const Design& design);
 model::PrintError wall_error(const Design& design);
 
 /// Whether the material of every block and film withstands its strain in a state.
-bool bears_its_strain(const Design& design, const model::State& state);
+bool withstands_strain(const Design& design, const model::State& state);
 
 /// Describes the hinge that is strained farthest beyond the limit of its material in a state. Empty if none is.
 std::optional<std::string> strained_too_far(const Design& design, const model::State& state);

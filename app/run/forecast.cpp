@@ -11,13 +11,13 @@ namespace kinetix::app {
 namespace {
 
 // Seconds per loop: median over the shapes of targets/shapes, whose simulations take 0.01 to 2 s.
-constexpr double seconds_a_loop = 0.0012;
+constexpr double seconds_per_loop = 0.0012;
 constexpr double seconds_of_block = 2.4;  // s for 1000 bodies that fill space; 0.7 s for 384, 27 s for 4952
 // Seconds for 175 bodies: the path to the goal and the compensation for elastic hinges. Measured: 0.5 to 2.6 s for 34
 // to 173 bodies.
 constexpr double elastic_seconds_of_175 = 2.5;
 constexpr double contact_seconds_of_10000 = 2.4;
-constexpr double bytes_of_program = 55e6, bytes_a_body = 65e3;
+constexpr double bytes_of_program = 55e6, bytes_per_body = 65e3;
 
 /// Rounds to one significant digit: 23.4 becomes 20.
 double one_digit(double x) {
@@ -61,7 +61,7 @@ Eigen::Vector3d size_of(const model::Linkage& linkage, const model::State& state
 double physics_seconds(const model::Lattice& sheet) {
   if (sheet.sodalite()) return seconds_of_block * std::pow(sheet.bodies() / 1000.0, 1.45);
   const double loops = sheet.hinges() - sheet.bodies() + 1.0;
-  return seconds_a_loop * std::max(loops, 1.0);
+  return seconds_per_loop * std::max(loops, 1.0);
 }
 
 double contact_seconds(const model::Lattice& sheet) {
@@ -69,7 +69,7 @@ double contact_seconds(const model::Lattice& sheet) {
 }
 
 double memory_needed(const model::Linkage& linkage) {
-  return bytes_of_program + bytes_a_body * static_cast<double>(linkage.bodies.size());
+  return bytes_of_program + bytes_per_body * static_cast<double>(linkage.bodies.size());
 }
 
 std::string about(double seconds) {

@@ -26,7 +26,7 @@ struct TurnBounds {
 };
 
 /// Simulation that a goal requests.
-struct PhysicsWish {
+struct PhysicsRequest {
   enum class When { always, if_met, never };
   When when = When::always;
   std::optional<model::LinkageDrive> drive = {};  ///< replaces the drive that folds the sheet to theta
@@ -63,7 +63,7 @@ struct Found {
     model::State state;
   };
   std::optional<Known> known = {};
-  PhysicsWish physics = {};
+  PhysicsRequest physics = {};
   std::vector<std::string> notes = {};  ///< sentences for the plan
   TurnBounds bounds = {};               ///< bounds of tilts and theta in the compensation for elastic hinges
 

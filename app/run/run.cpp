@@ -35,7 +35,8 @@ Design asked_design(const Found& found) {
 }
 
 Found planned(Found found, bool brief) {
-  if (found.goal) found.design.own_hinges = own_hinges_of(found.design.structure, found.hinge_parts);
+  if (found.goal)
+    found.design.hinge_overrides = hinge_overrides_of(found.design.structure, found.hinge_parts);
   found.plan =
       (brief ? make_brief_plan : make_plan)(found.design.structure, found.model, std::move(found.plan.exact));
   if (!found.goal || found.plan.model == Model::equilibrium) return found;

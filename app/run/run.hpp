@@ -70,7 +70,7 @@ struct Equilibrium {
 };
 
 /// Compensation of a goal that was met exactly, for its elastic hinges.
-struct MatterResult {
+struct ElasticResult {
   double exact_mm = 0;   ///< rms error of the exact state
   double before_mm = 0;  ///< rms error of that design's equilibrium; NaN if none was found
   double after_mm = 0;   ///< rms error of the compensated design, which the run shows; NaN if none was found
@@ -82,7 +82,7 @@ struct MatterResult {
 };
 
 /// Hinges assumed if the file leaves them open: soft blocks of the process, at rest at the turns of the design.
-struct TakenHinges {
+struct AssumedHinges {
   model::MadeHinge made;
   double strain = 0;                ///< largest strain of these hinges, ratio
   std::optional<double> load = {};  ///< load that folds the design if only turns of hinges resist, N or N mm
@@ -93,16 +93,16 @@ struct TakenHinges {
 
 /// Print tolerance of a result.
 struct PrintedGoal {
-  model::AsMade made;
-  std::optional<model::AsMade> without_play = {};  ///< of pins: the same prints without clearance
-  double tolerance_mm = 0;                         ///< of the goal
-  std::optional<model::PrintRuns> runs = {};       ///< sample prints that confirm it or not
+  model::ToleranceResult made;
+  std::optional<model::ToleranceResult> without_play = {};  ///< of pins: the same prints without clearance
+  double tolerance_mm = 0;                                  ///< of the goal
+  std::optional<model::PrintRuns> runs = {};                ///< sample prints that confirm it or not
   bool can_be_printed = true;  ///< whether it is printable: Run::print, else by the process.
   /// Whether prints are free of contact during the motion to the fold. It is proven for walls as far out of place as
   /// the process leaves them (ProvenRanges::printed). In addition, at most the share most_touching of sample prints
   /// touches. Empty if nothing is proven of these states, such as equilibria of elastic hinges.
   std::optional<bool> free_of_contact = {};
-  std::optional<TakenHinges> taken = {};
+  std::optional<AssumedHinges> taken = {};
   /// Sample prints whose walls touch during the motion to the fold; empty if none could be checked.
   std::optional<model::TouchingPrints> touching = {};
   /// Sample prints pressed from flat, for elastic hinges between plates; empty if none were checked.
@@ -143,7 +143,7 @@ struct PrintedGoal {
 };
 
 /// Motion of imported bodies along their drive with all hinges closed.
-struct ClosedWay {
+struct ClosedPath {
   bool reached = false;  ///< whether they reached its end
   model::State last;     ///< mm
   /// Distance of the last state from where bodies are pulled to, cell edges; empty if a hinge is turned.
@@ -169,11 +169,11 @@ struct ProvenRanges {
 struct Run : Found {
   std::uint64_t seed = 0;
   std::vector<NamedState> states;
-  std::optional<ClosedWay> way;              ///< of imported bodies
+  std::optional<ClosedPath> way;             ///< of imported bodies
   std::shared_ptr<const BodyPieces> pieces;  ///< by which these collide; null if not requested
   std::optional<Equilibrium> equilibrium;
   std::optional<Verification> verification;
-  std::optional<MatterResult> matter;  ///< of goals of exact families whose hinges are elastic
+  std::optional<ElasticResult> matter;  ///< of goals of exact families whose hinges are elastic
 
   /// Distances from a goal: of the model's state, of the equilibrium that replaces it if hinges are elastic, and of
   /// the settled simulation. Null if there is no such state.

@@ -46,7 +46,7 @@ class Connection;
 struct Server::Engine {
   std::span<const WebFile> files;
   std::string token;
-  Visitors visitors;
+  ConnectionHandlers visitors;
   std::list<Connection*>
       connections;  ///< without a page yet; oldest first. Must outlive the connections in io.
   asio::io_context io{1};
@@ -401,7 +401,8 @@ std::set<std::string> host_names(std::uint16_t port) {
   return names;
 }
 
-Server::Server(std::span<const WebFile> files, std::string token, std::uint16_t port, Visitors visitors)
+Server::Server(std::span<const WebFile> files, std::string token, std::uint16_t port,
+               ConnectionHandlers visitors)
     : engine_(std::make_unique<Engine>()) {
   engine_->files = files;
   engine_->token = std::move(token);

@@ -22,7 +22,7 @@ struct WebFile {
 
 /// Callbacks for the server's clients, called on the thread of run(). The receiver of a text must call took()
 /// later.
-struct Visitors {
+struct ConnectionHandlers {
   std::function<void(int client)> come;
   std::function<void(int client, std::string text)> say;
   std::function<void(int client)> go;
@@ -45,7 +45,7 @@ std::set<std::string> host_names(std::uint16_t port);
 class Server {
  public:
   /// Opens a port. @param port 0: any   @throws InvalidInput on failure
-  Server(std::span<const WebFile> files, std::string token, std::uint16_t port, Visitors visitors);
+  Server(std::span<const WebFile> files, std::string token, std::uint16_t port, ConnectionHandlers visitors);
   ~Server();
 
   std::uint16_t port() const;

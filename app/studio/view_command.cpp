@@ -65,7 +65,7 @@ std::shared_ptr<studio::Autosave> autosave_of(const Opened& opened) {
 
 std::unique_ptr<studio::Session> session_of(Opened opened, const CommandOptions& options,
                                             std::shared_ptr<studio::Autosave> autosave,
-                                            studio::Outlet outlet) {
+                                            studio::MessageSink outlet) {
   opened.threads = options.threads;
   opened.seed = options.seed;
   opened.results = absolute(opened.results);

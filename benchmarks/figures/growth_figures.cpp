@@ -16,8 +16,8 @@
 namespace kinetix::bench {
 namespace {
 
-constexpr double closed = 1e-11;           // cell edges: that of small scenes is rounding, and less
-constexpr double closed_a_column = 1e-15;  // cell edges: places far from the first body round by so much
+constexpr double closed = 1e-11;              // cell edges: that of small scenes is rounding, and less
+constexpr double closure_per_column = 1e-15;  // cell edges: places far from the first body round by so much
 constexpr double telling = 32 << 20;  // bytes: of less, most is no scene, and says nothing of what GiB hold
 constexpr int most_seconds = 60;      // of a run: eight scenes of it stay within a quarter of an hour
 constexpr double short_way = 0.02;    // rad of theta, in few steps: large sheets take a minute for each
@@ -97,7 +97,7 @@ Cost exact_model(const Shape& shape) {
   model::State poses;
   const int calls = std::max(1, 200000 / static_cast<int>(structure.bodies.size()));
   const double time = median_seconds(5, calls, [&] { fold(design, 10.0, poses); });
-  return {time, hinge_gaps(structure, poses).max < closed + shape.first * closed_a_column};
+  return {time, hinge_gaps(structure, poses).max < closed + shape.first * closure_per_column};
 }
 
 Cost planar_designs(int cells) {

@@ -46,7 +46,7 @@ double off_by(double said, double seen) { return std::abs(said / seen - 1); }
 Figure confirmed(const std::string& what, const std::string& text) {
   const app::Run run = run_of(text, prints, false);
   if (!run.printed || !run.printed->runs) return {what, "within 10 %", "not known", false};
-  const model::AsMade& made = run.printed->made;
+  const model::ToleranceResult& made = run.printed->made;
   const model::PrintRuns& seen = *run.printed->runs;
   return {
       what, "within 10 %",
@@ -95,7 +95,7 @@ double share_of_time(const app::Run& run) {
 
 std::vector<Figure> compensation() {
   const app::Run soft = run_of(rib + rubber + springs, 0, true);
-  const app::MatterResult& m = *soft.matter;
+  const app::ElasticResult& m = *soft.matter;
   const app::Run robust = run_of(rib + rubber + springs + "robust: true\n", 0, true);
   const double plain = soft.printed->made.rms_mm, better = robust.printed->made.rms_mm;
   return {

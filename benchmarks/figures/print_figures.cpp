@@ -26,7 +26,7 @@ Design searched(const std::string& name) {
   design.structure = run.design.structure;
   design.theta = run.theta;
   design.hinge = run.design.hinge;
-  design.own_hinges = run.design.own_hinges;
+  design.hinge_overrides = run.design.hinge_overrides;
   return design;
 }
 

@@ -27,9 +27,9 @@ struct Reading {
   double seconds = 0, load = 0;
 };
 
-Reading read(const std::string& text, int cells_a_module, bool in_equilibrium) {
+Reading read(const std::string& text, int cells_per_module, bool in_equilibrium) {
   const testing::TemporaryFolder folder;
-  const int side = modules * cells_a_module;
+  const int side = modules * cells_per_module;
   app::DisplayFile file;
   file.name = "code";
   file.goal = targets::image_goal(testing::draw_qr_code(text, folder.path("code.png")),

@@ -53,7 +53,7 @@ struct Sweep {
   std::string out(const std::string& name) const { return folder / name; }
 };
 
-Figure states_a_second() {
+Figure states_per_second() {
   constexpr int samples = 200000;
   const Sweep files(samples);
   const app::SweepPlan plan = app::make_sweep_plan(files.file, std::nullopt);
@@ -70,7 +70,7 @@ Figure states_a_second() {
 }
 
 /// Returns the samples per second that the program stores; 0 if it fails.
-double stored_a_second(const Sweep& files, const std::string& launcher, int threads) {
+double stored_per_second(const Sweep& files, const std::string& launcher, int threads) {
   const std::string out = files.out("out"), log = files.out("log");
   const int status =
       std::system(fmt::format("{} {} sweep {} -o {} --quiet --json --threads {} >{} 2>/dev/null", launcher,
@@ -88,7 +88,7 @@ const std::string on_one_core = "taskset -c 0";
 Figure stored() {
   const Sweep files(400000);
   std::vector<double> rates;
-  for (int run = 0; run < 5; ++run) rates.push_back(stored_a_second(files, on_one_core, 1));
+  for (int run = 0; run < 5; ++run) rates.push_back(stored_per_second(files, on_one_core, 1));
   const double rate = median(rates);
   return {"the same, every sample durable (SQLite, synchronous), the whole program on one core",
           ">= 20 000 samples a second", fmt::format("{:.0f} a second", rate), rate >= 2e4};
@@ -127,10 +127,10 @@ std::vector<Figure> two_against_one() {
   std::vector<Figure> figures;
   for (const Scaling& scaling : scalings) {
     figures.push_back(two_workers(scaling, "cores (threads)", [](const Sweep& files, int count) {
-      return stored_a_second(files, count == 1 ? on_one_core : "", count);
+      return stored_per_second(files, count == 1 ? on_one_core : "", count);
     }));
     figures.push_back(two_workers(scaling, "ranks", [](const Sweep& files, int count) {
-      return stored_a_second(files, testing::ranks(count), 1);
+      return stored_per_second(files, testing::ranks(count), 1);
     }));
   }
   return figures;
@@ -174,7 +174,7 @@ Figure kills() {
 }  // namespace
 
 std::vector<Figure> sweep_figures() {
-  std::vector<Figure> figures = {states_a_second(), stored()};
+  std::vector<Figure> figures = {states_per_second(), stored()};
   for (Figure& figure : two_against_one()) figures.push_back(std::move(figure));
   figures.push_back(kills());
   return figures;

@@ -7,7 +7,7 @@ namespace {
 
 constexpr int repeats = 21;  // an odd number, so that one of them is the median
 // Bodies posed in each repeat: about a millisecond, which the clock resolves, whatever the sheet.
-constexpr int bodies_a_repeat = 40'000;
+constexpr int bodies_per_repeat = 40'000;
 
 template <class To, class From>
 std::vector<To> converted(const std::vector<From>& values) {
@@ -37,8 +37,8 @@ model::State folded_from_the_last_body(const SpeedErrorScene& scene) {
 }
 
 /// Times a state as a search computes it, repeatedly for one structure, s.
-double seconds_a_state(const SpeedErrorScene& scene) {
-  const int calls = std::max(1, bodies_a_repeat / static_cast<int>(scene.structure.bodies.size()));
+double seconds_per_state(const SpeedErrorScene& scene) {
+  const int calls = std::max(1, bodies_per_repeat / static_cast<int>(scene.structure.bodies.size()));
   const double theta = drive_on(scene.structure, scene.drive).theta(), edge_mm = scene.structure.size.edge_mm;
   model::State state;
   if (scene.family.family == model::Family::F4)
@@ -62,7 +62,7 @@ MeasuredPoints exact_points(const SpeedErrorScene& scene) {
   return {{.method = "exact",
            .settings = "closed form",
            .precision = "double",
-           .seconds = seconds_a_state(scene),
+           .seconds = seconds_per_state(scene),
            .error = scene.reference_error,
            .status = to_string(scene.family.family),
            .is_result = true}};

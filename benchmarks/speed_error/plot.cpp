@@ -12,7 +12,7 @@
 namespace kinetix::bench {
 namespace {
 
-constexpr int panels_a_row = 3;  // panels: what a page shows side by side at a legible size.
+constexpr int panels_per_row = 3;  // panels: what a page shows side by side at a legible size.
 // px: a panel, and the gaps between two. Between rows there is room for a title and tick labels.
 constexpr double panel_width = 288, panel_height = 232, gap_x = 22, gap_y = 44;
 // px around the panels: labels of the axes to the left and below, title and legend above.
@@ -118,14 +118,14 @@ std::string exact_time(const Panel& p, const MeasuredPoints& points) {
 }
 
 std::string drawn_panel(const MeasuredScene& scene, int k, int count) {
-  const Panel p(k / panels_a_row, k % panels_a_row);
+  const Panel p(k / panels_per_row, k % panels_per_row);
   std::string svg = grid(p) + asked_errors(p);
   svg += fmt::format(
       "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#8c959f\"/>\n", p.x0,
       p.y0, panel_width, panel_height);
   svg += text(p.x0, p.y0 - 9, "start", scene.name, " font-size=\"13\" font-weight=\"600\" fill=\"#1f2328\"");
   svg += text(p.x0 + panel_width, p.y0 - 9, "end", comparison(scene));
-  svg += tick_labels(p, k % panels_a_row == 0, k + panels_a_row >= count);
+  svg += tick_labels(p, k % panels_per_row == 0, k + panels_per_row >= count);
   return svg + drawn_points(p, scene.points) + exact_time(p, scene.points);
 }
 
@@ -149,8 +149,8 @@ std::string legend(const std::vector<MeasuredScene>& scenes) {
 }  // namespace
 
 std::string speed_error_plot(const std::vector<MeasuredScene>& scenes) {
-  const int count = static_cast<int>(scenes.size()), rows = (count + panels_a_row - 1) / panels_a_row;
-  const double width = left + panels_a_row * (panel_width + gap_x) - gap_x + right;
+  const int count = static_cast<int>(scenes.size()), rows = (count + panels_per_row - 1) / panels_per_row;
+  const double width = left + panels_per_row * (panel_width + gap_x) - gap_x + right;
   const double height = top + rows * (panel_height + gap_y) - gap_y + bottom;
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "

@@ -209,7 +209,7 @@ class Builder {
         if (!boxes_[a].intersects(boxes_[b])) continue;
         std::vector<PinFit> fits = fits_of(faces[a], faces[b]);
         for (const PinFit& more : fits_of(faces[b], faces[a])) fits.push_back(more);
-        for (const PinFit& fit : on_axes_of_their_own(fits)) add_pin(a, b, fit);
+        for (const PinFit& fit : on_separate_axes(fits)) add_pin(a, b, fit);
       }
   }
 
@@ -223,7 +223,7 @@ class Builder {
   }
 
   /// Merges all bearings on one axis into one, in the middle of the outermost ones.
-  static std::vector<PinFit> on_axes_of_their_own(const std::vector<PinFit>& fits) {
+  static std::vector<PinFit> on_separate_axes(const std::vector<PinFit>& fits) {
     std::vector<PinFit> out;
     for (const PinFit& fit : fits) {
       const auto same = std::find_if(out.begin(), out.end(), [&](const PinFit& o) {

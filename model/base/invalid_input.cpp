@@ -23,8 +23,8 @@ std::string number_text(double number) {
   return out.str();
 }
 
-InvalidInput::InvalidInput(const std::string& what_is_wrong, Place place)
-    : std::runtime_error(message(place, what_is_wrong)), place_(std::move(place)), reason_(what_is_wrong) {}
+InvalidInput::InvalidInput(const std::string& fault_text, Place place)
+    : std::runtime_error(message(place, fault_text)), place_(std::move(place)), reason_(fault_text) {}
 
 void require(const std::string& field, double value, bool fine, const std::string& allowed) {
   if (!fine) throw InvalidInput(field + " is " + number_text(value) + ", must be " + allowed);

@@ -21,7 +21,7 @@ std::string number_text(double number);
 /// allowed`, without the parts that are not known. The program maps it to exit code 2.
 class InvalidInput : public std::runtime_error {
  public:
-  explicit InvalidInput(const std::string& what_is_wrong, Place place = {});
+  explicit InvalidInput(const std::string& fault_text, Place place = {});
 
   const Place& place() const { return place_; }
   /// The message without the place.

@@ -49,7 +49,7 @@ class ElasticSystem {
   /// Describes the first two that touch: "walls A and B touch"; empty if none do.
   std::string touching_words(const State& state) const;
   /// Returns the kind of object in contact: "walls" or "bodies".
-  std::string what_touches() const { return pieces_ ? "bodies" : "walls"; }
+  std::string touching_kind() const { return pieces_ ? "bodies" : "walls"; }
   /// Returns whether walls or bodies passed through each other between two states
   /// (ContactSearch::passed_through, sweep_through; PieceContact::passed_through).
   bool passed_through(const State& before, const State& after) const;

@@ -27,7 +27,7 @@ struct TangentStiffness::Factor : Cholesky {
   void analyse(const Eigen::SparseMatrix<double>& matrix) {
     if (!m_cholmodFactor) {
       analyzePattern(matrix);
-      ask_for_memory();
+      request_memory();
       const int* order = static_cast<const int*>(m_cholmodFactor->Perm);
       order_.assign(order, order + m_cholmodFactor->n);
       return;
@@ -36,13 +36,13 @@ struct TangentStiffness::Factor : Cholesky {
     cholmod().method[0].ordering = CHOLMOD_GIVEN;
     cholmod_sparse view = Eigen::viewAsCholmod(matrix.selfadjointView<Eigen::Lower>());
     m_cholmodFactor = cholmod_analyze_p(&view, order_.data(), nullptr, 0, &cholmod());
-    ask_for_memory();
+    request_memory();
     m_factorizationIsOk = false;
   }
 
   /// Throws std::bad_alloc if CHOLMOD is out of memory. CHOLMOD itself would report an indefinite matrix if
   /// the factor does not fit, and leave the solution unset.
-  void ask_for_memory() {
+  void request_memory() {
     if (cholmod().status == CHOLMOD_OUT_OF_MEMORY || !m_cholmodFactor) throw std::bad_alloc();
   }
 
@@ -123,14 +123,14 @@ bool TangentStiffness::factorise(double shift) {
   analysed_ = true;
   factor_->setShift(shift);
   factor_->factorize(matrix_);
-  factor_->ask_for_memory();
+  factor_->request_memory();
   factorised_ = factor_->info() == Eigen::Success;
   return factorised_;
 }
 
 Eigen::VectorXd TangentStiffness::solve(const Eigen::VectorXd& rhs) const {
   Eigen::VectorXd x = factor_->solve(rhs);
-  factor_->ask_for_memory();
+  factor_->request_memory();
   return x;
 }
 

@@ -12,14 +12,14 @@ void add_shifts(const Structure& squares, std::vector<TurnLaw>& laws) {
   const Classification kind = classify(squares);
   const Creases creases = find_creases(squares);
   const std::vector<double> shifts = fold_shifts(make_fold_angle_tree(squares, creases), squares);
-  double own = 1, own_shift = 0;
+  double own = 1, local_shift = 0;
   if (kind.family != Family::F4) {
     const int defining = squares.cell_members.front().hinges[kind.transposed ? 0 : 1];
     own = laws[defining].p;
-    own_shift = shifts[creases.of_hinge[defining]];
+    local_shift = shifts[creases.of_hinge[defining]];
   }
   for (std::size_t h = 0; h < laws.size(); ++h)
-    laws[h] = {laws[h].p / own, laws[h].p * (shifts[creases.of_hinge[h]] - own_shift)};
+    laws[h] = {laws[h].p / own, laws[h].p * (shifts[creases.of_hinge[h]] - local_shift)};
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Returns the unit vectors of all points, or random mixtures of the points with entries +-1.
-std::vector<VectorXd> mixtures(Eigen::Index points, const AsMadeOptions& options) {
+std::vector<VectorXd> mixtures(Eigen::Index points, const ToleranceOptions& options) {
   std::vector<VectorXd> out;
   if (points <= options.probes) {
     for (Eigen::Index k = 0; k < points; ++k) out.push_back(VectorXd::Unit(points, k));
@@ -71,9 +71,9 @@ Eigen::Matrix4Xd HingeScatter::by_hinge(Eigen::Index hinges) const {
   return out;
 }
 
-AsMade as_made(const ElasticSystem& system, const State& state, double theta, const TangentStiffness& tangent,
-               const std::vector<ObservedPoint>& observed, const HingeScatter& scatter,
-               const AsMadeOptions& options) {
+ToleranceResult as_made(const ElasticSystem& system, const State& state, double theta,
+                        const TangentStiffness& tangent, const std::vector<ObservedPoint>& observed,
+                        const HingeScatter& scatter, const ToleranceOptions& options) {
   const ObservedPoints points(observed, options.aligned);
   const Eigen::Index hinges = static_cast<Eigen::Index>(system.hinges().size());
   const double edge_mm = system.structure().size.edge_mm;
@@ -95,7 +95,7 @@ AsMade as_made(const ElasticSystem& system, const State& state, double theta, co
   const double count = points.count();
   const double mean = (deviations.squaredNorm() + moments.trace) / count,
                variance = (2 * moments.trace_of_square + 4 * along_deviations) / (count * count);
-  AsMade out;
+  ToleranceResult out;
   out.designed_mm = std::sqrt(deviations.squaredNorm() / count);
   out.rms_mm = std::sqrt(mean);
   out.p95_mm = std::sqrt(quantile(mean, variance));

@@ -33,14 +33,14 @@ struct ScatterSource {
 inline constexpr double quantile_95 = 1.6448536269514722;
 
 /// Distance of printed structures from the goal, over many prints with errors.
-struct AsMade {
+struct ToleranceResult {
   double designed_mm = 0;              ///< rms over the points of the design itself
   double rms_mm = 0;                   ///< root of the mean of its square over prints
   double p95_mm = 0;                   ///< 95 of 100 prints stay below it
   std::vector<ScatterSource> sources;  ///< of all hinges and parameters that scatter, largest first
 };
 
-struct AsMadeOptions {
+struct ToleranceOptions {
   bool aligned = true;              ///< deviations count after the best rigid motion of the whole shape
   int probes = 150;                 ///< above this number of points, as many random mixtures are used; >= 2
   bool planar = false;              ///< prints move in the plane z = 0 only
@@ -60,8 +60,8 @@ struct AsMadeOptions {
 ///
 /// @param tangent linearised at state and factorised without a shift, as for sensitivity()
 /// @pre at least one point; one normal and one or more bodies per point
-AsMade as_made(const ElasticSystem& system, const State& state, double theta, const TangentStiffness& tangent,
-               const std::vector<ObservedPoint>& points, const HingeScatter& scatter,
-               const AsMadeOptions& options = {});
+ToleranceResult as_made(const ElasticSystem& system, const State& state, double theta,
+                        const TangentStiffness& tangent, const std::vector<ObservedPoint>& points,
+                        const HingeScatter& scatter, const ToleranceOptions& options = {});
 
 }  // namespace kinetix::model

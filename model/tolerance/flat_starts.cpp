@@ -27,7 +27,7 @@ struct Ends {
 
 std::optional<FlatStarts> flat_starts(const PrintedLinkage& printed, const Elasticity& elasticity,
                                       const LinkageDrive& drive, const HingeScatter& scatter, int count,
-                                      const AsMadeOptions& options, EquilibriumPathOptions path) {
+                                      const ToleranceOptions& options, EquilibriumPathOptions path) {
   const auto stops = [&] { return options.stop && options.stop(); };
   path.planar = options.planar;
   const double theta = drive.theta();

@@ -29,6 +29,6 @@ struct FlatStarts {
 /// @return empty if options.stop ends the run before the last print
 std::optional<FlatStarts> flat_starts(const PrintedLinkage& printed, const Elasticity& elasticity,
                                       const LinkageDrive& drive, const HingeScatter& scatter, int count,
-                                      const AsMadeOptions& options, EquilibriumPathOptions path = {});
+                                      const ToleranceOptions& options, EquilibriumPathOptions path = {});
 
 }  // namespace kinetix::model

@@ -79,7 +79,8 @@ class PrintEquilibria::Workers::Rest {
   bool is_of_design_ = false;
 };
 
-PrintEquilibria::PrintEquilibria(PrintScene scene, const State& state, int most, const AsMadeOptions& options)
+PrintEquilibria::PrintEquilibria(PrintScene scene, const State& state, int most,
+                                 const ToleranceOptions& options)
     : workers_(new Workers{std::move(scene), state, options.stop}) {
   Workers& own = *workers_;
   ElasticSystem system = own.scene.system({});

@@ -42,7 +42,7 @@ class PrintEquilibria {
   /// @param state of the design, in equilibrium or nearly so
   /// @param most largest number of prints per call of of(), > 0
   /// @param options only threads and stop have an effect
-  PrintEquilibria(PrintScene scene, const State& state, int most, const AsMadeOptions& options);
+  PrintEquilibria(PrintScene scene, const State& state, int most, const ToleranceOptions& options);
   ~PrintEquilibria();
   PrintEquilibria(const PrintEquilibria&) = delete;
   PrintEquilibria& operator=(const PrintEquilibria&) = delete;

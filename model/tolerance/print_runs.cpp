@@ -75,7 +75,7 @@ constexpr int block = 64;  // prints whose states are kept at once
 }  // namespace
 
 int visit_prints(const PrintedLinkage& printed, const Elasticity& elasticity, const LinkageDrive& drive,
-                 const State& state, const HingeScatter& scatter, int count, const AsMadeOptions& options,
+                 const State& state, const HingeScatter& scatter, int count, const ToleranceOptions& options,
                  const std::function<void(const State&, const State&, const Matrix4Xd&)>& visit) {
   const auto stops = [&] { return options.stop && options.stop(); };
   PrintEquilibria equilibria({printed, elasticity, drive, options.planar, options.contact}, state, count,
@@ -96,7 +96,7 @@ int visit_prints(const PrintedLinkage& printed, const Elasticity& elasticity, co
 
 PrintRuns print_runs(const PrintedLinkage& printed, const SettledDesign& design,
                      const std::vector<ObservedPoint>& points, const HingeScatter& scatter, int count,
-                     const AsMadeOptions& options) {
+                     const ToleranceOptions& options) {
   const Distance distance(points, options.aligned);
   const double edge_mm = design.system().structure().size.edge_mm;
   std::vector<double> distances;

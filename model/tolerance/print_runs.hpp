@@ -30,7 +30,7 @@ struct PrintRuns {
 /// @param visit called with the design's equilibrium, that of each print that settled, and its errors.
 /// @return how many of the tried prints did not settle. The same seed gives the same prints
 int visit_prints(const PrintedLinkage& printed, const Elasticity& elasticity, const LinkageDrive& drive,
-                 const State& state, const HingeScatter& scatter, int count, const AsMadeOptions& options,
+                 const State& state, const HingeScatter& scatter, int count, const ToleranceOptions& options,
                  const std::function<void(const State& design, const State& print,
                                           const Eigen::Matrix4Xd& errors)>& visit);
 
@@ -38,6 +38,6 @@ int visit_prints(const PrintedLinkage& printed, const Elasticity& elasticity, co
 /// @param count > 0   @param options its probes have no effect
 PrintRuns print_runs(const PrintedLinkage& printed, const SettledDesign& design,
                      const std::vector<ObservedPoint>& points, const HingeScatter& scatter, int count,
-                     const AsMadeOptions& options = {});
+                     const ToleranceOptions& options = {});
 
 }  // namespace kinetix::model

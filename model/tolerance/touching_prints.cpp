@@ -28,7 +28,7 @@ constexpr double less_near = 0.5;
 // Fraction of the distance that scatter allows. Within it the first-order result is uncertain, and the
 // equilibrium of a print decides. In 700 prints of a ring and a disc the equilibrium decided from 0 to -0.06.
 constexpr double unsure = 0.1;
-constexpr double worth_a_look = 0.2;  // the same, with the design's walls, which move with errors
+constexpr double worth_checking = 0.2;  // the same, with the design's walls, which move with errors
 constexpr int prints_at_once = 50, most_prints = 1000;
 constexpr double largest_share_error = 0.016;
 constexpr double largest_relative_error = 0.05, of_large_sheets = 0.1;  // relative, of the share
@@ -42,7 +42,7 @@ class PrintedStage {
   /// @param printed, design kept by reference
   PrintedStage(const PrintedLinkage& printed, const SettledDesign& design,
                const std::vector<SuspectPair>& suspects, const std::vector<HalfWall>& walls,
-               const AsMadeOptions& options)
+               const ToleranceOptions& options)
       : printed_(printed), design_(design), suspects_(suspects), options_(options) {
     for (const SuspectPair& pair : suspects)
       for (const int wall : {pair.walls.first, pair.walls.second}) bodies_.push_back(walls[wall].body);
@@ -79,7 +79,7 @@ class PrintedStage {
   const PrintedLinkage& printed_;
   const SettledDesign& design_;
   const std::vector<SuspectPair> suspects_;
-  const AsMadeOptions& options_;
+  const ToleranceOptions& options_;
   std::vector<int> bodies_;  ///< of the suspects, ascending
   std::optional<PrintEquilibria> equilibria_;
 };
@@ -94,8 +94,8 @@ struct Closest {
 class WayOfPrints {
  public:
   /// Keeps all parameters but `scatter` by reference.
-  WayOfPrints(const PrintedLinkage& printed, const SettledDesign& fold, const WayToFold& way,
-              const HingeScatter& scatter, const AsMadeOptions& options)
+  WayOfPrints(const PrintedLinkage& printed, const SettledDesign& fold, const FoldPath& way,
+              const HingeScatter& scatter, const ToleranceOptions& options)
       : printed_(printed), fold_(fold), way_(way), options_(options) {
     PrintErrors first(scatter, hinges(), options.seed);
     std::vector<VectorXd> changes;
@@ -177,7 +177,7 @@ class WayOfPrints {
     for (std::size_t s = 0; s < stages_.size(); ++s) {
       const auto& suspects = stages_[s].suspects();
       const State print = stages_[s].first_order(errors);
-      if (!suspects_->are_nearer(print, suspects_->walls(), suspects, worth_a_look)) continue;
+      if (!suspects_->are_nearer(print, suspects_->walls(), suspects, worth_checking)) continue;
       if (!walls) walls = half_walls(printed_(errors));
       if (suspects_->are_nearer(print, *walls, suspects, -unsure)) return {true};
       if (!suspects_->are_nearer(print, *walls, suspects, unsure)) continue;
@@ -217,8 +217,8 @@ class WayOfPrints {
 
   const PrintedLinkage& printed_;
   const SettledDesign& fold_;
-  const WayToFold& way_;
-  const AsMadeOptions& options_;
+  const FoldPath& way_;
+  const ToleranceOptions& options_;
   std::optional<SuspectPlates> suspects_;
   std::map<WallPair, Closest> closest_;
   std::vector<std::unique_ptr<SettledDesign>> before_;
@@ -254,8 +254,8 @@ double TouchingPrints::error() const {
 }
 
 std::optional<TouchingPrints> touching_prints(const PrintedLinkage& printed, const SettledDesign& fold,
-                                              const WayToFold& way, const HingeScatter& scatter,
-                                              const AsMadeOptions& options) {
+                                              const FoldPath& way, const HingeScatter& scatter,
+                                              const ToleranceOptions& options) {
   if (!fold.is_stable()) return std::nullopt;
   WayOfPrints prints(printed, fold, way, scatter, options);
   if (!prints.is_found()) return std::nullopt;

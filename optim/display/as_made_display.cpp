@@ -57,14 +57,14 @@ double expected_auc(const std::vector<double>& readings, const Group& letter, co
 
 }  // namespace
 
-AsMadeDisplay as_made_display(const std::vector<double>& readings, const std::vector<double>& levels,
-                              const MatrixXd& derivatives) {
+DisplayTolerance as_made_display(const std::vector<double>& readings, const std::vector<double>& levels,
+                                 const MatrixXd& derivatives) {
   const Group letter = group(readings, levels, derivatives, true),
               rest = group(readings, levels, derivatives, false);
   const double apart = letter.mean - rest.mean, variance = (letter.variance + rest.variance) / 2;
   const double apart_sd = (letter.mean_gradient - rest.mean_gradient).norm(),
                variance_sd = std::sqrt(letter.variance_of_variance + rest.variance_of_variance) / 2;
-  AsMadeDisplay out;
+  DisplayTolerance out;
   out.contrast = apart / std::sqrt(variance);
   const double sd = std::hypot(apart_sd / std::sqrt(variance), out.contrast * variance_sd / (2 * variance));
   out.contrast_p05 = out.contrast - model::quantile_95 * sd;

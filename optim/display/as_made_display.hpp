@@ -6,7 +6,7 @@
 namespace kinetix::optim {
 
 /// Readability of a two-level picture on prints with errors.
-struct AsMadeDisplay {
+struct DisplayTolerance {
   double contrast = 0;      ///< d' with the mean square scatter of cells over prints, dimensionless
   double contrast_p05 = 0;  ///< 5th percentile: 95 of 100 prints exceed it, dimensionless
   double auc = 0;           ///< expected value over prints, [0, 1]
@@ -20,7 +20,7 @@ struct AsMadeDisplay {
 /// @param derivatives R, in the unit of the readings: a row per cell with the derivatives by each error, per
 /// standard deviation.
 /// @pre at least two cells of each kind
-AsMadeDisplay as_made_display(const std::vector<double>& readings, const std::vector<double>& levels,
-                              const Eigen::MatrixXd& derivatives);
+DisplayTolerance as_made_display(const std::vector<double>& readings, const std::vector<double>& levels,
+                                 const Eigen::MatrixXd& derivatives);
 
 }  // namespace kinetix::optim

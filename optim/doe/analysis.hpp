@@ -65,11 +65,11 @@ struct MainEffectOptions {
 std::vector<MainEffect> main_effects(const SampleMatrix& samples, std::span<const double> responses,
                                      const MainEffectOptions& options = {});
 
-/// Computes the effects of a table of SamplingMethod::one_at_a_time (row 0 the base). The levels of a factor
+/// Computes the effects of a table of SamplingMethod::one_factor (row 0 the base). The levels of a factor
 /// are the base and the rows in which only this factor differs from it, one level per value. variance_share
 /// is NaN, since such a table has none.
 /// @throws InvalidInput as main_effects, without rows, and for a row that differs in more than one factor
-std::vector<MainEffect> one_at_a_time_effects(const SampleMatrix& samples, std::span<const double> responses);
+std::vector<MainEffect> one_factor_effects(const SampleMatrix& samples, std::span<const double> responses);
 
 /// @}
 /// @name Correlation and linear regression: any table of independent samples

@@ -116,7 +116,7 @@ class Morris final : public Sampler {
 
 std::unique_ptr<const Sampler> make_level_sampler(SharedFactors factors, const SamplingOptions& options) {
   switch (options.method) {
-    case SamplingMethod::one_at_a_time:
+    case SamplingMethod::one_factor:
       return std::make_unique<OneAtATime>(std::move(factors), options);
     case SamplingMethod::morris:
       return std::make_unique<Morris>(std::move(factors), options);

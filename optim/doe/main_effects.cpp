@@ -210,8 +210,7 @@ std::vector<MainEffect> main_effects(const SampleMatrix& samples, std::span<cons
   return effects;
 }
 
-std::vector<MainEffect> one_at_a_time_effects(const SampleMatrix& samples,
-                                              std::span<const double> responses) {
+std::vector<MainEffect> one_factor_effects(const SampleMatrix& samples, std::span<const double> responses) {
   check_table(samples, responses);
   if (samples.rows() == 0) throw InvalidInput("the table has no samples, must have the base");
   std::vector<Rows> rows(samples.cols(), Rows{0});

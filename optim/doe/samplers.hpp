@@ -23,7 +23,7 @@ std::uint64_t saturating_product(std::uint64_t a, std::uint64_t b);
 /// @throws InvalidInput for more factors than Sobol's sequence has dimensions
 std::unique_ptr<const Sampler> make_unit_sampler(SharedFactors factors, const SamplingOptions& options);
 
-/// Makes the sampler of factorial, one_at_a_time or morris.
+/// Makes the sampler of factorial, one_factor or morris.
 /// @throws InvalidInput for a base point that does not fit, and for a factor of one level in morris
 std::unique_ptr<const Sampler> make_level_sampler(SharedFactors factors, const SamplingOptions& options);
 

@@ -34,7 +34,7 @@ std::unique_ptr<const Sampler> make_sampler(SharedFactors factors, const Samplin
     case SamplingMethod::saltelli:
       return make_unit_sampler(std::move(factors), options);
     case SamplingMethod::factorial:
-    case SamplingMethod::one_at_a_time:
+    case SamplingMethod::one_factor:
     case SamplingMethod::morris:
       return make_level_sampler(std::move(factors), options);
   }

@@ -24,7 +24,7 @@ enum class SamplingMethod {
   monte_carlo,
   /// Row 0 is the base point. Then each factor in turn has one row per level, all others at the base: 1 + sum
   /// of levels rows. The base's value has a row too if it is one of the levels.
-  one_at_a_time,
+  one_factor,
   /// Elementary effects: `samples` trajectories of d + 1 rows. A trajectory starts at random levels and moves
   /// one factor after the other, in random order, by half its levels (Morris, Technometrics 33, 161, 1991).
   /// All steps of a factor have one size (even_level_value). Only an even number of levels visits all equally
@@ -34,14 +34,15 @@ enum class SamplingMethod {
   /// A with one factor of B, and row B. A and B are the two halves of one Sobol sequence in 2 d dimensions
   /// with a digital shift (Saltelli et al., Comput. Phys. Commun. 181, 259, 2010). Use a power of two, 512 or
   /// more. Up to 1833 factors. Any first rows that are a multiple of d + 2 are the table of a smaller base.
-  saltelli
+  saltelli,
+  one_at_a_time [[deprecated("one_factor")]] = one_factor,
 };
 
 struct SamplingOptions {
   SamplingMethod method = SamplingMethod::sobol;
   std::uint64_t samples = 1024;  ///< 1 to 2^62; counts the items given at each method
   std::uint64_t seed = 0;
-  /// Base point of one_at_a_time: value of each factor in its unit, finite; empty: quantile 0.5 of each.
+  /// Base point of one_factor: value of each factor in its unit, finite; empty: quantile 0.5 of each.
   std::vector<double> base;
 };
 

@@ -143,8 +143,8 @@ class BoxSearch {
   BoxInCells now_;
 };
 
-constexpr double told_parts = 100;      // per mm: cell edges are proposed in whole parts
-constexpr double thickest_share = 0.5;  // of a cell edge: thicker walls leave no room between them
+constexpr double proposed_parts_per_mm = 100;  // per mm: cell edges are proposed in whole parts
+constexpr double thickest_share = 0.5;         // of a cell edge: thicker walls leave no room between them
 
 /// Returns the smallest possible miss with `shortest` cells along the shortest edge, for any cell edge and
 /// theta.
@@ -181,7 +181,7 @@ std::optional<BoxInCells> folded_with(BoxOptions options, int shortest, double t
   const BoxInCells about = BoxSearch(options, shortest).run();
   if (*std::max_element(about.edges.begin(), about.edges.end()) > targets::max_face_side) return std::nullopt;
   if (!(size_miss(about.folded_mm, options.asked_mm) <= tolerance)) return std::nullopt;
-  options.edge_mm = std::round(about.edge_mm * told_parts) / told_parts;
+  options.edge_mm = std::round(about.edge_mm * proposed_parts_per_mm) / proposed_parts_per_mm;
   if (!(options.size(*options.edge_mm).thickness_mm < thickest_share * *options.edge_mm)) return std::nullopt;
   return folded_within(options, tolerance);
 }

@@ -16,12 +16,12 @@ namespace kinetix::optim {
 namespace {
 
 // 22.5 deg per column: each finer choice widens the nets and needs one more search of all unfoldings.
-constexpr int most_columns_a_right_angle = 4;
+constexpr int most_columns_per_right_angle = 4;
 // Rad, precision of the largest free theta. More precision gains little theta, and each halving needs one
 // more motion.
 constexpr double precision = 0.25 * radians_per_degree;
 // Rad: tan(turn / 2), and with it the needed tilt, has no value at 180 deg.
-constexpr double largest_turn_of_a_column = 179 * radians_per_degree;
+constexpr double max_turn_per_column = 179 * radians_per_degree;
 
 /// Returns the columns of all creases. Unless the goal gives them, no column turns more than a right angle
 /// over `finer`.
@@ -40,18 +40,18 @@ bool all_columns_are_given(const targets::FoldNet& net) {
                      [](const targets::FoldCrease& crease) { return crease.columns > 0; });
 }
 
-double turn_of_a_column(const targets::FoldNet& net, const std::vector<int>& columns, std::size_t crease) {
+double turn_per_column(const targets::FoldNet& net, const std::vector<int>& columns, std::size_t crease) {
   return std::abs(net.creases[crease].angle) / columns[crease];
 }
 
 std::size_t steepest_crease(const targets::FoldNet& net, const std::vector<int>& columns) {
   std::size_t steepest = 0;
   for (std::size_t c = 1; c < columns.size(); ++c)
-    if (turn_of_a_column(net, columns, c) > turn_of_a_column(net, columns, steepest)) steepest = c;
+    if (turn_per_column(net, columns, c) > turn_per_column(net, columns, steepest)) steepest = c;
   return steepest;
 }
 
-constexpr const char* was_told_to_stop = "the search was told to stop";
+constexpr const char* is_stop_requested = "the search was told to stop";
 
 /// Reason why a net with given columns does not fold.
 struct Obstacle {
@@ -73,11 +73,11 @@ class NetSearch {
           fmt::format("walls of {:.3g} mm in cells of {:.3g} mm close at theta {:.1f} deg, below the range "
                       "asked for",
                       options_.size.thickness_mm, options_.size.edge_mm, to_degrees(upper_)));
-    const int finest = all_columns_are_given(goal_.nets[0]) ? 1 : most_columns_a_right_angle;
+    const int finest = all_columns_are_given(goal_.nets[0]) ? 1 : most_columns_per_right_angle;
     for (int finer = 1; finer <= finest && !design_.folds && !options_.stop.stop_requested(); ++finer)
       try_all(finer);
     design_.stopped = !design_.folds && options_.stop.stop_requested();
-    if (design_.stopped && design_.obstacles.empty()) add_obstacle(was_told_to_stop);
+    if (design_.stopped && design_.obstacles.empty()) add_obstacle(is_stop_requested);
     if (!design_.folds) take_the_nearest(finest);
     return std::move(design_);
   }
@@ -107,8 +107,8 @@ class NetSearch {
   std::optional<Obstacle> try_net(int index, const std::vector<int>& columns) {
     const targets::FoldNet& net = goal_.nets[index];
     const std::size_t c = steepest_crease(net, columns);
-    const double turn = columns.empty() ? 0 : turn_of_a_column(net, columns, c);
-    if (turn > largest_turn_of_a_column) return too_steep(net, columns, c, pi / 2);
+    const double turn = columns.empty() ? 0 : turn_per_column(net, columns, c);
+    if (turn > max_turn_per_column) return too_steep(net, columns, c, pi / 2);
     const double least = model::theta_of_turn(turn, options_.tilt);
     const double lower = std::max(options_.theta.lower, least);
     if (!(lower < upper_) || turn > model::crease_turn(options_.tilt, upper_))
@@ -144,7 +144,7 @@ class NetSearch {
     std::vector<Blocked> blocked;
     const int steps = static_cast<int>(std::ceil((upper_ - lower) / look_step));
     for (int k = steps; k >= 0; --k) {
-      if (options_.stop.stop_requested()) return Obstacle{was_told_to_stop, false, 0};
+      if (options_.stop.stop_requested()) return Obstacle{is_stop_requested, false, 0};
       FoldedNet net = folded(index, columns, lower + (upper_ - lower) * k / steps);
       const auto share = blocked_share(net);
       if (!share) return accept(index, refined(index, columns, std::move(net), k < steps));
@@ -176,7 +176,7 @@ class NetSearch {
   /// Returns whether the path is free up to this share. Checks backwards from there, since an obstacle mostly
   /// stays in the way.
   bool is_free_to(const FoldedNet& net, double share) const {
-    LooksOnTheWay looks = looks_at(net);
+    MotionOverlapSearch looks = looks_at(net);
     if (!looks.touching_at_rest().empty()) return false;
     std::vector<double> thetas = looks_up_to(net.theta);
     std::erase_if(thetas, [&](double theta) { return theta / net.theta > share; });
@@ -209,7 +209,7 @@ class NetSearch {
     return std::nullopt;
   }
 
-  LooksOnTheWay looks_at(const FoldedNet& net) const {
+  MotionOverlapSearch looks_at(const FoldedNet& net) const {
     return {net.structure, options_.clearance,
             [&net](double theta) { return fold_net(net.tree, net.structure, theta); }, options_.threads};
   }
@@ -218,7 +218,7 @@ class NetSearch {
   /// end, where most walls meet.
   std::optional<double> blocked_share(const FoldedNet& net) {
     ++design_.evaluations;
-    LooksOnTheWay looks = looks_at(net);
+    MotionOverlapSearch looks = looks_at(net);
     if (!looks.touching_at_rest().empty()) return 0;
     std::vector<double> thetas = looks_up_to(net.theta);
     std::reverse(thetas.begin(), thetas.end());
@@ -229,7 +229,7 @@ class NetSearch {
 
   /// Returns the first obstacle of a motion. @pre the motion is blocked
   Obstacle first_obstacle(const FoldedNet& net) const {
-    LooksOnTheWay looks = looks_at(net);
+    MotionOverlapSearch looks = looks_at(net);
     if (!looks.touching_at_rest().empty()) return described(net, looks.touching_at_rest().front(), 0);
     const std::vector<double> thetas = looks_up_to(net.theta);
     const auto overlap = looks.first_overlap(thetas);

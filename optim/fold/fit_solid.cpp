@@ -73,7 +73,7 @@ class SolidSearch {
   double free_to() {
     ++design_.evaluations;
     const model::ExactMotion motion = exact_motion(design_.net.structure);
-    LooksOnTheWay looks(
+    MotionOverlapSearch looks(
         design_.net.structure, options_.clearance, [&](double theta) { return motion.at(theta); },
         options_.threads);
     if (!looks.touching_at_rest().empty()) return 0;

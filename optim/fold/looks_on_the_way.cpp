@@ -26,13 +26,14 @@ std::vector<double> looks_up_to(double theta) {
   return out;
 }
 
-LooksOnTheWay::LooksOnTheWay(model::Linkage structure, double clearance,
-                             std::function<model::State(double)> state, int threads)
+MotionOverlapSearch::MotionOverlapSearch(model::Linkage structure, double clearance,
+                                         std::function<model::State(double)> state, int threads)
     : state_(std::move(state)),
       most_(model::threads_of(threads)),
       contacts_{model::WallContact(thickened(std::move(structure), clearance))} {}
 
-std::optional<LooksOnTheWay::Overlap> LooksOnTheWay::first_overlap(const std::vector<double>& thetas) {
+std::optional<MotionOverlapSearch::Overlap> MotionOverlapSearch::first_overlap(
+    const std::vector<double>& thetas) {
   const int count = static_cast<int>(thetas.size()), most = std::min(most_, count);
   // The first state is checked alone: if walls collide, they mostly do there.
   for (int first = 0, now = 1; first < count; first += now, now = std::min(most, count - first)) {

@@ -17,12 +17,12 @@ inline constexpr double look_step = 1 * radians_per_degree;
 std::vector<double> looks_up_to(double theta);
 
 /// Checks states on the path of a fold for overlapping walls, several in parallel.
-class LooksOnTheWay {
+class MotionOverlapSearch {
  public:
   /// @param clearance added to the thickness and height of walls for the checks, cell edges.
   /// @param state at a theta, rad; called from any of the threads   @param threads >= 0; 0 = all cores
-  LooksOnTheWay(model::Linkage structure, double clearance, std::function<model::State(double)> state,
-                int threads);
+  MotionOverlapSearch(model::Linkage structure, double clearance, std::function<model::State(double)> state,
+                      int threads);
 
   /// Returns the pairs that overlap or touch in the flat state.
   const std::vector<model::WallPair>& touching_at_rest() const { return contacts_[0].touching_at_rest(); }

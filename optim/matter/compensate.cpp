@@ -72,13 +72,13 @@ VectorXd by_variables(const std::vector<TiltTie>& ties, const model::DesignSensi
 
 class MatterSearch {
  public:
-  MatterSearch(const InMatter& start, const model::Elasticity& elasticity, const MatterGoal& goal,
+  MatterSearch(const ElasticFit& start, const model::Elasticity& elasticity, const ElasticGoal& goal,
                const CompensationOptions& options)
       : elasticity_(elasticity), goal_(goal), options_(options), variables_(start.sheet, options) {
     path_.contact = options.contact;
   }
 
-  Compensation run(InMatter at) {
+  Compensation run(ElasticFit at) {
     Compensation out;
     at.rms_mm = rms(at);
     out.before = at;
@@ -103,7 +103,7 @@ class MatterSearch {
 
  private:
   /// Tries steps with more and more damping until one helps or the limit of damping is reached.
-  void step(InMatter& at, VectorXd& x, double& damping, Compensation& out) {
+  void step(ElasticFit& at, VectorXd& x, double& damping, Compensation& out) {
     const auto found = deviation_jacobian(at, variables_.ties(), elasticity_, goal_, options_.contact);
     if (!found) {
       out.why = "the equilibrium is at a limit: its derivatives are not known";
@@ -119,7 +119,7 @@ class MatterSearch {
       const VectorXd full = SymmetricFactor(damped).solve(slope);
       const double part = std::min(1.0, longest_change / std::max(full.cwiseAbs().maxCoeff(), 1e-300));
       const VectorXd tried = variables_.within(x - part * full, at.theta);
-      const std::optional<InMatter> next = follow(at, x, tried);
+      const std::optional<ElasticFit> next = follow(at, x, tried);
       if (!next || !(next->rms_mm < at.rms_mm)) continue;
       const double gain = at.rms_mm - next->rms_mm;
       const bool is_last = !(gain > least_gain * at.rms_mm);
@@ -133,7 +133,7 @@ class MatterSearch {
   }
 
   /// Returns the equilibrium that a state changes into while tilts and theta change.
-  std::optional<InMatter> follow(const InMatter& at, const VectorXd& from, const VectorXd& to) const {
+  std::optional<ElasticFit> follow(const ElasticFit& at, const VectorXd& from, const VectorXd& to) const {
     const auto changed = [&](double part) {
       const VectorXd x = from + part * (to - from);
       const model::Lattice sheet = variables_.sheet(x);
@@ -141,18 +141,18 @@ class MatterSearch {
     };
     const model::EquilibriumPath path = follow_change(at.state, changed, elasticity_, path_);
     if (path.stop != model::EquilibriumPath::Stop::reached) return std::nullopt;
-    InMatter out{variables_.sheet(to), variables_.theta(to), path.state};
+    ElasticFit out{variables_.sheet(to), variables_.theta(to), path.state};
     out.rms_mm = rms(out);
     return std::isfinite(out.rms_mm) ? std::optional(out) : std::nullopt;
   }
 
-  double rms(const InMatter& at) const {
+  double rms(const ElasticFit& at) const {
     const std::vector<model::ObservedPoint> observed = goal_.observe(at.sheet, at.state);
     return model::ObservedPoints(observed, true).rms_mm();
   }
 
   const model::Elasticity& elasticity_;
-  const MatterGoal& goal_;
+  const ElasticGoal& goal_;
   const CompensationOptions options_;
   const Variables variables_;
   model::EquilibriumPathOptions path_;
@@ -160,9 +160,9 @@ class MatterSearch {
 
 }  // namespace
 
-std::optional<DeviationJacobian> deviation_jacobian(const InMatter& at, const std::vector<TiltTie>& ties,
+std::optional<DeviationJacobian> deviation_jacobian(const ElasticFit& at, const std::vector<TiltTie>& ties,
                                                     const model::Elasticity& elasticity,
-                                                    const MatterGoal& goal, bool contact) {
+                                                    const ElasticGoal& goal, bool contact) {
   model::ElasticSystem system(at.sheet, elasticity, goal.drive(at.sheet, at.theta), false, contact);
   model::State state = at.state;
   model::TangentStiffness tangent(system.dofs());
@@ -181,7 +181,7 @@ std::optional<DeviationJacobian> deviation_jacobian(const InMatter& at, const st
   return usable ? std::optional(std::move(out)) : std::nullopt;
 }
 
-Compensation compensate(const InMatter& start, const model::Elasticity& elasticity, const MatterGoal& goal,
+Compensation compensate(const ElasticFit& start, const model::Elasticity& elasticity, const ElasticGoal& goal,
                         const CompensationOptions& options) {
   return MatterSearch(start, elasticity, goal, options).run(start);
 }

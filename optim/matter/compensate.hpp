@@ -14,7 +14,7 @@
 namespace kinetix::optim {
 
 /// Goal of an equilibrium.
-struct MatterGoal {
+struct ElasticGoal {
   /// Returns the deviations of a state's points from the goal, in the state's own frame. Empty: unknown.
   std::function<std::vector<model::ObservedPoint>(const model::Lattice&, const model::State&)> observe;
   /// Returns the drive that moves a sheet to theta, rad.
@@ -34,7 +34,7 @@ struct CompensationOptions {
 };
 
 /// Sheet in equilibrium with its drive.
-struct InMatter {
+struct ElasticFit {
   model::Lattice sheet;
   double theta = 0;  ///< rad, of the drive
   model::State state;
@@ -42,7 +42,7 @@ struct InMatter {
 };
 
 struct Compensation {
-  InMatter before, after;
+  ElasticFit before, after;
   double largest_change = 0;  ///< of a tilt, rad
   int rounds = 0;             ///< steps tried
   std::string why;            ///< reason for the end
@@ -56,16 +56,16 @@ struct DeviationJacobian {
 
 /// Computes the derivatives by the adjoint. @param at in equilibrium
 /// @return nullopt at a limit of the equilibrium
-std::optional<DeviationJacobian> deviation_jacobian(const InMatter& at, const std::vector<TiltTie>& ties,
+std::optional<DeviationJacobian> deviation_jacobian(const ElasticFit& at, const std::vector<TiltTie>& ties,
                                                     const model::Elasticity& elasticity,
-                                                    const MatterGoal& goal, bool contact);
+                                                    const ElasticGoal& goal, bool contact);
 
 /// Changes a sheet with elastic hinges so that its equilibrium meets the goal. Springs resist the fold and
 /// blocks stretch, so an exact design misses its goal with elastic hinges. Tilts (tied, options.ties) and
 /// theta change by Levenberg-Marquardt steps with derivatives by the adjoint. The equilibrium is followed
 /// from step to step.
 /// @param start in equilibrium   @throws InvalidInput for an elasticity out of range
-Compensation compensate(const InMatter& start, const model::Elasticity& elasticity, const MatterGoal& goal,
+Compensation compensate(const ElasticFit& start, const model::Elasticity& elasticity, const ElasticGoal& goal,
                         const CompensationOptions& options = {});
 
 }  // namespace kinetix::optim

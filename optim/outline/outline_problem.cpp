@@ -286,7 +286,7 @@ std::vector<double> lengths_along(const std::vector<Vector2d>& polygon) {
 }  // namespace
 
 std::vector<Vector2d> spread_along(const targets::Outline& outline, const std::vector<Vector2d>& rim) {
-  constexpr int shifts_a_vertex = 4;
+  constexpr int shifts_per_vertex = 4;
   const std::vector<double> along = lengths_along(rim);
   Vector2d middle = Vector2d::Zero();
   for (const Vector2d& p : rim) middle += p / static_cast<double>(rim.size());
@@ -298,7 +298,7 @@ std::vector<Vector2d> spread_along(const targets::Outline& outline, const std::v
   };
   std::vector<Vector2d> best;
   double least = std::numeric_limits<double>::infinity();
-  const int count = shifts_a_vertex * static_cast<int>(rim.size());
+  const int count = shifts_per_vertex * static_cast<int>(rim.size());
   for (int k = 0; k < count; ++k) {
     std::vector<Vector2d> places = spread(static_cast<double>(k) / count);
     double sum = 0;

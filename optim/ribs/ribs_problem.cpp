@@ -152,7 +152,7 @@ void RibsProblem::fill(const model::NetMotion& motion, const VectorXd& x, bool w
   const int own = is_part ? parts_[part] : 0, rows = residuals_[part];
   block.r.setZero(rows);
   block.by_shared.setZero(with_derivatives ? rows : 0, shared());
-  block.by_own.setZero(with_derivatives ? rows : 0, own);
+  block.by_local.setZero(with_derivatives ? rows : 0, own);
   int row = 0;
   for (const Probe& probe : probes_[part]) fill_probe(motion, x, with_derivatives, part, probe, row++, block);
   const int first = is_part ? first_[part] : fixed_shared;
@@ -160,7 +160,7 @@ void RibsProblem::fill(const model::NetMotion& motion, const VectorXd& x, bool w
   for (int k = 0; k < tilts; ++k, ++row) {
     block.r[row] = weight_of_tilts * x[first + k];
     if (with_derivatives)
-      (is_part ? block.by_own(row, k) : block.by_shared(row, fixed_shared + k)) = weight_of_tilts;
+      (is_part ? block.by_local(row, k) : block.by_shared(row, fixed_shared + k)) = weight_of_tilts;
   }
   if (!is_part) fill_ends(motion, x, with_derivatives, row, block);
 }
@@ -200,7 +200,7 @@ void RibsProblem::fill_probe(const model::NetMotion& motion, const VectorXd& x, 
   if (!with_derivatives) return;
   const VectorXd by = scale * derivatives_of(motion, x, probe, closest.normal, part);
   block.by_shared.row(row) = by.head(shared());
-  if (const auto own = by.size() - shared(); own > 0) block.by_own.row(row) = by.tail(own);
+  if (const auto own = by.size() - shared(); own > 0) block.by_local.row(row) = by.tail(own);
 }
 
 void RibsProblem::fill_ends(const model::NetMotion& motion, const VectorXd& x, bool with_derivatives, int row,

@@ -9,7 +9,7 @@ namespace kinetix::optim {
 struct ResidualBlock {
   Eigen::VectorXd r;
   Eigen::MatrixXd by_shared;  ///< r.size() x shared variables
-  Eigen::MatrixXd by_own;     ///< r.size() x the variables of its part; no columns in the last block
+  Eigen::MatrixXd by_local;   ///< r.size() x the variables of its part; no columns in the last block
 };
 
 /// Least-squares problem: minimise |r(x)|^2 / 2 subject to lower <= x <= upper, where x = (shared variables,

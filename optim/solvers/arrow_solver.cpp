@@ -113,9 +113,9 @@ class BlockCost final : public ceres::CostFunction {
     const ResidualBlock& block = evaluation_.block(block_);
     Eigen::Map<VectorXd>(residuals, block.r.size()) = block.r;
     if (!jacobians) return true;
-    if (own_) fill(block.by_own, jacobians[0]);
+    if (own_) fill(block.by_local, jacobians[0]);
     fill(block.by_shared, jacobians[own_ ? 1 : 0]);
-    return block.by_shared.allFinite() && block.by_own.allFinite();
+    return block.by_shared.allFinite() && block.by_local.allFinite();
   }
 
  private:
@@ -262,7 +262,7 @@ StackedResiduals stacked(const ArrowProblem& problem, const std::vector<Residual
     const ResidualBlock& block = blocks[k];
     out.r.segment(row, block.r.size()) = block.r;
     out.J.block(row, 0, block.r.size(), problem.shared()) = block.by_shared;
-    if (k < from.size()) out.J.block(row, from[k], block.r.size(), problem.parts()[k]) = block.by_own;
+    if (k < from.size()) out.J.block(row, from[k], block.r.size(), problem.parts()[k]) = block.by_local;
     row += block.r.size();
   }
   return out;

@@ -36,8 +36,8 @@ class BestSoFar {
 
   bool target_reached() const { return options_.target > 0 && result_.residual_norm <= options_.target; }
   bool out_of_evaluations() const { return result_.evaluations >= options_.max_evaluations; }
-  bool told_to_stop() const { return options_.stop.stop_requested(); }
-  bool should_stop() const { return target_reached() || out_of_evaluations() || told_to_stop(); }
+  bool has_stop_request() const { return options_.stop.stop_requested(); }
+  bool should_stop() const { return target_reached() || out_of_evaluations() || has_stop_request(); }
 
   /// Returns the result of the search.
   /// @param status, why as the solver reports them. A stop, the target, an exception, and a search without
@@ -47,7 +47,7 @@ class BestSoFar {
     if (out_of_memory_) throw std::bad_alloc();
     result_.status = status;
     result_.why = std::move(why);
-    if (told_to_stop()) {
+    if (has_stop_request()) {
       result_.status = SolveStatus::stopped;
       result_.why = "stopped";
     }

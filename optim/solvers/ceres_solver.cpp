@@ -30,9 +30,9 @@ class Cost final : public ceres::CostFunction {
   mutable Eigen::MatrixXd J_;
 };
 
-class StopWhenTold final : public ceres::IterationCallback {
+class StopOnRequest final : public ceres::IterationCallback {
  public:
-  explicit StopWhenTold(const BestSoFar& best) : best_(best) {}
+  explicit StopOnRequest(const BestSoFar& best) : best_(best) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
     return best_.should_stop() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
@@ -93,7 +93,7 @@ SolveResult solve_with_ceres(const LeastSquaresProblem& problem, const Eigen::Ve
     if (std::isfinite(problem.upper()[k]))
       ceres_problem.SetParameterUpperBound(x.data(), k, problem.upper()[k]);
   }
-  StopWhenTold stop(best);
+  StopOnRequest stop(best);
   ceres::Solver::Options ceres_settings = ceres_options(options);
   ceres_settings.callbacks.push_back(&stop);
   ceres::Solver::Summary summary;

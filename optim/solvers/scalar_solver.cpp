@@ -33,7 +33,7 @@ struct NloptSearch {
   bool broke = false;
 
   double operator()(const std::vector<double>& at, std::vector<double>& gradient) {
-    if (result.evaluations >= options.max_evaluations || told_to_stop()) throw nlopt::forced_stop();
+    if (result.evaluations >= options.max_evaluations || has_stop_request()) throw nlopt::forced_stop();
     const VectorXd x = Eigen::Map<const VectorXd>(at.data(), at.size());
     double f = 0;
     VectorXd slope;
@@ -61,7 +61,7 @@ struct NloptSearch {
   }
 
   /// Returns whether to stop. The search needs at least one result first.
-  bool told_to_stop() const { return options.stop.stop_requested() && std::isfinite(result.cost); }
+  bool has_stop_request() const { return options.stop.stop_requested() && std::isfinite(result.cost); }
 
   static double call(const std::vector<double>& x, std::vector<double>& gradient, void* self) {
     return (*static_cast<NloptSearch*>(self))(x, gradient);
@@ -96,7 +96,7 @@ ScalarResult solve(ScalarProblem& problem, const VectorXd& start, const SolverOp
   } catch (const nlopt::forced_stop&) {
     if (search.broke)
       return search.finish(SolveStatus::cannot_evaluate, "no equilibrium of the panel was found there");
-    if (search.told_to_stop()) return search.finish(SolveStatus::stopped, "stopped");
+    if (search.has_stop_request()) return search.finish(SolveStatus::stopped, "stopped");
     return search.finish(SolveStatus::evaluation_limit, "evaluation limit");
   } catch (const nlopt::roundoff_limited&) {
     return search.finish(SolveStatus::stalled, "rounding errors stopped the progress");

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double as_good_a_fit = 1.1;  // times the least error: within this, the remaining room decides
+constexpr double max_error_ratio = 1.1;  // times the least error: within this, the remaining room decides
 
 /// Returns the limits of the columns at theta.
 SpaceLimits limits_at(const SpaceVariables& v, double theta) {
@@ -183,7 +183,7 @@ class StripSearch {
     std::size_t chosen = all.size();
     double use = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < all.size(); ++k) {
-      if (!(rank(all[k]) <= as_good_a_fit * least) || !(use_of(all[k], v_, upper) < use)) continue;
+      if (!(rank(all[k]) <= max_error_ratio * least) || !(use_of(all[k], v_, upper) < use)) continue;
       chosen = k;
       use = use_of(all[k], v_, upper);
     }

@@ -156,8 +156,8 @@ bool SpaceFit::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::Mat
   };
   const auto fixed = [](const Vector3d& p) { return Nearest{p, Eigen::Matrix3d::Identity()}; };
   for (int column = 0; column < columns_; ++column)
-    for (int k = 0; k < places_a_column; ++k) {
-      const double f = (k + 0.5) / places_a_column;
+    for (int k = 0; k < places_per_column; ++k) {
+      const double f = (k + 0.5) / places_per_column;
       const double s = chain.arc(column, f) / chain.length() * goal_.length();
       add(column, f, nearest_from(goal_, s, chain.place(column, f)));
     }

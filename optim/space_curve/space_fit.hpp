@@ -45,7 +45,7 @@ class SpaceFit final : public LeastSquaresProblem {
   SpaceFit(const targets::SpaceCurve& goal, double scale, const SpaceStrip& first, const SpaceLimits& limits);
 
   int variables() const override { return columns_ + 5; }
-  int residuals() const override { return 3 * (places_a_column * columns_ + 2); }
+  int residuals() const override { return 3 * (places_per_column * columns_ + 2); }
   const Eigen::VectorXd& lower() const override { return lower_; }
   const Eigen::VectorXd& upper() const override { return upper_; }
   bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) const override;
@@ -55,7 +55,7 @@ class SpaceFit final : public LeastSquaresProblem {
   Eigen::VectorXd pack(const SpaceStrip& strip) const;
 
   /// Number of places per column. Its ends also count for its neighbours.
-  static constexpr int places_a_column = 2;
+  static constexpr int places_per_column = 2;
 
  private:
   const targets::SpaceCurve& goal_;

@@ -26,7 +26,7 @@ constexpr double least_progress =
     1e-5;                  // of the cost, per step: below, a sheet creeps along a valley for hundreds of
                            // steps
 constexpr int longer = 2;  // iterations of the second stage over those requested: most searches end earlier
-constexpr int shaken_a_round =
+constexpr int shaken_per_round =
     4;  // searches from the best sheet: few, so that each round soon starts from a better one
 /// Standard deviation of shakes, in logarithms of multipliers, rad and mean edges. Twice as much mostly ruins
 /// a sheet, and a tenth leads back to the same minimum.
@@ -247,14 +247,14 @@ SurfaceDesign after_shakes(Run best_run, SurfaceDesign best, const SurfaceOption
     progress("search anew", static_cast<double>(round) / options.shakes,
              fmt::format("round {} of {}, best {:.2g} mm off", round + 1, options.shakes,
                          best.error.rms * diagonal));
-    std::vector<Run> runs(shaken_a_round, best_run);
-    std::vector<SurfaceDesign> designs(shaken_a_round);
-    model::run_in_parallel(shaken_a_round, options.threads, [&](int k) {
-      designs[k] = runs[k].shaken(static_cast<unsigned>(round * shaken_a_round + k));
+    std::vector<Run> runs(shaken_per_round, best_run);
+    std::vector<SurfaceDesign> designs(shaken_per_round);
+    model::run_in_parallel(shaken_per_round, options.threads, [&](int k) {
+      designs[k] = runs[k].shaken(static_cast<unsigned>(round * shaken_per_round + k));
     });
     const auto found = std::min_element(designs.begin(), designs.end(), fits_better) - designs.begin();
     for (const SurfaceDesign& design : designs) best.evaluations += design.evaluations;
-    best.shakes += shaken_a_round;
+    best.shakes += shaken_per_round;
     if (!fits_better(designs[found], best)) continue;
     designs[found].evaluations = best.evaluations;
     designs[found].shakes = best.shakes;

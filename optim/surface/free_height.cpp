@@ -5,9 +5,9 @@
 namespace kinetix::optim {
 namespace {
 
-constexpr int states = 40;            // of the motion: a body turns by less than a degree between two
-constexpr double least = 0.02;        // cell edges: lower walls are threads
-constexpr double to_a_layer = 0.005;  // cell edges: finer than a layer of a print
+constexpr int states = 40;                  // of the motion: a body turns by less than a degree between two
+constexpr double least = 0.02;              // cell edges: lower walls are threads
+constexpr double height_tolerance = 0.005;  // cell edges: finer than a layer of a print
 
 bool is_free_at(model::OrigamiSheet sheet, double theta, double height) {
   sheet.structure.size.height_mm = height * sheet.structure.size.edge_mm;
@@ -27,7 +27,7 @@ double free_height(const model::OrigamiSheet& sheet, double theta, double most) 
   if (!is_free_at(sheet, theta, least)) return 0;
   if (is_free_at(sheet, theta, most)) return most;
   double low = least, high = most;
-  while (high - low > to_a_layer) {
+  while (high - low > height_tolerance) {
     const double middle = (low + high) / 2;
     (is_free_at(sheet, theta, middle) ? low : high) = middle;
   }

@@ -11,7 +11,7 @@ void add_designs(pybind11::module_& core);
 void add_strips(pybind11::module_& core);
 void add_results(pybind11::module_& core);
 void add_runs(pybind11::module_& core);
-void add_own_goals(pybind11::module_& core);
+void add_custom_goals(pybind11::module_& core);
 void add_exports(pybind11::module_& core);
 
 }  // namespace kinetix::python

@@ -47,7 +47,7 @@ void set_hinges(model::Lattice& sheet, HingeField field, const std::string& name
 /// Refuses offsets that files refuse: the design could not be saved.
 void check_offsets_as_made(const app::Design& file) {
   for (int h = 0; h < file.structure.hinges(); ++h)
-    if (const auto why = app::why_offset_does_not_fit(file, h))
+    if (const auto why = app::find_offset_misfit(file, h))
       throw InvalidInput("offset_mm of wall " + wall_name(file.structure, h) + ": " + *why);
 }
 
@@ -114,13 +114,13 @@ std::vector<std::string> wall_names(const PythonDesign& design) {
 }
 
 /// Returns theta to which the design's drive takes its closed form.
-double own_theta(const PythonDesign& design) {
+double custom_theta(const PythonDesign& design) {
   return app::exact_theta_of(design.file(), design.needed_exact());
 }
 
 py::array exact_poses(const PythonDesign& design, std::optional<double> theta) {
   if (theta) check_theta("theta", *theta);
-  const model::State state = design.needed_exact().at(theta ? *theta : own_theta(design));
+  const model::State state = design.needed_exact().at(theta ? *theta : custom_theta(design));
   std::vector<double> rows(state.size() * pose_numbers);
   write_poses(state, rows.data());
   return taken(std::move(rows), {static_cast<py::ssize_t>(state.size()), pose_numbers});
@@ -195,7 +195,7 @@ void add_designs(py::module_& core) {
       .def("fold", fold_all)
       .def("derivatives", [](const PythonDesign& d, std::optional<double> theta) {
         if (theta) check_theta("theta", *theta);
-        return exact_jacobian(d, theta ? *theta : own_theta(d));
+        return exact_jacobian(d, theta ? *theta : custom_theta(d));
       });
 }
 

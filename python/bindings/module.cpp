@@ -15,6 +15,6 @@ PYBIND11_MODULE(_core, core) {
   add_strips(core);
   add_results(core);
   add_runs(core);
-  add_own_goals(core);
+  add_custom_goals(core);
   add_exports(core);
 }

@@ -13,8 +13,8 @@ Source = Union[str, "os.PathLike[str]", Mapping[str, Any]]
 """A file's path, or a dict with the keys that such a file has (docs/formats.md)."""
 
 
-def _text(key: str, what_is_wrong: str) -> InvalidInput:
-    return InvalidInput(f"{key}: {what_is_wrong}" if key else what_is_wrong, what_is_wrong, key=key)
+def _text(key: str, fault_text: str) -> InvalidInput:
+    return InvalidInput(f"{key}: {what_is_wrong}" if key else fault_text, fault_text, key=key)
 
 
 def _number(value: float, key: str) -> str:

@@ -15,7 +15,7 @@ class InvalidInput(ValueError):
     reason: str
     """The text without the place."""
     file: str
-    """As the caller named it; empty where there is none."""
+    """Path as the caller gave it; empty if there is none."""
     line: int
     """From 1; 0 where it is not known."""
     column: int

@@ -35,7 +35,7 @@ class Verdict(NamedTuple):
     reaches: Optional[bool]
     """The drive takes the sheet there."""
     hinges: Dict[str, str]
-    """Of each flag that is not None, the kind of hinge that it speaks of."""
+    """Kind of hinge for each flag that is not None."""
     problems: List[Problem]
     """Errors first; there is an error if and only if a flag is false."""
 

@@ -43,7 +43,7 @@ def optimise(target: Union[Source, Goal], *, folder: "str | os.PathLike[str]" = 
     """
     choice = _core.choice(threads, seed, verify, prints, fidelity, time_limit_s, progress)
     if isinstance(target, Goal):
-        return Result(_core.optimise_own(target._core, choice))
+        return Result(_core.optimise_custom(target._core, choice))
     return Result(_core.optimise(_target(target, folder), choice))
 
 
@@ -81,7 +81,7 @@ class Exported(NamedTuple):
     files: List[str]
     """Names in the folder."""
     print: Dict[str, Any]
-    """What print.json holds: bodies, hinges, volumes, bounds, warnings."""
+    """Content of print.json: bodies, hinges, volumes, bounds, warnings."""
 
 
 def export(design: Union[Design, Source, Result], formats: Union[str, Sequence[str]],

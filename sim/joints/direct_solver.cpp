@@ -136,7 +136,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
         append_joint(m_tmpSolverNonContactConstraintPool[k]);
     if (pushed_.size() != one_sided_.size()) pushed_.assign(one_sided_.size(), true);
     for (std::size_t k = 0; k < pushed_.size(); ++k) one_sided_[k].pushes = pushed_[k];
-    if (settings_.elastic || has_hand()) append_own(step);
+    if (settings_.elastic || has_hand()) append_local(step);
     two_sided_ = rows_.size();
     append_contacts();
   }
@@ -189,7 +189,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
       const Eigen::VectorXd velocities = system_.velocities();
       if (!settings_.elastic || fastest_after(velocities) * step <= longest_step) return velocities;
     }
-    factorise_what_resists();
+    factorise_resisting_rows();
     return system_.velocities();
   }
 
@@ -216,7 +216,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     }
   }
 
-  void factorise_what_resists() {
+  void factorise_resisting_rows() {
     for (VelocityRow& row : rows_)
       if (row.weight < 0) row.weight = 0;
     system_.factorise(masses_, rows_, settings_.joint_stiffness);
@@ -237,7 +237,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
   bool has_hand() const { return settings_.hand && !settings_.hand->is_empty(); }
 
   /// Appends the rows that the engine does not have.
-  void append_own(double step) {
+  void append_local(double step) {
     const Motion now = motion();
     if (settings_.elastic) append(settings_.elastic->rows(now.state, now.speeds, step), now);
     if (has_hand()) append(settings_.hand->rows(now.state, now.speeds, step), now);

@@ -11,7 +11,7 @@ namespace kinetix::targets {
 /// Invalid curve, with the point at fault.
 class InvalidCurve : public InvalidInput {
  public:
-  InvalidCurve(const std::string& what_is_wrong, int point) : InvalidInput(what_is_wrong), point_(point) {}
+  InvalidCurve(const std::string& fault_text, int point) : InvalidInput(fault_text), point_(point) {}
   /// Index of the (last) point at fault, from 0; -1 when the whole curve is.
   int point() const { return point_; }
 

@@ -12,7 +12,7 @@ namespace {
 
 // Columns per character, and rows: a margin of one cell leaves 8, in which strokes and gaps of a capital are one or
 // two cells wide.
-constexpr int default_cells_a_character = 10;
+constexpr int default_cells_per_character = 10;
 // Words of the key `levels`.
 constexpr Word<ImageLevels> levels_words[] = {{"2", ImageLevels::two}, {"grey", ImageLevels::grey}};
 // End of messages about a target with no source of its picture, or with several.
@@ -31,8 +31,8 @@ DisplayGoal read_glyph(const Section& target, const Node& glyph, const std::opti
   target.node().reject_unknown_keys(display_target_keys().only("glyph").names());
   const std::string text = glyph.text("a letter or a short word");
   const auto font_key = target.optional("font");
-  const int columns = default_cells_a_character * count_letters(text);
-  const PanelSize cells = size.value_or(PanelSize{columns, default_cells_a_character});
+  const int columns = default_cells_per_character * count_letters(text);
+  const PanelSize cells = size.value_or(PanelSize{columns, default_cells_per_character});
   if (!font_key) return glyph.located([&] { return glyph_goal(text, cells[0], cells[1], cell_shape); });
   const std::string name = font_key->text("the name of an installed font");
   const FontFile font = font_key->located([&] { return find_font(name); });

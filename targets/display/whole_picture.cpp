@@ -14,7 +14,7 @@ constexpr double speck = 1.0 / 500;
 // whole letters. More would let a stroke disappear.
 constexpr double most_lost = 1.0 / 25;
 // Largest side, px: two per cell of the longest allowed side, since strokes are found in quarters of cells.
-constexpr int most_pixels_a_side = 2 * max_panel_side;
+constexpr int most_pixels_per_side = 2 * max_panel_side;
 
 double share_of_ink(const Picture& picture) {
   double sum = 0;
@@ -24,7 +24,7 @@ double share_of_ink(const Picture& picture) {
 
 Picture reduced(const Picture& picture) {
   const double factor =
-      std::max(1.0, static_cast<double>(std::max(picture.width, picture.height)) / most_pixels_a_side);
+      std::max(1.0, static_cast<double>(std::max(picture.width, picture.height)) / most_pixels_per_side);
   if (factor == 1) return picture;
   Picture out{std::max(1, static_cast<int>(picture.width / factor)),
               std::max(1, static_cast<int>(picture.height / factor)),

@@ -37,13 +37,11 @@ Place Node::place() const {
   return {tree_->file, item.line, item.column, tree_->path(item_)};
 }
 
-InvalidInput Node::error(const std::string& what_is_wrong) const {
-  return InvalidInput(what_is_wrong, place());
-}
+InvalidInput Node::error(const std::string& fault_text) const { return InvalidInput(fault_text, place()); }
 
-InvalidInput Node::key_error(const std::string& what_is_wrong) const {
+InvalidInput Node::key_error(const std::string& fault_text) const {
   const Tree::Item& item = tree_->items[item_];
-  return InvalidInput(what_is_wrong, {tree_->file, item.key_line, item.key_column, tree_->path(item_)});
+  return InvalidInput(fault_text, {tree_->file, item.key_line, item.key_column, tree_->path(item_)});
 }
 
 std::string Node::folder() const { return std::filesystem::path(tree_->file).parent_path().string(); }

@@ -26,9 +26,9 @@ class Node {
   Kind kind() const;
   /// The dotted path includes list positions from 0: "design.hinges[2].wall[0]".
   Place place() const;
-  InvalidInput error(const std::string& what_is_wrong) const;
+  InvalidInput error(const std::string& fault_text) const;
   /// error() at the place of the key, not of its value. @pre a value in a map
-  InvalidInput key_error(const std::string& what_is_wrong) const;
+  InvalidInput key_error(const std::string& fault_text) const;
   /// Folder of the document; relative paths inside it start there.
   std::string folder() const;
   /// The document that the value is part of.

@@ -47,7 +47,7 @@ class Section {
   bool given() const { return node_.has_value(); }
   /// @pre given
   const Node& node() const { return *node_; }
-  InvalidInput error(const std::string& what_is_wrong) const { return node_->error(what_is_wrong); }
+  InvalidInput error(const std::string& fault_text) const { return node_->error(fault_text); }
 
   /// Whether the table has the key.
   bool knows(std::string_view key) const;

@@ -248,13 +248,14 @@ class Unfolding {
   Motion beside(const SolidEdge& edge, int at) const {
     const bool forth = edge.first == at;
     const int other = forth ? edge.second : edge.first;
-    const std::size_t own_side = forth ? edge.first_side : edge.second_side,
+    const std::size_t local_side = forth ? edge.first_side : edge.second_side,
                       other_side = forth ? edge.second_side : edge.first_side;
     const Points &own = polygons_[at], &far = polygons_[other];
-    const Vector2d along = placed_[at].R * (own[(own_side + 1) % own.size()] - own[own_side]).normalized(),
+    const Vector2d along =
+                       placed_[at].R * (own[(local_side + 1) % own.size()] - own[local_side]).normalized(),
                    back = (far[(other_side + 1) % far.size()] - far[other_side]).normalized();
-    const double apart = columns_ - 2 * insets_[at][own_side];
-    const Vector2d corner = placed_[at](own[own_side]) - apart * left_of(along);
+    const double apart = columns_ - 2 * insets_[at][local_side];
+    const Vector2d corner = placed_[at](own[local_side]) - apart * left_of(along);
     return onto(far[(other_side + 1) % far.size()], back, corner, -along);
   }
 

@@ -31,8 +31,8 @@ class Dome {
     find_neighbours();
     for (const Vector3d& direction : grid_.vertices)
       radius_.push_back(head.tree().farthest_hit(core, direction).value_or(0));
-    forget_what_is_seen_through_holes(head);
-    open_what_reaches_the_rim();
+    drop_faces_seen_through_holes(head);
+    open_holes_at_rim();
   }
 
   HeadDome closed() {
@@ -83,7 +83,7 @@ class Dome {
 
   /// Removes what is seen through holes. Cliffs divide the dome. Of two parts that meet at a cliff, the smaller is
   /// removed if most of it lies inside the head. (A part that protrudes, such as an ear, does not.)
-  void forget_what_is_seen_through_holes(const MeshSolid& head) {
+  void drop_faces_seen_through_holes(const MeshSolid& head) {
     UnionFind parts(grid_.vertices.size());
     std::vector<std::pair<int, int>> cliffs;
     for (int v = 0; v < static_cast<int>(grid_.vertices.size()); ++v)
@@ -111,7 +111,7 @@ class Dome {
 
   bool is_missing(int v) const { return !(radius_[v] > 0); }
 
-  void open_what_reaches_the_rim() {
+  void open_holes_at_rim() {
     is_open_.assign(grid_.vertices.size(), false);
     std::vector<int> pending;
     const auto open = [&](int v) {

@@ -33,8 +33,7 @@ struct HeadPose {
 /// Bad input that one key of a head's description shows.
 class InvalidHead : public InvalidInput {
  public:
-  InvalidHead(const std::string& key, const std::string& what_is_wrong)
-      : InvalidInput(what_is_wrong), key_(key) {}
+  InvalidHead(const std::string& key, const std::string& fault_text) : InvalidInput(fault_text), key_(key) {}
   /// mesh, units, front, crown or coverage_mm
   const std::string& key() const { return key_; }
 

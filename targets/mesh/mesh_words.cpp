@@ -86,8 +86,8 @@ long MeshWords::integer_of_any_line(const char* what) {
   return integer;
 }
 
-InvalidInput MeshWords::error(const std::string& what_is_wrong) const {
-  return InvalidInput(what_is_wrong, {{}, line_, static_cast<int>(word_start_ - line_start_) + 1, {}});
+InvalidInput MeshWords::error(const std::string& fault_text) const {
+  return InvalidInput(fault_text, {{}, line_, static_cast<int>(word_start_ - line_start_) + 1, {}});
 }
 
 }  // namespace kinetix::targets

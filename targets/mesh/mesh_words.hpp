@@ -33,7 +33,7 @@ class MeshWords {
   long integer_of_any_line(const char* what);
 
   /// Returns an error at the last word.
-  InvalidInput error(const std::string& what_is_wrong) const;
+  InvalidInput error(const std::string& fault_text) const;
 
  private:
   void skip_blanks();

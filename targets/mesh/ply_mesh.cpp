@@ -20,14 +20,14 @@ class PlyNumbers {
   virtual ~PlyNumbers() = default;
   virtual double next(const PlyHeader::Number& type) = 0;
   /// Returns an error at the last number.
-  virtual InvalidInput error(const std::string& what_is_wrong) const = 0;
+  virtual InvalidInput error(const std::string& fault_text) const = 0;
 };
 
 class TextNumbers : public PlyNumbers {
  public:
   TextNumbers(std::string_view text, int line) : words_(text, false, line) {}
   double next(const PlyHeader::Number&) override { return words_.number_of_any_line("a number"); }
-  InvalidInput error(const std::string& what_is_wrong) const override { return words_.error(what_is_wrong); }
+  InvalidInput error(const std::string& fault_text) const override { return words_.error(fault_text); }
 
  private:
   MeshWords words_;
@@ -48,7 +48,7 @@ class BinaryNumbers : public PlyNumbers {
     at_ += size;
     return value(raw, type);
   }
-  InvalidInput error(const std::string& what_is_wrong) const override { return InvalidInput(what_is_wrong); }
+  InvalidInput error(const std::string& fault_text) const override { return InvalidInput(fault_text); }
 
  private:
   static double value(std::uint64_t raw, const PlyHeader::Number& type) {

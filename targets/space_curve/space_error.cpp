@@ -13,10 +13,10 @@ using Eigen::Vector3d;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-constexpr int samples_a_cell = 20;  // as formats.md says of shape_rms
-constexpr int most_rounds = 50;     // each is a Newton step; a few do where the goal is near
-constexpr double still_rms = 1e-9;  // of the diagonal: steps below leave the rms as it is
-constexpr double regular = 1e-9;    // of the normal matrix' trace: a straight goal may turn about itself
+constexpr int midline_samples_per_cell = 20;  // as formats.md says of shape_rms
+constexpr int most_rounds = 50;               // each is a Newton step; a few do where the goal is near
+constexpr double still_rms = 1e-9;            // of the diagonal: steps below leave the rms as it is
+constexpr double regular = 1e-9;  // of the normal matrix' trace: a straight goal may turn about itself
 
 /// Distance of p from the curve, and the way in which the nearest place goes with p: unit, or nothing at an end.
 struct Nearest {
@@ -38,8 +38,8 @@ class Alignment {
   Alignment(const SpaceCurve& midline, const SpaceGoal& goal, int cells, const model::Pose& place)
       : midline_(midline),
         goal_(goal),
-        on_midline_(midline.evenly(samples_a_cell * cells + 1)),
-        on_goal_(goal.line().evenly(samples_a_cell * cells + 1)),
+        on_midline_(midline.evenly(midline_samples_per_cell * cells + 1)),
+        on_goal_(goal.line().evenly(midline_samples_per_cell * cells + 1)),
         pose_(place) {}
 
   /// Moves the goal by a Gauss-Newton step on the distances, whose nearest places slide along the curves up to their ends.

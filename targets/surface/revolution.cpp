@@ -12,7 +12,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr int looks_a_piece = 16;  // between two points of a profile, where a cubic is at its least to 1 %
+constexpr int samples_per_piece =
+    16;  // between two points of a profile, where a cubic is at its least to 1 %
 constexpr int mesh_rings = 96, mesh_sides = 128;             // chords leave 3e-4 of the radius
 constexpr double most_patch_arc = 120 * radians_per_degree;  // rims then rise by 60 deg
 constexpr double whole_turn_slack = 1e-9;                    // rad: rounding of degrees
@@ -50,8 +51,8 @@ Profile::Profile(std::vector<Vector2d> points) : points_(std::move(points)) {
   }
   bend_ = natural_spline(points_);
   for (std::size_t k = 0; k + 1 < points_.size(); ++k)
-    for (int look = 1; look < looks_a_piece; ++look) {
-      const double part = static_cast<double>(look) / looks_a_piece;
+    for (int look = 1; look < samples_per_piece; ++look) {
+      const double part = static_cast<double>(look) / samples_per_piece;
       if (!(radius((1 - part) * points_[k].y() + part * points_[k + 1].y())[0] > 0))
         throw InvalidCurve(
             "the smooth line through the points comes to the axis before this one; give more points",
@@ -76,7 +77,7 @@ std::array<double, 3> Profile::radius(double height) const {
 
 std::array<double, 2> Profile::radii() const {
   std::array<double, 2> out = {INFINITY, 0};
-  const int looks = looks_a_piece * static_cast<int>(points_.size() - 1);
+  const int looks = samples_per_piece * static_cast<int>(points_.size() - 1);
   for (int look = 0; look <= looks; ++look) {
     const double r = radius(bottom() + (top() - bottom()) * look / looks)[0];
     out = {std::min(out[0], r), std::max(out[1], r)};

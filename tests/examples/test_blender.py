@@ -66,7 +66,7 @@ class Blender(Scratch):
         scene["objects"].sort(key=lambda thing: names.index(thing["name"]))
         self.expect_poses(scene["objects"], bullet, 2)
 
-    def test_what_is_no_result_is_refused_and_writes_nothing(self):
+    def test_invalid_results_are_refused_and_nothing_is_written(self):
         wrong = self.folder / "wrong.json"
         wrong.write_text('{"schema": "kinetix-print/1"}')
         said = said_by("blender", "-b", "--factory-startup", "--python-exit-code", 1, "--python", SCRIPT, "--", wrong, "-o",

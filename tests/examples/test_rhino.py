@@ -89,7 +89,7 @@ class Rhino(Scratch):
         self.assertAlmostEqual(reader.dot(upright, hinge["axis"]), 1, places=12)
         self.assertGreater(abs(hinge["beta_rad"]), 0.01)
 
-    def test_what_is_no_result_is_refused(self):
+    def test_invalid_results_are_refused(self):
         wrong = self.folder / "wrong.json"
         wrong.write_text("{}")
         with self.assertRaisesRegex(ValueError, "is no result of kinetix"):

@@ -17,7 +17,7 @@ from commands import Judge, Kitchen
 LACKING = 77  # exit code by which ctest knows a test that could not run
 
 
-def in_own_mounts():
+def in_private_mounts():
     """Runs this script again in a separate mount namespace: its mounts end with it and are invisible to others."""
     if os.environ.get("KINETIX_OWN_MOUNTS"):
         return
@@ -31,7 +31,7 @@ def in_own_mounts():
 def main():
     long = "--long" in sys.argv
     program, scratch, kind = [word for word in sys.argv[1:] if word != "--long"]
-    in_own_mounts()
+    in_private_mounts()
     chosen = kinds.ALL if kind == "all" else {kind: kinds.ALL[kind]}
     faults = []
     for name, check in chosen.items():

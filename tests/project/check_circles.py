@@ -75,13 +75,13 @@ def complaints_about(root):
         yield f"{arrow} is on no circle any more: strike it from the list in check_circles.py"
 
 
-def sees_a_circle():
+def finds_circle():
     """Proves that the check finds circles, also long ones, and ignores folders that only lead to one."""
     around = {"a": {"b": []}, "b": {"c": []}, "c": {"a": [], "d": []}, "d": {}}
     return set(on_circles(around)) == {"a -> b", "b -> c", "c -> a"}
 
 
-def sees_a_way_up():
+def finds_upward_path():
     """Proves that the check finds an arrow to a higher floor and ignores one to a lower floor."""
     arrows = {"app/low": {"app/high/deep": ["x"]}, "app/high": {"app/low": []}}
     return list(upwards(arrows, "app", ["low", "high"])) == ["app/low -> app/high/deep leads up: x"]
@@ -89,9 +89,9 @@ def sees_a_way_up():
 
 def main():
     complaints = list(complaints_about(sys.argv[1]))
-    if not sees_a_circle():
+    if not finds_circle():
         complaints.append("this check does not see a circle of three")
-    if not sees_a_way_up():
+    if not finds_upward_path():
         complaints.append("this check does not see an include that leads up")
     print("\n".join(complaints) or "no new circles")
     return 1 if complaints else 0

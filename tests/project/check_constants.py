@@ -259,7 +259,7 @@ def fields_without_unit(source):
                 yield s.first + 1, f"field {name} does not say its unit"
 
 
-def sees_what_it_should():
+def finds_expected_faults():
     """Proves on a small source that the check reads sources correctly."""
     source = Source("""namespace a {
 constexpr double bare = 1;
@@ -307,7 +307,7 @@ def main():
                 found += fields_without_unit(source)
                 seen_fields += len(fields(source))
             complaints += [f"{path.relative_to(root)}:{line}: {what}" for line, what in sorted(found)]
-    if not sees_what_it_should():
+    if not finds_expected_faults():
         complaints.append("this check reads its own example wrongly")
     if seen_constants < LEAST_CONSTANTS or seen_fields < LEAST_FIELDS:
         complaints.append(f"only {seen_constants} constants and {seen_fields} fields: is the path right?")

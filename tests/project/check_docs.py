@@ -155,7 +155,7 @@ def enough(repository):
             yield f"found only {count} {what}: is the pattern right?"
 
 
-def sees_what_is_wrong():
+def finds_faults():
     """Proves on a small repository that the checks find their faults and nothing else."""
     wrong = {
         "a.hpp": ("/// (gone.md section 1)\n", "gone.md, which does not exist"),
@@ -193,7 +193,7 @@ def complaints_about(texts):
 
 def main():
     repository = Repository(sys.argv[1])
-    complaints = list(sees_what_is_wrong())
+    complaints = list(finds_faults())
     for check in (promises_kept, citations, links, paths, figures, licences, enough):
         complaints += check(repository)
     counts = f"{repository.citations} citations, {repository.links} links and {repository.paths} paths lead somewhere"

@@ -12,12 +12,12 @@ kinds = sorted(path.name for path in (root / "app/goals").iterdir() if path.is_d
 registries = {"app/goals/registry.cpp", "app/report/js/goals.js", "app/viewer/src/studio/goals.js"}
 
 
-def own_pages(kind):
+def separate_pages(kind):
     return f"app/report/js/goals/{kind}.js", f"app/viewer/src/studio/goals/{kind}.js"
 
 
-def is_own(file, kind):
-    return file.startswith((f"app/goals/{kind}/", *(folder for folder, of in shared.items() if kind in of))) or file in own_pages(kind)
+def is_local(file, kind):
+    return file.startswith((f"app/goals/{kind}/", *(folder for folder, of in shared.items() if kind in of))) or file in separate_pages(kind)
 
 
 def namings(kind):
@@ -32,7 +32,7 @@ wrong = []
 if not namings("space_curve").search("SpaceCurveOutcome") or namings("curve").search("SpaceCurveOutcome"):
     wrong.append("this check does not see the types of a kind of two words")
 for kind in kinds:
-    for folder in (f"optim/{kind}", *own_pages(kind)):
+    for folder in (f"optim/{kind}", *separate_pages(kind)):
         if not (root / folder).exists():
             wrong.append(f"{folder} is not there")
     for registry in registries:
@@ -47,7 +47,7 @@ for path in files:
     if file in registries:
         continue
     for kind in kinds:
-        if is_own(file, kind):
+        if is_local(file, kind):
             continue
         for number, line in enumerate(path.read_text().splitlines(), 1):
             found = namings(kind).search(line.split("///")[0])

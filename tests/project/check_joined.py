@@ -21,7 +21,7 @@ FUNCTION = re.compile(r"^(?!return\b|using\b|namespace\b|class\b|struct\b|enum\b
 NUMBERS = {"int", "double", "bool", "float", "long", "unsigned", "char", "size_t", "auto", "Index"}
 
 
-def own_text(text):
+def local_text(text):
     """Returns the text inside unnamed namespaces."""
     return "\n".join(re.findall(r"^namespace \{$(.*?)^\}  // namespace$", text, re.M | re.S))
 
@@ -54,9 +54,9 @@ def type_of(parameter):
     return re.sub(r"(?<=[\w>*]) \w+$", "", words)
 
 
-def own_functions(text):
+def local_functions(text):
     """Returns (name, types, number of required arguments) of each function in an unnamed namespace."""
-    own = own_text(text)
+    own = local_text(text)
     for match in FUNCTION.finditer(own):
         parameters = split_at_commas(inside_parentheses(own, match.end()))
         yield match[1], tuple(map(type_of, parameters)), sum("=" in p for p in parameters)
@@ -82,7 +82,7 @@ def complaints_about(build, source):
         for name in re.findall(r'#include "([^"]+\.cpp)"', unit.read_text(encoding="utf-8")):
             path = Path(name)
             place = path.relative_to(source) if path.is_relative_to(source) else path
-            for function, types, optional in own_functions(path.read_text(encoding="utf-8")):
+            for function, types, optional in local_functions(path.read_text(encoding="utf-8")):
                 where[function].append((str(place), (types, optional)))
         for function, places in sorted(where.items()):
             for (p, a), (q, b) in combinations(places, 2):
@@ -91,11 +91,11 @@ def complaints_about(build, source):
                     yield f"{function}({', '.join(a[0])}) of {p} and {function}({', '.join(b[0])}) of {q} are compiled as one"
 
 
-def sees_what_may_be_confused():
+def finds_ambiguous_names():
     """Proves that functions are found, and that types other than numbers distinguish them."""
     text = ("void outer(int a) {}\nnamespace {\n\nconst std::vector<int>& first(double x, const model::Lattice& s = {}) {\n"
             "  second(x);\n}\nconstexpr double third = 3;\n}  // namespace\nint fifth() {}\n")
-    return (list(own_functions(text)) == [("first", ("double", "Lattice"), 1)]
+    return (list(local_functions(text)) == [("first", ("double", "Lattice"), 1)]
             and may_be_confused((("double", "Lattice"), 0), (("int", "Lattice"), 0))
             and may_be_confused((("double",), 0), (("string", "Lattice"), 1))
             and not may_be_confused((("double", "Lattice"), 0), (("int", "Net"), 0)))
@@ -103,7 +103,7 @@ def sees_what_may_be_confused():
 
 def main():
     complaints = list(complaints_about(sys.argv[1], Path(sys.argv[2]).resolve()))
-    if not sees_what_may_be_confused():
+    if not finds_ambiguous_names():
         complaints.append("this check does not see what it should")
     print("\n".join(complaints) or "no function of one file may be taken for that of another one")
     return 1 if complaints else 0

@@ -54,7 +54,7 @@ function(build_and_run name compiler flags)
   expect("end of the path: force [0-9.]+ N, energy ${number} N mm" 1.6265 1.6285)
 
   # cos(theta) = 0.9; tan(pi / 40) = tan(tilt) sin(theta).
-  run(${build}/own_goal)
+  run(${build}/custom_goal)
   expect("tilt ${number} deg" 10.233 10.235)
   expect("fold angle ${number} deg" 25.841 25.843)
   expect("folded: turns by ${number} deg" 179.9 180.1)

@@ -37,7 +37,7 @@ class Designs(Scratch):
         self.assertEqual((error.file, error.line, error.key), ("", 0, "structure.cels"))
         self.assertTrue(str(error).startswith("structure.cels: unknown key (did you mean `cells`?)"), error)
 
-    def test_what_no_file_can_hold_is_refused_with_its_place(self):
+    def test_values_no_file_can_hold_are_refused_with_their_place(self):
         for value, text in ((float("nan"), "structure.cell_mm: is nan"), (None, "structure.cell_mm: is None"),
                             ("10", "structure.cell_mm: stands in quotes")):
             with self.assertRaisesRegex(kinetix.InvalidInput, text):

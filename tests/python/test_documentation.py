@@ -21,7 +21,7 @@ class Documentation(Scratch):
         self.assertEqual(len(EXAMPLES), 5)
         self.assertEqual(PAGE.count("```python\n"), len(EXAMPLES))
 
-    def test_every_example_prints_what_the_page_says(self):
+    def test_every_example_prints_as_on_its_page(self):
         before = os.getcwd()
         os.chdir(self.folder)
         self.addCleanup(os.chdir, before)
@@ -37,7 +37,7 @@ class Documentation(Scratch):
             for member in public_functions(name, thing):
                 self.check(*member)
 
-    def test_the_stub_has_what_the_compiled_part_has(self):
+    def test_the_stub_matches_the_compiled_part(self):
         stub = ast.parse((SOURCE / "python/kinetix/_core.pyi").read_text())
         said, there = {"version"}, set()
         for statement in stub.body:

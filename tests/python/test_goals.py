@@ -92,7 +92,7 @@ class Goals(Scratch):
             result = kinetix.optimise(goal(per="all", solver=solver, tolerance=0.05, starts=3), verify=False)
             self.assertTrue(result.met, solver + ": " + result.summary())
 
-    def test_what_python_raises_is_raised(self):
+    def test_exceptions_of_python_are_raised(self):
         calls = []
 
         def fails_later(poses):

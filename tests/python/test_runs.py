@@ -11,7 +11,7 @@ CURVE = {"kinetix": 1, "name": "half_circle", "target": {"kind": "curve", "point
 
 
 class Runs(Scratch):
-    def test_a_search_from_a_dict_finds_what_the_program_finds(self):
+    def test_a_search_from_a_dict_equals_that_of_the_program(self):
         (self.folder / "half_circle.csv").write_text(
             "x,z\n" + "".join(f"{x!r},{z!r}\n" for x, z in half_circle()))
         file = self.folder / "half_circle.yaml"
@@ -99,7 +99,7 @@ class Runs(Scratch):
         found = kinetix.optimise(CURVE, verify=False)
         np.testing.assert_array_equal(found.design.poses(found.theta), found.poses)
 
-    def test_writes_what_the_program_writes(self):
+    def test_writes_the_files_of_the_program(self):
         result = kinetix.simulate(strip(4))
         result.write(self.folder / "out")
         written = json.loads((self.folder / "out/result.json").read_text())
@@ -131,7 +131,7 @@ class Runs(Scratch):
         with self.assertRaisesRegex(kinetix.InvalidInput, "this is a design, not a target"):
             kinetix.optimise(strip(4))
 
-    def test_what_is_found_after_reading_names_the_file(self):
+    def test_errors_found_after_reading_name_the_file(self):
         file = self.folder / "sheet.yaml"
         file.write_text("kinetix: 1\nstructure: {cells: [3, 3], cell_mm: 10}\n"
                         "design: {hinges: [{wall: [[1, 1], [2, 1]], beta_deg: 20}]}\n")

@@ -117,7 +117,7 @@ class Strips(Scratch):
             turn = [[rotation_between(a, b) / (2 * step) for a, b in zip(x, y)] for x, y in zip(before, after)]
             np.testing.assert_allclose(rates[:, c, :, 3:], turn, atol=1e-8)
 
-    def test_gradients_are_what_derivatives_sum_up_to(self):
+    def test_gradients_are_sums_of_derivatives(self):
         beta, theta = random_strips(4, 5)
         by_poses = np.random.default_rng(3).normal(size=(4, 18, 6))
         _, rates = kinetix.strip_derivatives(beta, theta, 4, rows=2)

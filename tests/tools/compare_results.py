@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Compares the results of two builds of kinetix-opt.
 
-    compare_results.py run PROGRAM FOLDER        runs all of targets into FOLDER: searches, the designs that they find,
-                                                 designs, sweeps and imports
+    compare_results.py run PROGRAM FOLDER        runs all of targets into FOLDER: searches, found designs, shipped
+                                                 designs, sweeps and imports.
     compare_results.py compare BEFORE AFTER      compares two such folders; exit code 1 if anything differs
 
 Compared are exit codes, messages, console output, numbers and texts of results, their order, design.yaml and exported

@@ -145,7 +145,7 @@ struct CurveOutcome final : GoalOutcome {
 };
 
 // Measured: s a start of 40 columns; it grows with their number to 1.5.
-constexpr double seconds_a_start = 0.0075;
+constexpr double seconds_per_start = 0.0075;
 // Curves that turn by more than this, rad, in all or in one column, are searched again for gentle tilts or walls that stay apart.
 // The counts below say how many times as long that was measured to take.
 constexpr double full_turn = 320 * radians_per_degree, steep_turn = 36 * radians_per_degree,
@@ -208,7 +208,7 @@ class CurveGoal final : public Goal {
     Forecast out{sheet_of(model::ExactDesign<double>::basic(file_.columns, file_.rows), file_.size)};
     const Eigen::Vector2d size = model::box_of(file_.curve.points()).sizes();
     out.folded_mm = {size.x(), file_.rows * file_.size.edge_mm, size.y()};
-    out.search_s = seconds_a_start * file_.solver.starts.value_or(optim::MultiStartOptions{}.starts) *
+    out.search_s = seconds_per_start * file_.solver.starts.value_or(optim::MultiStartOptions{}.starts) *
                    std::pow(file_.columns / 40.0, 1.5) * repeats(file_.curve, file_.columns);
     if (file_.robust) out.search_s *= robust_designs;
     add_settings(file_, out);

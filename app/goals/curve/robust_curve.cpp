@@ -57,7 +57,7 @@ CurveStrip judged(const Goal& goal, CurveStrip strip, const FoundFor& found_for,
   if (printed)
     std::tie(out.as_made_mm, out.as_made_p95) = std::pair{printed->made.rms_mm, printed->made.p95_mm};
   out.is_allowed = printed && printed->can_be_printed && !strip.found.contact.touches &&
-                   bears_its_strain(found.design, found.own) &&
+                   withstands_strain(found.design, found.own) &&
                    design.error.rms <= strip.file.shape_tolerance &&
                    (!options.printable || options.printable(asked_design(found)).is_taken);
   strip.candidate = std::move(out);

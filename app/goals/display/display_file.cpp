@@ -184,8 +184,8 @@ void read_goal(const targets::Section& root, DisplayFile& file) {
 }
 
 /// Rejects settings that need plates, for a driven hinge.
-void refuse_what_takes_plates(const targets::Section& root, const targets::Section& drive,
-                              const DisplayFile& file) {
+void reject_plate_options(const targets::Section& root, const targets::Section& drive,
+                          const DisplayFile& file) {
   const targets::Section variables = root.section("variables");
   for (const char* key : {"compression", "axis", "stretch_mm"})
     if (const auto node = variables.optional(key))
@@ -198,7 +198,7 @@ void refuse_what_takes_plates(const targets::Section& root, const targets::Secti
 }
 
 void read_driven_hinge(const targets::Section& root, const targets::Section& drive, DisplayFile& file) {
-  refuse_what_takes_plates(root, drive, file);
+  reject_plate_options(root, drive, file);
   if (const auto wall = drive.optional("wall"))
     file.driven_hinge = WallReader(make_panel(file, {file.goal.columns, file.goal.rows})).hinge_of(*wall);
 }

@@ -128,7 +128,7 @@ std::vector<std::string> all_violations(const DisplayFile& file, const DisplayOu
 
 constexpr int most_bodies_of_physics = 5000;  // count: the simulation takes about an hour on one core
 // Search time in s per cell, measured: convex problems for hinges with offsets, elastic searches for hinges on walls.
-constexpr double seconds_a_cell = 2e-4, seconds_a_cell_stretched = 0.07;
+constexpr double seconds_per_cell = 2e-4, seconds_per_stretched_cell = 0.07;
 // Time in s of the equilibrium path from flat: 0.92 s for 32 x 32 cells, 51 s for 100 x 100.
 constexpr double path_seconds_of_1024 = 0.92, path_exponent = 1.76;
 
@@ -144,7 +144,7 @@ class DisplayGoal final : public Goal {
 
   Forecast forecast() const override {
     Forecast out{make_panel(file_, {file_.goal.columns, file_.goal.rows})};
-    out.search_s = out.sheet.cells() * (file_.offset > 0 ? seconds_a_cell : seconds_a_cell_stretched) +
+    out.search_s = out.sheet.cells() * (file_.offset > 0 ? seconds_per_cell : seconds_per_stretched_cell) +
                    path_seconds_of_1024 * std::pow(out.sheet.cells() / 1024.0, path_exponent);
     out.has_physics = out.sheet.bodies() <= most_bodies_of_physics;
     const double turn = file_.by_hinge ? file_.angle : turn_of_compression(file_.compression);
@@ -179,7 +179,7 @@ class DisplayGoal final : public Goal {
     out.known = known_state(display->design);
     out.goal = std::move(display);
     if (out.design.structure.bodies() <= most_bodies_of_physics) return out;
-    out.physics.when = PhysicsWish::When::never;  // a step costs seconds, and there are thousands
+    out.physics.when = PhysicsRequest::When::never;  // a step costs seconds, and there are thousands
     out.notes.push_back(fmt::format(
         "no physics run: {} bodies would take hours; `verify` makes one of design.yaml all the same",
         out.design.structure.bodies()));
@@ -254,7 +254,7 @@ class DisplayGoal final : public Goal {
   DisplayFile file_;
 };
 
-constexpr double bytes_a_cell = 50e3;  // per search, measured on panels of 30 x 30 and 60 x 60 cells
+constexpr double bytes_per_cell = 50e3;  // per search, measured on panels of 30 x 30 and 60 x 60 cells
 
 constexpr double widest_stroke = 2.7;  // cells: for wider strokes contrast grows less (measured)
 constexpr double largest_factor = 4;   // largest enlargement of a side, ratio
@@ -303,14 +303,14 @@ std::size_t memory_of_machine() {
 void check_memory(targets::PanelSize size, int threads, int runs, std::size_t available) {
   const int allowed =
       threads > 0 ? threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  const int at_a_time = std::min(allowed, runs);
-  const double needed = bytes_a_cell * size[0] * size[1] * at_a_time, gib = 1 << 30;
+  const int parallel_runs = std::min(allowed, runs);
+  const double needed = bytes_per_cell * size[0] * size[1] * parallel_runs, gib = 1 << 30;
   if (needed <= static_cast<double>(available)) return;
   throw InvalidInput(
       fmt::format("a panel of {} x {} cells takes about {:.1f} GiB of memory to search on {} threads, and "
                   "this machine has {:.1f} GiB; give fewer cells{}",
-                  size[0], size[1], needed / gib, at_a_time, static_cast<double>(available) / gib,
-                  at_a_time > 1 ? ", or --threads 1" : ""),
+                  size[0], size[1], needed / gib, parallel_runs, static_cast<double>(available) / gib,
+                  parallel_runs > 1 ? ", or --threads 1" : ""),
       {"", 0, 0, "structure.cells"});
 }
 

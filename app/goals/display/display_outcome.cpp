@@ -76,7 +76,7 @@ Json loads_json(const PanelLoads& loads) {
 }
 
 Json printed_json(const PrintedDisplay& printed) {
-  const auto numbers = [](const optim::AsMadeDisplay& made) {
+  const auto numbers = [](const optim::DisplayTolerance& made) {
     return Json{{"contrast", made.contrast},
                 {"contrast_p05", made.contrast_p05},
                 {"contrast_p95", made.contrast_p05},

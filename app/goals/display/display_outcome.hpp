@@ -38,9 +38,9 @@ struct PanelLoads {
 
 /// Print tolerance analysis of a panel.
 struct PrintedDisplay {
-  optim::AsMadeDisplay expected;    ///< first-order estimate, corrected if the sampled prints differ from it
-  optim::AsMadeDisplay seen;        ///< sampled prints in their equilibrium
-  double first_order_contrast = 0;  ///< mean first-order estimate for the sampled prints, dimensionless
+  optim::DisplayTolerance expected;  ///< first-order estimate, corrected if the sampled prints differ from it
+  optim::DisplayTolerance seen;      ///< sampled prints in their equilibrium
+  double first_order_contrast = 0;   ///< mean first-order estimate for the sampled prints, dimensionless
   int prints = 0, failed = 0;  ///< counts of sampled prints that settled near the design, and that did not
   std::vector<std::string> why = {};  ///< requirements that prints miss; empty if they meet all
 

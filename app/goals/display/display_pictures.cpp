@@ -13,7 +13,7 @@ namespace {
 constexpr int large_panel = 40;     // cells: smaller panels show a letter or two, larger ones pictures
 constexpr int pixels_of_large = 6;  // px per cell: 600 for a hundred cells
 // Cells of a side per cell of blur: a QR code of 100 cells is read best at a blur of 1 to 1.33 cells.
-constexpr double cells_a_blur = 80;
+constexpr double cells_per_blur = 80;
 constexpr double surroundings = 12;  // cells: three modules of a QR code with four cells per module
 
 constexpr double pixels_of_frame = 1000;  // px per side: a dozen frames make a film for a screen
@@ -55,7 +55,7 @@ FarViewOptions far_view_options(const targets::DisplayGoal& goal) {
   FarViewOptions options;
   if (side < large_panel) return options;
   options.pixels_per_cell = pixels_of_large;
-  options.blur_in_cells = std::max(options.blur_in_cells, side / cells_a_blur);
+  options.blur_in_cells = std::max(options.blur_in_cells, side / cells_per_blur);
   options.surroundings_in_cells = surroundings;
   return options;
 }

@@ -90,7 +90,7 @@ constexpr double first_order_will_do = 0.05;
 
 /// Corrects the first-order estimate by the difference between the sampled prints and their own first-order estimate.
 void correct_expected(const PrintScores& seen, const PrintScores& first_order,
-                      optim::AsMadeDisplay& expected) {
+                      optim::DisplayTolerance& expected) {
   const double more = seen.mean() - first_order.mean(), below = expected.contrast - expected.contrast_p05;
   if (!(std::abs(more) > first_order_will_do * std::abs(first_order.mean()))) return;
   const auto count = static_cast<double>(seen.contrasts.size());
@@ -109,7 +109,7 @@ void add_prints(const DisplayFile& file, const Run& run, const model::HingeScatt
     scores.add(read_panel(file, printed_sheet(run.design.structure, errors), print).score);
     first_order.add(panel.score(errors, scatter));
   };
-  model::AsMadeOptions as_in_the_model = print_options(options, true);
+  model::ToleranceOptions as_in_the_model = print_options(options, true);
   as_in_the_model.contact = true;
   out.failed = visit_prints(
       [&](const Eigen::Matrix4Xd& errors) { return printed_sheet(run.design.structure, errors); },
@@ -137,7 +137,7 @@ std::string unjudged(const DisplayFile& file, const Run& run) {
 }
 
 /// Adds the requirements on the picture that prints miss. @param who name of these prints in the text
-void add_missing(const DisplayFile& file, const optim::AsMadeDisplay& made, const std::string& who,
+void add_missing(const DisplayFile& file, const optim::DisplayTolerance& made, const std::string& who,
                  std::vector<std::string>& why) {
   if (made.auc < file.auc)
     why.push_back(

@@ -44,8 +44,7 @@ optim::FoldOptions search_of(const FoldFile& file, const RunOptions& run) {
 }
 
 // Turn of a column, rad: most nets have two columns per right angle, and no search tries more than four.
-constexpr double most_turn_of_a_column = 45 * radians_per_degree,
-                 least_turn_of_a_column = most_turn_of_a_column / 2;
+constexpr double max_turn_per_column = 45 * radians_per_degree, min_turn_per_column = max_turn_per_column / 2;
 // Mean number of equilibrium paths for limits: one if the limits are kept at once, six if theta is searched.
 constexpr double paths_to_limits = 2;
 constexpr double seconds_of_175 = 0.15;  // s: a search of 175 bodies; time grows as bodies^1.5
@@ -53,14 +52,14 @@ constexpr double seconds_of_175 = 0.15;  // s: a search of 175 bodies; time grow
 double search_seconds(double bodies) { return seconds_of_175 * std::pow(bodies / 175, 1.5); }
 
 // Searches of a small box per choice of other cells: two or three, until theta and the cells agree.
-constexpr double looks_a_box = 3;
+constexpr double looks_per_box = 3;
 
 double cells_of_box(const std::array<int, 3>& e) { return 2.0 * (e[0] * e[1] + e[1] * e[2] + e[2] * e[0]); }
 
 /// Estimates the columns of each crease: the fewest that tilts and theta allow. Walls usually limit a column to 45 deg.
 std::vector<int> usual_columns(const targets::FoldNet& net, double theta, double tilt) {
-  const double turn = std::clamp(2 * std::atan(std::tan(tilt) * std::sin(theta)), least_turn_of_a_column,
-                                 most_turn_of_a_column);
+  const double turn =
+      std::clamp(2 * std::atan(std::tan(tilt) * std::sin(theta)), min_turn_per_column, max_turn_per_column);
   std::vector<int> out;
   for (const targets::FoldCrease& crease : net.creases)
     out.push_back(crease.columns > 0
@@ -146,7 +145,7 @@ int columns_of_solid(const targets::Solid& solid, const FoldFile& file) {
   return static_cast<int>(std::clamp(std::ceil(sharpest / turn), 1.0, 1.0 * optim::most_solid_columns));
 }
 
-constexpr double seconds_a_solid_body = 0.005;  // s per body, measured: search of columns and theta
+constexpr double seconds_per_solid_body = 0.005;  // s per body, measured: search of columns and theta
 
 class FoldGoal final : public Goal {
  public:
@@ -206,7 +205,7 @@ class FoldGoal final : public Goal {
       out->tilt[c] = mean_tilt(run.design.structure, shape.creases[c].hinges);
     if (!found.loads) return out;
     const HingeLoads loads = hinge_loads(run.equilibrium->path, run.equilibrium->drive, run.design.structure,
-                                         run.design.hinge, run.design.own_hinges);
+                                         run.design.hinge, run.design.hinge_overrides);
     out->loads = FoldLoads{run.theta, loads};
     model::append(app::violations(file_.limits, loads, "a smaller theta"), out->violations);
     return out;
@@ -233,7 +232,7 @@ class FoldGoal final : public Goal {
     out.tolerances = {{"angle_deg", std::stod(targets::degrees_text(file.angle_tolerance))},
                       {"shape", file.shape_tolerance}};
     if (file.goal.box_mm) out.tolerances.emplace_back("size", file.size_tolerance);
-    out.physics.when = PhysicsWish::When::if_met;
+    out.physics.when = PhysicsRequest::When::if_met;
     out.judged_against = judged_against(file.goal);
     return out;
   }
@@ -261,7 +260,7 @@ class FoldGoal final : public Goal {
       return fit_fold(file.goal, narrowed);
     };
     KeptLoads loads = keep_limits(file, out, *this, design, narrower, options);
-    std::string size_missed = why_size_is_missed(file, design, options);
+    std::string size_missed = describe_size_miss(file, design, options);
     return with_outcome(std::move(out), shape_of(file.goal, design), std::move(loads),
                         std::move(size_missed));
   }
@@ -279,7 +278,7 @@ class FoldGoal final : public Goal {
     const auto net = lay_out(solid, goal.cells, columns_of_solid(solid, file_), file_.size);
     Forecast out{net.structure};
     out.folded_mm = net.edge * file_.size.edge_mm * std::cos(usual_theta(file_.theta)) * standing_size(solid);
-    out.search_s = out.sheet.bodies() * seconds_a_solid_body;
+    out.search_s = out.sheet.bodies() * seconds_per_solid_body;
     add_settings(file_, out);
     return out;
   }
@@ -295,12 +294,12 @@ class FoldGoal final : public Goal {
         fmt::format("with these cells the box would be off by {:.1f} %; {:.1f} % is allowed", 100 * miss,
                     100 * file_.size_tolerance);
     if (!looks_for_other_cells(file_)) return forecast.notes.push_back(off);
-    const double bodies_a_cell = forecast.sheet.bodies() / cells_of_box(*file_.goal.box);
+    const double bodies_per_cell = forecast.sheet.bodies() / cells_of_box(*file_.goal.box);
     double looks = 0, folds = 0;  // s: searches of small boxes and of whole boxes
     for (std::array<int, 3> edges : optim::tried_cells(*file_.box, file_.size_tolerance)) {
-      folds += search_seconds(bodies_a_cell * cells_of_box(edges));
+      folds += search_seconds(bodies_per_cell * cells_of_box(edges));
       for (int& edge : edges) edge = std::min(edge, optim::telling_cells);
-      looks += looks_a_box * search_seconds(bodies_a_cell * cells_of_box(edges));
+      looks += looks_per_box * search_seconds(bodies_per_cell * cells_of_box(edges));
     }
     forecast.search_s += looks;
     forecast.notes.push_back(fmt::format(
@@ -309,7 +308,7 @@ class FoldGoal final : public Goal {
   }
 
   /// Describes the size error of the box, with advice. Empty if the size is met.
-  std::string why_size_is_missed(const FoldFile& file, const optim::FoldDesign& design,
+  std::string describe_size_miss(const FoldFile& file, const optim::FoldDesign& design,
                                  const RunOptions& options) const {
     if (!file.goal.box_mm || !design.folds) return "";
     const double miss = optim::size_miss(edges_mm(file.goal, design), *file.goal.box_mm);

@@ -26,11 +26,12 @@ Borne borne_by(const FoldFile& file, Found trial, const Goal& goal, const optim:
   trial.theta = design.folded.theta;
   trial.goal = std::make_unique<FoldOutcome>(shape);
   trial = planned(std::move(trial));
-  const MatterPath found = path_in_matter(trial, goal, stop);
-  return {{model::mean_theta(found.sheet, found.path.state),
-           hinge_loads(found.path, found.drive, found.sheet, trial.design.hinge, trial.design.own_hinges)},
-          found.path.stop == model::EquilibriumPath::Stop::reached &&
-              shape.violations(file, shape.error_of(found.path.state), "equilibrium").empty()};
+  const CompensatedPath found = path_in_matter(trial, goal, stop);
+  return {
+      {model::mean_theta(found.sheet, found.path.state),
+       hinge_loads(found.path, found.drive, found.sheet, trial.design.hinge, trial.design.hinge_overrides)},
+      found.path.stop == model::EquilibriumPath::Stop::reached &&
+          shape.violations(file, shape.error_of(found.path.state), "equilibrium").empty()};
 }
 
 }  // namespace

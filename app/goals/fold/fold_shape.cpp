@@ -13,7 +13,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double told_miss = 0.001;  // degrees of a crease, and ratio to a face's edge: less is irrelevant
+constexpr double reported_miss =
+    0.001;  // degrees of a crease, and ratio to a face's edge: less is irrelevant
 
 /// Describes the columns of all creases: "2 columns", or "1 to 4 columns".
 std::string columns_in_words(const targets::NetLayout& layout) {
@@ -173,8 +174,8 @@ double FoldShape::largest_miss(const targets::FoldError& of) const {
 std::string FoldShape::in_words(const targets::FoldError& of) const {
   return fmt::format(
       "{} crease{} within {:.3g} deg, faces {} of their edge from the solid (rms)", creases.size(),
-      creases.size() == 1 ? "" : "s", std::max(to_degrees(largest_miss(of)), told_miss),
-      of.rms < told_miss ? fmt::format("less than {:g}", told_miss) : fmt::format("{:.3g}", of.rms));
+      creases.size() == 1 ? "" : "s", std::max(to_degrees(largest_miss(of)), reported_miss),
+      of.rms < reported_miss ? fmt::format("less than {:g}", reported_miss) : fmt::format("{:.3g}", of.rms));
 }
 
 std::array<double, 3> edges_mm(const targets::FoldGoal& goal, const optim::FoldDesign& design) {

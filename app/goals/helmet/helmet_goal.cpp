@@ -16,15 +16,15 @@ using Eigen::Vector3d;
 using Json = nlohmann::ordered_json;
 
 const Vector3d crown = Vector3d::Zero();  // mm, the origin of the head's frame
-constexpr int points_a_curve = 60;        // points per drawn line: about one every 6 mm over a head
+constexpr int points_per_curve = 60;      // points per drawn line: about one every 6 mm over a head
 constexpr int head_curves = 9;            // sections of the head in the report: enough to show its shape
 
 /// Returns curves of the head for pictures: its profile and sections across it, in the head's frame.
 std::vector<std::vector<Eigen::Vector3d>> head_curves_of(const targets::Head& head) {
-  std::vector<std::vector<Eigen::Vector3d>> out = {head.profile.evenly(points_a_curve)};
+  std::vector<std::vector<Eigen::Vector3d>> out = {head.profile.evenly(points_per_curve)};
   for (int k = 0; k < head_curves; ++k) {
     const double s = head.profile.first() + head.profile.length() * (k + 0.5) / head_curves;
-    out.push_back(cross_section(head, s, 10).evenly(points_a_curve));
+    out.push_back(cross_section(head, s, 10).evenly(points_per_curve));
   }
   return out;
 }
@@ -124,7 +124,7 @@ class HelmetOutcome final : public RibsOutcome {
   }
 
   void add_sections(const Run& run, Json& result) const override {
-    const auto drawn = [&](const targets::SpaceCurve& curve) { return line(curve.evenly(points_a_curve)); };
+    const auto drawn = [&](const targets::SpaceCurve& curve) { return line(curve.evenly(points_per_curve)); };
     Json sections = Json::array();
     for (const auto& [lower, upper] : design.layout.sections)
       sections.push_back({drawn(lower), drawn(upper)});

@@ -24,7 +24,7 @@ Json error_json(const targets::OutlineError& error) {
 }
 
 /// Describes the active bounds of a panel that misses its outline.
-std::string what_binds(const optim::OutlineDesign& design) {
+std::string binding_limit(const optim::OutlineDesign& design) {
   return fmt::format("{:.0f} % of the walls have the largest offset, {:.0f} % turn as far as they may",
                      100 * design.at_bounds_offset, 100 * design.at_bounds_shift);
 }
@@ -80,7 +80,7 @@ std::vector<std::string> all_violations(const OutlineFile& file, const OutlineOu
 }
 
 // Search time in s per wall, measured: for the folded outline alone, and for the folded and flat outlines.
-constexpr double seconds_a_wall = 0.005, seconds_a_wall_of_both = 0.02;
+constexpr double seconds_per_wall = 0.005, seconds_per_overlapping_wall = 0.02;
 
 class OutlineGoal final : public Goal {
  public:
@@ -91,7 +91,7 @@ class OutlineGoal final : public Goal {
     const OutlineStart start = outline_start(file_);
     Forecast out{make_sheet(file_.lattice, start.cells, file_.size(start.edge_mm))};
     if (!file_.cell_mm) out.folded_mm = {size.x(), size.y(), out.sheet.size().height_mm};
-    out.search_s = out.sheet.hinges() * (file_.flat ? seconds_a_wall_of_both : seconds_a_wall);
+    out.search_s = out.sheet.hinges() * (file_.flat ? seconds_per_overlapping_wall : seconds_per_wall);
     add_settings(file_, out);
     return out;
   }
@@ -235,7 +235,7 @@ std::vector<SummaryLine> OutlineOutcome::summary_lines(const Run& run) const {
     lines.push_back(
         {"flat", fmt::format("rim {:.2f} % of the diagonal off its outline (rms), area {:.1f} % shared",
                              100 * design.flat.rms, 100 * design.flat.iou)});
-  if (!run.met()) lines.push_back({"bounds", what_binds(design)});
+  if (!run.met()) lines.push_back({"bounds", binding_limit(design)});
   lines.push_back(
       {"hinges", fmt::format("up to {:.2f} mm off the middle of their walls, t from {:.2f} to {:.2f}",
                              design.offset * edge, 0.5 - design.shift / 2, 0.5 + design.shift / 2)});

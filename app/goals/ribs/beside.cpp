@@ -8,15 +8,15 @@
 
 namespace kinetix::app {
 
-SurfaceWay fishbone_way(const optim::RibsDesign& design, const targets::RibbedSurface& surface) {
+SurfaceMethod fishbone_way(const optim::RibsDesign& design, const targets::RibbedSurface& surface) {
   return {"fishbone", design.error.rms / surface.diagonal, design.error.max / surface.diagonal, 1,
           optim::open_area(static_cast<int>(design.fishbone.structure.cells.size()),
                            design.fishbone.structure.size, design.shape.theta, surface.area)};
 }
 
-std::vector<SurfaceWay> ways_by_ribs(const targets::RibbedSurface& surface, const optim::RibsSpec& spec,
-                                     bool with_fishbone, const std::stop_token& stop) {
-  std::vector<SurfaceWay> out;
+std::vector<SurfaceMethod> ways_by_ribs(const targets::RibbedSurface& surface, const optim::RibsSpec& spec,
+                                        bool with_fishbone, const std::stop_token& stop) {
+  std::vector<SurfaceMethod> out;
   optim::SolverOptions search;
   search.stop = stop;
   if (stop.stop_requested()) return out;
@@ -29,9 +29,9 @@ std::vector<SurfaceWay> ways_by_ribs(const targets::RibbedSurface& surface, cons
   return out;
 }
 
-nlohmann::ordered_json ways_json(const std::vector<SurfaceWay>& ways) {
+nlohmann::ordered_json ways_json(const std::vector<SurfaceMethod>& ways) {
   nlohmann::ordered_json out = nlohmann::ordered_json::array();
-  for (const SurfaceWay& way : ways)
+  for (const SurfaceMethod& way : ways)
     out.push_back({{"way", way.name},
                    {"rms", way.rms},
                    {"max", way.max},
@@ -40,9 +40,9 @@ nlohmann::ordered_json ways_json(const std::vector<SurfaceWay>& ways) {
   return out;
 }
 
-std::string in_words(const std::vector<SurfaceWay>& ways) {
+std::string in_words(const std::vector<SurfaceMethod>& ways) {
   std::string out;
-  for (const SurfaceWay& way : ways)
+  for (const SurfaceMethod& way : ways)
     out += fmt::format("{}{}: {}, {:.3f} % of the diagonal off, {:.0f} % of the area open",
                        out.empty() ? "" : "; ", way.name,
                        targets::counted(static_cast<std::size_t>(way.pieces), "piece"), 100 * way.rms,

@@ -10,7 +10,7 @@
 namespace kinetix::app {
 
 /// One way to make a surface, for comparison. Distances are ratios to the diagonal of the surface.
-struct SurfaceWay {
+struct SurfaceMethod {
   std::string name;         ///< "sheet", "fishbone", "loose ribs"
   double rms = 0, max = 0;  ///< distance of a sheet's vertices from their layers, or of a rib's bodies
   int pieces = 1;
@@ -18,15 +18,15 @@ struct SurfaceWay {
 };
 
 /// Returns the distances of a fishbone design from the surface and the share of the area that it leaves open.
-SurfaceWay fishbone_way(const optim::RibsDesign& design, const targets::RibbedSurface& surface);
+SurfaceMethod fishbone_way(const optim::RibsDesign& design, const targets::RibbedSurface& surface);
 
 /// Fits loose ribs, and a fishbone first if `with_fishbone` is set. Returns an empty list if `stop` was requested.
 /// @throws InvalidInput as optim::fit_ribs
-std::vector<SurfaceWay> ways_by_ribs(const targets::RibbedSurface& surface, const optim::RibsSpec& spec,
-                                     bool with_fishbone, const std::stop_token& stop);
+std::vector<SurfaceMethod> ways_by_ribs(const targets::RibbedSurface& surface, const optim::RibsSpec& spec,
+                                        bool with_fishbone, const std::stop_token& stop);
 
-nlohmann::ordered_json ways_json(const std::vector<SurfaceWay>& ways);
+nlohmann::ordered_json ways_json(const std::vector<SurfaceMethod>& ways);
 /// Describes all ways in one line.
-std::string in_words(const std::vector<SurfaceWay>& ways);
+std::string in_words(const std::vector<SurfaceMethod>& ways);
 
 }  // namespace kinetix::app

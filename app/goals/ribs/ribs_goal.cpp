@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double seconds_a_body = 3e-4;  // search time in s per body, measured
+constexpr double seconds_per_body = 3e-4;  // search time in s per body, measured
 
 class RibsGoal final : public Goal {
  public:
@@ -22,7 +22,7 @@ class RibsGoal final : public Goal {
   Forecast forecast() const override {
     const optim::RibsLayout layout = task_.plan();
     Forecast out{make_fishbone(layout.spine_and_ribs, task_.spec.size).structure};
-    out.search_s = seconds_a_body * out.sheet.bodies();
+    out.search_s = seconds_per_body * out.sheet.bodies();
     out.folded_mm = task_.folded_mm;
     if (task_.has_notes) out.notes = layout.notes;
     add_settings(task_.settings, out);

@@ -11,8 +11,9 @@ namespace kinetix::app {
 
 struct RibsMeasure final : Measure {
   optim::RibsError error;
-  targets::WallsInside inside;   ///< walls inside the given head; helmets only
-  std::vector<SurfaceWay> ways;  ///< surfaces only: the fishbone, and for the model also the same ribs loose
+  targets::WallsInside inside;  ///< walls inside the given head; helmets only
+  std::vector<SurfaceMethod>
+      ways;  ///< surfaces only: the fishbone, and for the model also the same ribs loose
 };
 
 class RibsOutcome;
@@ -53,7 +54,7 @@ class RibsOutcome : public GoalOutcome {
   /// Describes insufficient coverage of the surface. Empty if coverage is sufficient.
   virtual std::vector<std::string> bare() const = 0;
   /// Lists other ways to make the surface, for comparison with a measured design.
-  virtual std::vector<SurfaceWay> other_ways(const std::stop_token&) const { return {}; }
+  virtual std::vector<SurfaceMethod> other_ways(const std::stop_token&) const { return {}; }
 
  protected:
   nlohmann::ordered_json line(const std::vector<Eigen::Vector3d>& points) const;

@@ -14,7 +14,7 @@ namespace value = targets::value;
 
 constexpr int most_block_cells = 10;     // cells per direction: a block of 10 x 10 x 10 has 40 000 bodies
 constexpr int most_block_bodies = 6000;  // bodies of 5 x 5 x 5 cells, whose simulation takes minutes
-constexpr int bodies_a_cell = 36;        // 12 rotors and 24 gussets per inner cell; sides have a few more
+constexpr int bodies_per_cell = 36;      // 12 rotors and 24 gussets per inner cell; sides have a few more
 // Theta, degrees: at 45 rotors have turned by a right angle.
 const targets::Bounds block_turns = targets::between(0, 45, "degrees");
 const targets::Bounds gusset_lengths = targets::from_to(0.02, 0.9);
@@ -56,7 +56,7 @@ void check_factor(const targets::Section& target, const SpaceBlockFile& file) {
 
 void check_bodies(const targets::Section& target, const SpaceBlockFile& file) {
   const auto& cells = file.found.cells;
-  const double bodies = static_cast<double>(bodies_a_cell) * cells[0] * cells[1] * cells[2];
+  const double bodies = static_cast<double>(bodies_per_cell) * cells[0] * cells[1] * cells[2];
   if (bodies <= most_block_bodies) return;
   throw target.error(
       fmt::format("{} x {} x {} cells have some {:.0f} bodies; at most {} are searched for: give "

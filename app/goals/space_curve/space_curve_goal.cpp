@@ -124,7 +124,7 @@ std::vector<std::string> violations(const SpaceCurveFile& file, const targets::S
 constexpr double seconds_of_96 = 0.3;
 
 // Simulated time in s per column until the ends of a strip driven at its middle are at rest, measured.
-constexpr double settle_seconds_a_column = 0.06;
+constexpr double settling_seconds_per_column = 0.06;
 
 // Half width of the interval that gives the goal's direction at a point, as a ratio to the goal's length.
 constexpr double direction_reach = 1e-3;
@@ -219,7 +219,7 @@ class SpaceCurveGoal final : public Goal {
     out.bounds = {file_.variables.beta, file_.variables.theta};
     const model::Wall middle = {{file_.variables.columns / 2, 0}, model::Axis::y};
     out.physics = {.drive = drive_on(strip, hinge_drive_to(strip, middle, out.theta)),
-                   .least_settle_s = settle_seconds_a_column * file_.variables.columns};
+                   .least_settle_s = settling_seconds_per_column * file_.variables.columns};
     return out;
   }
 

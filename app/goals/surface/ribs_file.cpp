@@ -11,7 +11,7 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double cells_a_diagonal = 25;  // cells per diagonal: ribs follow the visible shape of the surface
+constexpr double cells_per_diagonal = 25;  // cells per diagonal: ribs follow the visible shape of the surface
 constexpr double largest_tilt = 75 * radians_per_degree;  // rad, the default for sheets of facets too
 
 void refuse_keys_of_sheets(const targets::Section& root) {
@@ -45,7 +45,8 @@ optim::RibsSpec usual_ribs(const targets::RibbedSurface& surface, int ribs) {
   spec.ribs = ribs;
   spec.clearance_mm = 0;
   spec.tilt = largest_tilt;
-  const double pitch = std::min(surface.diagonal / cells_a_diagonal, surface.spine.length() / (2 * ribs + 1));
+  const double pitch =
+      std::min(surface.diagonal / cells_per_diagonal, surface.spine.length() / (2 * ribs + 1));
   spec.size = ThinWalls().size(pitch / std::cos(spec.start_theta));
   return spec;
 }

@@ -209,10 +209,10 @@ class SurfaceGoal final : public Goal {
     const int facets = file_.patch.half.x() >= file_.patch.half.y() ? file_.columns : file_.rows;
     out->ways = {
         {"sheet", surface.design.error.rms, surface.design.error.max, 1, 1 - surface.design.error.cover}};
-    for (SurfaceWay& way : ways_by_ribs(ribbed, usual_ribs(ribbed, facets), true, options.stop))
+    for (SurfaceMethod& way : ways_by_ribs(ribbed, usual_ribs(ribbed, facets), true, options.stop))
       out->ways.push_back(std::move(way));
     if (out->ways.size() < 2 || out->violations.empty()) return out;
-    const SurfaceWay& fishbone = out->ways[1];
+    const SurfaceMethod& fishbone = out->ways[1];
     if (fishbone.rms <= file_.shape_tolerance)
       out->violations.push_back(
           fmt::format("a fishbone would be {:.2f} % of the diagonal off, with {:.0f} % of the area open: "
@@ -314,7 +314,7 @@ std::vector<SummaryLine> SurfaceOutcome::summary_lines(const Run& run) const {
        fmt::format("a mean wall is {:.2f} mm; {}", edge,
                    free_height > 0 ? fmt::format("plates up to {:.2f} mm high never meet", free_height * edge)
                                    : "plates of any height meet on the way")});
-  const std::vector<SurfaceWay>& ways = measure_of<SurfaceMeasure>(run).ways;
+  const std::vector<SurfaceMethod>& ways = measure_of<SurfaceMeasure>(run).ways;
   if (ways.size() > 1) lines.push_back({"beside", in_words({ways.begin() + 1, ways.end()})});
   lines.push_back(
       {"search", fmt::format("{:.2f} s, {} evaluations", run.timings.optimise, design.evaluations)});

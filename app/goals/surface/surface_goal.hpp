@@ -39,7 +39,7 @@ class SurfaceOutcome final : public GoalOutcome {
 
 class SurfaceMeasure final : public Measure {
  public:
-  std::vector<SurfaceWay> ways;  ///< the sheet, a fishbone with one rib per facet, and the same ribs loose
+  std::vector<SurfaceMethod> ways;  ///< the sheet, a fishbone with one rib per facet, and the same ribs loose
 };
 
 /// Describes violations of the tolerances, bounds and collision limits, one sentence each.

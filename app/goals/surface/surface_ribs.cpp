@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 using Json = nlohmann::ordered_json;
 
 constexpr int lines_of_surface = 11;  // sections across the spine: enough to show the shape
-constexpr int points_a_rib = 60;      // points per drawn line: it looks smooth on a page
+constexpr int points_per_rib = 60;    // points per drawn line: it looks smooth on a page
 
 /// Returns sections of the surface across the spine and along it, in the frame of the ribs.
 std::vector<std::vector<Vector3d>> lines_of(const targets::RibbedSurface& surface) {
@@ -26,7 +26,7 @@ std::vector<std::vector<Vector3d>> lines_of(const targets::RibbedSurface& surfac
       std::vector<Vector3d> points = chain.points;
       if (chain.is_closed) points.push_back(points.front());
       if ((points.front() - points.back()).norm() > 0 || points.size() > 2)
-        out.push_back(targets::SpaceCurve(points).evenly(points_a_rib));
+        out.push_back(targets::SpaceCurve(points).evenly(points_per_rib));
     }
   };
   for (int k = 0; k < lines_of_surface; ++k) {
@@ -44,7 +44,7 @@ class SurfaceRibs final : public RibsOutcome {
       : RibsOutcome(task, std::move(found)), file_(std::move(file)) {}
 
   void judge(const model::Lattice&, StateOf of, const model::State&, RibsMeasure& measure) const override {
-    SurfaceWay way = fishbone_way(design, file_.surface);
+    SurfaceMethod way = fishbone_way(design, file_.surface);
     way.rms = measure.error.rms / file_.surface.diagonal;
     way.max = measure.error.max / file_.surface.diagonal;
     measure.ways = {way};
@@ -63,7 +63,7 @@ class SurfaceRibs final : public RibsOutcome {
         100 * cover.share, 100 * file_.covered_tolerance)};
   }
 
-  std::vector<SurfaceWay> other_ways(const std::stop_token& stop) const override {
+  std::vector<SurfaceMethod> other_ways(const std::stop_token& stop) const override {
     return ways_by_ribs(file_.surface, file_.spec, false, stop);
   }
 
@@ -74,8 +74,8 @@ class SurfaceRibs final : public RibsOutcome {
                         {"name", file_.surface_name},
                         {"size_mm", {size.y(), size.x()}},
                         {"lines_mm", lines(drawn)}};
-    const std::vector<SurfaceWay>& ways = measure_of<RibsMeasure>(run).ways;
-    const SurfaceWay& way = ways.front();
+    const std::vector<SurfaceMethod>& ways = measure_of<RibsMeasure>(run).ways;
+    const SurfaceMethod& way = ways.front();
     result["surface"] = {{"lines_mm", lines(drawn)},
                          {"bare_mm", bare_lines(drawn)},
                          {"diagonal_mm", file_.surface.diagonal},
@@ -87,7 +87,7 @@ class SurfaceRibs final : public RibsOutcome {
                          {"goal_max", cover.max / file_.surface.diagonal},
                          {"ribs", ribs()},
                          {"spine_cells", design.layout.spine_and_ribs.rows},
-                         {"spine_mm", line(design.layout.spine.evenly(points_a_rib))},
+                         {"spine_mm", line(design.layout.spine.evenly(points_per_rib))},
                          {"cells_trimmed", design.trimmed},
                          {"body_mm", design.error.of_body},
                          {"ways", ways_json(ways)},
@@ -97,7 +97,7 @@ class SurfaceRibs final : public RibsOutcome {
   }
 
   void add_metrics(const Run& run, Json& metrics) const override {
-    const SurfaceWay& way = measure_of<RibsMeasure>(run).ways.front();
+    const SurfaceMethod& way = measure_of<RibsMeasure>(run).ways.front();
     metrics["surface_rms"] = way.rms;
     metrics["surface_max"] = way.max;
     metrics["cover"] = 1 - way.open;
@@ -108,8 +108,8 @@ class SurfaceRibs final : public RibsOutcome {
   }
 
   std::vector<SummaryLine> summary_lines(const Run& run) const override {
-    const std::vector<SurfaceWay>& ways = measure_of<RibsMeasure>(run).ways;
-    const SurfaceWay& way = ways.front();
+    const std::vector<SurfaceMethod>& ways = measure_of<RibsMeasure>(run).ways;
+    const SurfaceMethod& way = ways.front();
     std::vector<SummaryLine> out;
     const bool is_within = is_near(way) && cover.share >= file_.covered_tolerance;
     out.push_back(
@@ -139,7 +139,7 @@ class SurfaceRibs final : public RibsOutcome {
   }
 
  private:
-  bool is_near(const SurfaceWay& way) const { return way.rms <= file_.shape_tolerance; }
+  bool is_near(const SurfaceMethod& way) const { return way.rms <= file_.shape_tolerance; }
 
   RibsFile file_;
 };

@@ -16,9 +16,9 @@
 namespace kinetix::app {
 namespace {
 
-constexpr double told_mm = 0.01;    // mm: no printer resolves a smaller difference of folds
-constexpr double known_mm = 0.005;  // mm: required accuracy of a path between its states
-constexpr int most_rounds = 3;      // of halving the steps of a path that is less accurate
+constexpr double reported_mm = 0.01;  // mm: no printer resolves a smaller difference of folds
+constexpr double known_mm = 0.005;    // mm: required accuracy of a path between its states
+constexpr int most_rounds = 3;        // of halving the steps of a path that is less accurate
 
 PrintPath exact_path(const Design& design, const model::ExactMotion& exact, PrintPath path) {
   const double theta = exact_theta_of(design, exact);
@@ -96,7 +96,7 @@ bool is_held(const Eigen::Vector2d& size_mm, const Eigen::Vector2d& bed_mm) {
   return ((bed_mm - size_mm).array() >= -file_rounding_mm).all();
 }
 
-Eigen::Vector2d turned_by_a_quarter(const Eigen::Vector2d& bed_mm) { return bed_mm.reverse(); }
+Eigen::Vector2d rotated_by_quarter(const Eigen::Vector2d& bed_mm) { return bed_mm.reverse(); }
 
 /// Boxes along one axis, in one part after the other. Filling from the lower end gives the fewest parts.
 class BoxesInARow {
@@ -163,7 +163,7 @@ bool is_better_turned(const PrintBoxes& boxes, const Eigen::Vector2d& bed_mm) {
     return BoxesInARow::count(BoxesInARow(boxes, 0).filled(bed.x())) *
            BoxesInARow::count(BoxesInARow(boxes, 1).filled(bed.y()));
   };
-  const Eigen::Vector2d other = turned_by_a_quarter(bed_mm);
+  const Eigen::Vector2d other = rotated_by_quarter(bed_mm);
   const bool as_given = holds_each(boxes, bed_mm), as_turned = holds_each(boxes, other);
   if (as_given) return as_turned && tiles_of(other) < tiles_of(bed_mm);
   if (as_turned) return true;
@@ -201,7 +201,7 @@ std::optional<std::string> equilibrium_beside_exact(const Design& design, double
     return start + "does not get there: " + traced.why;
   const model::State fold = exact.at(exact_theta_of(design, exact));
   const double away_mm = edge_mm * aligned_distance(design.structure, traced.state, fold).max;
-  if (away_mm < told_mm) return std::nullopt;
+  if (away_mm < reported_mm) return std::nullopt;
   return start + fmt::format("under its drive is up to {:.3g} mm from that", away_mm);
 }
 
@@ -212,14 +212,14 @@ std::vector<model::State> with_edge(std::vector<model::State> states, double edg
 }
 
 bool fits_on_bed(const Eigen::Vector2d& size_mm, const Eigen::Vector2d& bed_mm) {
-  return is_held(size_mm, bed_mm) || is_held(size_mm, turned_by_a_quarter(bed_mm));
+  return is_held(size_mm, bed_mm) || is_held(size_mm, rotated_by_quarter(bed_mm));
 }
 
 Tiles cut_into_tiles(const std::vector<Eigen::AlignedBox2d>& boxes, const Eigen::Vector2d& bed_mm) {
   Tiles tiles;
   tiles.bed_mm = bed_mm;
   tiles.turned = is_better_turned(boxes, bed_mm);
-  const Eigen::Vector2d bed = tiles.turned ? turned_by_a_quarter(bed_mm) : bed_mm;
+  const Eigen::Vector2d bed = tiles.turned ? rotated_by_quarter(bed_mm) : bed_mm;
   const std::vector<int> column = BoxesInARow(boxes, 0).evenly_filled(bed.x()),
                          row = BoxesInARow(boxes, 1).evenly_filled(bed.y());
   tiles.columns = BoxesInARow::count(column);

@@ -161,7 +161,8 @@ class SheetMaker {
     const double furthest_mm = largest_offset_mm();
     sheet_.hinges.clear();
     for (int h = 0; h < hinges(); ++h) {
-      const model::MadeHinge made = hinge_at(design_.hinge, design_.own_hinges, h).made.value_or(open[h]);
+      const model::MadeHinge made =
+          hinge_at(design_.hinge, design_.hinge_overrides, h).made.value_or(open[h]);
       check_process(sheet_.process, sheet_.linkage.size, made);
       validate(made, sheet_.linkage.size);
       sheet_.hinges.push_back(with_faces({.made = made,
@@ -255,7 +256,7 @@ void make_solids(PrintSheet& sheet) {
 
 bool leaves_hinges_open(const Design& design) {
   if (!design.hinge.made) return true;
-  return std::any_of(design.own_hinges.begin(), design.own_hinges.end(),
+  return std::any_of(design.hinge_overrides.begin(), design.hinge_overrides.end(),
                      [](const auto& own) { return !own.second.made; });
 }
 

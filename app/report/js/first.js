@@ -7,7 +7,7 @@ const FOLDED_COLUMN = 1.35;   // column width of the folded picture over that of
 const NARROW = "(max-width: 700px)";  // screens with one picture below the other, as in the style sheet
 const FIRST_SLANT = [-0.55, 0.42], FIRST_TOP = [0, 1.1];  // azimuth and elevation, rad
 const MOST_FACES = 6000;      // faces of bodies per picture: more take a browser seconds; the view in space shows them
-const OWN_SPRINGS = "its own springs";  // `effort` of a result with a shape-memory drive
+const SHAPE_MEMORY_SPRINGS = "its own springs";  // `effort` of a result with a shape-memory drive
 
 /** Returns whether a panel may be rotated in its plane. That is so without plates, which align its sides. */
 function liesAslant({view, equilibrium, goal, states}) {
@@ -146,7 +146,7 @@ function cellsText(structure) {
 function forceText({equilibrium, raw, asMade}) {
   if (!equilibrium) return takenForceText(asMade?.taken);
   const {effort} = raw.equilibrium, steps = list(raw.equilibrium.path).filter((step) => finite(step.load) !== null);
-  if (effort === OWN_SPRINGS) return "nobody's: its own springs fold it";
+  if (effort === SHAPE_MEMORY_SPRINGS) return "nobody's: its own springs fold it";
   if (!steps.length) return null;
   const most = steps.reduce((a, {load}) => Math.max(a, Math.abs(load)), 0), unit = steps[0].load_unit === "N mm" ? `N${SPACE}mm` : "N";
   return `${figures(most, 2)} ${unit} at most` + (effort ? `: a matter for ${effort}` : "");

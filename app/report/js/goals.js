@@ -22,5 +22,5 @@ const GOALS = [
   surfaceGoal,
   space_blockGoal,
   space_curveGoal,
-  ownGoal,
+  customGoal,
 ];

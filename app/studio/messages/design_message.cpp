@@ -42,7 +42,7 @@ Json size_json(const model::Assembly& assembly) {
   return {size.x(), size.y(), size.z()};
 }
 
-std::string end_words(const BodiesWay& way, int end, const model::Assembly& assembly) {
+std::string end_words(const BodiesMotion& way, int end, const model::Assembly& assembly) {
   if (way.opens[end] < 0) return "";
   return fmt::format("Beyond {:.0f} degrees {} opens first.",
                      to_degrees(end == 0 ? way.turns.front() : way.turns.back()),
@@ -54,7 +54,7 @@ std::string meeting_words(const Meeting& met, const model::Assembly& assembly) {
                      assembly.bodies[met.bodies[0]].name, assembly.bodies[met.bodies[1]].name);
 }
 
-Json why(const BodiesWay& way, const model::Assembly& assembly) {
+Json why(const BodiesMotion& way, const model::Assembly& assembly) {
   if (!way.followed) return {"How far it turns is being found."};
   Json out = Json::array();
   for (const std::string& words : {end_words(way, 0, assembly), end_words(way, 1, assembly)})
@@ -71,7 +71,7 @@ Json why(const BodiesWay& way, const model::Assembly& assembly) {
   return out;
 }
 
-Json meets_json(const BodiesWay& way) {
+Json meets_json(const BodiesMotion& way) {
   if (!way.meets) return nullptr;
   Json out = Json::array();
   for (const auto& met : *way.meets)
@@ -148,7 +148,7 @@ Json meshes_message(const model::Assembly& assembly) {
 
 Json bodies_message(const Design& design, const Moving& moving) {
   const model::Assembly& assembly = *design.structure.assembly();
-  const BodiesWay& way = *moving.way;
+  const BodiesMotion& way = *moving.way;
   return {{"type", "design"},
           {"name", design.name},
           {"structure", shown_bodies_json(assembly)},

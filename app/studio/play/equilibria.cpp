@@ -77,10 +77,10 @@ bool Equilibria::follow(model::DrivenState& at, double theta, const std::stop_to
   return true;
 }
 
-std::shared_ptr<KnownWay> Equilibria::from_flat(double theta, const std::stop_token& stop, const Seen& seen,
-                                                std::string& why) const {
+std::shared_ptr<KnownPath> Equilibria::from_flat(double theta, const std::stop_token& stop, const Seen& seen,
+                                                 std::string& why) const {
   const model::LinkageDrive drive = this->drive(theta);
-  auto way = std::make_shared<KnownWay>(KnownWay{{}, model::EnergyTurns(drive)});
+  auto way = std::make_shared<KnownPath>(KnownPath{{}, model::EnergyTurns(drive)});
   const auto see = [&](const model::EquilibriumStep& step, const model::State& state) {
     way->turns.see(step, state);
     way->states.push_back({step, state});
@@ -94,9 +94,9 @@ std::shared_ptr<KnownWay> Equilibria::from_flat(double theta, const std::stop_to
   return way;
 }
 
-std::shared_ptr<const KnownWay> Equilibria::go(double theta, const std::shared_ptr<const KnownWay>& way,
-                                               const std::stop_token& stop, const Seen& seen,
-                                               std::string& why) const {
+std::shared_ptr<const KnownPath> Equilibria::go(double theta, const std::shared_ptr<const KnownPath>& way,
+                                                const std::stop_token& stop, const Seen& seen,
+                                                std::string& why) const {
   const bool helps = way && !way->states.empty() && way->states.back().step.theta * theta >= 0;
   if (!helps) return from_flat(theta, stop, seen, why);
   const auto far = [&](const model::DrivenState& one) { return std::abs(one.step.theta - theta); };
@@ -110,7 +110,7 @@ std::shared_ptr<const KnownWay> Equilibria::go(double theta, const std::shared_p
       from_flat(theta, stop, seen, why);
     return way;
   }
-  auto longer = std::make_shared<KnownWay>(*way);
+  auto longer = std::make_shared<KnownPath>(*way);
   while (std::abs(theta - at.step.theta) > same_theta) {
     if (!follow(at, next_theta(at.step.theta, theta), stop))
       return stop.stop_requested() ? way : from_flat(theta, stop, seen, why);
@@ -121,7 +121,7 @@ std::shared_ptr<const KnownWay> Equilibria::go(double theta, const std::shared_p
   return longer;
 }
 
-std::vector<model::StableState> Equilibria::stable(const KnownWay& way, const std::stop_token& stop) const {
+std::vector<model::StableState> Equilibria::stable(const KnownPath& way, const std::stop_token& stop) const {
   return stable_states(moving_.linkage, elasticity_, {way.turns}, {.path = options(stop)}).states;
 }
 

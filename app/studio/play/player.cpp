@@ -61,27 +61,27 @@ void Player::enter(Mode mode) {
 }
 
 /// Returns whether the drive's theta differs from the sheet's.
-bool Player::has_drive_of_its_own() const {
+bool Player::has_custom_drive() const {
   return design_.drive && !std::holds_alternative<model::Plates>(*design_.drive) && !body_pull_of(design_);
 }
 
 double Player::sheet_theta() const {
   const bool is_known =
-      mode_ == Mode::exact || (mode_ == Mode::equilibrium && (is_awaited_ || !has_drive_of_its_own()));
+      mode_ == Mode::exact || (mode_ == Mode::equilibrium && (is_awaited_ || !has_custom_drive()));
   const bool is_pulled = moving_->way && moving_->way->pulled;
   return is_known || is_pulled ? theta_ : moving_->theta_of(state_);
 }
 
 /// Returns the theta (rad) of the drive that holds `state`, whose sheet theta is `theta`.
 double Player::drive_theta(double theta, const model::State& state) const {
-  if (!has_drive_of_its_own()) return theta;
+  if (!has_custom_drive()) return theta;
   return model::theta_in(drive_of(design_), moving_->linkage, state) / kept_;
 }
 
 /// Returns the sheet's theta over the rest theta of shape-memory springs. Hinges resist the springs; the
 /// ratio is about the same at all rest angles.
 double Player::kept_by_springs() const {
-  if (!has_drive_of_its_own() || !moving_->exact) return 1;
+  if (!has_custom_drive() || !moving_->exact) return 1;
   const model::LinkageDrive drive = drive_of(design_);
   if (drive.acts_from_outside()) return 1;
   const model::Elasticity elasticity = elasticity_of(design_);

@@ -21,7 +21,7 @@ class Player {
   void load(const Design& design);
   const Moving& moving() const { return *moving_; }
   /// Sets the known motion of the turned hinge. Its turn does not change.
-  void take(std::shared_ptr<const BodiesWay> way) { moving_->take(std::move(way)); }
+  void take(std::shared_ptr<const BodiesMotion> way) { moving_->take(std::move(way)); }
   /// Sets the convex pieces for collisions of bodies.
   void take(std::shared_ptr<const sim::ContactParts> parts,
             std::shared_ptr<const model::ConvexBodies> pressing) {
@@ -76,7 +76,7 @@ class Player {
  private:
   void enter_engine(std::optional<double> driven = {});
   void drive_engine(double theta);
-  bool has_drive_of_its_own() const;
+  bool has_custom_drive() const;
   double kept_by_springs() const;
   double drive_theta(double theta, const model::State& state) const;
   sim::LiveSheet& engine();

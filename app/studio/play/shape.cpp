@@ -56,7 +56,7 @@ Pairs crossing_pairs(const model::Assembly& assembly, const model::State& state,
 }
 
 /// Interpolates between two known states and closes the hinges.
-model::State between_states(const model::Linkage& linkage, const BodiesWay& way, double turn) {
+model::State between_states(const model::Linkage& linkage, const BodiesMotion& way, double turn) {
   std::size_t k = 1;
   while (k + 1 < way.turns.size() && way.turns[k] < turn) ++k;
   if (k >= way.turns.size()) return way.states.front();
@@ -103,13 +103,13 @@ void end_drive_at(Design& design, double drive_theta) {
 
 }  // namespace
 
-BodiesWay way_at_rest(const model::Linkage& linkage, int hinge) {
+BodiesMotion way_at_rest(const model::Linkage& linkage, int hinge) {
   return {hinge, linkage.bodies[linkage.hinges[hinge].lower].sense, {rest_state(linkage)}, {0}};
 }
 
-BodiesWay way_of(const model::Linkage& linkage, int hinge, const std::optional<model::Pull>& pull,
-                 const std::function<bool()>& stop) {
-  BodiesWay way = way_at_rest(linkage, hinge);
+BodiesMotion way_of(const model::Linkage& linkage, int hinge, const std::optional<model::Pull>& pull,
+                    const std::function<bool()>& stop) {
+  BodiesMotion way = way_at_rest(linkage, hinge);
   way.followed = true;
   way.pulled = pull.has_value();
   if (pull) {
@@ -139,7 +139,7 @@ BodiesWay way_of(const model::Linkage& linkage, int hinge, const std::optional<m
   return way;
 }
 
-std::optional<Meeting> first_meeting(const model::Assembly& assembly, const BodiesWay& way, int direction,
+std::optional<Meeting> first_meeting(const model::Assembly& assembly, const BodiesMotion& way, int direction,
                                      const std::function<bool()>& stop) {
   const int count = static_cast<int>(way.states.size());
   const Pairs at_rest = crossing_pairs(assembly, way.states[way.rest], {}, true);
@@ -149,7 +149,7 @@ std::optional<Meeting> first_meeting(const model::Assembly& assembly, const Bodi
   return std::nullopt;
 }
 
-model::State state_at(const model::Linkage& linkage, const BodiesWay& way, double turn) {
+model::State state_at(const model::Linkage& linkage, const BodiesMotion& way, double turn) {
   const double at = std::clamp(turn, way.turns.front(), way.turns.back());
   if (way.pulled) return between_states(linkage, way, at);
   const auto farther = [at](double a, double b) { return std::abs(a - at) < std::abs(b - at); };
@@ -159,7 +159,7 @@ model::State state_at(const model::Linkage& linkage, const BodiesWay& way, doubl
   return solve_closure(linkage, known, {model::HingeTurn{way.hinge, at}}).state;
 }
 
-double nearest_turn(const model::Linkage& linkage, const BodiesWay& way, double from, int body,
+double nearest_turn(const model::Linkage& linkage, const BodiesMotion& way, double from, int body,
                     const Eigen::Vector3d& at, const Eigen::Vector3d& to) {
   const Eigen::Vector3d arm = at - linkage.rest_position(body);
   const auto place = [&](std::size_t k) {
@@ -185,7 +185,7 @@ Moving::Moving(const Design& design) : linkage(design.structure), exact(exact_mo
     bodies = std::make_shared<const Design>(design);
     const model::HingeTurn* turn = turn_of(design);
     const int hinge = turn && turn->hinge >= 0 ? turn->hinge : std::max(0, first_motion(linkage).fastest);
-    take(std::make_shared<BodiesWay>(way_at_rest(linkage, hinge)));
+    take(std::make_shared<BodiesMotion>(way_at_rest(linkage, hinge)));
     return;
   }
   if (!exact) {
@@ -197,7 +197,7 @@ Moving::Moving(const Design& design) : linkage(design.structure), exact(exact_mo
   most_theta = range.positive.touches ? range.positive.theta : largest_theta;
 }
 
-void Moving::take(std::shared_ptr<const BodiesWay> found) {
+void Moving::take(std::shared_ptr<const BodiesMotion> found) {
   way = std::move(found);
   const auto [low, high] = std::minmax({model::theta_at_turn(way->sense, way->turns.front()),
                                         model::theta_at_turn(way->sense, way->turns.back())});
@@ -265,7 +265,7 @@ model::LinkageDrive drive_to(const Design& design, double theta) {
   return design.drive ? drive_of(design).to(theta) : drive_to(design.structure, theta);
 }
 
-Design as_far_as_shown(Design design, const Moving& moving, double sheet_theta, double drive_theta) {
+Design design_at_shown_fold(Design design, const Moving& moving, double sheet_theta, double drive_theta) {
   if (moving.bodies) return turned_as_shown(std::move(design), moving, sheet_theta);
   if (sheet_theta == 0) return design;
   if (moving.exact)

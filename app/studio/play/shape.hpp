@@ -25,7 +25,7 @@ struct Meeting {
 };
 
 /// Motion of bodies while one hinge turns, in both directions from rest, with all hinges closed.
-struct BodiesWay {
+struct BodiesMotion {
   int hinge = 0;                        ///< that turns
   int sense = 1;                        ///< sense of the hinge's lower body
   std::vector<model::State> states;     ///< with closed hinges, mm
@@ -39,27 +39,27 @@ struct BodiesWay {
 };
 
 /// Returns the motion of bodies known only at rest.
-BodiesWay way_at_rest(const model::Linkage& linkage, int hinge);
+BodiesMotion way_at_rest(const model::Linkage& linkage, int hinge);
 
 /// Computes the motion until one angle no longer defines it, or until a hinge opens.
 /// @param pull pulls the bodies instead of turning a hinge: turns are then the path's fraction times twice
 /// mean_half_turn at the end
 /// @param stop called between steps
-BodiesWay way_of(const model::Linkage& linkage, int hinge, const std::optional<model::Pull>& pull,
-                 const std::function<bool()>& stop = {});
+BodiesMotion way_of(const model::Linkage& linkage, int hinge, const std::optional<model::Pull>& pull,
+                    const std::function<bool()>& stop = {});
 
 /// Finds the first collision in the negative (-1) or positive (1) direction. Surfaces must cross by more than
 /// 0.01 mm; walls of one height cross some hundredths later. Bodies that cross at rest do not count.
 /// @param stop called between states
-std::optional<Meeting> first_meeting(const model::Assembly& assembly, const BodiesWay& way, int direction,
+std::optional<Meeting> first_meeting(const model::Assembly& assembly, const BodiesMotion& way, int direction,
                                      const std::function<bool()>& stop = {});
 
 /// Returns the state with this turn of the hinge, rad, limited to the known motion. Closes the hinges anew.
-model::State state_at(const model::Linkage& linkage, const BodiesWay& way, double turn);
+model::State state_at(const model::Linkage& linkage, const BodiesMotion& way, double turn);
 
 /// Finds the turn, rad, near `from`, at which the point `at` of a body (rest place, mm) is nearest to `to`
 /// (mm). Points move straight between known states.
-double nearest_turn(const model::Linkage& linkage, const BodiesWay& way, double from, int body,
+double nearest_turn(const model::Linkage& linkage, const BodiesMotion& way, double from, int body,
                     const Eigen::Vector3d& at, const Eigen::Vector3d& to);
 
 /// Design with the known part of its motion.
@@ -68,7 +68,7 @@ struct Moving {
   explicit Moving(const Design& design);
 
   /// Sets the known motion of bodies as their exact motion.
-  void take(std::shared_ptr<const BodiesWay> found);
+  void take(std::shared_ptr<const BodiesMotion> found);
   /// Keeps the pieces for collisions of a design with the same shape, and its motion if the same hinge or
   /// pull drives it.
   void keep(const Moving& before);
@@ -85,7 +85,7 @@ struct Moving {
   /// Range in rad without contact between walls on the exact path; of bodies the known motion.
   double least_theta = 0, most_theta = 0;
   std::shared_ptr<const Design> bodies;                 ///< null for sheets, and so are the members below
-  std::shared_ptr<const BodiesWay> way;                 ///< as far as it is known
+  std::shared_ptr<const BodiesMotion> way;              ///< as far as it is known
   std::shared_ptr<const sim::ContactParts> parts;       ///< for collisions; null until they are cut
   std::shared_ptr<const model::ConvexBodies> pressing;  ///< convex pieces for contact in equilibrium
 };
@@ -111,7 +111,7 @@ model::LinkageDrive drive_to(const Design& design, double theta);
 /// Bodies turn their hinge as shown.
 /// @param moving belongs to the design   @throws InvalidInput for bodies that are pulled
 /// @param sheet_theta rad, of the sheet   @param drive_theta rad, of its drive (LinkageDrive::theta)
-Design as_far_as_shown(Design design, const Moving& moving, double sheet_theta, double drive_theta);
+Design design_at_shown_fold(Design design, const Moving& moving, double sheet_theta, double drive_theta);
 
 /// Returns the design at the shown fold for its file. The drive is kept and ends at that fold.
 Design saved_as_shown(Design design, const Moving& moving, double sheet_theta, double drive_theta);

@@ -67,12 +67,12 @@ Autosave::Autosave(const fs::path& state, const std::string& source) {
   throw InvalidInput("no place can be made in this folder, so that designs are not kept", {state.string()});
 }
 
-std::optional<KeptDesign> Autosave::kept() const {
+std::optional<AutosavedDesign> Autosave::kept() const {
   const std::string file = (folder_ / "design.yaml").string();
   std::error_code none;
   if (!fs::exists(file, none)) return {};
   try {
-    KeptDesign kept{read_design(file), save_file_of(targets::read_text_file(file, max_design_bytes))};
+    AutosavedDesign kept{read_design(file), save_file_of(targets::read_text_file(file, max_design_bytes))};
     kept.result = earlier_result(file, kept.design);
     return kept;
   } catch (const InvalidInput&) {

@@ -13,7 +13,7 @@
 namespace kinetix::app::studio {
 
 /// Design that was not saved, as it was kept.
-struct KeptDesign {
+struct AutosavedDesign {
   Design design;
   std::string save_file;               ///< `save` writes it here; empty: into a folder of results
   nlohmann::ordered_json result = {};  ///< message of the result that it belongs to; null: none
@@ -31,7 +31,7 @@ class Autosave {
 
   const std::filesystem::path& folder() const { return folder_; }
   /// Reads the design that a killed studio left; empty if there is none, or it cannot be read.
-  std::optional<KeptDesign> kept() const;
+  std::optional<AutosavedDesign> kept() const;
   /// @param told message of its result; null: none   @throws InvalidInput if it cannot be written
   void keep(const Design& design, const std::string& save_file, const nlohmann::ordered_json& told);
   /// Removes the kept design after a save.

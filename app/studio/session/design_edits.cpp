@@ -17,7 +17,7 @@ namespace {
 
 constexpr double rounded_share = 1e-9;      // of a length: error of its digits in a file
 constexpr double farthest_stiffness = 1e9;  // N/mm and N mm/rad, and its inverse: beyond all hinges
-constexpr int most_cells_a_side = 200;      // a page shows this many at 15 frames per second
+constexpr int most_cells_per_side = 200;    // a page shows this many at 15 frames per second
 
 const targets::KeyTable& only_hinge() {
   static const targets::KeyTable keys(
@@ -65,8 +65,8 @@ model::SheetSymmetry symmetry_of(const Message& message, const Design& design) {
   throw InvalidInput("symmetry: must be none, mirror_x, mirror_y or rotate_2");
 }
 
-void take_what_was_asked(const Message& message, const model::HingeParameters& from,
-                         model::HingeParameters& to) {
+void copy_requested_fields(const Message& message, const model::HingeParameters& from,
+                           model::HingeParameters& to) {
   if (message.has("t")) to.t = from.t;
   if (message.has("alpha_deg")) to.alpha = from.alpha;
   if (message.has("beta_deg")) to.beta = from.beta;
@@ -82,7 +82,7 @@ void change_images(const std::vector<int>& hinges, const model::SheetSymmetry& s
     const auto other = symmetry.image(before, h);
     if (!other || *other == h || told.count(h) > 0) continue;
     told.insert(*other);
-    take_what_was_asked(message, symmetry.image(before, h, *other), sheet.hinge(*other));
+    copy_requested_fields(message, symmetry.image(before, h, *other), sheet.hinge(*other));
   }
 }
 
@@ -105,15 +105,15 @@ Design with_cells(Design design, std::vector<model::Cell> cells, const model::Ce
   auto [structure, from] = model::redrawn(squares_of(design), std::move(cells), size);
   std::map<int, HingeSection> own;
   for (std::size_t h = 0; h < from.size(); ++h)
-    if (const auto section = from[h] ? design.own_hinges.find(*from[h]) : design.own_hinges.end();
-        section != design.own_hinges.end())
+    if (const auto section = from[h] ? design.hinge_overrides.find(*from[h]) : design.hinge_overrides.end();
+        section != design.hinge_overrides.end())
       own[static_cast<int>(h)] = section->second;
   fit_to_walls(design.hinge, before, size);
   for (auto& [h, section] : own) fit_to_walls(section, before, size);
   if (structure.cells != squares_of(design).cells) design.drive.reset();
   if (design.drive) design.drive = scaled(*design.drive, size.edge_mm / before.edge_mm);
   design.structure = std::move(structure);
-  design.own_hinges = std::move(own);
+  design.hinge_overrides = std::move(own);
   return design;
 }
 
@@ -130,14 +130,14 @@ void alternate(const model::Structure& squares, const std::vector<int>& hinges, 
     const bool is_along = before[h].wall.axis == first.wall.axis;
     const model::HingeParameters now = is_along ? carried_to(before[h].wall, first) : first.parameters;
     model::HingeParameters& hinge = sheet.hinge(h);
-    take_what_was_asked(message, now, hinge);
+    copy_requested_fields(message, now, hinge);
   }
 }
 
 /// Checks hinge offsets: a hinge too far off its wall would make the file unreadable.
 Design with_offsets_that_fit(Design design) {
   for (int h = 0; h < design.structure.hinges(); ++h)
-    if (const auto why = why_offset_does_not_fit(design, h))
+    if (const auto why = find_offset_misfit(design, h))
       throw InvalidInput(fmt::format("wall {}: {}", wall_name(design.structure, h), *why));
   return design;
 }
@@ -145,7 +145,7 @@ Design with_offsets_that_fit(Design design) {
 /// Reads one `cell`, or the `cells` of a stroke.
 std::vector<model::Cell> painted(const Message& message) {
   const bool many = message.has("cells");
-  const std::vector<int> at = message.integers(many ? "cells" : "cell", 0, most_cells_a_side - 1);
+  const std::vector<int> at = message.integers(many ? "cells" : "cell", 0, most_cells_per_side - 1);
   if (at.empty() || at.size() % 2 != 0 || (!many && at.size() != 2))
     throw InvalidInput(many ? "cells: must be [i, j, i, j, ...]" : "cell: must be [i, j]");
   std::vector<model::Cell> out;
@@ -228,8 +228,8 @@ Design with_sheet(Design design, const Message& message) {
   const model::Structure& squares = squares_of(design);
   std::array<int, 2> extent = model::extent(squares);
   const bool is_new = message.has("columns") || message.has("rows");
-  if (message.has("columns")) extent[0] = message.integer("columns", 1, most_cells_a_side);
-  if (message.has("rows")) extent[1] = message.integer("rows", 1, most_cells_a_side);
+  if (message.has("columns")) extent[0] = message.integer("columns", 1, most_cells_per_side);
+  if (message.has("rows")) extent[1] = message.integer("rows", 1, most_cells_per_side);
   model::CellSize size = squares.size;
   if (message.has("cell_mm")) size = with_edge(size, message.number("cell_mm", 0.1, 1000));
   if (message.has("thickness_mm")) size.thickness_mm = message.number("thickness_mm", 0.01, 100);
@@ -241,7 +241,7 @@ Design with_sheet(Design design, const Message& message) {
 Design with_made_hinges(Design design, const Message& message) {
   if (design.structure.assembly())
     throw InvalidInput("made: is of sheets. Give hinges of bodies their stiffness with `hinge`");
-  design.own_hinges.clear();
+  design.hinge_overrides.clear();
   if (message.text("kind") == "stiff") {
     design.hinge = {};
     return design;

@@ -34,7 +34,7 @@ constexpr double percent = 100,
                  degree = 1 / radians_per_degree;  // units for a ratio and for a radian, as people read them
 
 /// Numbers to show, for all kinds of goals. Others interest only experts.
-constexpr Measure told_measures[] = {
+constexpr Measure reported_measures[] = {
     {"theta_rad", "folded", "theta ", degree, 4, " deg"},
     {"shape_rms", "shape", "rms ", percent, 3, " % of the goal's diagonal"},
     {"shape_max", "", "largest ", percent, 3, " % of it"},
@@ -57,11 +57,11 @@ constexpr Measure told_measures[] = {
     {"verify_rms", "physics", "rms ", 1, 2, " cell edges from the model"},
 };
 
-std::string told_line(const std::string& label, const std::string& text) {
+std::string printed_line(const std::string& label, const std::string& text) {
   return fmt::format("\n  {:<10} {}", label, text);
 }
 
-std::string told_number(double value, int digits) {
+std::string reported_number(double value, int digits) {
   constexpr double seen = 1e-3;  // of all units above: smaller values do not matter to people
   return std::abs(value) < seen ? "below 0.001" : plain_number(value, digits);
 }
@@ -70,15 +70,15 @@ std::string told_number(double value, int digits) {
 std::string words(const Json& result, const std::string& file) {
   const Json& metrics = result["metrics"];
   std::string out = result.value("name", std::string("A result")) + ", from " + file;
-  for (const auto& [key, label, before, unit, digits, after] : told_measures)
+  for (const auto& [key, label, before, unit, digits, after] : reported_measures)
     if (const auto value = metrics.find(key); value != metrics.end() && value->is_number())
-      out += told_line(label, before + told_number(unit * value->get<double>(), digits) + after);
+      out += printed_line(label, before + reported_number(unit * value->get<double>(), digits) + after);
   const Json judged = result.value("verdict", Json(nullptr));
   if (!judged.is_object() || !judged.contains("problems") || !judged["problems"].is_array()) return out;
   for (const Json& problem : judged["problems"])
     if (problem.contains("level") && problem.contains("text") && problem["level"].is_string() &&
         problem["text"].is_string())
-      out += told_line(problem["level"].get<std::string>(), problem["text"].get<std::string>());
+      out += printed_line(problem["level"].get<std::string>(), problem["text"].get<std::string>());
   return out;
 }
 

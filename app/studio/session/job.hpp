@@ -42,7 +42,7 @@ class Job {
     if (older) older->dropped();
   }
 
-  void ask_to_stop() {
+  void stop_current() {
     const std::lock_guard lock(mutex_);
     stop_.request_stop();
   }

@@ -52,14 +52,14 @@ void require_showable(const Design& design) {
       design.structure.bodies(), most_bodies));
 }
 
-Session::Session(Opened opened, Outlet outlet)
+Session::Session(Opened opened, MessageSink outlet)
     : SessionLoop(std::move(outlet)),
       opened_(std::move(opened)),
       history_(opened_.design),
       save_files_{opened_.save_file},
       player_(opened_.design) {
   history_.set_finding({.told = opened_.result, .theta = opened_.design.theta});
-  std::optional<KeptDesign> kept;
+  std::optional<AutosavedDesign> kept;
   if (opened_.autosave) kept = opened_.autosave->kept();
   if (kept) {
     if (kept->save_file != opened_.save_file) save_files_.push_back(kept->save_file);
@@ -83,18 +83,18 @@ void Session::welcome(int client) {
   tell(hello, client);
   if (meshes_of_) tell(meshes_message(*meshes_of_->structure.assembly()), client);
   if (design_text_.bytes)
-    tell_text(design_text_, client);
+    send_text(design_text_, client);
   else
-    tell_design(client);
-  tell_state(client);
-  tell_result(client);
-  tell_path(client);
+    send_design(client);
+  send_state(client);
+  send_last_result(client);
+  send_path(client);
 }
 
 void Session::obey(const Message& message) {
   const auto command = commands().find(message.type());
   if (command == commands().end()) throw InvalidInput("type: unknown command '" + message.type() + "'");
-  if (!is_told_) tell_design();
+  if (!is_sent_) send_design();
   command->second(*this, message);
 }
 
@@ -106,7 +106,7 @@ bool Session::play() {
 
 void Session::halt() {
   player_.set_paused(true);
-  tell_state();
+  send_state();
 }
 
 Frame Session::frame() const {
@@ -116,7 +116,7 @@ Frame Session::frame() const {
 }
 
 void Session::stop_jobs() {
-  for (Job* job : {&tracer_, &searcher_, &exporter_, &follower_, &cutter_}) job->ask_to_stop();
+  for (Job* job : {&tracer_, &searcher_, &exporter_, &follower_, &cutter_}) job->stop_current();
 }
 
 /// Starts long work for the present client, which receives its errors.
@@ -140,7 +140,7 @@ const std::map<std::string, Session::Command>& Session::commands() {
   const auto told = [](const Command& change) {  // sends the state to everybody, since the command changes it
     return [change](S& s, const M& m) {
       change(s, m);
-      s.tell_state();
+      s.send_state();
     };
   };
   static const std::map<std::string, Command> all = {
@@ -162,7 +162,7 @@ const std::map<std::string, Session::Command>& Session::commands() {
       {"speed", told([](S& s, const M& m) { s.player_.set_speed(m.number("factor", 0.05, 1)); })},
       {"springs", told([](S& s, const M& m) { s.player_.set_springs(m.boolean("on")); })},
       {"reset", told([](S& s, const M&) {
-         s.tracer_.ask_to_stop();
+         s.tracer_.stop_current();
          ++s.traces_;  // discards its states that wait to be shown
          s.player_.reset();
        })},
@@ -178,7 +178,7 @@ const std::map<std::string, Session::Command>& Session::commands() {
       {"save", [](S& s, const M& m) { s.save(m); }},
       {"search", [](S& s, const M& m) { s.search(m); }},
       {"part", [](S& s, const M& m) { s.take_part(m); }},
-      {"stop", [](S& s, const M&) { s.searcher_.ask_to_stop(); }},
+      {"stop", [](S& s, const M&) { s.searcher_.stop_current(); }},
       {"driven", [](S& s, const M& m) { s.take(with_driven_hinge(s.history_.current(), m)); }},
       {"export", [](S& s, const M& m) { s.export_files(m); }},
   };
@@ -203,16 +203,16 @@ void Session::set_mode(const Message& message) {
 }
 
 void Session::enter(Mode mode) {
-  tracer_.ask_to_stop();
+  tracer_.stop_current();
   player_.enter(mode);
-  tell_state();
+  send_state();
   if (player_.mode() == Mode::equilibrium) trace(player_.theta());
 }
 
 void Session::fold_to(double theta) {
   player_.fold_to(theta);
   if (player_.mode() == Mode::equilibrium) trace(player_.theta());
-  if (player_.mode() == Mode::bullet) tell_state();
+  if (player_.mode() == Mode::bullet) send_state();
 }
 
 void Session::drag(const Message& message) {
@@ -253,19 +253,19 @@ void Session::go_back(bool forth) {
 
 /// @pre the player has loaded the design
 void Session::design_changed() {
-  tracer_.ask_to_stop();
+  tracer_.stop_current();
   ++revision_;
   stable_.clear();
   way_.reset();
   path_ = nullptr;
   ++traces_;  // running traces belong to another design
   changed_ = true;
-  is_told_ = false;
+  is_sent_ = false;
   design_text_ = {};
   keep_unsaved();
-  tell_design();
-  tell_state();
-  tell_result();
+  send_design();
+  send_state();
+  send_last_result();
   follow();
   if (player_.mode() == Mode::equilibrium) trace(player_.theta());
 }
@@ -349,11 +349,11 @@ void Session::save(const Message& message) {
         {"path", file.string()},
         {"theta_rad", asked_theta(design, player_.moving())},
         {"at_fold", at_fold}});
-  tell_design();
+  send_design();
 }
 
 /// Sends the newest design. If bodies changed their shape, their meshes are sent to everybody before it.
-void Session::tell_design(int client) {
+void Session::send_design(int client) {
   const auto& bodies = player_.moving().bodies;
   if (bodies && !have_one_shape(bodies.get(), meshes_of_.get())) {
     meshes_of_ = bodies;
@@ -369,23 +369,23 @@ void Session::tell_design(int client) {
   out["restored"] = restored_ == revision_ && !history_.is_saved();
   out["has_result"] = !history_.finding().told.is_null();
   design_text_ = text_of(out);
-  tell_text(design_text_, client);
-  if (client == everybody) is_told_ = true;
+  send_text(design_text_, client);
+  if (client == everybody) is_sent_ = true;
 }
 
 /// Sends the result of the present design, if any.
-void Session::tell_result(int client) const {
+void Session::send_last_result(int client) const {
   Json told = history_.finding().told;
   if (told.is_null()) return;
   told["revision"] = revision_;
   tell(told, client);
 }
 
-void Session::tell_path(int client) const {
+void Session::send_path(int client) const {
   if (!path_.is_null()) tell({{"type", "path"}, {"revision", revision_}, {"rows", path_}}, client);
 }
 
-void Session::tell_state(int client) const {
+void Session::send_state(int client) const {
   Json state = state_message(player_);
   state["searching"] = searching_;
   tell(state, client);

@@ -36,7 +36,7 @@ void require_showable(const Design& design);
 /// A design in the studio, its present shape, and its running work.
 class Session : public SessionLoop {
  public:
-  Session(Opened opened, Outlet outlet);
+  Session(Opened opened, MessageSink outlet);
 
  private:
   using Command = std::function<void(Session& session, const Message& message)>;
@@ -72,7 +72,7 @@ class Session : public SessionLoop {
   void export_files(const Message& message);
 
   void follow();
-  void take(std::shared_ptr<const BodiesWay> way, double theta);
+  void take(std::shared_ptr<const BodiesMotion> way, double theta);
   void cut_for(Mode mode);
 
   void start(Job& job, double id, const std::string& about, const Job::Work& work);
@@ -85,10 +85,10 @@ class Session : public SessionLoop {
   void search_for(const std::string& file, std::shared_ptr<const void> keeps);
   void found(std::shared_ptr<Run> run);
 
-  void tell_design(int client = everybody);
-  void tell_result(int client = everybody) const;
-  void tell_path(int client = everybody) const;
-  void tell_state(int client = everybody) const;
+  void send_design(int client = everybody);
+  void send_last_result(int client = everybody) const;
+  void send_path(int client = everybody) const;
+  void send_state(int client = everybody) const;
 
   const Opened opened_;
   DesignHistory history_;
@@ -97,13 +97,13 @@ class Session : public SessionLoop {
   int restored_ = 0;      ///< revision of the design that a killed studio left; 0: none
   std::string not_kept_;  ///< why unsaved designs are not kept; empty: they are kept
   Text design_text_;      ///< newest message `design`
-  bool is_told_ = true;   ///< everybody has the newest design
+  bool is_sent_ = true;   ///< everybody has the newest design
   Player player_;
-  std::shared_ptr<const KnownWay> way_;        ///< known equilibria of the present design
-  std::shared_ptr<const KnownWay> stable_of_;  ///< source of the stable states
-  nlohmann::ordered_json path_;                ///< rows of the equilibrium path for the page; null: none
-  int traces_ = 0;                             ///< number of traces; results of older ones are ignored
-  std::vector<model::StableState> stable_;     ///< reached from the last equilibrium path
+  std::shared_ptr<const KnownPath> way_;        ///< known equilibria of the present design
+  std::shared_ptr<const KnownPath> stable_of_;  ///< source of the stable states
+  nlohmann::ordered_json path_;                 ///< rows of the equilibrium path for the page; null: none
+  int traces_ = 0;                              ///< number of traces; results of older ones are ignored
+  std::vector<model::StableState> stable_;      ///< reached from the last equilibrium path
   std::size_t next_stable_ = 0;
 
   bool searching_ = false, exporting_ = false;

@@ -13,23 +13,23 @@ void Session::follow() {
         [this, revision = revision_, theta, pull = pull_of(design),
          moving = player_.moving()](const std::stop_token& asked) {
           const auto stop = [&] { return asked.stop_requested(); };
-          const auto tell_way = [&](const BodiesWay& way, double to) {
+          const auto send_motion = [&](const BodiesMotion& way, double to) {
             if (stop()) return;
-            enqueue([this, revision, to, way = std::make_shared<const BodiesWay>(way)] {
+            enqueue([this, revision, to, way = std::make_shared<const BodiesMotion>(way)] {
               if (revision == revision_) take(way, to);
             });
           };
-          BodiesWay way = *moving.way;
-          if (!way.followed) tell_way(way = way_of(moving.linkage, way.hinge, pull, stop), theta);
+          BodiesMotion way = *moving.way;
+          if (!way.followed) send_motion(way = way_of(moving.linkage, way.hinge, pull, stop), theta);
           const model::Assembly& assembly = *moving.bodies->structure.assembly();
           way.meets = {first_meeting(assembly, way, -1, stop), first_meeting(assembly, way, 1, stop)};
-          tell_way(way, 0);
+          send_motion(way, 0);
         });
 }
 
-void Session::take(std::shared_ptr<const BodiesWay> way, double theta) {
+void Session::take(std::shared_ptr<const BodiesMotion> way, double theta) {
   player_.take(std::move(way));
-  tell_design();
+  send_design();
   if (theta != 0) fold_to(theta);
   changed_ = true;
 }

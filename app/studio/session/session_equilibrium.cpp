@@ -11,7 +11,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Returns the rows of an equilibrium path that the page draws.
-Json path_rows(const KnownWay& way, const Equilibria& equilibria) {
+Json path_rows(const KnownPath& way, const Equilibria& equilibria) {
   Json rows = Json::array();
   for (const model::DrivenState& at : way.states)
     rows.push_back({{"theta_rad", at.step.theta},
@@ -58,7 +58,7 @@ void Session::trace(double theta) {
             if (number != traces_) return;
             way_ = way;
             path_ = rows;
-            tell_path();
+            send_path();
             if (!why.empty()) tell(error_message(why, 0, "equilibrium"), client);
           });
           if (way == known && is_settled) return;
@@ -74,7 +74,7 @@ void Session::trace(double theta) {
 
 /// Shows the flat state, which needs no search: nothing is strained.
 void Session::show_flat() {
-  tracer_.ask_to_stop();
+  tracer_.stop_current();
   ++traces_;
   player_.show_equilibrium(rest_state(player_.moving().linkage), 0, 0, 0);
   changed_ = true;

@@ -28,7 +28,8 @@ void Session::export_files(const Message& message) {
   const bool at_fold = message.has("at_fold") && message.boolean("at_fold");
   Design design = history_.current();
   if (at_fold)
-    design = as_far_as_shown(std::move(design), player_.moving(), player_.sheet_theta(), player_.theta());
+    design =
+        design_at_shown_fold(std::move(design), player_.moving(), player_.sheet_theta(), player_.theta());
   const fs::path beside = save_file().parent_path();
   const std::string folder = (beside / (design.name + "_print")).string();
   const int client = client_;

@@ -145,7 +145,7 @@ Text SessionLoop::text_of(const nlohmann::ordered_json& message) {
 }
 
 void SessionLoop::tell(const nlohmann::ordered_json& message, int client) const {
-  tell_text(text_of(message), client);
+  send_text(text_of(message), client);
 }
 
 }  // namespace kinetix::app::studio

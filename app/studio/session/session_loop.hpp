@@ -19,7 +19,7 @@ namespace kinetix::app::studio {
 inline constexpr int everybody = -1;  ///< in place of a client's number: all clients
 
 /// Connection from a session to its pages. Calls come from several threads.
-struct Outlet {
+struct MessageSink {
   std::function<void(int client, Text text)> tell;
   std::function<void(std::shared_ptr<const Frame> frame)> show;
   /// Reports that a command of this size no longer waits.
@@ -32,7 +32,7 @@ struct Outlet {
 /// A command that fails causes an error message; the loop continues.
 class SessionLoop {
  public:
-  explicit SessionLoop(Outlet outlet) : outlet_(std::move(outlet)) {}
+  explicit SessionLoop(MessageSink outlet) : outlet_(std::move(outlet)) {}
   virtual ~SessionLoop() = default;
   SessionLoop(const SessionLoop&) = delete;
   SessionLoop& operator=(const SessionLoop&) = delete;
@@ -52,7 +52,7 @@ class SessionLoop {
   void enqueue(Task work) { enqueue(everybody, std::move(work)); }
   /// Sends a message to a client, or to everybody; from any thread.
   void tell(const nlohmann::ordered_json& message, int client = everybody) const;
-  void tell_text(Text text, int client = everybody) const { outlet_.tell(client, std::move(text)); }
+  void send_text(Text text, int client = everybody) const { outlet_.tell(client, std::move(text)); }
   /// Returns the message as text that can be sent repeatedly.
   static Text text_of(const nlohmann::ordered_json& message);
   void note_heard(int client, double id);
@@ -82,7 +82,7 @@ class SessionLoop {
   void show();
   bool attempt(const Task& work) const;
 
-  const Outlet outlet_;
+  const MessageSink outlet_;
   std::map<int, double> heard_;  ///< per connected client: largest id of its commands whose effect is visible
   std::mutex mutex_;             ///< guards the queues
   std::condition_variable_any arrived_;

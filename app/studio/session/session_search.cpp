@@ -99,12 +99,12 @@ void Session::search_for(const std::string& file, std::shared_ptr<const void> ke
       enqueue([this, what = failure_message(e)] {
         searching_ = false;
         tell(error_message(what, 0, "search"));
-        tell_state();
+        send_state();
       });
     }
   });
   searching_ = true;
-  tell_state();
+  send_state();
 }
 
 void Session::found(std::shared_ptr<Run> run) {
@@ -123,7 +123,7 @@ void Session::found(std::shared_ptr<Run> run) {
   else
     take(std::move(design), std::move(finding));
   fold_to(run->theta);
-  tell_state();
+  send_state();
   changed_ = true;
 }
 

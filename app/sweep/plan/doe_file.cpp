@@ -28,7 +28,7 @@ constexpr targets::Word<optim::SamplingMethod> methods[] = {
     {"sobol", optim::SamplingMethod::sobol},
     {"saltelli", optim::SamplingMethod::saltelli},
     {"monte_carlo", optim::SamplingMethod::monte_carlo},
-    {"one_at_a_time", optim::SamplingMethod::one_at_a_time},
+    {"one_at_a_time", optim::SamplingMethod::one_factor},
     {"morris", optim::SamplingMethod::morris}};
 
 const targets::KeyTable& method_keys() {

@@ -34,7 +34,7 @@ struct DoeFactor {
 
 /// The `method:` section.
 struct DoeMethod {
-  optim::SamplingOptions options = {};  ///< no base point; factorial and one_at_a_time ignore `samples`
+  optim::SamplingOptions options = {};  ///< no base point; factorial and one_factor ignore `samples`
   std::optional<int> levels = {};       ///< default of ranges without levels
   targets::Node node;                   ///< for messages
 };

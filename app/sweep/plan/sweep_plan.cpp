@@ -160,7 +160,7 @@ std::vector<double> base_of(const Columns& columns) {
 optim::SamplePlan make_samples(const DoeFile& doe, const Columns& columns, std::uint64_t seed) {
   optim::SamplingOptions options = doe.method.options;
   options.seed = seed;
-  if (options.method == optim::SamplingMethod::one_at_a_time) options.base = base_of(columns);
+  if (options.method == optim::SamplingMethod::one_factor) options.base = base_of(columns);
   optim::SamplePlan samples =
       doe.method.node.located([&] { return optim::SamplePlan(columns.factors, options); });
   if (samples.size() > static_cast<std::uint64_t>(most_samples))

@@ -132,8 +132,8 @@ optim::TableRows rows_of(Method method) {
 }
 
 Json main_effects_json(Method method, const Numbers& numbers, const std::vector<double>& response) {
-  const auto effects = method == Method::one_at_a_time
-                           ? optim::one_at_a_time_effects(numbers.factors, response)
+  const auto effects = method == Method::one_factor
+                           ? optim::one_factor_effects(numbers.factors, response)
                            : optim::main_effects(numbers.factors, response, {.rows = rows_of(method)});
   Json out = Json::array();
   for (const optim::MainEffect& effect : effects) out.push_back(main_effect_json(effect));
@@ -238,7 +238,7 @@ Json response_json(const SweepPlan& plan, const Numbers& numbers, std::size_t r)
     out["sobol"] = sobol_json(sobol_indices(response, static_cast<int>(numbers.factors.cols()), confidence));
   else if (method == Method::morris)
     out["morris"] = morris_json(morris_effects(numbers.factors, response, confidence));
-  else if (method != Method::one_at_a_time)
+  else if (method != Method::one_factor)
     out["linear"] = linear_json(optim::linear_effects(numbers.factors, response));
   return out;
 }

@@ -13,16 +13,16 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double point_spacing = 0.1;  // cell edges: fine enough for contact between corners
-constexpr int most_in_a_row = 12;      // points along an edge: more would only crowd long edges
-constexpr double one_plane = 1e-4;     // of the radius, and rad: same plane, for faces and corners
+constexpr double point_spacing = 0.1;     // cell edges: fine enough for contact between corners
+constexpr int most_points_per_edge = 12;  // points along an edge: more would only crowd long edges
+constexpr double one_plane = 1e-4;        // of the radius, and rad: same plane, for faces and corners
 constexpr double just_outside = 1e-3;  // of the radius: distance at which the body's next piece is searched
 
 /// Corners of a piece on one of its faces, in order around it; empty for slivers without a polygon.
 using FacePolygon = std::vector<int>;
 
 int points_in(double length) {
-  return std::clamp(static_cast<int>(std::ceil(length / point_spacing)), 2, most_in_a_row + 1);
+  return std::clamp(static_cast<int>(std::ceil(length / point_spacing)), 2, most_points_per_edge + 1);
 }
 
 /// Removes faces that lie in the plane of an earlier one.

@@ -90,8 +90,8 @@ bool ClosedForm::is_mirrored(const State& state, double theta) const {
   if (system_.driven_hinge() >= 0 || system_.drive().grips_part) return false;
   const auto from_mirror = distance(state, -theta);
   if (!from_mirror || !(*from_mirror <= near)) return false;
-  const auto from_own = distance(state, theta);
-  return !from_own || *from_mirror < *from_own;
+  const auto from_exact_state = distance(state, theta);
+  return !from_exact_state || *from_mirror < *from_exact_state;
 }
 
 }  // namespace kinetix::model

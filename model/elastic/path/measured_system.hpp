@@ -15,7 +15,7 @@ struct MeasuredSystem {
 
   /// Returns whether flat is singular under the drive: its coordinate changes with theta squared, for either
   /// side.
-  bool leaves_flat_to_a_side() const { return elastic.drive().has_branch(); }
+  bool has_branch_at_flat() const { return elastic.drive().has_branch(); }
   /// Returns the step data of a state in equilibrium at theta, rad. @pre if stable, `tangent` is its tangent,
   /// factorised
   EquilibriumStep measured(const State& state, double theta, bool stable) const;

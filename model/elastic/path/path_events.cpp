@@ -78,14 +78,14 @@ void PathEvents::see(const EquilibriumStep& before, const EquilibriumStep& after
   if (auto words = departure(after, state, arrival)) happened(Kind::departure, std::move(*words));
   if (before.contacts == 0 && after.contacts > 0) happened(Kind::contact, system_.touching_words(state));
   if (before.contacts > 0 && after.contacts == 0)
-    happened(Kind::release, system_.what_touches() + " no longer touch");
+    happened(Kind::release, system_.touching_kind() + " no longer touch");
   if (system_.drive().only_pulls() && slack_.see(after))
     happened(
         Kind::slack,
         "the cord would have to push, which it cannot: it goes slack, and the structure goes on by itself");
   if (arrival.snapped) return;
   if (const auto times = lock_.see(before, after))
-    happened(Kind::lock, system_.what_touches() + " carry the drive: the load rises " +
+    happened(Kind::lock, system_.touching_kind() + " carry the drive: the load rises " +
                              number_text(std::round(*times)) + " times as steeply as without contact");
 }
 
@@ -102,7 +102,7 @@ std::optional<std::string> PathEvents::departure(const EquilibriumStep& after, c
 void PathEvents::end_locked(const EquilibriumStep& last, const std::string& touching,
                             const std::string& why) {
   if (last.contacts == 0)
-    add(Kind::contact, last, last.theta, touching.empty() ? system_.what_touches() + " touch" : touching);
+    add(Kind::contact, last, last.theta, touching.empty() ? system_.touching_kind() + " touch" : touching);
   if (!lock_.has_locked()) add(Kind::lock, last, last.theta, why);
 }
 

@@ -18,7 +18,7 @@ PathHead::PathHead(MeasuredSystem& system, const ClosedForm& closed_form)
       predictor_(system.elastic),
       state_(rest_state(system.elastic.structure())) {
   restore_tangent();
-  const bool is_left_by_bifurcation = system.leaves_flat_to_a_side() && !system.elastic.drive().grips_part;
+  const bool is_left_by_bifurcation = system.has_branch_at_flat() && !system.elastic.drive().grips_part;
   on_closed_form_ = !is_left_by_bifurcation && closed_form_.is_near(state_, theta_);
 }
 

@@ -52,7 +52,7 @@ std::string stop_reason(const EquilibriumPath& path, const MeasuredSystem& syste
     case Stop::overstretched:
       return overstretched(path.gaps, system.elastic.structure(), gap_limit) + at;
     case Stop::locked:
-      return locked(refusal, system.elastic.what_touches()) + at;
+      return locked(refusal, system.elastic.touching_kind()) + at;
     case Stop::interrupted:
       return "it was told to stop" + at;
     case Stop::not_converged:

@@ -101,7 +101,7 @@ PathTracer::Attempt PathTracer::attempt(const NextStep& next) {
 bool PathTracer::is_plain(const Attempt& attempt) const {
   if (!attempt.permitted) return false;
   // Any first step from flat to a side is accepted.
-  if (head_.is_flat() && system_.leaves_flat_to_a_side()) return true;
+  if (head_.is_flat() && system_.has_branch_at_flat()) return true;
   const NewtonResult& newton = attempt.trial.newton;
   const bool turned_unstable =
       attempt.trial.descent || newton.met_negative || (attempt.next.locates && !newton.stable);
@@ -110,7 +110,7 @@ bool PathTracer::is_plain(const Attempt& attempt) const {
 }
 
 PathTracer::Outcome PathTracer::take_event(Attempt event) {
-  if (head_.is_flat() && system_.leaves_flat_to_a_side()) return land(false);
+  if (head_.is_flat() && system_.has_branch_at_flat()) return land(false);
   event = locate(std::move(event));
   if (at_.theta != record_.last().theta) record_.add(at_, {{}, false, head_.on_closed_form()});
   const double multiplier = system_.elastic.multiplier();

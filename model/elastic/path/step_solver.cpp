@@ -100,7 +100,7 @@ bool StepSolver::is_mirrored(const Trial& trial) const {
 }
 
 bool StepSolver::leave_head(const NextStep& next, const PathHead& head, Trial& trial) {
-  if (!system_.leaves_flat_to_a_side() || head.on_closed_form()) return false;
+  if (!system_.has_branch_at_flat() || head.on_closed_form()) return false;
   const ElasticSystem& elastic = system_.elastic;
   const State carried = head.carried(next.theta);
   elastic.linearise(carried, next.theta, system_.tangent);
@@ -115,7 +115,7 @@ bool StepSolver::leave_head(const NextStep& next, const PathHead& head, Trial& t
 
 void StepSolver::choose_side(const NextStep& next, const PathHead& head, const State& prediction,
                              Trial& trial) {
-  if (!trial.newton.converged || trial.descent || (head.is_flat() && system_.leaves_flat_to_a_side())) return;
+  if (!trial.newton.converged || trial.descent || (head.is_flat() && system_.has_branch_at_flat())) return;
   const Linkage& structure = system_.elastic.structure();
   if (!next.leaves && !trial.newton.met_negative &&
       !(turn_distance(structure, prediction, trial.state) > options_.longest_jump))

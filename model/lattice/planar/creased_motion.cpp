@@ -35,7 +35,7 @@ Isometry3d turn_about(const Vector2d& line, const Vector3d& point, double theta)
 
 std::string wall(const PlanarStructure& s, int hinge) { return to_string(s.graph.edges[hinge]); }
 
-std::string why_lean_differs(const PlanarStructure& s, const PlanarCreases& creases) {
+std::string describe_lean_difference(const PlanarStructure& s, const PlanarCreases& creases) {
   for (const PlanarCrease& crease : creases.list)
     for (const int h : crease.hinges) {
       const double off = (line_of(s, creases, h) - crease.line).norm();
@@ -50,7 +50,7 @@ std::string why_lean_differs(const PlanarStructure& s, const PlanarCreases& crea
 
 /// Returns the joint separation of a hinge off its line, cell edges. A crease that hardly folds hardly opens it, and
 /// its lean gives the direction of its line only to the lean's own relative precision.
-double opened(const LeftLine& left, const PlanarCrease& crease) {
+double opened(const CreaseOffset& left, const PlanarCrease& crease) {
   return left.worst() * std::min(1.0, crease.line.norm());
 }
 
@@ -76,7 +76,7 @@ std::string nearest_t(const PlanarStructure& before) {
 
 std::string why_not_straight(const PlanarStructure& s, const Redrawing& y, const PlanarCreases& creases) {
   for (const PlanarCrease& crease : creases.list) {
-    const LeftLine left = left_line(s, y, crease);
+    const CreaseOffset left = left_line(s, y, crease);
     if (opened(left, crease) <= on_its_line) continue;
     const bool is_moving = !(left.at_rest > on_its_line);
     return "the crease through wall " + wall(s, crease.hinges.front()) +
@@ -200,7 +200,7 @@ std::string why_not_creased(const PlanarStructure& s, const Redrawing& y, const 
            " does not stand upright, and upright hinges join what lies on both sides of it: a crease runs "
            "from "
            "rim to rim, or to where it meets others";
-  if (std::string why = why_lean_differs(s, creases); !why.empty()) return why;
+  if (std::string why = describe_lean_difference(s, creases); !why.empty()) return why;
   if (std::string why = why_not_straight(s, y, creases); !why.empty()) return why;
   return why_not_round(s, y, creases);
 }

@@ -168,16 +168,16 @@ HingePath hinge_path(const PlanarStructure& s, const Redrawing& y, int hinge) {
   return {(x[a] + x[b] + y[b] - y[a]) / 2, (x[b] - x[a] + y[b] + y[a]) / 2};
 }
 
-double LeftLine::worst() const { return larger(at_rest, moving); }
+double CreaseOffset::worst() const { return larger(at_rest, moving); }
 
-LeftLine left_line(const PlanarStructure& s, const Redrawing& y, const PlanarCrease& crease) {
+CreaseOffset left_line(const PlanarStructure& s, const Redrawing& y, const PlanarCrease& crease) {
   const Vector2d along = crease.line.normalized();
   const HingePath first = hinge_path(s, y, crease.hinges.front());
-  LeftLine worst;
+  CreaseOffset worst;
   for (const int h : crease.hinges) {
     const HingePath path = hinge_path(s, y, h);
-    const LeftLine left{h, std::abs(turned_by_90(along).dot(path.p - first.p)),
-                        std::abs(along.dot(path.q - first.q))};
+    const CreaseOffset left{h, std::abs(turned_by_90(along).dot(path.p - first.p)),
+                            std::abs(along.dot(path.q - first.q))};
     if (!(left.worst() <= worst.worst())) worst = left;
   }
   return worst;

@@ -48,13 +48,13 @@ struct HingePath {
 HingePath hinge_path(const PlanarStructure& structure, const Redrawing& y, int hinge);
 
 /// Distance of a hinge from the line of its crease, cell edges: at rest, and as the factor of sin(theta) in motion.
-struct LeftLine {
+struct CreaseOffset {
   int hinge = -1;  ///< hinge with the largest distance; -1 if all stay on the line
   double at_rest = 0, moving = 0;
   double worst() const;
 };
 /// Returns the largest distance of a crease's hinges from the line through the first one.
-LeftLine left_line(const PlanarStructure& structure, const Redrawing& y, const PlanarCrease& crease);
+CreaseOffset left_line(const PlanarStructure& structure, const Redrawing& y, const PlanarCrease& crease);
 
 /// A linear condition on s = 2 t_A - 1 of some walls: the sum of rate times change of s is `missing`.
 struct WallCondition {

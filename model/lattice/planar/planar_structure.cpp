@@ -19,13 +19,13 @@ void check(const PlanarStructure& s, int hinge, const char* name, double value, 
 }
 
 // Steps per wall length by which middles are distinguished: cells are farther apart
-constexpr double middles_in_a_wall = 100;
+constexpr double middles_per_wall = 100;
 
 /// Returns the middle of a polygon's corners in such steps, to one step of rounding.
 std::pair<long, long> middle_of(const std::vector<Eigen::Vector2d>& corners) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& corner : corners) sum += corner;
-  sum *= middles_in_a_wall / static_cast<double>(corners.size());
+  sum *= middles_per_wall / static_cast<double>(corners.size());
   return {std::lround(sum.x()), std::lround(sum.y())};
 }
 

@@ -16,8 +16,8 @@ namespace {
 using Eigen::Vector3d;
 using Place = std::array<int, 3>;
 
-constexpr int most_bodies = 100'000;  // bodies: a simulation of more takes over an hour
-constexpr double own_axis = 1e-9;     // rad: tolerance of the angles that a file may not change
+constexpr int most_bodies = 100'000;           // bodies: a simulation of more takes over an hour
+constexpr double fixed_axis_tolerance = 1e-9;  // rad: tolerance of the angles that a file may not change
 
 /// Rotors of a cubic cell, in eighths of it, with their turns. Each has a copy in the middle of the cell. Of the five
 /// choices of signs that close all rings, this one shrinks isotropically.
@@ -211,7 +211,8 @@ void validate_hinges(const SodaliteStructure& s) {
                              std::to_string(hinged_wall(s, h).upper) + "]";
     if (!(t > 0 && t < 1))
       throw InvalidInput("t of " + name + " is " + number_text(t) + ", must be in (0, 1)");
-    if (!(std::abs(alpha - alpha_of(s, h)) <= own_axis) || !(std::abs(beta) <= own_axis) || !(offset == 0))
+    if (!(std::abs(alpha - alpha_of(s, h)) <= fixed_axis_tolerance) ||
+        !(std::abs(beta) <= fixed_axis_tolerance) || !(offset == 0))
       throw InvalidInput(name + " has the axis of its rotor; a sodalite lattice leaves t alone free");
   }
 }

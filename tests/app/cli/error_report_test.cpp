@@ -12,7 +12,7 @@ namespace {
 
 template <class Error>
 [[noreturn]] void end_uncaught(const Error& error) {
-  std::set_terminate(end_with_a_word);
+  std::set_terminate(terminate_with_message);
   std::thread([&] { throw error; }).join();
   std::abort();
 }
@@ -27,7 +27,7 @@ TEST(ErrorReport, SaysWhatNobodyCaught) {
 }
 
 TEST(ErrorReport, SaysThatTheProgramEndedItselfWithoutAnException) {
-  EXPECT_EXIT(end_with_a_word(), ::testing::ExitedWithCode(1),
+  EXPECT_EXIT(terminate_with_message(), ::testing::ExitedWithCode(1),
               "^internal error: the program ended itself\n$");
 }
 

@@ -52,7 +52,7 @@ void expect_same(const Design& a, const Design& b) {
   EXPECT_EQ(a.drive, b.drive);
   EXPECT_EQ(a.side, b.side);
   EXPECT_EQ(a.hinge, b.hinge);
-  EXPECT_EQ(a.own_hinges, b.own_hinges);
+  EXPECT_EQ(a.hinge_overrides, b.hinge_overrides);
   EXPECT_EQ(a.physics, b.physics);
   EXPECT_EQ(a.process, b.process);
 }
@@ -73,9 +73,9 @@ TEST(DesignFile, TakesHingesAsTheyAreMade) {
                                .height_mm = 6};
   EXPECT_EQ(file.hinge.made, block);
   EXPECT_EQ(framed_stiffness(file.hinge), stiffness(block));
-  ASSERT_EQ(file.own_hinges.size(), 3u);
+  ASSERT_EQ(file.hinge_overrides.size(), 3u);
   const auto own = [&](int i) -> const HingeSection& {
-    return file.own_hinges.at(*file.structure.squares()->hinge_at({{i, 0}, model::Axis::x}));
+    return file.hinge_overrides.at(*file.structure.squares()->hinge_at({{i, 0}, model::Axis::x}));
   };
   EXPECT_EQ(own(0).made->kind, model::HingeKind::film);
   EXPECT_EQ(own(0).made->material, (model::Material{"", 900, 0.3, 0.05}));
@@ -99,10 +99,10 @@ TEST(DesignFile, TakesHingesThatAreMadeOtherwise) {
                            "block, material: tango, gap_mm: 2}, {at: creases, " +
                            film + "}]}\n");
   const auto of = [&](const Design& read_file, const model::Wall& wall) {
-    const auto own = read_file.own_hinges.find(*read_file.structure.squares()->hinge_at(wall));
-    return own == read_file.own_hinges.end() ? read_file.hinge : own->second;
+    const auto own = read_file.hinge_overrides.find(*read_file.structure.squares()->hinge_at(wall));
+    return own == read_file.hinge_overrides.end() ? read_file.hinge : own->second;
   };
-  EXPECT_EQ(file.own_hinges.size(), 5u) << "two that lean, three walls of the column";
+  EXPECT_EQ(file.hinge_overrides.size(), 5u) << "two that lean, three walls of the column";
   EXPECT_EQ(of(file, {{1, 0}, model::Axis::x}).made->kind, model::HingeKind::film);
   EXPECT_EQ(of(file, {{1, 1}, model::Axis::x}).made->kind, model::HingeKind::film);
   EXPECT_EQ(of(file, {{1, 2}, model::Axis::x}).made->kind, model::HingeKind::pin) << "it stands upright";
@@ -113,7 +113,7 @@ TEST(DesignFile, TakesHingesThatAreMadeOtherwise) {
 
   const Design row = read(sheet + "hinge: {except: [{at: {row: 1}, " + film + "}]}\n");
   EXPECT_EQ(row.hinge.model, HingeSection::Model::elastic);
-  EXPECT_EQ(row.own_hinges.size(), 5u);
+  EXPECT_EQ(row.hinge_overrides.size(), 5u);
   EXPECT_TRUE(of(row, {{2, 1}, model::Axis::y}).made);
   // An entry for a single wall has priority. The later of two entries applies.
   const Design twice = read(
@@ -169,12 +169,12 @@ TEST(DesignFile, WritesHingesAsMadeBitForBit) {
     file.hinge.model = HingeSection::Model::elastic;
     file.hinge.made = beam(model::HingeKind::block);
     if (round % 2 == 0) file.hinge.k_contact = unit(random);
-    file.own_hinges[3].model = file.own_hinges[5].model = HingeSection::Model::elastic;
-    file.own_hinges[3].made = beam(model::HingeKind::film);
-    file.own_hinges[5].k = model::HingeStiffness{unit(random), unit(random), unit(random), unit(random)};
-    if (round % 3 == 0) file.own_hinges[5].k->rock = unit(random);
-    if (round % 4 == 0) file.own_hinges[5].k->twist = unit(random);
-    file.own_hinges[5].reach_mm = unit(random);
+    file.hinge_overrides[3].model = file.hinge_overrides[5].model = HingeSection::Model::elastic;
+    file.hinge_overrides[3].made = beam(model::HingeKind::film);
+    file.hinge_overrides[5].k = model::HingeStiffness{unit(random), unit(random), unit(random), unit(random)};
+    if (round % 3 == 0) file.hinge_overrides[5].k->rock = unit(random);
+    if (round % 4 == 0) file.hinge_overrides[5].k->twist = unit(random);
+    file.hinge_overrides[5].reach_mm = unit(random);
     if (round % 2 == 0) {
       file.process = model::processes()[round % 4];
       if (round % 3 == 0) file.process.clearance_mm = unit(random);

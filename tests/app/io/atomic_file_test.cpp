@@ -146,7 +146,7 @@ void write_recorded(const TemporaryFolder& folder, const std::vector<std::string
   }
   if (!names.empty()) files.add(FileRecord::name, record.text());
   files.commit();
-  record.remove_what_is_left_over();
+  record.remove_leftovers();
 }
 
 TEST(FileRecord, RemovesWhatTheEarlierRunWroteAndThisOneDoesNot) {
@@ -196,7 +196,7 @@ TEST(FileRecord, NeverReachesOutOfItsFolder) {
   fs::create_directory(outer.path("in"));
   outer.write(std::string("in/") + FileRecord::name,
               hash + "  ../mine.txt\n" + hash + "  " + outer.path("mine.txt") + "\n\nshort\n");
-  FileRecord(outer.path("in")).remove_what_is_left_over();
+  FileRecord(outer.path("in")).remove_leftovers();
   EXPECT_TRUE(fs::exists(outer.path("mine.txt")));
 }
 

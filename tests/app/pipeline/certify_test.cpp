@@ -44,7 +44,7 @@ struct Told {
   std::string words;
 };
 
-Told told_of(const std::string& text, const std::string& model) {
+Told report_of(const std::string& text, const std::string& model) {
   const Scratch scratch;
   const Outcome run = kinetix_opt("simulate " + scratch.write("in.yaml", text) + " --model " + model +
                                   " --quiet -o " + (scratch / "out").string());
@@ -59,7 +59,7 @@ const std::string small_panel =
     "0.8, height: 6}}\ndesign: {theta_deg: 20}\n";
 
 TEST(Certify, TellsTheClosedFormsEndOfAPanel) {
-  const Told told = told_of(small_panel, "exact");
+  const Told told = report_of(small_panel, "exact");
   const Json& certified = told.result["certified"];
   const double closed = std::atan(1 - 0.08);
   EXPECT_NEAR(certified["design"]["high"]["theta_rad"].get<double>(), closed, 3e-7);
@@ -87,7 +87,7 @@ TEST(Certify, GrowsWallsByWhatTheirPinsPlay) {
       "kinetix: 1\nname: panel\nstructure: {cells: [3, 2], cell_mm: 20, wall_mm: {thickness: 2, height: "
       "8}}\ndesign: {theta_deg: 10}\n";
   const auto growth = [&](const std::string& hinge) {
-    return told_of(sheet + hinge, "exact").result["certified"]["printed"]["growth_mm"].get<double>();
+    return report_of(sheet + hinge, "exact").result["certified"]["printed"]["growth_mm"].get<double>();
   };
   const double plain = growth(""),
                tight = growth("hinge: {kind: pin, diameter_mm: 1.5, clearance_mm: 0.05}\n"),
@@ -98,7 +98,7 @@ TEST(Certify, GrowsWallsByWhatTheirPinsPlay) {
 }
 
 TEST(Certify, SeesWhatSamplesMissOnTheWayToAHelix) {
-  const Told told = told_of(helix_design(28), "exact");
+  const Told told = report_of(helix_design(28), "exact");
   const Json& high = told.result["certified"]["design"]["high"];
   EXPECT_LT(to_degrees(high["contact_rad"].get<double>()), 25.2);
   EXPECT_EQ(told.result["metrics"]["theta_limit_rad"], high["theta_rad"]);
@@ -106,11 +106,11 @@ TEST(Certify, SeesWhatSamplesMissOnTheWayToAHelix) {
   EXPECT_THAT(told.words, HasSubstr("overlap at theta 25.126 deg, on the way to 28.000 deg"));
   EXPECT_EQ(told.result["certified"]["covers_theta"], false);
   EXPECT_THAT(told.words, HasSubstr("NOT PROVEN"));
-  EXPECT_EQ(told_of(helix_design(25), "exact").result["certified"]["covers_theta"], true);
+  EXPECT_EQ(report_of(helix_design(25), "exact").result["certified"]["covers_theta"], true);
 }
 
 TEST(Certify, SaysThatElasticHingesComeNearTheClosedFormAlone) {
-  const Told told = told_of(small_panel + "hinge: {model: elastic}\n", "equilibrium");
+  const Told told = report_of(small_panel + "hinge: {model: elastic}\n", "equilibrium");
   EXPECT_EQ(told.result["certified"]["states_are_exact"], false);
   EXPECT_EQ(told.result["certified"]["states_have_left"], false);
   EXPECT_THAT(told.words, HasSubstr("of the closed form: equilibria of elastic hinges come near it"));
@@ -119,7 +119,7 @@ TEST(Certify, SaysThatElasticHingesComeNearTheClosedFormAlone) {
 /// One wall drives the bricks beyond the bifurcation. The closed form is free of contact, but too far from the
 /// equilibrium to prove anything about it.
 TEST(Certify, ProvesNothingOfAnEquilibriumThatHasLeftTheClosedForm) {
-  const Told told = told_of(
+  const Told told = report_of(
       "kinetix: 1\nname: bricks\nstructure: {lattice: brick, cells: [3, 3], rim: closed, wall_mm: "
       "{thickness: 0.4}}\n"
       "design: {theta_deg: 30}\ndrive: {kind: hinge, wall: [0, 1], angle_deg: -60}\nhinge: {model: "
@@ -142,7 +142,7 @@ TEST(Certify, SaysWhyNothingIsProvenWithoutAClosedForm) {
   const std::string leaning =
       "kinetix: 1\nname: leaning\nstructure: {cells: [2, 2]}\ndesign:\n  theta_deg: 5\n  hinges:\n    - "
       "{wall: [[0, 0], [1, 0]], beta_deg: 20}\nhinge: {model: elastic}\n";
-  const Json certified = told_of(leaning, "equilibrium").result["certified"];
+  const Json certified = report_of(leaning, "equilibrium").result["certified"];
   EXPECT_EQ(certified.size(), 1u);
   EXPECT_THAT(certified["why_not"].get<std::string>(), HasSubstr("no exact family"));
 }
@@ -153,7 +153,7 @@ TEST(Certify, FindsWallsThatOverlapAsBuilt) {
   for (int j = 0; j < 4; ++j)
     hinges += "    - {wall: [[2, " + std::to_string(j) + "], [3, " + std::to_string(j) +
               "]], beta_deg: " + (j % 2 == 0 ? "50" : "-50") + "}\n";
-  const Told told = told_of(
+  const Told told = report_of(
       "kinetix: 1\nstructure: {cells: [6, 3], cell_mm: 10, wall_mm: {thickness: 0.8, height: "
       "14}}\ndesign:\n  theta_deg: 15\n  hinges:\n" +
           hinges,

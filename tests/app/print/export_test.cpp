@@ -222,14 +222,14 @@ TEST(Export, SaysWhatTheNarrowestPinLeaves) {
 /// Tiles do not help, since they do not reduce the height.
 TEST(Export, SaysWhereThePrintIsHigherThanUsualPrinters) {
   const std::string words = " mm high: a usual fdm printer prints 250 mm at most";
-  for (const auto& [height, is_told] : {std::pair("251", true), {"249", false}}) {
+  for (const auto& [height, is_reported] : {std::pair("251", true), {"249", false}}) {
     const std::string design = fmt::format(
         "kinetix: 1\nstructure: {{cells: [2, 1], cell_mm: 40, wall_mm: {{thickness: 2, height: "
         "{}}}}}\ndesign: {{theta_deg: 10}}\n",
         height);
     const Scratch scratch;
     ASSERT_EQ(exported(scratch, design, "--format stl --process fdm --hinge block").code, 0);
-    EXPECT_EQ(said_of(scratch)["warnings"].dump().find(words) != std::string::npos, is_told) << height;
+    EXPECT_EQ(said_of(scratch)["warnings"].dump().find(words) != std::string::npos, is_reported) << height;
   }
 }
 

@@ -12,7 +12,7 @@ namespace kinetix::testing {
 namespace {
 
 using app::studio::Equilibria;
-using app::studio::KnownWay;
+using app::studio::KnownPath;
 
 constexpr double deg = radians_per_degree;  // rad: thetas of the tests are in degrees
 

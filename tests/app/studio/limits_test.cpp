@@ -37,7 +37,7 @@ TEST_F(Studio, SendsAPageThatSleptTheNewestDesignAlone) {
 /// A session that waits for permission to continue, and counts the messages that it receives.
 class Waiting : public app::studio::SessionLoop {
  public:
-  explicit Waiting(app::studio::Outlet outlet) : SessionLoop(std::move(outlet)) {}
+  explicit Waiting(app::studio::MessageSink outlet) : SessionLoop(std::move(outlet)) {}
 
   std::latch goes_on{1};
   std::atomic<int> came = 0, done = 0;
@@ -61,7 +61,7 @@ TEST(StudioLimits, ReadsNoMoreFromAPageWhileItsCommandsWait) {
     Waiting* session = nullptr;
     std::atomic<int> came = 0;
     OpenStudio studio(
-        [&](app::studio::Outlet outlet) {
+        [&](app::studio::MessageSink outlet) {
           auto made = std::make_unique<Waiting>(std::move(outlet));
           session = made.get();
           return made;

@@ -50,11 +50,11 @@ TEST(StudioExport, TakesTheDriveOfADesignWithoutClosedFormAsFarAsTheSlider) {
   design.structure.hinge(30).t += 0.05;
   const app::studio::Moving moving(design);
   ASSERT_FALSE(bool(moving.exact));
-  const app::Design shown = app::studio::as_far_as_shown(design, moving, -0.2, -0.2);
+  const app::Design shown = app::studio::design_at_shown_fold(design, moving, -0.2, -0.2);
   ASSERT_TRUE(shown.drive);
   EXPECT_NEAR(app::drive_of(shown).theta(), -0.2, 1e-12);
   EXPECT_EQ(shown.theta, -0.2);
-  EXPECT_EQ(app::studio::as_far_as_shown(design, moving, 0, 0).drive, design.drive)
+  EXPECT_EQ(app::studio::design_at_shown_fold(design, moving, 0, 0).drive, design.drive)
       << "flat: as far as the design says";
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 using app::studio::Frame;
 using app::studio::Message;
-using app::studio::Outlet;
+using app::studio::MessageSink;
 using app::studio::SessionLoop;
 using app::studio::Text;
 using nlohmann::json;
@@ -27,7 +27,7 @@ using nlohmann::json;
 /// A session that fails on request and records its steps.
 class Failing : public SessionLoop {
  public:
-  explicit Failing(Outlet outlet) : SessionLoop(std::move(outlet)) {}
+  explicit Failing(MessageSink outlet) : SessionLoop(std::move(outlet)) {}
 
   std::vector<std::string> done;
   std::string fails_in;
@@ -81,7 +81,7 @@ struct Told {
 using Commands = std::vector<std::pair<int, json>>;
 
 /// Collects the replies to clients 1 and 2, which send all their commands at once.
-Told told_of(const Commands& commands) {
+Told report_of(const Commands& commands) {
   Told told;
   std::stop_source stop;
   std::size_t left = commands.size();
@@ -112,7 +112,7 @@ TEST(SessionLoop, TellsOfACommandThatFailsForWhateverReasonAndGoesOn) {
   for (const auto& [type, words] : failures)
     commands.push_back({1, {{"type", type}, {"id", commands.size() + 1}}});
   commands.push_back({1, {{"type", "fine"}, {"id", 100}}});
-  const Told told = told_of(commands);
+  const Told told = report_of(commands);
   ASSERT_EQ(told.texts.size(), std::size(failures));
   for (std::size_t k = 0; k < std::size(failures); ++k) {
     EXPECT_THAT(told.texts[k]["message"].get<std::string>(), ::testing::HasSubstr(failures[k].second));
@@ -126,7 +126,7 @@ TEST(SessionLoop, TellsOfACommandThatFailsForWhateverReasonAndGoesOn) {
 TEST(SessionLoop, GoesOnWhateverElseFails) {
   for (const char* place : {"welcome", "forget", "play", "frame", "later"}) {
     SCOPED_TRACE(place);
-    const Told told = told_of(
+    const Told told = report_of(
         {{1, {{"type", "fails_in"}, {"place", place}}}, {1, {{"type", "later"}}}, {1, {{"type", "fine"}}}});
     EXPECT_EQ(told.done.back(), "fine");
     EXPECT_GE(told.texts.size(), place == std::string("later") ? 1u : 2u);
@@ -141,7 +141,7 @@ TEST(SessionLoop, NeverGoesBackInTheCommandsThatItHasHeard) {
   for (const auto& ids : {std::vector{5, 3}, std::vector{1, 2, 7, 4, 6}, std::vector{2, 2, 1}}) {
     Commands commands;
     for (const int id : ids) commands.push_back({1, {{"type", "fine"}, {"id", id}}});
-    told = told_of(commands);
+    told = report_of(commands);
     ASSERT_FALSE(told.heard.empty());
     EXPECT_TRUE(std::is_sorted(told.heard.begin(), told.heard.end()));
     EXPECT_EQ(told.heard.back(), *std::max_element(ids.begin(), ids.end()));
@@ -153,7 +153,7 @@ TEST(SessionLoop, TakesCommandsFromEachPageInTurn) {
   for (int k = 0; k < 500; ++k) commands.push_back({1, {{"type", "many"}}});
   commands.push_back({2, {{"type", "one"}}});
   commands.push_back({2, {{"type", "two"}}});
-  const std::vector<std::string> done = told_of(commands).done;
+  const std::vector<std::string> done = report_of(commands).done;
   ASSERT_EQ(done.size(), 502u);
   EXPECT_EQ((std::vector(done.begin(), done.begin() + 5)),
             (std::vector<std::string>{"many", "one", "many", "two", "many"}));

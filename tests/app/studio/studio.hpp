@@ -15,10 +15,10 @@ namespace kinetix::testing {
 /// An open studio with its server and session, as `view` opens it.
 class OpenStudio {
  public:
-  using Maker = std::function<std::unique_ptr<app::studio::SessionLoop>(app::studio::Outlet)>;
+  using Maker = std::function<std::unique_ptr<app::studio::SessionLoop>(app::studio::MessageSink)>;
 
   explicit OpenStudio(app::Design design, const std::string& target_file = "")
-      : OpenStudio([&](app::studio::Outlet outlet) {
+      : OpenStudio([&](app::studio::MessageSink outlet) {
           return std::make_unique<app::studio::Session>(app::studio::Opened{std::move(design),
                                                                             folder.path("design.yaml"),
                                                                             target_file,
@@ -29,7 +29,7 @@ class OpenStudio {
                                                         std::move(outlet));
         }) {}
   explicit OpenStudio(app::studio::Opened opened)
-      : OpenStudio([&](app::studio::Outlet outlet) {
+      : OpenStudio([&](app::studio::MessageSink outlet) {
           return std::make_unique<app::studio::Session>(std::move(opened), std::move(outlet));
         }) {}
   /// Opens a session.

@@ -13,7 +13,7 @@ namespace {
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 
-constexpr MadeHinge block_of_a_mm() {
+constexpr MadeHinge make_one_mm_block() {
   return {.kind = HingeKind::block, .gap_mm = 1, .thickness_mm = 0.8, .height_mm = 6};
 }
 
@@ -33,7 +33,7 @@ State turned(const Linkage& linkage, double angle, const Vector3d& direction) {
 /// the gap.
 TEST(HingeStrain, CountsWhatRockingPullsApart) {
   const Linkage linkage = make_structure(rectangle(1, 1), {20, 1, 6});
-  const MadeHinge block = block_of_a_mm();
+  const MadeHinge block = make_one_mm_block();
   const Vector3d axis = linkage.hinges[0].axis,
                  along = (linkage.hinges[0].lower_arm - linkage.hinges[0].upper_arm).normalized();
   EXPECT_NEAR(hinge_strain(block, linkage, turned(linkage, 0.1, axis.cross(along)), 0),

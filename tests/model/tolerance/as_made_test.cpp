@@ -19,8 +19,8 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using testing::hinge_drive;
 
-AsMade of_equilibrium(const Equilibrium& b, const std::vector<ObservedPoint>& points,
-                      const HingeScatter& scatter, const AsMadeOptions& options = {}) {
+ToleranceResult of_equilibrium(const Equilibrium& b, const std::vector<ObservedPoint>& points,
+                               const HingeScatter& scatter, const ToleranceOptions& options = {}) {
   ElasticSystem system(b.structure, b.elasticity, drive_on(b.structure, b.drive), b.planar, true);
   system.set_multiplier(b.multiplier);
   TangentStiffness tangent(system.dofs());
@@ -76,14 +76,14 @@ double distance(const std::vector<ObservedPoint>& points, const State& state, bo
   return (designed + moved).norm() / std::sqrt(static_cast<double>(count));
 }
 
-TEST(AsMade, IsWhatManyPrintsComeTo) {
+TEST(ToleranceResult, IsWhatManyPrintsComeTo) {
   const Equilibrium b = bent(4, 3);
   const HingeScatter scatter{0.004, 0.003, 0.004, 0.002};
   for (const bool aligned : {true, false}) {
     const std::vector<ObservedPoint> points = every_body(b, aligned ? 0.02 : 0.0);
-    AsMadeOptions options;
+    ToleranceOptions options;
     options.aligned = aligned;
-    const AsMade made = of_equilibrium(b, points, scatter, options);
+    const ToleranceResult made = of_equilibrium(b, points, scatter, options);
     std::mt19937 random(11);
     constexpr int prints = 1000;  // the mean of squares is then known to about 3 %
     std::vector<double> distances;
@@ -103,7 +103,7 @@ TEST(AsMade, IsWhatManyPrintsComeTo) {
 
 // Pins rest uniformly in bores of scattered clearance and lean uniformly in them: each hinge is not normally
 // distributed.
-TEST(AsMade, CountsPlayAsManyLoosePrintsDo) {
+TEST(ToleranceResult, CountsPlayAsManyLoosePrintsDo) {
   const Equilibrium b = bent(4, 3);
   const double edge_mm = b.structure.size.edge_mm, sd_mm = 0.03;
   MadeHinge pin{.kind = HingeKind::pin,
@@ -112,7 +112,7 @@ TEST(AsMade, CountsPlayAsManyLoosePrintsDo) {
                 .clearance_mm = 0.05};
   const PlayScatter play = play_scatter(pin, {0, 0, sd_mm});
   const std::vector<ObservedPoint> points = every_body(b, 0.02);
-  const AsMade made =
+  const ToleranceResult made =
       of_equilibrium(b, points, {play.place_mm / edge_mm, 0, play.tilt, play.place_mm / edge_mm});
   std::mt19937 random(5);
   std::normal_distribution<double> clearance(pin.clearance_mm, sd_mm);
@@ -138,7 +138,7 @@ TEST(AsMade, CountsPlayAsManyLoosePrintsDo) {
 }
 
 // A point that is seen in three directions square to each other is one point: its distance is that in space.
-TEST(AsMade, CountsPointsAndNotTheirDirections) {
+TEST(ToleranceResult, CountsPointsAndNotTheirDirections) {
   const Equilibrium b = bent(4, 3);
   const HingeScatter scatter{0.004, 0.003, 0.004, 0.002};
   for (int directions = 1; directions <= 3; ++directions) {
@@ -147,9 +147,9 @@ TEST(AsMade, CountsPointsAndNotTheirDirections) {
     for (int k = 0; k < static_cast<int>(b.state.size()); ++k)
       for (int d = 0; d < directions; ++d)
         points.push_back({{k}, b.state[k].p, axes.col(d), 0.01 * (d + 1), directions});
-    AsMadeOptions options;
+    ToleranceOptions options;
     options.aligned = false;
-    const AsMade made = of_equilibrium(b, points, scatter, options);
+    const ToleranceResult made = of_equilibrium(b, points, scatter, options);
     EXPECT_NEAR(made.designed_mm,
                 0.01 * std::sqrt(directions * (directions + 1) * (2 * directions + 1) / 6.0), 1e-12);
     std::mt19937 random(3);
@@ -169,7 +169,7 @@ TEST(AsMade, CountsPointsAndNotTheirDirections) {
 }
 
 // Both are derivatives of one state: of a function of it by all errors, and of the state along some errors.
-TEST(AsMade, ChangesOfTheStateAgreeWithTheAdjoint) {
+TEST(ToleranceResult, ChangesOfTheStateAgreeWithTheAdjoint) {
   for (const bool planar : {false, true})
     for (const bool plates : {false, true}) {
       const Equilibrium b = random_equilibrium({5, planar, plates, false});
@@ -189,13 +189,14 @@ TEST(AsMade, ChangesOfTheStateAgreeWithTheAdjoint) {
     }
 }
 
-TEST(AsMade, MixturesStandForAllPoints) {
+TEST(ToleranceResult, MixturesStandForAllPoints) {
   const Equilibrium b = bent(4, 3);
   const std::vector<ObservedPoint> points = every_body(b, 0.1);
   const HingeScatter scatter{0.004, 0, 0.004, 0};
-  AsMadeOptions few;
+  ToleranceOptions few;
   few.probes = static_cast<int>(points.size()) - 1;
-  const AsMade each = of_equilibrium(b, points, scatter), mixed = of_equilibrium(b, points, scatter, few);
+  const ToleranceResult each = of_equilibrium(b, points, scatter),
+                        mixed = of_equilibrium(b, points, scatter, few);
   EXPECT_EQ(mixed.designed_mm, each.designed_mm);
   EXPECT_NEAR(mixed.rms_mm, each.rms_mm, 0.25 * each.rms_mm) << "19 mixtures only";
   double shares = 0;
@@ -203,10 +204,10 @@ TEST(AsMade, MixturesStandForAllPoints) {
   EXPECT_NEAR(shares, 1, 1e-12);
 }
 
-TEST(AsMade, NamesWhatCountsMost) {
+TEST(ToleranceResult, NamesWhatCountsMost) {
   const Equilibrium b = bent(3, 2);
   const std::vector<ObservedPoint> points = every_body(b, 0);
-  const AsMade made = of_equilibrium(b, points, {0, 0, 0.01, 0});
+  const ToleranceResult made = of_equilibrium(b, points, {0, 0, 0.01, 0});
   ASSERT_EQ(made.sources.size(), b.structure.hinges.size());
   // Each tilt by itself, by differences.
   const auto hinges = static_cast<Eigen::Index>(b.structure.hinges.size());
@@ -224,7 +225,7 @@ TEST(AsMade, NamesWhatCountsMost) {
   }
 }
 
-TEST(AsMade, HingesOfTheirOwnScatterByTheirOwnErrors) {
+TEST(ToleranceResult, HingesOfTheirOwnScatterByTheirOwnErrors) {
   const Equilibrium b = bent(3, 2);
   const std::vector<ObservedPoint> points = every_body(b, 0);
   const HingeScatter some{0.004, 0, 0.006, 0};
@@ -233,8 +234,8 @@ TEST(AsMade, HingesOfTheirOwnScatterByTheirOwnErrors) {
   for (std::size_t h = 0; h < b.structure.hinges.size(); ++h)
     half.each.push_back(h % 2 == 0 ? some : HingeScatter{});
   half.t = 1;  // not used
-  const AsMade one = of_equilibrium(b, points, some), each = of_equilibrium(b, points, alike),
-               every_other = of_equilibrium(b, points, half);
+  const ToleranceResult one = of_equilibrium(b, points, some), each = of_equilibrium(b, points, alike),
+                        every_other = of_equilibrium(b, points, half);
   EXPECT_EQ(each.rms_mm, one.rms_mm);
   EXPECT_LT(every_other.rms_mm, one.rms_mm);
   EXPECT_EQ(every_other.sources.size(), b.structure.hinges.size() + b.structure.hinges.size() % 2);
@@ -244,9 +245,9 @@ TEST(AsMade, HingesOfTheirOwnScatterByTheirOwnErrors) {
   EXPECT_EQ(spread.col(1), Eigen::Vector4d::Zero());
 }
 
-TEST(AsMade, OfExactPrintsIsTheDesign) {
+TEST(ToleranceResult, OfExactPrintsIsTheDesign) {
   const Equilibrium b = bent(2, 2);
-  const AsMade made = of_equilibrium(b, every_body(b, 0.2), {});
+  const ToleranceResult made = of_equilibrium(b, every_body(b, 0.2), {});
   EXPECT_EQ(made.rms_mm, made.designed_mm);
   EXPECT_EQ(made.p95_mm, made.designed_mm);
   EXPECT_TRUE(made.sources.empty());

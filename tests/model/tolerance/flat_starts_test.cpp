@@ -44,7 +44,7 @@ Linkage printed_strip(const Eigen::Matrix4Xd& errors) {
 }
 
 FlatStarts starts_of(const HingeScatter& scatter, double theta, int threads = 1) {
-  AsMadeOptions options;
+  ToleranceOptions options;
   options.threads = threads;
   return *flat_starts(printed_strip, soft_blocks(), drive_on(tilted_strip(), plates_drive(Axis::x, theta)),
                       scatter, prints, options);
@@ -75,7 +75,8 @@ TEST(FlatStarts, OfPrintsWithOffsetsGoToTheSideOfPrintsThatAreWalkedThereInSmall
   const HingeScatter scatter{.t = 0.008, .beta = 0.01, .offset = 0.005};
   const double theta = 0.3;
   const FlatStarts starts = starts_of(scatter, theta);
-  PrintErrors errors(scatter, static_cast<Eigen::Index>(tilted_strip().hinges.size()), AsMadeOptions{}.seed);
+  PrintErrors errors(scatter, static_cast<Eigen::Index>(tilted_strip().hinges.size()),
+                     ToleranceOptions{}.seed);
   int other_side = 0;
   for (int k = 0; k < prints; ++k)
     other_side += walked_theta(printed_strip(errors.next()),
@@ -91,7 +92,7 @@ TEST(FlatStarts, OfPrintsWithOffsetsGoToTheSideOfPrintsThatAreWalkedThereInSmall
 TEST(FlatStarts, WithoutErrorsAreLeftToChance) { EXPECT_EQ(starts_of({}, 0.3).either_side, prints); }
 
 TEST(FlatStarts, EndWhereTheyAreToldTo) {
-  AsMadeOptions options;
+  ToleranceOptions options;
   options.stop = [] { return true; };
   EXPECT_FALSE(flat_starts(printed_strip, soft_blocks(), drive_on(tilted_strip(), plates_drive(Axis::x, 0.3)),
                            {}, 2, options));

@@ -26,7 +26,7 @@ struct BentSheet {
         testing::equilibrium(structure, {}, testing::hinge_drive(structure, {{0, 0}, Axis::y}, turn), false);
   }
 
-  PrintRuns prints(int count, const AsMadeOptions& options = {}) const {
+  PrintRuns prints(int count, const ToleranceOptions& options = {}) const {
     std::vector<ObservedPoint> points;
     for (int k = 0; k < static_cast<int>(found.state.size()); ++k)
       points.push_back({{k}, found.state[k].p, Vector3d(std::sin(k), 0.3, std::cos(k)).normalized(), 0});

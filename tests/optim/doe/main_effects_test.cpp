@@ -154,9 +154,9 @@ TEST(MainEffects, RefuseTablesThatDoNotFit) {
 
 TEST(OneAtATimeEffects, SeeEachFactorAlone) {
   const SamplePlan plan({{"a", UniformRange{0, 4}, 5}, {"b", UniformRange{0, 1}, 2}},
-                        {.method = SamplingMethod::one_at_a_time, .base = {2, 0.25}});
+                        {.method = SamplingMethod::one_factor, .base = {2, 0.25}});
   const auto f = [](const std::vector<double>& x) { return x[0] * x[0] + 100 * x[1]; };
-  const auto effects = one_at_a_time_effects(testing::table(plan), testing::responses(plan, f));
+  const auto effects = one_factor_effects(testing::table(plan), testing::responses(plan, f));
   ASSERT_EQ(effects[0].levels.size(), 5u);
   for (int k = 0; k < 5; ++k) EXPECT_DOUBLE_EQ(effects[0].levels[k].mean, k * k + 25);
   ASSERT_EQ(effects[1].levels.size(), 3u);
@@ -170,10 +170,10 @@ TEST(OneAtATimeEffects, RefuseOtherTables) {
   const auto because = [](const char* words) { return ThrowsMessage<InvalidInput>(HasSubstr(words)); };
   EXPECT_THAT(
       [] {
-        one_at_a_time_effects(Eigen::MatrixXd{{0, 0}, {1, 1}}, std::vector<double>{1, 2});
+        one_factor_effects(Eigen::MatrixXd{{0, 0}, {1, 1}}, std::vector<double>{1, 2});
       },
       because("sample 1 differs from the base in factors 0 and 1"));
-  EXPECT_THAT([] { one_at_a_time_effects(Eigen::MatrixXd(0, 2), {}); }, because("must have the base"));
+  EXPECT_THAT([] { one_factor_effects(Eigen::MatrixXd(0, 2), {}); }, because("must have the base"));
 }
 
 }  // namespace

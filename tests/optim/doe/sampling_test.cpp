@@ -22,10 +22,9 @@ using ::testing::ThrowsMessage;
 using Table = std::vector<std::vector<double>>;
 
 // For facts that hold of every method.
-constexpr SamplingMethod all_methods[] = {SamplingMethod::factorial,     SamplingMethod::lhs,
-                                          SamplingMethod::sobol,         SamplingMethod::monte_carlo,
-                                          SamplingMethod::one_at_a_time, SamplingMethod::morris,
-                                          SamplingMethod::saltelli};
+constexpr SamplingMethod all_methods[] = {
+    SamplingMethod::factorial,  SamplingMethod::lhs,    SamplingMethod::sobol,   SamplingMethod::monte_carlo,
+    SamplingMethod::one_factor, SamplingMethod::morris, SamplingMethod::saltelli};
 
 std::vector<Factor> unit_cube(int dimensions) {
   std::vector<Factor> factors;
@@ -89,7 +88,7 @@ TEST(SamplePlan, KnowsItsSizeAndSaturates) {
   };
   const std::uint64_t largest = std::numeric_limits<std::uint64_t>::max(), many = std::uint64_t{1} << 62;
   EXPECT_EQ(size(several_factors(), options(SamplingMethod::factorial)), 3u * 2 * 4 * 4);
-  EXPECT_EQ(size(several_factors(), options(SamplingMethod::one_at_a_time)), 1u + 3 + 2 + 4 + 4);
+  EXPECT_EQ(size(several_factors(), options(SamplingMethod::one_factor)), 1u + 3 + 2 + 4 + 4);
   EXPECT_EQ(size(several_factors(), options(SamplingMethod::lhs, 1000)), 1000u);
   EXPECT_EQ(size(several_factors(), options(SamplingMethod::sobol, 1024)), 1024u);
   EXPECT_EQ(size(several_factors(), options(SamplingMethod::morris, 10)), 50u);
@@ -194,7 +193,7 @@ TEST(MonteCarlo, HasTheMomentsOfItsDistributions) {
 }
 
 TEST(OneAtATime, LeavesAllElseAtTheBase) {
-  SamplingOptions how = options(SamplingMethod::one_at_a_time);
+  SamplingOptions how = options(SamplingMethod::one_factor);
   how.base = {10, 20};
   const SamplePlan plan({{"a", ValueList{{1, 2}}}, {"b", UniformRange{0, 1}, 3}}, how);
   EXPECT_THAT(rows(plan), ElementsAre(ElementsAre(10, 20), ElementsAre(1, 20), ElementsAre(2, 20),
@@ -203,7 +202,7 @@ TEST(OneAtATime, LeavesAllElseAtTheBase) {
 
 TEST(OneAtATime, StartsAtTheMiddleWhereNoBaseIsGiven) {
   const SamplePlan plan({{"a", UniformRange{1, 2}}, {"b", NormalSpread{30, 1}}, {"c", ValueList{{4, 5, 6}}}},
-                        options(SamplingMethod::one_at_a_time));
+                        options(SamplingMethod::one_factor));
   EXPECT_THAT(plan.sample(0), ElementsAre(1.5, 30, 5));
 }
 
@@ -291,7 +290,7 @@ TEST(SamplePlan, RefusesWhatCannotBeSampled) {
   EXPECT_THAT(refused(unit_cube(1834), options(SamplingMethod::saltelli)), because("3668 dimensions"));
   EXPECT_THAT(refused({{"a", ValueList{{1}}}}, options(SamplingMethod::morris)),
               because("two or more for morris"));
-  SamplingOptions off = options(SamplingMethod::one_at_a_time);
+  SamplingOptions off = options(SamplingMethod::one_factor);
   off.base = {1, 2, 3};
   EXPECT_THAT(refused(unit_cube(2), off), because("base has 3 values"));
   off.base = {1, std::nan("")};

@@ -34,8 +34,8 @@ model::LinkageDrive springs(const model::Lattice& sheet, double to) {
 }
 
 /// Every vertex where the exact state has it, in all directions.
-MatterGoal goal_of(const model::State& exact) {
-  MatterGoal goal;
+ElasticGoal goal_of(const model::State& exact) {
+  ElasticGoal goal;
   goal.drive = springs;
   goal.observe = [exact](const model::Lattice&, const model::State& state) {
     const model::State placed = aligned(exact, state);
@@ -48,7 +48,7 @@ MatterGoal goal_of(const model::State& exact) {
   return goal;
 }
 
-InMatter settled(const model::Lattice& sheet) {
+ElasticFit settled(const model::Lattice& sheet) {
   const model::ExactMotion exact = exact_motion(sheet);
   const model::EquilibriumPath path = trace_equilibrium({sheet, springs(sheet, held_theta), exact}, rubber());
   EXPECT_EQ(path.stop, model::EquilibriumPath::Stop::reached) << path.why;
@@ -57,7 +57,7 @@ InMatter settled(const model::Lattice& sheet) {
 
 TEST(Compensate, BringsSoftHingesBackToTheExactState) {
   const model::Lattice sheet = bent_strip(8, 0.3);
-  const MatterGoal goal = goal_of(exact_motion(sheet).at(held_theta));
+  const ElasticGoal goal = goal_of(exact_motion(sheet).at(held_theta));
   const Compensation found = compensate(settled(sheet), rubber(), goal);
   EXPECT_GT(found.before.rms_mm, 1) << "the springs hold the fold back";
   EXPECT_LT(found.after.rms_mm, found.before.rms_mm / 50) << found.why;
@@ -72,7 +72,7 @@ TEST(Compensate, BringsSoftHingesBackToTheExactState) {
 
 TEST(Compensate, EndsAtOnceWhereTheGoalIsMet) {
   const model::Lattice sheet = bent_strip(4, 0.3);
-  const InMatter start = settled(sheet);
+  const ElasticFit start = settled(sheet);
   const Compensation found = compensate(start, rubber(), goal_of(start.state), {.enough_mm = 1e-6});
   EXPECT_EQ(found.rounds, 0);
   EXPECT_EQ(found.largest_change, 0);
@@ -82,8 +82,8 @@ TEST(Compensate, EndsAtOnceWhereTheGoalIsMet) {
 // Each variable is changed alone, and the equilibrium is followed to both sides.
 TEST(Compensate, KnowsHowDeviationsChange) {
   const model::Lattice sheet = bent_strip(4, 0.3);
-  const InMatter at = settled(sheet);
-  const MatterGoal goal = goal_of(exact_motion(sheet).at(held_theta));
+  const ElasticFit at = settled(sheet);
+  const ElasticGoal goal = goal_of(exact_motion(sheet).at(held_theta));
   const std::vector<TiltTie> ties = tilt_ties(sheet);
   const auto found = deviation_jacobian(at, ties, rubber(), goal, true);
   ASSERT_TRUE(found);

@@ -33,7 +33,7 @@ class ParallelLines final : public ArrowProblem {
       ResidualBlock& block = blocks[part];
       block.r.resize(3);
       block.by_shared.resize(3, 1);
-      block.by_own = MatrixXd::Ones(3, 1);
+      block.by_local = MatrixXd::Ones(3, 1);
       for (int k = 0; k < 3; ++k) {
         block.r[k] = x[0] * k + x[1 + part] - (2.0 * k + 5 * part);
         block.by_shared(k, 0) = k;

@@ -10,7 +10,7 @@ using Kind = model::PathEvent::Kind;
 // rad, theta at which the bars of a grid lie in line and another motion without strain begins.
 constexpr double bars_in_line = 45 * deg;
 
-bool told_of_branching(const model::EquilibriumPath& path) {
+bool reports_branching(const model::EquilibriumPath& path) {
   return std::any_of(path.events.begin(), path.events.end(), [](const model::PathEvent& e) {
     return (e.kind == Kind::bifurcation || e.kind == Kind::snap) && e.since <= bars_in_line + deg &&
            e.at.theta >= bars_in_line - deg;
@@ -23,7 +23,7 @@ HardAnswer follow_through(const HardScene& scene, double allowed) {
   HardAnswer a = follow_closed_form(scene, allowed);
   if (a.mark == HardAnswer::Mark::right) return a;
   const model::EquilibriumPath path = followed(scene);
-  if (path.stop == model::EquilibriumPath::Stop::reached && path.gaps.max <= 1e-4 && told_of_branching(path))
+  if (path.stop == model::EquilibriumPath::Stop::reached && path.gaps.max <= 1e-4 && reports_branching(path))
     a.mark = HardAnswer::Mark::diagnosed;
   return a;
 }

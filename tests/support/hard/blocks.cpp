@@ -88,7 +88,7 @@ HardAnswer refuse_block(const std::function<void(SodaliteStructure&)>& spoil, co
   spoil(block);
   const model::ExactMotion exact = exact_motion(block);
   const std::string said = exact ? exact.name + " although hinges disagree" : exact.why;
-  return told_apart(!exact && exact.why.find(words) != std::string::npos, said, "");
+  return check_distinct(!exact && exact.why.find(words) != std::string::npos, said, "");
 }
 
 void add_spoilt(HardCases& cases) {

@@ -114,9 +114,9 @@ HardAnswer refuse_crooked(double by) {
   const PlanarStructure s = crooked_miura(by);
   const model::ExactMotion exact = exact_motion(s);
   const model::Mobility m = mobility(s, exact);
-  return told_apart(!exact && exact.why.find("no flat-foldable vertex") != std::string::npos &&
-                        m.verdict != model::Verdict::mobile,
-                    exact.why, to_string(m.verdict) + ": " + m.why);
+  return check_distinct(!exact && exact.why.find("no flat-foldable vertex") != std::string::npos &&
+                            m.verdict != model::Verdict::mobile,
+                        exact.why, to_string(m.verdict) + ": " + m.why);
 }
 
 /// Files have six digits: up to 1e-4 rad a reader takes a mesh, and the sheet must still not pass for exact.
@@ -126,10 +126,10 @@ HardAnswer refuse_moved_vertex(double by) {
   try {
     const model::OrigamiSheet sheet = origami_sheet(mesh, {});
     const model::ExactMotion exact = exact_motion(sheet.structure);
-    return told_apart(!exact, exact ? exact.name + " although it does not close" : exact.why, "");
+    return check_distinct(!exact, exact ? exact.name + " although it does not close" : exact.why, "");
   } catch (const InvalidInput& e) {
-    return told_apart(std::string(e.what()).find("not flat-foldable") != std::string::npos, "",
-                      std::string("refused: ") + e.what());
+    return check_distinct(std::string(e.what()).find("not flat-foldable") != std::string::npos, "",
+                          std::string("refused: ") + e.what());
   }
 }
 
@@ -137,10 +137,10 @@ HardAnswer refuse_narrow(double angle) {
   try {
     origami_sheet(miura_mesh(4, angle, 1), {});
   } catch (const InvalidInput& e) {
-    return told_apart(std::string(e.what()).find("too uneven") != std::string::npos, "",
-                      std::string("refused: ") + e.what());
+    return check_distinct(std::string(e.what()).find("too uneven") != std::string::npos, "",
+                          std::string("refused: ") + e.what());
   }
-  return told_apart(false, "", "accepted");
+  return check_distinct(false, "", "accepted");
 }
 
 /// Rows across the folds of a sheet bend by a share of a cell that no unit of length changes.
@@ -150,10 +150,10 @@ HardAnswer refuse_bent_rows(double edge_mm) {
   const model::ExactMotion exact = exact_motion(s);
   try {
     const double theta = exact.theta_of(plate_drive(s, model::Axis::y, 0.1, 1));
-    return told_apart(false, exact.why, text("taken to theta %g", theta));
+    return check_distinct(false, exact.why, text("taken to theta %g", theta));
   } catch (const InvalidInput& e) {
-    return told_apart(std::string(e.what()).find("would hold rows straight") != std::string::npos, exact.name,
-                      std::string("refused: ") + e.what());
+    return check_distinct(std::string(e.what()).find("would hold rows straight") != std::string::npos,
+                          exact.name, std::string("refused: ") + e.what());
   }
 }
 
@@ -192,13 +192,13 @@ HardAnswer fold_softly(const PlanarStructure& s, double theta) {
 
 void add_elastic(HardCases& cases) {
   cases.push_back({"Miura's pattern on 3x3 hexagons, hinge to theta = 30 deg, stiffness ratio 1e8",
-                   softly_asked,
+                   stop_asked_politely,
                    [] { return fold_softly(miura_of_hexagons(3, 3, 60 * deg, 0.9), 30 * deg); }});
   cases.push_back(
-      {"2x2 Miura sheet of 60 deg, hinge to theta = 60 deg, stiffness ratio 1e8", softly_asked,
+      {"2x2 Miura sheet of 60 deg, hinge to theta = 60 deg, stiffness ratio 1e8", stop_asked_politely,
        [] { return fold_softly(origami_sheet(miura_mesh(2, 60 * deg, 1), {}).structure, 60 * deg); }});
   cases.push_back({"3x3 random quads with a crease, hinge to theta = 60 deg, stiffness ratio 1e8",
-                   softly_asked, [] { return fold_softly(creased_quads(3, 2), 60 * deg); }});
+                   stop_asked_politely, [] { return fold_softly(creased_quads(3, 2), 60 * deg); }});
   cases.push_back(
       {"Miura's pattern on 4x4 hexagons, one line's multipliers off by 0.1, hinge to theta = 20 deg",
        "work is energy to 1e-3",

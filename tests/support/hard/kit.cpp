@@ -203,7 +203,7 @@ HardAnswer closed_to(double worst, double allowed, const std::string& what) {
   return {worst <= allowed ? Mark::right : Mark::wrong, text("%s %.1e", what.c_str(), worst), "not run", {}};
 }
 
-HardAnswer told_apart(bool right, const std::string& exact, const std::string& found) {
+HardAnswer check_distinct(bool right, const std::string& exact, const std::string& found) {
   return {right ? Mark::diagnosed : Mark::wrong, exact, found, {}};
 }
 

@@ -88,7 +88,7 @@ double turning_energy(const LinkageScene& scene, const model::State& state);
 /// right answer becomes diagnosed; otherwise the answer is wrong.
 void judge_leaving(const LinkageScene& scene, const model::EquilibriumPath& path, HardAnswer& answer);
 
-inline constexpr const char* softly_asked =
+inline constexpr const char* stop_asked_politely =
     "distance from the closed form, and energy missing from its, 10 times those of ratio 1e9, to 1 %";
 /// Checks that springs bend a closed form in proportion to their stiffness ratio, to first order.
 /// @param scene of a stiffness ratio   @param theta at which the closed form has the drive's value
@@ -97,6 +97,6 @@ HardAnswer follow_softly(const std::function<LinkageScene(double ratio)>& scene,
 /// Checks a closed form alone: right if `worst` is at most `allowed`.
 HardAnswer closed_to(double worst, double allowed, const std::string& what);
 /// Returns a right answer if the model refuses what is not exact. @param exact answer of the model
-HardAnswer told_apart(bool right, const std::string& exact, const std::string& found);
+HardAnswer check_distinct(bool right, const std::string& exact, const std::string& found);
 
 }  // namespace kinetix::testing

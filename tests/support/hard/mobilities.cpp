@@ -13,7 +13,7 @@ namespace {
 using Mark = HardAnswer::Mark;
 using Stop = model::EquilibriumPath::Stop;
 
-model::Structure two_cells_at_a_corner() { return model::make_structure({{0, 0}, {1, 1}}, {}); }
+model::Structure make_two_cells_at_corner() { return model::make_structure({{0, 0}, {1, 1}}, {}); }
 model::Structure staircase() { return model::make_structure({{0, 0}, {1, 1}, {2, 2}, {3, 3}}, {}); }
 
 HardScene between_plates(const model::Structure& s) {
@@ -34,8 +34,8 @@ HardAnswer share_turns() {
 }
 
 HardAnswer drive_one_of_two() {
-  const HardScene scene{two_cells_at_a_corner(),
-                        hinge_drive(two_cells_at_a_corner(), {{0, 0}, model::Axis::y}, 30 * deg),
+  const HardScene scene{make_two_cells_at_corner(),
+                        hinge_drive(make_two_cells_at_corner(), {{0, 0}, model::Axis::y}, 30 * deg),
                         {},
                         true};
   const model::Structure& s = scene.structure;
@@ -81,7 +81,7 @@ HardCases mobility_cases() {
   return {{"cells that do not hang together", "refused", disconnected},
           closed_form_case(
               "two cells that touch in one corner only, plates",
-              [] { return between_plates(two_cells_at_a_corner()); }, 1e-4),
+              [] { return between_plates(make_two_cells_at_corner()); }, 1e-4),
           {"four cells in a row of corners, plates (M = 4)",
            "no strain; less energy than all cells alike; work is energy to 1e-2", share_turns},
           {"two cells that touch in one corner only, one driven (M = 2)",

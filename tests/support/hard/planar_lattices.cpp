@@ -127,9 +127,9 @@ HardAnswer nearly_closed(double off, double unit) {
   s.hinges[7].t += off;
   const model::ExactMotion exact = exact_motion(s);
   const model::Mobility m = mobility(s, exact);
-  return told_apart(whole_moves && !exact && m.verdict == model::Verdict::not_mobile, exact.why,
-                    text("closed panel: %s, this one: %s, %s", to_string(whole.verdict).c_str(),
-                         to_string(m.verdict).c_str(), m.why.c_str()));
+  return check_distinct(whole_moves && !exact && m.verdict == model::Verdict::not_mobile, exact.why,
+                        text("closed panel: %s, this one: %s, %s", to_string(whole.verdict).c_str(),
+                             to_string(m.verdict).c_str(), m.why.c_str()));
 }
 
 void add_mobility(HardCases& cases) {
@@ -208,7 +208,7 @@ void add_soft_hinges(HardCases& cases) {
     const bool plates = has_closed_rim(panel);
     cases.push_back(
         {text("%s, %s to theta = 30 deg, stiffness ratio 1e8", panel.name, plates ? "plates" : "hinge"),
-         softly_asked, [s = panel.structure, plates] {
+         stop_asked_politely, [s = panel.structure, plates] {
            const auto drive = plates ? between_rims(s, 30 * deg) : first_wall(s, 30 * deg);
            return follow_softly([&](double ratio) { return driven_to(s, drive, ratio); }, 30 * deg);
          }});

@@ -67,7 +67,7 @@ HardAnswer compared(double energy, const std::vector<double>& others) {
           {}};
 }
 
-HardAnswer energies_of_a_state() {
+HardAnswer compare_state_energies() {
   std::mt19937 random(8);
   const model::Structure s = random_panel(4, 3, random);
   const model::State state = shaken(s, rest_state(s), 0.2, random);
@@ -105,7 +105,7 @@ model::Drive at_one_hinge(const model::Structure& s, bool is_elsewhere) {
 HardCases sameness_cases() {
   const char* asked = "same energy to 1e-12";
   return {
-      {"shaken panel turned, shifted, its cells and hinges in another order", asked, energies_of_a_state},
+      {"shaken panel turned, shifted, its cells and hinges in another order", asked, compare_state_energies},
       {"equilibrium of the bending strip, cells elsewhere and hinges in another order", asked,
        [] { return energies_of_equilibria(bending_strip(), between_flat_plates); }},
       {"equilibrium of a panel with random hinges, cells elsewhere and hinges in another order", asked, [] {

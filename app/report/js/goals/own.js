@@ -1,18 +1,18 @@
 // Custom goal, measured by a Python function: its error, in the unit of that function.
 
-function readOwn(raw) {
+function readCustom(raw) {
   if (!raw || typeof raw !== "object") return null;
   const words = (texts) => list(texts).filter((text) => typeof text === "string");
   return {count: list(raw.residuals).length, reasons: words(raw.reasons), physicsReasons: words(raw.reasons_physics)};
 }
 
-function ownErrorWords({goal: own, metrics, tolerance}) {
+function describeCustomError({goal: own, metrics, tolerance}) {
   const limit = finite(tolerance.error) === null ? "" : `, and ${neat(tolerance.error)} is allowed`;
   return `Its error is ${figures(metrics.error)}${own.count > 1 ? `, the root of the sum of squares of ${own.count} numbers` : ""}${limit}.`;
 }
 
-function ownVerdict(data) {
-  const {verdict: {met, verified}} = data, model = ownErrorWords(data);
+function customVerdict(data) {
+  const {verdict: {met, verified}} = data, model = describeCustomError(data);
   const hasRun = finite(data.metrics.verify_rms) !== null || Boolean(data.physics.status), run = hasRun ? ` ${physicsWords(data)}` : "";
   if (met === false) return {mark: "\u2715", tone: "bad", title: "The strip misses its goal", text: model + run};
   if (verified === false)
@@ -24,11 +24,11 @@ function ownVerdict(data) {
   };
 }
 
-const ownGoal = {
+const customGoal = {
   name: "own",
-  read: (raw) => readOwn(raw.own),
+  read: (raw) => readCustom(raw.own),
   view: "side",
-  verdict: ownVerdict,
+  verdict: customVerdict,
   numbers: (data) => measures(data, [["error", "Error", "in the unit of the function that judges", "error"]]),
   fitText: (error) => figures(error),
   facts: ({metrics}) => [["Error", finite(metrics.error) !== null && figures(metrics.error)]],

@@ -13,7 +13,7 @@ export class CellMap {
     Object.assign(this, {state, box, cursor: [1, 1]});
     state.on("design", () => this.draw());
     state.on("chosen", () => this.mark());
-    new ResizeObserver(() => this.tellWidth()).observe(box);
+    new ResizeObserver(() => this.sendWidth()).observe(box);
     box.addEventListener("pointermove", (event) => this.move(event));
     for (const end of ["pointerup", "pointercancel"]) box.addEventListener(end, (event) => this.lift(event, end === "pointerup"));
   }
@@ -128,13 +128,13 @@ export class CellMap {
     this.picture = picture;
     this.box.replaceChildren(picture);
     if (hadFocus) picture.focus();
-    this.tellWidth();
+    this.sendWidth();
     this.mark();
     this.moveCursor(0, 0, false);
   }
 
   /** Reports a picture that is wider than its box, because some systems hide scroll bars. */
-  tellWidth() {
+  sendWidth() {
     show($("map_wide"), this.box.clientWidth > 0 && this.box.scrollWidth > this.box.clientWidth + 1);
   }
 

@@ -29,7 +29,7 @@ bool keeps(Family family, const ExactDesign<double>& d, double tolerance) {
   return true;
 }
 
-bool keeps_a_family(const ExactDesign<double>& d, double tolerance) {
+bool keeps_family(const ExactDesign<double>& d, double tolerance) {
   return keeps(Family::F1, d, tolerance) || keeps(Family::F2, d, tolerance) ||
          keeps(Family::F3, d, tolerance);
 }
@@ -62,7 +62,7 @@ bool SheetReader::read(const Structure& structure, ExactDesign<double>& design, 
   settle(design.t, 0.5);
   settle(design.s, 0.5);
   if (design.gamma == unread) design.gamma = 0;
-  return keeps_a_family(design, tolerance);
+  return keeps_family(design, tolerance);
 }
 
 }  // namespace kinetix::model

@@ -36,12 +36,12 @@ TEST(SurfaceGoal, FoldsASheetOntoASaddle) {
   nlohmann::ordered_json metrics;
   outcome.add_metrics(run, metrics);
   EXPECT_LE(metrics["surface_rms"].get<double>(), 0.05);
-  const std::vector<SurfaceWay>& ways = measure_of<SurfaceMeasure>(run).ways;
+  const std::vector<SurfaceMethod>& ways = measure_of<SurfaceMeasure>(run).ways;
   ASSERT_EQ(ways.size(), 3);
   EXPECT_EQ(ways[0].rms, outcome.design.error.rms);
   EXPECT_EQ(ways[1].pieces, 1);
   EXPECT_EQ(ways[2].pieces, 4);
-  for (const SurfaceWay& way : {ways[1], ways[2]}) {
+  for (const SurfaceMethod& way : {ways[1], ways[2]}) {
     EXPECT_LE(way.rms, 2e-3);
     EXPECT_GT(way.open, ways[0].open);
   }

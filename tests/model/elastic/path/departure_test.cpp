@@ -93,13 +93,13 @@ TEST_P(PanelOfClosedRim, StaysOnItBetweenPlates) {
 
 /// However stiff its hinges are, and by plates under which it folds.
 TEST_P(PanelOfClosedRim, IsNeverOffItsClosedFormUntold) {
-  const auto is_told = [](const DrivenLinkage& driven, double k_turn) {
+  const auto is_reported = [](const DrivenLinkage& driven, double k_turn) {
     const EquilibriumPath path = trace_equilibrium(driven, {.k_turn = k_turn}, without_contact());
     return turned_off(driven, path) <= 0.1 || path.off_closed_form;
   };
   for (const double k_turn : {10.0, 0.1, 1e-3, 1e-4}) {
-    EXPECT_TRUE(is_told(by_one_wall(30 * deg), k_turn));
-    EXPECT_TRUE(is_told(by_plates(30 * deg), k_turn));
+    EXPECT_TRUE(is_reported(by_one_wall(30 * deg), k_turn));
+    EXPECT_TRUE(is_reported(by_plates(30 * deg), k_turn));
   }
 }
 

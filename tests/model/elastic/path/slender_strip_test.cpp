@@ -34,7 +34,7 @@ TEST(SlenderStrips, OfBasicCellsFoldUpToTheirTippingLength) {
   }
 }
 
-Structure bending_by_half_a_degree(int cells) {
+Structure bend_by_half_degree(int cells) {
   return alternating(cells, 1, {.beta = 0.5 * radians_per_degree}, basic_unit);
 }
 
@@ -45,7 +45,7 @@ EquilibriumPath traced(const Structure& s, double k_turn, int side = 1) {
 }
 
 TEST(SlenderStrips, ShorterThanTheirTippingLengthFollowTheClosedForm) {
-  const Structure s = bending_by_half_a_degree(1000);
+  const Structure s = bend_by_half_degree(1000);
   EXPECT_GT(tipping_length({.k_turn = 0.01}), 1000);
   const EquilibriumPath path = traced(s, 0.01);
   ASSERT_EQ(path.stop, EquilibriumPath::Stop::reached) << path.why;
@@ -55,7 +55,7 @@ TEST(SlenderStrips, ShorterThanTheirTippingLengthFollowTheClosedForm) {
 }
 
 TEST(SlenderStrips, LongerOnesTipOverToTheSideAskedForAndTellWhy) {
-  const Structure s = bending_by_half_a_degree(60);
+  const Structure s = bend_by_half_degree(60);
   double energy = 0, up = 0;
   for (const int side : {1, -1}) {
     const EquilibriumPath path = traced(s, 10, side);

@@ -47,7 +47,7 @@ void tilt_creases(Structure& s, std::mt19937& random) {
   }
 }
 
-bool has_a_crossing(const Structure& s) {
+bool has_crossing(const Structure& s) {
   return std::any_of(s.cell_members.begin(), s.cell_members.end(), [&](const CellHinges& cell) {
     return s.hinges[cell.hinges[0]].parameters.beta != 0 && s.hinges[cell.hinges[1]].parameters.beta != 0;
   });
@@ -95,7 +95,7 @@ TEST(FoldAngles, SheetsThatTheRulesAcceptMoveAndThoseTheyRefuseDoNot) {
     const Mobility m = mobility(s, {}, {.turn = 0.8});
     EXPECT_EQ(check.broken == 0, m.verdict == Verdict::mobile)
         << "seed " << seed << ", sheet " << k << ": " << check.rule << "; " << m.why;
-    crossing += check.broken == 0 && has_a_crossing(s);
+    crossing += check.broken == 0 && has_crossing(s);
     refused += check.broken > 0;
   }
   EXPECT_GE(crossing, 40);
@@ -116,7 +116,7 @@ TEST(FoldAngles, RingsThatTheRulesAcceptMoveAndThoseTheyRefuseDoNot) {
     const Mobility m = mobility(s, {}, {.turn = 0.8});
     EXPECT_EQ(check.broken == 0, m.verdict == Verdict::mobile)
         << "seed " << seed << ", ring " << k << ": " << check.rule << "; " << m.why;
-    crossing += check.broken == 0 && has_a_crossing(s);
+    crossing += check.broken == 0 && has_crossing(s);
     refused += check.broken > 0;
   }
   EXPECT_GE(crossing, 3);
@@ -132,7 +132,7 @@ TEST(FoldAngles, AnIndependentSolverFindsTheClosedForm) {
     Structure s = make_structure(testing::random_cells(3 + k % 12, random), {});
     tilt_creases(s, random);
     const Classification kind = classify(s);
-    if (kind.family != Family::F4 || !has_a_crossing(s)) continue;
+    if (kind.family != Family::F4 || !has_crossing(s)) continue;
     ++crossing;
     for (const double theta : {0.5, -0.5}) {
       const Closure reached = driven_to(s, kind, k % static_cast<int>(s.hinges.size()), theta);

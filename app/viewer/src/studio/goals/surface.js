@@ -4,7 +4,7 @@ import {field, inQuotes, number, targetFile} from "./target_file.js";
 const FACETS = field("facets", "facets along a side", 8, {min: 2, max: 24, step: 1});
 const RIBS = field("ribs", "ribs instead of a sheet", 0, {min: 0, max: 60, step: 1});
 const WIDTH = field("width_mm", "wide", 100, {unit: "mm", min: 20, max: 5000});
-const RISE_A_DEGREE = 0.00375;                   // rise of a saddle over half its width, per degree: 0.15 at 40 degrees
+const RISE_PER_DEGREE = 0.00375;                   // rise of a saddle over half its width, per degree: 0.15 at 40 degrees
 const VASE_HEIGHT = 4 / 3, VASE_SWELL = 1 / 30;  // over its radius
 const made = ({ribs, facets}) => (ribs > 0 ? [] : [`structure: {facets: [${facets}, ${facets}]}`]);
 const over = ({ribs}) => (ribs > 0 ? `, ribs: ${ribs}` : "");
@@ -17,7 +17,7 @@ function vase(wide, arc) {
 
 function shaped(values) {
   const {shape, width_mm: wide, arc_deg: arc} = values;
-  const sizes = {cap: `width_mm: ${number(wide)}, arc_deg: ${number(arc)}`, saddle: `width_mm: ${number(wide)}, rise: ${number(RISE_A_DEGREE * arc)}`,
+  const sizes = {cap: `width_mm: ${number(wide)}, arc_deg: ${number(arc)}`, saddle: `width_mm: ${number(wide)}, rise: ${number(RISE_PER_DEGREE * arc)}`,
     vase: vase(wide, arc)}[shape];
   return targetFile(shape, `{kind: surface, shape: ${shape}, ${sizes}${over(values)}}`, made(values));
 }

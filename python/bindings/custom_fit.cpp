@@ -1,4 +1,4 @@
-#include "python/bindings/own_fit.hpp"
+#include "python/bindings/custom_fit.hpp"
 
 #include <random>
 
@@ -17,7 +17,8 @@ constexpr double gentle_bend = 0.15;
 
 }  // namespace
 
-OwnFit::OwnFit(const OwnError& error, optim::BendTies ties, int rows, double cell_mm, optim::AngleRange theta)
+CustomFit::CustomFit(const CustomError& error, optim::BendTies ties, int rows, double cell_mm,
+                     optim::AngleRange theta)
     : error_(error), ties_(std::move(ties)), rows_(rows), cell_mm_(cell_mm) {
   lower_.resize(variables());
   upper_.resize(variables());
@@ -29,30 +30,30 @@ OwnFit::OwnFit(const OwnError& error, optim::BendTies ties, int rows, double cel
   upper_[ties_.variables()] = theta.upper;
 }
 
-model::ExactDesign<double> OwnFit::design(const VectorXd& x) const {
+model::ExactDesign<double> CustomFit::design(const VectorXd& x) const {
   auto design = model::ExactDesign<double>::basic(ties_.columns(), rows_);
   for (int c = 0; c < ties_.columns(); ++c) design.beta[c] = ties_.sign[c] * x[ties_.variable[c]];
   design.theta = x[ties_.variables()];
   return design;
 }
 
-model::State OwnFit::state(const VectorXd& x) const {
+model::State CustomFit::state(const VectorXd& x) const {
   model::State lattice;
   fold(design(x), cell_mm_, lattice);
   return lattice;
 }
 
-bool OwnFit::error_at(const VectorXd& x, VectorXd& r) const {
+bool CustomFit::error_at(const VectorXd& x, VectorXd& r) const {
   return !stop_.stop_requested() && error_.at(state(x), r);
 }
 
-bool OwnFit::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* J) const {
+bool CustomFit::evaluate(const VectorXd& x, VectorXd& r, MatrixXd* J) const {
   if (!x.allFinite() || !error_at(x, r)) return false;
   if (!J) return true;
   return error_.has_gradient() ? exact_jacobian(x, *J) : differences(x, *J);
 }
 
-bool OwnFit::exact_jacobian(const VectorXd& x, MatrixXd& J) const {
+bool CustomFit::exact_jacobian(const VectorXd& x, MatrixXd& J) const {
   model::State lattice;
   model::ExactJacobian derivatives;
   fold_with_jacobian(design(x), cell_mm_, lattice, derivatives);
@@ -72,7 +73,7 @@ bool OwnFit::exact_jacobian(const VectorXd& x, MatrixXd& J) const {
   return J.allFinite();
 }
 
-bool OwnFit::differences(const VectorXd& x, MatrixXd& J) const {
+bool CustomFit::differences(const VectorXd& x, MatrixXd& J) const {
   J.resize(residuals(), variables());
   VectorXd before, after;
   for (int k = 0; k < variables(); ++k) {
@@ -87,7 +88,7 @@ bool OwnFit::differences(const VectorXd& x, MatrixXd& J) const {
   return true;
 }
 
-VectorXd OwnFit::start(int k, std::uint64_t seed) const {
+VectorXd CustomFit::start(int k, std::uint64_t seed) const {
   const int bends = ties_.variables();
   const VectorXd middle = (lower_ + upper_) / 2, half = (upper_ - lower_) / 2;
   VectorXd x = VectorXd::Zero(variables());

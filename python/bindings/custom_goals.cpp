@@ -8,9 +8,9 @@
 #include "model/base/invalid_input.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
+#include "python/bindings/custom_goal.hpp"
 #include "python/bindings/documents.hpp"
 #include "python/bindings/interruptible.hpp"
-#include "python/bindings/own_goal.hpp"
 #include "python/bindings/results.hpp"
 #include "targets/document/wording.hpp"
 
@@ -48,7 +48,7 @@ std::string checked_name(const std::string& document) {
                    [](const targets::Node& root) { return app::read_name(targets::Section(root, keys)); });
 }
 
-/// @param wall_mm thickness and height; what is too thick closes the cells, which OwnGoal::fit refuses
+/// @param wall_mm thickness and height; what is too thick closes the cells, which CustomGoal::fit refuses
 model::CellSize walls_of(double cell_mm, const Range& wall_mm) {
   const auto& [thickness, height] = wall_mm;
   require("wall_mm[0]", thickness, thickness > 0 && std::isfinite(thickness), "above 0 mm");
@@ -65,15 +65,15 @@ optim::AngleRange angles(const std::string& name, const Range& range, double lea
   return {lower, upper};
 }
 
-std::shared_ptr<OwnGoal> make_goal(const std::string& named, py::object error, py::object gradient,
-                                   double tolerance, int columns, int rows, double cell_mm,
-                                   const std::optional<Range>& wall_mm, Range beta, Range theta,
-                                   const std::string& per, const std::string& symmetry,
-                                   const std::string& solver, int starts, int max_evaluations) {
+std::shared_ptr<CustomGoal> make_goal(const std::string& named, py::object error, py::object gradient,
+                                      double tolerance, int columns, int rows, double cell_mm,
+                                      const std::optional<Range>& wall_mm, Range beta, Range theta,
+                                      const std::string& per, const std::string& symmetry,
+                                      const std::string& solver, int starts, int max_evaluations) {
   using optim::Per, optim::Symmetry;
   require("cell_mm", cell_mm, cell_mm >= 0.001 && cell_mm <= 1e4, "0.001 to 10000 mm");
-  auto goal = std::make_shared<OwnGoal>(checked_name(named));
-  goal->error = std::make_shared<OwnError>(std::move(error), std::move(gradient));
+  auto goal = std::make_shared<CustomGoal>(checked_name(named));
+  goal->error = std::make_shared<CustomError>(std::move(error), std::move(gradient));
   goal->size = wall_mm ? walls_of(cell_mm, *wall_mm) : app::default_size(cell_mm);
   const Per tied = word<Per>("per", per, {{"column", Per::column}, {"all", Per::all}});
   const Symmetry kept = word<Symmetry>("symmetry", symmetry,
@@ -96,10 +96,10 @@ std::shared_ptr<OwnGoal> make_goal(const std::string& named, py::object error, p
 
 /// Largest difference between the gradient given and central differences, at the starts of a search, over the largest
 /// derivative.
-double gradient_error(const OwnGoal& goal, int starts) {
+double gradient_error(const CustomGoal& goal, int starts) {
   if (!goal.error->has_gradient()) throw InvalidInput("the goal has no gradient to compare with differences");
   require("states", starts, starts >= 1, "at least 1");
-  const OwnFit fit = goal.fit();
+  const CustomFit fit = goal.fit();
   double largest = 0, off = 0;
   for (int k = 0; k < starts; ++k) {
     Eigen::VectorXd r;
@@ -116,12 +116,12 @@ double gradient_error(const OwnGoal& goal, int starts) {
 
 }  // namespace
 
-void add_own_goals(py::module_& core) {
-  py::class_<OwnGoal, std::shared_ptr<OwnGoal>>(core, "OwnGoal")
-      .def_property_readonly("name", [](const OwnGoal& g) { return g.name; })
+void add_custom_goals(py::module_& core) {
+  py::class_<CustomGoal, std::shared_ptr<CustomGoal>>(core, "CustomGoal")
+      .def_property_readonly("name", [](const CustomGoal& g) { return g.name; })
       .def("gradient_error", gradient_error);
   core.def("make_goal", make_goal);
-  core.def("optimise_own", [](const std::shared_ptr<OwnGoal>& goal, RunChoice choice) {
+  core.def("optimise_custom", [](const std::shared_ptr<CustomGoal>& goal, RunChoice choice) {
     return run_in_python([&](const app::RunOptions& options) { return run_goal(*goal, options); }, "",
                          std::move(choice));
   });

@@ -12,11 +12,11 @@ namespace kinetix::python {
 /// Error of a state as computed by a Python callable: residuals whose sum of squares is to be least, and optionally
 /// their derivatives. It may be called from any thread and takes the interpreter's lock itself. Once Python has
 /// raised, all further calls fail, so that a search ends. raise_again() then throws the first exception.
-class OwnError {
+class CustomError {
  public:
   /// @param error takes poses, (N, 7), returns a number or m of them
   /// @param gradient takes poses, (N, 7), returns (m, N, 6), by each body's shift (mm) and turn (rad); or None
-  OwnError(pybind11::object error, pybind11::object gradient)
+  CustomError(pybind11::object error, pybind11::object gradient)
       : error_(std::move(error)), gradient_(std::move(gradient)) {}
 
   bool has_gradient() const { return !gradient_.is_none(); }

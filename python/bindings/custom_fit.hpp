@@ -5,17 +5,18 @@
 #include "model/lattice/square/family/exact_family.hpp"
 #include "optim/curve/bend_ties.hpp"
 #include "optim/solvers/least_squares.hpp"
-#include "python/bindings/own_error.hpp"
+#include "python/bindings/custom_error.hpp"
 
 namespace kinetix::python {
 
 /// Fit of a strip (family F2) to a user's error. x = (bends of optim/curve/bend_ties.hpp, theta), rad. The Jacobian is
 /// exact with the gradient of the error, otherwise by central differences over x.
-class OwnFit final : public optim::LeastSquaresProblem {
+class CustomFit final : public optim::LeastSquaresProblem {
  public:
   /// @param cell_mm cell edge.   @param theta bounds, rad. The error is kept by reference and must have been called
   /// once
-  OwnFit(const OwnError& error, optim::BendTies ties, int rows, double cell_mm, optim::AngleRange theta);
+  CustomFit(const CustomError& error, optim::BendTies ties, int rows, double cell_mm,
+            optim::AngleRange theta);
 
   /// Sets the token that ends all evaluations when requested. A call of Python may take long, and each start makes
   /// many.
@@ -42,7 +43,7 @@ class OwnFit final : public optim::LeastSquaresProblem {
   bool error_at(const Eigen::VectorXd& x, Eigen::VectorXd& r) const;
   bool exact_jacobian(const Eigen::VectorXd& x, Eigen::MatrixXd& J) const;
 
-  const OwnError& error_;
+  const CustomError& error_;
   optim::BendTies ties_;
   int rows_ = 1;
   double cell_mm_ = 1;

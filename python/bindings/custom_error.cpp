@@ -1,4 +1,4 @@
-#include "python/bindings/own_error.hpp"
+#include "python/bindings/custom_error.hpp"
 
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ Numbers numbers_of(const py::object& given, const char* what) {
 }  // namespace
 
 template <class Call>
-bool OwnError::in_python(Call call) const noexcept {
+bool CustomError::in_python(Call call) const noexcept {
   const py::gil_scoped_acquire mine;
   if (raised_) return false;
   try {
@@ -39,7 +39,7 @@ bool OwnError::in_python(Call call) const noexcept {
   }
 }
 
-bool OwnError::at(const model::State& state, Eigen::VectorXd& r) const noexcept {
+bool CustomError::at(const model::State& state, Eigen::VectorXd& r) const noexcept {
   const bool called = in_python([&] {
     const Numbers numbers = numbers_of(error_(poses_of(state)), "the error");
     if (numbers.ndim() > 1 || numbers.size() == 0)
@@ -53,7 +53,7 @@ bool OwnError::at(const model::State& state, Eigen::VectorXd& r) const noexcept 
   return called && r.allFinite();
 }
 
-bool OwnError::gradient_at(const model::State& state, Eigen::MatrixXd& gradient) const noexcept {
+bool CustomError::gradient_at(const model::State& state, Eigen::MatrixXd& gradient) const noexcept {
   const auto columns = static_cast<Eigen::Index>(6 * state.size());
   const bool called = in_python([&] {
     const Numbers numbers = numbers_of(gradient_(poses_of(state)), "the gradient");

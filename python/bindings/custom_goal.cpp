@@ -1,4 +1,4 @@
-#include "python/bindings/own_goal.hpp"
+#include "python/bindings/custom_goal.hpp"
 
 #include <fmt/format.h>
 
@@ -18,19 +18,19 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Estimated time per call of the error, s: what NumPy takes for a few operations. A start makes about a hundred calls.
-constexpr double seconds_a_call = 2e-5, calls_a_start = 100;
+constexpr double seconds_per_call = 2e-5, calls_per_start = 100;
 
-struct OwnMeasure final : app::Measure {
+struct CustomMeasure final : app::Measure {
   Eigen::VectorXd residuals;  ///< of the state, in units of the error
 };
 
 /// Outcome of the search for a user's goal.
-struct OwnOutcome final : app::GoalOutcome {
+struct CustomOutcome final : app::GoalOutcome {
   optim::SolverName solver = optim::SolverName::ceres;
   optim::MultiStartResult search;
 
   void add_sections(const app::Run& run, Json& result) const override {
-    const Eigen::VectorXd& residuals = app::measure_of<OwnMeasure>(run).residuals;
+    const Eigen::VectorXd& residuals = app::measure_of<CustomMeasure>(run).residuals;
     result["target"] = {{"kind", "own"}, {"name", run.design.name}};
     result["own"] = {{"residuals", std::vector<double>(residuals.begin(), residuals.end())},
                      {"reasons", run.violations},
@@ -38,11 +38,11 @@ struct OwnOutcome final : app::GoalOutcome {
     result["optimiser"] = app::search_json(search, search.best, solver);
   }
   void add_metrics(const app::Run& run, Json& metrics) const override {
-    metrics["error"] = app::measure_of<OwnMeasure>(run).residuals.norm();
+    metrics["error"] = app::measure_of<CustomMeasure>(run).residuals.norm();
     metrics["met"] = run.met();
   }
   std::vector<app::SummaryLine> summary_lines(const app::Run& run) const override {
-    const Eigen::VectorXd& residuals = app::measure_of<OwnMeasure>(run).residuals;
+    const Eigen::VectorXd& residuals = app::measure_of<CustomMeasure>(run).residuals;
     return {{"error", fmt::format("{:.3g} of {} numbers (root of the sum of squares): {}", residuals.norm(),
                                   residuals.size(), run.met() ? "within tolerance" : "MISSES THE TOLERANCE")},
             app::search_line(run.timings.optimise, search, search.best, solver)};
@@ -51,32 +51,32 @@ struct OwnOutcome final : app::GoalOutcome {
 
 }  // namespace
 
-OwnFit OwnGoal::fit() const {
+CustomFit CustomGoal::fit() const {
   const double closing = closing_theta(size) - model::closing_margin;
   require(
       "theta[0]", allowed.theta.lower, allowed.theta.lower < closing,
       fmt::format("below {:.4g} rad, where walls of {:g} mm close the cells", closing, size.thickness_mm));
   starts.validate();
-  OwnFit made(*error, make_bend_ties(allowed.columns, allowed.per, allowed.symmetry, allowed.beta),
-              allowed.rows, size.edge_mm, {allowed.theta.lower, std::min(allowed.theta.upper, closing)});
+  CustomFit made(*error, make_bend_ties(allowed.columns, allowed.per, allowed.symmetry, allowed.beta),
+                 allowed.rows, size.edge_mm, {allowed.theta.lower, std::min(allowed.theta.upper, closing)});
   Eigen::VectorXd r;
   error->at(made.state(made.start(0, 0)), r);
   error->raise_again();
   return made;
 }
 
-app::Forecast OwnGoal::forecast() const {
+app::Forecast CustomGoal::forecast() const {
   app::Forecast out{sheet_of(model::ExactDesign<double>::basic(allowed.columns, allowed.rows), size)};
   out.search_s =
-      seconds_a_call * calls_a_start * starts.starts * (error->has_gradient() ? 1 : allowed.columns);
+      seconds_per_call * calls_per_start * starts.starts * (error->has_gradient() ? 1 : allowed.columns);
   return out;
 }
 
-app::Found OwnGoal::search(const app::RunOptions& options) const {
+app::Found CustomGoal::search(const app::RunOptions& options) const {
   options.progress("search", 0);
-  OwnFit strip = fit();
+  CustomFit strip = fit();
   strip.end_when(options.stop);
-  auto outcome = std::make_unique<OwnOutcome>();
+  auto outcome = std::make_unique<CustomOutcome>();
   outcome->solver = starts.solver.name;
   outcome->search = multi_start(
       strip, [&](int k, std::uint64_t seed) { return strip.start(k, seed); },
@@ -94,10 +94,10 @@ app::Found OwnGoal::search(const app::RunOptions& options) const {
   return out;
 }
 
-std::shared_ptr<const app::Measure> OwnGoal::measure(const app::Run& run, app::StateOf of,
-                                                     const model::State& state,
-                                                     const app::RunOptions&) const {
-  auto out = std::make_shared<OwnMeasure>();
+std::shared_ptr<const app::Measure> CustomGoal::measure(const app::Run& run, app::StateOf of,
+                                                        const model::State& state,
+                                                        const app::RunOptions&) const {
+  auto out = std::make_shared<CustomMeasure>();
   const bool in_physics = of == app::StateOf::physics;
   const bool known = error->at(in_physics ? aligned(state, run.own) : state, out->residuals);
   error->raise_again();

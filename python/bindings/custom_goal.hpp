@@ -4,23 +4,23 @@
 
 #include "app/run/goal.hpp"
 #include "optim/curve/fit_curve.hpp"
-#include "python/bindings/own_fit.hpp"
+#include "python/bindings/custom_fit.hpp"
 
 namespace kinetix::python {
 
 /// User's goal: the size of the strip, what the search may vary, and when the goal is met.
-class OwnGoal final : public app::Goal {
+class CustomGoal final : public app::Goal {
  public:
   using Goal::Goal;
 
-  std::shared_ptr<const OwnError> error;
+  std::shared_ptr<const CustomError> error;
   double tolerance = 0;  ///< of the root of the sum of squares of the residuals, in units of the error
   optim::CurveVariables allowed;  ///< of the strip
   model::CellSize size;
   optim::MultiStartOptions starts = {};
 
   /// @throws InvalidInput if nothing is left to search
-  OwnFit fit() const;
+  CustomFit fit() const;
 
   app::Forecast forecast() const override;
   app::Found search(const app::RunOptions& options) const override;
