@@ -14,7 +14,7 @@ Source = Union[str, "os.PathLike[str]", Mapping[str, Any]]
 
 
 def _text(key: str, fault_text: str) -> InvalidInput:
-    return InvalidInput(f"{key}: {what_is_wrong}" if key else fault_text, fault_text, key=key)
+    return InvalidInput(f"{key}: {fault_text}" if key else fault_text, fault_text, key=key)
 
 
 def _number(value: float, key: str) -> str:
