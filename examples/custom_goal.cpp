@@ -4,8 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-// x = (tilt of the walls, fold angle), rad. Residuals: turn of a column and height of the sheet, minus the
-// goal.
+// x = (tilt of the walls, fold angle), rad. Residuals: column turn and sheet height, minus the goal.
 struct HalfPipe : kinetix::LeastSquaresProblem {
   const Eigen::VectorXd low = Eigen::Vector2d(0.01, 0.05), high = Eigen::Vector2d(1, 0.7);
 
