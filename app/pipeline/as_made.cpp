@@ -120,7 +120,7 @@ std::optional<model::TouchingPrints> count_touching(const Run& run, const Printe
   for (const NamedState& frame : run.states)
     if (frame.name == "frame") frames.push_back(&frame.poses);
   const bool is_on_path = run.matter.has_value();
-  const model::FoldPath way{
+  const model::MotionPath way{
       is_on_path ? static_cast<int>(frames.size()) : states_on_the_way - 1,
       [&](int k) -> std::optional<model::HeldState> {
         if (!is_on_path && !run.plan.exact) return std::nullopt;

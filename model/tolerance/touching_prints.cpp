@@ -94,7 +94,7 @@ struct Closest {
 class WayOfPrints {
  public:
   /// Keeps all parameters but `scatter` by reference.
-  WayOfPrints(const PrintedLinkage& printed, const SettledDesign& fold, const FoldPath& way,
+  WayOfPrints(const PrintedLinkage& printed, const SettledDesign& fold, const MotionPath& way,
               const HingeScatter& scatter, const ToleranceOptions& options)
       : printed_(printed), fold_(fold), way_(way), options_(options) {
     PrintErrors first(scatter, hinges(), options.seed);
@@ -217,7 +217,7 @@ class WayOfPrints {
 
   const PrintedLinkage& printed_;
   const SettledDesign& fold_;
-  const FoldPath& way_;
+  const MotionPath& way_;
   const ToleranceOptions& options_;
   std::optional<SuspectPlates> suspects_;
   std::map<WallPair, Closest> closest_;
@@ -254,7 +254,7 @@ double TouchingPrints::error() const {
 }
 
 std::optional<TouchingPrints> touching_prints(const PrintedLinkage& printed, const SettledDesign& fold,
-                                              const FoldPath& way, const HingeScatter& scatter,
+                                              const MotionPath& way, const HingeScatter& scatter,
                                               const ToleranceOptions& options) {
   if (!fold.is_stable()) return std::nullopt;
   WayOfPrints prints(printed, fold, way, scatter, options);

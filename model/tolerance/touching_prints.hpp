@@ -9,7 +9,7 @@
 namespace kinetix::model {
 
 /// Path of a design from flat to its fold.
-struct FoldPath {
+struct MotionPath {
   int states = 0;                                   ///< before the fold
   std::function<std::optional<HeldState>(int)> at;  ///< first is 0; empty: skipped
 };
@@ -46,7 +46,7 @@ struct TouchingPrints {
 /// @param options only planar, seed, threads and stop have an effect
 /// @return empty if the fold is not stable, or if options.stop ends the run before the first prints
 std::optional<TouchingPrints> touching_prints(const PrintedLinkage& printed, const SettledDesign& fold,
-                                              const FoldPath& way, const HingeScatter& scatter,
+                                              const MotionPath& way, const HingeScatter& scatter,
                                               const ToleranceOptions& options = {});
 
 }  // namespace kinetix::model
