@@ -79,7 +79,8 @@ class Run {
     show();
   }
 
-  /// Stops parts past the deepest point of their path; elastic only. Otherwise damps all speeds.
+  /// With elastic hinges, stops all parts once their kinetic energy decreases: they are past the deepest
+  /// point of their path. With rigid hinges, damps all speeds.
   void calm() {
     if (!options_.elastic) return world_.parts().damp(damping_);
     const double energy = world_.parts().kinetic_energy();

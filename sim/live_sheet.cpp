@@ -27,8 +27,8 @@ constexpr double pulled_damping =
 constexpr double drive_speed = 1;    // rad of theta per second: a fold takes about one
 constexpr double longest_way = 0.1;  // cell edges or rad per step: linearisation is inaccurate beyond
 constexpr double shortest_way =
-    1e-6;                      // cell edges or rad per step: below, a sheet that only moves by gaining energy
-                               // is at rest
+    1e-6;                      // cell edges or rad per step: a sheet that cannot move this far without
+                               // gaining energy is at rest
 constexpr double fall = 10;    // cell edges / s^2: weight shows within a second and does not tear hinges
 constexpr double newton = 30;  // part mass edge / s^2: a push of 1 N with rigid hinges
 constexpr double flat_theta = 0.01;       // rad: below, a pressing hand has no lever arm

@@ -44,7 +44,7 @@ void* memory_or_throw(std::size_t bytes) {
   return memory;
 }
 
-/// Set before main: by default the engine uses memory that it failed to get.
+/// Set before main: by default the engine does not check for failed allocations and writes to null.
 [[maybe_unused]] const bool engine_throws = [] {
   btAlignedAllocSetCustom(memory_or_throw, std::free);
   return true;

@@ -35,8 +35,8 @@ nlohmann::ordered_json stiffness_json(const model::HingeStiffness& k);
 /// Returns the section `structure` of a design.
 nlohmann::ordered_json sheet_json(const Design& design);
 
-/// Returns whether a result belongs to this sheet. Numbers of cells, walls, bodies and hinges may differ by `rounding`,
-/// relative above 1 and absolute below.
+/// Returns whether a result belongs to this sheet. All values (mm, rad) of its cells, walls, bodies and
+/// hinges may differ by `rounding`, relative above 1 and absolute below.
 bool is_of_sheet(const nlohmann::ordered_json& result, const Design& design, double rounding);
 
 }  // namespace kinetix::app

@@ -9,6 +9,7 @@ namespace kinetix::model {
 
 /// Returns the triangles with one point for each set of near points, in the order of their first use. Points are near
 /// if they are in one cell of a grid of width `tolerance`, or equal for 0. Triangles that lose an edge are omitted.
+/// @param tolerance mm, >= 0
 Polyhedron welded(const Polyhedron& soup, double tolerance);
 
 /// Returns the pieces of a welded soup that are connected by edges, each with its points, in the order of their first

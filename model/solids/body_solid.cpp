@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double rounding_mm = 1e-9;  // mm: rounding of corners that are meant to be one
-// Mm: sections this near to each other's corners would be one face of the junction
+// In mm: sections this near to each other's corners would be one face of the junction
 constexpr double touching_mm = 1e-6;
 // Ratio to a wall's thickness: distance of sections without shared corners
 constexpr double free_share = 0.05;

@@ -14,8 +14,8 @@ using Outline = std::vector<Vector2d>;
 constexpr int least_sides = 12;         // sides of a circle: fewer do not look round
 constexpr double one_corner_mm = 1e-6;  // mm: corners nearer than that are one
 constexpr double step_mm = 1e-3;  // mm: lower steps are ignored, because files store positions as floats.
-// Share of the eye in a pin's height. The fork's two knuckles share the rest, so that each end of the rod supports as
-// much as half of the middle.
+// Share of the eye in a pin's height. The fork's two knuckles share the rest, so that each end of the rod
+// bears half as much as its middle.
 constexpr double eye_share = 0.5;
 constexpr double sink_share = 0.5;  // depth of a cone over half the eye's height: as much bore remains
 

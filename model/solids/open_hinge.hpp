@@ -10,8 +10,8 @@ namespace kinetix::model {
 /// process has none. All are as high as the wall. Hinges that span a gap have none yet (open_gap_mm).
 MadeHinge open_hinge(HingeKind kind, const Process& process, const CellSize& size);
 
-/// Returns the gap of a block or film, in whole tenths of a mm, that withstands its turn and stretch. At this gap
-/// neither the corners of its wall nor those of the block meet.
+/// Returns the gap of a block or film that withstands its turn and stretch, mm, rounded up to whole tenths.
+/// At this gap neither the corners of its wall nor those of the block meet.
 /// @param offset_mm of the axis from the middle of the wall   @param turn largest, rad
 /// @param stretch_mm by which its halves separate or approach
 double open_gap_mm(const MadeHinge& hinge, double wall_mm, double offset_mm, double turn,

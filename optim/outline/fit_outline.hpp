@@ -30,7 +30,7 @@ struct OutlineDesign {
   double offset = 0;            ///< largest |offset|, cell edges
   double shift = 0;             ///< largest |2 t - 1|, ratio
   double at_bounds_offset = 0;  ///< share of the walls with the largest allowed |offset|, [0, 1]
-  double at_bounds_shift = 0;   ///< share of the walls with the largest allowed |2 t - 1|, [0, 1]
+  double at_bounds_shift = 0;   ///< share of walls at their limit of |2 t - 1| (less for walls that met)
   bool clear = false;           ///< no walls meet during the motion
   bool settled = false;         ///< no vertex moved any more in the last round at this theta
   bool stopped = false;         ///< stopped before the end of the search

@@ -11,7 +11,8 @@ namespace kinetix::optim {
 namespace {
 
 using Eigen::VectorXd;
-/// Number of searches, each with other variables held on their bounds: variables that still change are in a cycle.
+/// Most searches, each with other variables held on their bounds: variables that change after that are in a
+/// cycle.
 constexpr int most_dampings = 8;
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

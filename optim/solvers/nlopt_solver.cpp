@@ -7,8 +7,8 @@
 namespace kinetix::optim {
 namespace {
 
-/// Cost |r|^2 / 2 for NLopt. Some of its methods ignore the evaluation limit and hang on NaN, so this
-/// function stops them.
+/// Cost |r|^2 / 2 for NLopt. Some of its methods ignore the evaluation limit and hang on NaN, so this object
+/// stops them by an exception.
 struct Objective {
   BestSoFar& best;
   nlopt::opt& solver;

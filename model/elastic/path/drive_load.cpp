@@ -22,7 +22,7 @@ double drive_speed(const ElasticSystem& system, const State& state, double theta
 
 constexpr double difference = 2e-5;  // rad of theta: of central differences
 // Iterations that refine the direction of a path. Its factor may be that of a state 2e-3 before, and each
-// iteration squares about that error.
+// iteration leaves an error of about the square of that distance.
 constexpr int refinements = 2;
 // k_point edge or edge^2: for smaller loads, the residual of Newton's method would dominate a difference.
 constexpr double least_load = 1e-7;

@@ -22,8 +22,8 @@ struct EquilibriumPathOptions {
   int side = 1;                ///< +1 or -1: side of a bifurcation if the drive's sign does not select one
   double first_step = 0.02;    ///< of theta, rad, (0, 0.5]
   double longest_step = 0.12;  ///< rad, (0, 0.5]
-  /// Limit in rad if walls touch, (0, 0.5]. Jumps to another state are located to this, then taken and
-  /// reported.
+  /// Longest step while walls touch, rad, (0, 0.5]. A jump to another state is first narrowed down to a step
+  /// of this length, then taken and reported.
   double longest_step_touching = 0.02;
   double least_step = 1e-3;   ///< rad, > 0
   double longest_jump = 0.1;  ///< rad a hinge turns beyond the prediction; more is a jump to another branch

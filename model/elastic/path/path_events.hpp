@@ -14,7 +14,7 @@ namespace kinetix::model {
 class LockWatch {
  public:
   /// Processes a step. @return ratio of slopes with and without contact, on the step that first shows
-  /// jamming. This step is between states in contact, or at the first state in contact
+  /// jamming. The step must end in contact; if the slope at its end is unknown, it must also start in contact
   std::optional<double> see(const EquilibriumStep& before, const EquilibriumStep& after);
   /// Returns what see() would return for a step that is not taken yet.
   std::optional<double> look(const EquilibriumStep& before, const EquilibriumStep& after) const;
@@ -28,7 +28,7 @@ class LockWatch {
 /// Detector for a tendon that would have to push.
 class SlackWatch {
  public:
-  /// Processes a step. @return whether the tendon would have to push, for the first step in a row
+  /// Processes a step. @return true if the tendon would have to push, but not at the step before
   bool see(const EquilibriumStep& step);
   /// Returns what see() would return for a step that is not taken yet.
   bool look(const EquilibriumStep& step) const;

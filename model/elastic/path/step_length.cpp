@@ -7,10 +7,10 @@ namespace kinetix::model {
 namespace {
 
 constexpr double most_growth = 2;      // times the last step: one small error is not enough for more
-constexpr double least_growth = 0.25;  // times the last step: a large error defines no shorter step
+constexpr double least_growth = 0.25;  // times the last step: a large error does not tell how much less
 constexpr double aimed_jump = 0.4;    // ratio to longest_jump: near 1 more steps fail, near 0 more are needed
 constexpr double least_jump = 1e-12;  // rad: below is rounding, and most_growth is reached long before
-constexpr double rounding = 1e-9;     // fraction of a step or of the remaining path: shorter steps are none
+constexpr double rounding = 1e-9;     // fraction of a step or of the remaining path: less is rounding
 
 }  // namespace
 

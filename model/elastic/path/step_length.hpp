@@ -35,7 +35,7 @@ class StepLength {
   double growth(double jump, int order) const;
   /// Adapts the length after a step was taken. @param touching whether walls touch at its end
   void change(double growth, bool touching);
-  /// Shortens the length after a refused step, at least to half of it.
+  /// Shortens the length after a refused step, to at most half of that step.
   void shorten(const NextStep& refused, double growth);
 
  private:

@@ -14,11 +14,11 @@ namespace kinetix::model {
 /// = rows - 1 inner vertices.
 template <class T>
 struct MarchDataOf {
-  /// P multipliers of the rising crease lines, where they leave the bottom row upwards
+  /// The p multipliers of the rising crease lines, where they leave the bottom row upwards
   std::vector<T> rising;
   std::vector<T> level;  ///< q multipliers of the level ones, where they leave the left column to the right
   std::vector<T> left_angle;     ///< q, rad, (0, pi): from the level crease to the rising one, left column
-  std::vector<T> bottom_angle;   ///< p, rad, bottom row; the first equals left_angle's and is not read
+  std::vector<T> bottom_angle;   ///< p, rad, (0, pi): same, bottom row; [0] is left_angle[0], not read
   std::vector<T> bottom_length;  ///< p - 1 lengths between the inner vertices of the bottom row, > 0
   std::vector<T> left_length;    ///< q - 1 lengths between the inner vertices of the left column, > 0
   std::vector<T> west, east;     ///< q lengths each, from the outer inner vertices to the boundary, > 0

@@ -17,7 +17,7 @@ namespace kinetix::model {
 template <class T>
 struct ExactDesign {
   std::vector<T> beta;  ///< tilt of column c in row 0, rad; row j has (-1)^j beta
-  /// TA of the x-walls of column c: the fraction that belongs to the vertex of sublattice A, (0, 1).
+  /// The fraction tA of the x-walls of column c: it belongs to the vertex of sublattice A, (0, 1).
   std::vector<T> t;
   std::vector<T> s;  ///< tA of the y-walls of row r, (0, 1)
   T gamma = T(0);    ///< tilt of the y-walls on vertex column 0, rad; column i has (-1)^i gamma
