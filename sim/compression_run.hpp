@@ -30,7 +30,7 @@ struct PhysicsObserver {
 /// at first and at flat in the end, so they do not push a sheet back through flat. After the drive, parts
 /// move downhill and are stopped whenever their kinetic energy decreases. Their steps become shorter if they
 /// pass the equilibrium. The run ends when the forces of hinges, drive and contacts balance on every part.
-/// The same run gives the same bits. Not thread-safe: the engine has global state, so run one at a time.
+/// A repeated run gives the same bits. Not thread-safe: the engine has global state, so run one at a time.
 ///
 /// @return the last state and a status; a failed run is never reported as settled.
 /// @throws InvalidInput for bad options, for plates that press and springs on a sheet without elastic hinges,

@@ -86,7 +86,7 @@ optim::SolverName read_solver_name(const targets::Node& node) {
 }
 
 targets::KeyTable solver_keys(const std::vector<optim::SolverName>& names, std::optional<int> starts,
-                              int max_evaluations, const std::string& subject_of) {
+                              int max_evaluations, const std::string& evaluations_unit) {
   std::vector<std::string> words;
   std::string meaning;
   for (const optim::SolverName name : names) {
@@ -99,7 +99,7 @@ targets::KeyTable solver_keys(const std::vector<optim::SolverName>& names, std::
     keys.push_back({"starts", &SolverSection::starts, value::integer(1, 10'000), targets::by_default(*starts),
                     "searches, each from another start"});
   keys.push_back({"max_evaluations", &SolverSection::max_evaluations, value::integer(1, 10'000'000),
-                  targets::by_default(max_evaluations), "most evaluations " + subject_of});
+                  targets::by_default(max_evaluations), "most evaluations " + evaluations_unit});
   return targets::KeyTable(std::move(keys));
 }
 

@@ -24,9 +24,9 @@ struct SolverSection {
 };
 
 /// Returns the keys of the section for a kind of goal. @param names of the solvers that suit it, the default first
-/// @param starts default; empty if a search has a single start   @param subject_of unit of evaluations, e.g. "per start"
+/// @param starts default; empty if a search has a single start   @param evaluations_unit unit of evaluations, e.g. "per start"
 targets::KeyTable solver_keys(const std::vector<optim::SolverName>& names, std::optional<int> starts,
-                              int max_evaluations, const std::string& subject_of);
+                              int max_evaluations, const std::string& evaluations_unit);
 
 /// Reads the key `name`, any of all solvers.
 optim::SolverName read_solver_name(const targets::Node& node);

@@ -193,7 +193,7 @@ CompensatedPath path_in_matter(const Found& found, const Goal& goal, const std::
           trace_equilibrium({after.sheet, drive, exact_motion(after.sheet)}, elasticity, options)};
 }
 
-Run compensated_design(Run run, const Goal& goal, const RunOptions& options) {
+Run compensate_for_elasticity(Run run, const Goal& goal, const RunOptions& options) {
   const auto exact = goal.observe(run, run.design.structure, run.own);
   if (!exact) return run;
   options.progress("hinges in matter", 0);

@@ -29,6 +29,6 @@ CompensatedPath path_in_matter(const Found& found, const Goal& goal, const std::
 /// equilibrium of the new design at the end of its path from flat. Without an equilibrium the exact state stays, and
 /// the violations give the reason.
 /// @pre measured, has_elastic_hinges
-Run compensated_design(Run run, const Goal& goal, const RunOptions& options);
+Run compensate_for_elasticity(Run run, const Goal& goal, const RunOptions& options);
 
 }  // namespace kinetix::app

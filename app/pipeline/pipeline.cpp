@@ -346,7 +346,7 @@ Run held(Found found, const Goal* goal, const RunOptions& options) {
 
 Run settled(Run run, const Goal& goal, const RunOptions& options) {
   Stopwatch watch;
-  if (has_elastic_hinges(run)) run = compensated_design(std::move(run), goal, options);
+  if (has_elastic_hinges(run)) run = compensate_for_elasticity(std::move(run), goal, options);
   if (const auto why = describe_drive_stop(run)) run.violations.push_back(*why);
   run.timings.matter = watch.lap();
   return run;

@@ -336,7 +336,7 @@ bool is_of_another_export(const std::string& file, const Exported& now, const st
 }
 
 /// Checks whether a report next to the design may describe this print: flat, of the design's size, in one piece.
-bool is_result_summary(const Source& source, const PrintJob& job) {
+bool can_describe_in_report(const Source& source, const PrintJob& job) {
   if (!source.design || source.file.empty() || job.folded || job.sheet.tiles.count() > 1) return false;
   return !resized_words(source.design->structure.size().edge_mm, job.sheet.linkage.size.edge_mm);
 }
@@ -380,8 +380,8 @@ Exported exported(const Source& source, const PrintRequest& request, const std::
   files.commit();
   record.remove_leftovers();
   folder.keep();
-  if (is_result_summary(source, print.job) && slicer && slicer->estimate)
-    out.report = send_report(source.file, *source.design, estimate_json(print.job, *slicer->estimate));
+  if (can_describe_in_report(source, print.job) && slicer && slicer->estimate)
+    out.report = add_to_report(source.file, *source.design, estimate_json(print.job, *slicer->estimate));
   return out;
 }
 

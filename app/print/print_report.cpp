@@ -305,7 +305,7 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
   return out;
 }
 
-std::string send_report(const std::string& design_file, const Design& design, const Json& print) {
+std::string add_to_report(const std::string& design_file, const Design& design, const Json& print) {
   const fs::path folder = fs::path(design_file).parent_path(), file = folder / "report.html";
   std::error_code none;
   if (!fs::exists(file, none)) return {};

@@ -28,7 +28,7 @@ std::vector<std::string> print_warnings(const PrintJob& job);
 /// or of an older program stays as it is.
 /// @param design_file path of design.yaml.   @param print seconds, material_mm3, process, hinges.
 /// @return the report's path, or an empty text.   @throws InvalidInput if it cannot be written
-std::string send_report(const std::string& design_file, const Design& design,
-                        const nlohmann::ordered_json& print);
+std::string add_to_report(const std::string& design_file, const Design& design,
+                          const nlohmann::ordered_json& print);
 
 }  // namespace kinetix::app

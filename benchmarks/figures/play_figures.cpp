@@ -89,7 +89,7 @@ std::string legend() {
   return svg;
 }
 
-Figure follows_geometry() {
+Figure compare_vanishing_play() {
   std::vector<double> needed;
   double worst = 0;
   for (const Curve& c : curves) {
@@ -120,7 +120,7 @@ Figure barriers_of_the_printed_plays() {
 
 }  // namespace
 
-std::vector<Figure> play_figures() { return {follows_geometry(), barriers_of_the_printed_plays()}; }
+std::vector<Figure> play_figures() { return {compare_vanishing_play(), barriers_of_the_printed_plays()}; }
 
 std::string play_plot() {
   std::string svg =

@@ -31,7 +31,7 @@ std::vector<Tile> tiles_of(const Polyhedron& solid) {
   return out;
 }
 
-bool share_per_point(const Tile& a, const Tile& b) {
+bool have_common_point(const Tile& a, const Tile& b) {
   for (const int p : a.corners)
     if (std::find(b.corners.begin(), b.corners.end(), p) != b.corners.end()) return true;
   return false;
@@ -93,7 +93,7 @@ std::optional<Vector3d> self_crossing(const Polyhedron& shell, double depth) {
   for (std::size_t k = 0; k < tiles.size(); ++k)
     for (std::size_t l = k + 1; l < tiles.size(); ++l) {
       if (tiles[l].box.min().x() > tiles[k].box.max().x()) break;
-      if (share_per_point(tiles[k], tiles[l])) continue;
+      if (have_common_point(tiles[k], tiles[l])) continue;
       if (const auto place = meeting(tiles[k], tiles[l], depth)) return place;
     }
   return std::nullopt;

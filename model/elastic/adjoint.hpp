@@ -9,7 +9,7 @@ namespace kinetix::model {
 /// Derivatives of a scalar function f of an equilibrium. Fields that f does not depend on may stay unset.
 struct EquilibriumGradient {
   Eigen::VectorXd state;  ///< by all coordinates: 6 per body, turn (rad) then shift (cell edges); empty: 0
-  /// By the drive's load: per N for plates and a tendon, per N mm for a driven hinge and springs.
+  /// Derivative by the drive's load: per N for plates and a tendon, per N mm for a driven hinge and springs.
   double load = 0;
   double energy = 0;  ///< by the stored energy, per N mm
 };
@@ -19,7 +19,7 @@ struct Sensitivity {
   /// Column h: by t (fraction), alpha, beta (rad) and offset (cell edges) of hinge h.
   Eigen::Matrix4Xd hinges;
   double theta = 0;  ///< by the drive's fold parameter, rad
-  /// By the fields of Elasticity, N/mm. With per-hinge values, all change by one factor, times k_point.
+  /// Derivatives by the fields of Elasticity, N/mm. With per-hinge values, all change by one factor, times k_point.
   double k_point = 0;
   double k_turn = 0;     ///< N mm/rad, of all hinges
   double reach_mm = 0;   ///< mm, of all hinges

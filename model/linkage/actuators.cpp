@@ -10,13 +10,13 @@
 namespace kinetix::model {
 namespace {
 
-bool share_per_body(const RestHinge& a, const RestHinge& b) {
+bool have_common_body(const RestHinge& a, const RestHinge& b) {
   return a.lower == b.lower || a.lower == b.upper || a.upper == b.lower || a.upper == b.upper;
 }
 
 bool can_shorten(const Linkage& linkage, const std::vector<int>& through) {
   for (std::size_t k = 1; k < through.size(); ++k)
-    if (!share_per_body(linkage.hinges[through[k - 1]], linkage.hinges[through[k]])) return true;
+    if (!have_common_body(linkage.hinges[through[k - 1]], linkage.hinges[through[k]])) return true;
   return false;
 }
 

@@ -68,9 +68,9 @@ void move_starts(std::vector<ArmSolid>& arms, double free) {
 bool is_touched(const ArmSolid& arm, const ArmSolid& other) {
   const std::vector<Vector3d> own = arm.start_corners(), others = other.start_corners();
   return std::any_of(others.begin(), others.end(), [&](const Vector3d& corner) {
-    const bool is_local = std::any_of(own.begin(), own.end(),
-                                      [&](const Vector3d& p) { return (p - corner).norm() <= rounding_mm; });
-    return !is_local && arm.edge.dot(corner) >= arm.start - touching_mm;
+    const bool is_shared = std::any_of(own.begin(), own.end(),
+                                       [&](const Vector3d& p) { return (p - corner).norm() <= rounding_mm; });
+    return !is_shared && arm.edge.dot(corner) >= arm.start - touching_mm;
   });
 }
 

@@ -51,7 +51,7 @@ std::size_t steepest_crease(const targets::FoldNet& net, const std::vector<int>&
   return steepest;
 }
 
-constexpr const char* is_stop_requested = "the search was told to stop";
+constexpr const char* stopped_reason = "the search was told to stop";
 
 /// Reason why a net with given columns does not fold.
 struct Obstacle {
@@ -77,7 +77,7 @@ class NetSearch {
     for (int finer = 1; finer <= finest && !design_.folds && !options_.stop.stop_requested(); ++finer)
       try_all(finer);
     design_.stopped = !design_.folds && options_.stop.stop_requested();
-    if (design_.stopped && design_.obstacles.empty()) add_obstacle(is_stop_requested);
+    if (design_.stopped && design_.obstacles.empty()) add_obstacle(stopped_reason);
     if (!design_.folds) take_the_nearest(finest);
     return std::move(design_);
   }
@@ -144,7 +144,7 @@ class NetSearch {
     std::vector<Blocked> blocked;
     const int steps = static_cast<int>(std::ceil((upper_ - lower) / look_step));
     for (int k = steps; k >= 0; --k) {
-      if (options_.stop.stop_requested()) return Obstacle{is_stop_requested, false, 0};
+      if (options_.stop.stop_requested()) return Obstacle{stopped_reason, false, 0};
       FoldedNet net = folded(index, columns, lower + (upper_ - lower) * k / steps);
       const auto share = blocked_share(net);
       if (!share) return accept(index, refined(index, columns, std::move(net), k < steps));

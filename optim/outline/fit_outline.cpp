@@ -20,8 +20,8 @@ using Eigen::Vector2d;
 
 constexpr double less_sliding =
     0.8;  // factor per round of the turning of walls that met: the most rounds leave a seventh
-constexpr double less_scaling = 0.93;  // factor per round of their offsets: cells that shrink close sooner
-constexpr double smaller_alternative = 0.98;  // factor of the offsets of the other walls round their cells
+constexpr double less_scaling = 0.93;   // factor per round of their offsets: cells that shrink close sooner
+constexpr double other_scaling = 0.98;  // factor of the offsets of the other walls round their cells
 constexpr double less_uneven = 0.8;  // exponent per round of the walls' length ratios, if the flat panel is
                                      // free
 // Rounds: these leave an eighth of the turning. A free flat panel has more degrees of freedom to make room.
@@ -178,7 +178,7 @@ class RimSearch {
   void tighten(const std::set<int>& met) {
     for (const int e : met) problem_.bounds.shift[e] *= less_sliding;
     const std::set<int> round = round_cells_of(met);
-    for (const int e : round) limit_[e] *= met.contains(e) ? less_scaling : smaller_alternative;
+    for (const int e : round) limit_[e] *= met.contains(e) ? less_scaling : other_scaling;
     if (!problem_.flat) return;
     for (const int e : round) problem_.bounds.stretch[e] = std::pow(problem_.bounds.stretch[e], less_uneven);
   }

@@ -97,7 +97,7 @@ class PairRules {
 
   /// Returns a pair with its required distance; empty for two parts that belong together.
   std::optional<PartPair> pair(int a, int b) const {
-    if (a == b || is_local(a, b) || is_local(b, a)) return std::nullopt;
+    if (a == b || is_joined_by(a, b) || is_joined_by(b, a)) return std::nullopt;
     std::optional<double> clearance;
     if (const int lower = std::min(a, b); lower < bodies_)
       for (const auto& [upper, of_hinge] : hinged_[lower])
@@ -117,7 +117,7 @@ class PairRules {
 
  private:
   /// Checks whether a body is one of the two that a soft part joins.
-  bool is_local(int soft, int body) const {
+  bool is_joined_by(int soft, int body) const {
     if (soft < bodies_) return false;
     const model::RestHinge& hinge = sheet_.linkage.hinges[soft - bodies_];
     return hinge.lower == body || hinge.upper == body;

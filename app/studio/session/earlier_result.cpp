@@ -57,11 +57,11 @@ constexpr Measure reported_measures[] = {
     {"verify_rms", "physics", "rms ", 1, 2, " cell edges from the model"},
 };
 
-std::string printed_line(const std::string& label, const std::string& text) {
+std::string format_result_line(const std::string& label, const std::string& text) {
   return fmt::format("\n  {:<10} {}", label, text);
 }
 
-std::string reported_number(double value, int digits) {
+std::string format_result_number(double value, int digits) {
   constexpr double seen = 1e-3;  // of all units above: smaller values do not matter to people
   return std::abs(value) < seen ? "below 0.001" : plain_number(value, digits);
 }
@@ -72,13 +72,14 @@ std::string words(const Json& result, const std::string& file) {
   std::string out = result.value("name", std::string("A result")) + ", from " + file;
   for (const auto& [key, label, before, unit, digits, after] : reported_measures)
     if (const auto value = metrics.find(key); value != metrics.end() && value->is_number())
-      out += printed_line(label, before + reported_number(unit * value->get<double>(), digits) + after);
+      out += format_result_line(label,
+                                before + format_result_number(unit * value->get<double>(), digits) + after);
   const Json judged = result.value("verdict", Json(nullptr));
   if (!judged.is_object() || !judged.contains("problems") || !judged["problems"].is_array()) return out;
   for (const Json& problem : judged["problems"])
     if (problem.contains("level") && problem.contains("text") && problem["level"].is_string() &&
         problem["text"].is_string())
-      out += printed_line(problem["level"].get<std::string>(), problem["text"].get<std::string>());
+      out += format_result_line(problem["level"].get<std::string>(), problem["text"].get<std::string>());
   return out;
 }
 

@@ -69,11 +69,11 @@ void work(const SweepPlan& plan, SharedSource& source) noexcept {
   }
 }
 
-constexpr double wanted_seconds = 0.1;       // per chunk: shorter ones queue, longer ones keep others waiting
-constexpr double max_chunk_bytes = 1 << 16;  // samples per chunk: its rows are sent and stored as one
-constexpr double growth = 4;                 // limit over the last chunk: one quick sample is weak evidence
-constexpr std::size_t share_of_rest = 4;     // a call takes at most the rest divided by this,
-constexpr std::size_t least_of_rest = 256;   // or this number of samples if that is more
+constexpr double wanted_seconds = 0.1;  // per chunk: shorter ones queue, longer ones keep others waiting
+constexpr double max_chunk_samples = 1 << 16;  // samples per chunk: its rows are sent and stored as one
+constexpr double growth = 4;                   // limit over the last chunk: one quick sample is weak evidence
+constexpr std::size_t share_of_rest = 4;       // a call takes at most the rest divided by this,
+constexpr std::size_t least_of_rest = 256;     // or this number of samples if that is more
 
 }  // namespace
 
@@ -93,7 +93,7 @@ std::vector<std::int64_t> WorkQueue::take(std::size_t count) {
 
 void ChunkSize::took(std::size_t samples, double seconds) {
   const double fitting = static_cast<double>(samples) * wanted_seconds / std::max(seconds, 1e-9);
-  const double most = std::min(growth * static_cast<double>(samples), max_chunk_bytes);
+  const double most = std::min(growth * static_cast<double>(samples), max_chunk_samples);
   size_ = static_cast<std::size_t>(std::clamp(fitting, 1.0, most));
 }
 

@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 constexpr double tilt = 0.2;   // rad, of rows of hinges: the sheet bends
 constexpr double turn = 0.35;  // rad, of the driven hinge
-// As a printer has it: fraction, rad, rad, cell edges.
+// Standard deviations of a usual printer: fraction, rad, rad, cell edges.
 constexpr HingeScatter print_scatter{0.004, 0.003, 0.004, 0.002};
 
 struct BentSheet {

@@ -88,7 +88,7 @@ double turning_energy(const LinkageScene& scene, const model::State& state);
 /// right answer becomes diagnosed; otherwise the answer is wrong.
 void judge_leaving(const LinkageScene& scene, const model::EquilibriumPath& path, HardAnswer& answer);
 
-inline constexpr const char* stop_asked_politely =
+inline constexpr const char* expected_first_order =
     "distance from the closed form, and energy missing from its, 10 times those of ratio 1e9, to 1 %";
 /// Checks that springs bend a closed form in proportion to their stiffness ratio, to first order.
 /// @param scene of a stiffness ratio   @param theta at which the closed form has the drive's value

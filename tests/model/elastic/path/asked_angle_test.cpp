@@ -26,7 +26,7 @@ constexpr double same = 1e-6;
 // N/mm, N mm/rad, mm: the twist unit of the cases, with the usual stiffness.
 const Elasticity hinges{.k_point = 1000, .k_turn = 0.1, .reach_mm = 1.8};
 
-EquilibriumPathOptions count_run_steps() {
+EquilibriumPathOptions make_run_step_options() {
   EquilibriumPathOptions options;
   options.longest_step = 0.06;
   return options;
@@ -38,7 +38,7 @@ struct Asked {
 };
 
 Asked follow(const DrivenLinkage& driven, const Elasticity& elasticity = hinges,
-             const EquilibriumPathOptions& options = count_run_steps()) {
+             const EquilibriumPathOptions& options = make_run_step_options()) {
   EnergyTurns turns(driven.drive);
   LoadTurns load_turns;
   Asked out;

@@ -23,7 +23,7 @@ struct Case {
 };
 
 /// Returns the graph of a cube seen from above. The picture of any polyhedron carries a self-stress (Maxwell 1864).
-PlanarGraph nest_squares() {
+PlanarGraph make_nested_squares() {
   return {{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}, {-1, -1}, {1, -1}, {1, 1}, {-1, 1}},
           {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 }
@@ -36,7 +36,7 @@ std::vector<Case> cases() {
           {"honeycomb", lattice_graph(honeycomb_lattice, 5, 4)},
           {"bricks", lattice_graph(brick_lattice, 5, 4)},
           {"octagons", lattice_graph(octagon_lattice, 4, 3)},
-          {"square in a square", nest_squares(), 1},
+          {"square in a square", make_nested_squares(), 1},
           {"a chain of walls", {{{0, 0}, {1, 0}, {2, 0.5}}, {{0, 1}, {1, 2}}}}};
 }
 
