@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
@@ -7,7 +6,7 @@
 #include "benchmarks/page.hpp"
 #include "benchmarks/stopwatch.hpp"
 #include "model/elastic/elastic_system.hpp"
-#include "sim/compression_run.hpp"
+#include "sim/physics_run.hpp"
 #include "tests/support/hard/hard_cases.hpp"
 
 namespace kinetix::bench {

@@ -1,8 +1,8 @@
 #include <benchmark/benchmark.h>
 
-#include "model/lattice/square/family/exact_jacobian.hpp"
-#include "optim/curve/curve_starts.hpp"
-#include "targets/curve/curve_error.hpp"
+#include "model/lattice/square/family/exact_derivatives.hpp"
+#include "optim/curve/fit_curve.hpp"
+#include "targets/curve/curve.hpp"
 #include "tests/support/curves.hpp"
 #include "tests/support/random_designs.hpp"
 

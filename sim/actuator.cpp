@@ -2,17 +2,15 @@
 
 #include <BulletDynamics/ConstraintSolver/btGeneric6DofSpring2Constraint.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "model/base/angle.hpp"
-#include "model/base/larger.hpp"
-#include "model/closure/closure_drive.hpp"
-#include "sim/joints/bullet_math.hpp"
-#include "sim/joints/cord.hpp"
+#include "model/base/algorithms.hpp"
+#include "model/base/geometry.hpp"
+#include "model/closure/closure.hpp"
 #include "sim/joints/elastic_hinges.hpp"
+#include "sim/joints/external_pulls.hpp"
 #include "sim/joints/joints.hpp"
 
 namespace kinetix::sim {

@@ -1,7 +1,6 @@
 #include "sim/physics_options.hpp"
 
 #include <fmt/format.h>
-
 #include <limits>
 
 #include "model/base/invalid_input.hpp"

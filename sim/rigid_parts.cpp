@@ -1,12 +1,11 @@
 #include "sim/rigid_parts.hpp"
 
 #include <BulletDynamics/Dynamics/btRigidBody.h>
-
 #include <algorithm>
 
-#include "model/base/larger.hpp"
-#include "sim/contact_parts.hpp"
-#include "sim/joints/bullet_math.hpp"
+#include "model/base/algorithms.hpp"
+#include "sim/joints/joints.hpp"
+#include "sim/physics_options.hpp"
 
 namespace kinetix::sim {
 namespace {

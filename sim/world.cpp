@@ -1,7 +1,6 @@
 #include "sim/world.hpp"
 
 #include <btBulletDynamicsCommon.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,13 +11,11 @@
 #include <set>
 
 #include "sim/actuator.hpp"
-#include "sim/contact_parts.hpp"
-#include "sim/joints/bullet_math.hpp"
-#include "sim/joints/cord.hpp"
 #include "sim/joints/direct_solver.hpp"
 #include "sim/joints/elastic_hinges.hpp"
-#include "sim/joints/hand.hpp"
+#include "sim/joints/external_pulls.hpp"
 #include "sim/joints/joints.hpp"
+#include "sim/physics_options.hpp"
 #include "sim/rigid_parts.hpp"
 #include "sim/shapes/part_shape.hpp"
 

@@ -75,3 +75,7 @@ struct Product {
 };
 
 }  // namespace kinetix::app::cad
+
+// Interface of kinetix-cad.so: see app/cad/cad_formats.hpp.
+
+extern "C" void kinetix_write_step(const kinetix::app::cad::Product& product, std::string& text);

@@ -32,11 +32,10 @@
 #include <XCAFDoc_ShapeTool.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <gp_Circ.hxx>
-
 #include <sstream>
 #include <stdexcept>
 
-#include "app/cad/step_module.hpp"
+#include "app/cad/product.hpp"
 
 namespace kinetix::app::cad {
 namespace {

@@ -1,5 +1,5 @@
 // kinetix-read-step CPU_S BYTES FILE reads all solids of a STEP file by OpenCASCADE and writes them as solid_bytes.hpp
-// does. app/cad/step.cpp starts it. It may crash.
+// does. app/cad/cad_formats.cpp starts it. It may crash.
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
 #include <Message.hxx>

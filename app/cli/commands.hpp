@@ -1,6 +1,12 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
 #include "app/console/console.hpp"
+#include "app/run/plan.hpp"
+#include "app/run/run.hpp"
 
 namespace kinetix::app {
 
@@ -12,5 +18,28 @@ int verify_command(const CommandOptions& options);
 int simulate_command(const CommandOptions& options);
 /// Runs `kinetix-opt check FILE.yaml`: validates a target, a design or a sweep. Writes nothing.
 int check_command(const CommandOptions& options);
+
+/// Collision-free range of a design's closed-form motion, computed without a simulation.
+struct CheckedContact {
+  ProvenRanges certified;
+  double theta = 0;  ///< rad, fold that the drive reaches
+};
+
+/// Result of `check` for a valid file.
+struct CheckedFile {
+  std::string file;
+  std::string kind;  ///< target, design or sweep
+  std::string name;
+  std::optional<Forecast> forecast = {};       ///< none for sweeps and for designs of bodies
+  double samples = 0;                          ///< number of samples of a sweep
+  std::optional<CheckedContact> contact = {};  ///< only for designs with an exact motion
+
+  std::string text() const;
+  nlohmann::ordered_json json() const;
+};
+
+/// Checks a target, a design or a sweep. @param progress reports time and memory of a check of a second or more.
+/// @throws InvalidInput for violations of the file format, and for a design that takes more memory than is free
+CheckedFile check_file(const std::string& file, const Progress& progress);
 
 }  // namespace kinetix::app

@@ -1,19 +1,17 @@
 #include "app/files/bodies_section.hpp"
 
 #include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdint>
 #include <map>
 
-#include "app/cad/stl_text.hpp"
+#include "app/cad/cad_formats.hpp"
 #include "app/files/file_header.hpp"
 #include "model/assembly/assembly.hpp"
-#include "model/assembly/direction_across.hpp"
 #include "model/assembly/shells.hpp"
-#include "model/base/angle.hpp"
-#include "targets/document/hidden_quotes.hpp"
+#include "model/base/geometry.hpp"
+#include "targets/document/wording.hpp"
 #include "targets/mesh/mesh_file.hpp"
 
 namespace kinetix::app {

@@ -6,13 +6,13 @@
 #include <filesystem>
 
 #include "app/files/bodies_section.hpp"
+#include "app/files/drive_section.hpp"
 #include "app/files/file_header.hpp"
-#include "app/files/hinge_parts.hpp"
+#include "app/files/hinge_section.hpp"
 #include "app/files/lattice_section.hpp"
 #include "app/files/process_section.hpp"
-#include "app/files/wall_node.hpp"
-#include "model/lattice/square/cell_tuple.hpp"
-#include "targets/document/bound_key.hpp"
+#include "model/lattice/square/unit_laws.hpp"
+#include "targets/document/section.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "app/files/drive_section.hpp"
+#include "app/files/goal_settings.hpp"
 #include "app/files/hinge_section.hpp"
-#include "app/files/physics_section.hpp"
 #include "model/lattice/lattice.hpp"
 #include "model/linkage/state.hpp"
-#include "model/matter/process.hpp"
+#include "model/material/process.hpp"
 #include "targets/document/section.hpp"
 
 namespace kinetix::app {

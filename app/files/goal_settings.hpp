@@ -5,16 +5,30 @@
 #include <string>
 #include <vector>
 
-#include "app/files/hinge_parts.hpp"
-#include "app/files/physics_section.hpp"
+#include "app/files/hinge_section.hpp"
 #include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/square/structure.hpp"
-#include "model/matter/process.hpp"
+#include "model/material/process.hpp"
 #include "optim/solvers/solver.hpp"
-#include "optim/solvers/variables.hpp"
+#include "sim/physics_options.hpp"
 #include "targets/document/section.hpp"
 
 namespace kinetix::app {
+
+/// Content of the `physics:` section of a target or a design. The simulation chooses what is not given.
+struct PhysicsSection {
+  std::optional<double> step_s;    ///< time step, s, (0, 0.1]
+  std::optional<double> reach_mm;  ///< half distance of a hinge's two constraint points, 0.01 to 10 cells
+  std::optional<double> disturbance = {};    ///< of the first motion, ratio to the parts' spin, [0, 1]
+  std::optional<int> disturbance_seed = {};  ///< >= 0
+
+  bool operator==(const PhysicsSection&) const = default;
+};
+
+const targets::KeyTable& physics_keys();
+
+/// Reads the section. @param root the whole document   @param edge_mm cell edge, for the range of reach_mm
+PhysicsSection read_physics(const targets::Section& root, double edge_mm);
 
 /// Content of the `solver:` section. The search chooses what is not given.
 struct SolverSection {

@@ -1,17 +1,15 @@
 #include "app/files/lattice_section.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
-
 #include <filesystem>
 
 #include "app/files/origami_file.hpp"
-#include "model/lattice/planar/closed_rim.hpp"
-#include "model/lattice/planar/lattice_cut.hpp"
-#include "model/lattice/planar/lattices/registry.hpp"
-#include "targets/document/hidden_quotes.hpp"
-#include "targets/drawing/read_drawing.hpp"
+#include "model/lattice/planar/closed_boundary.hpp"
+#include "model/lattice/planar/planar_lattice.hpp"
+#include "model/lattice/planar/regular_lattices.hpp"
+#include "targets/document/wording.hpp"
+#include "targets/drawing/drawing.hpp"
 
 namespace kinetix::app {
 namespace {

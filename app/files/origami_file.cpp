@@ -9,12 +9,10 @@
 #include <string>
 #include <utility>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/base/polygon.hpp"
 #include "model/lattice/origami/march.hpp"
 #include "targets/document/document.hpp"
-#include "targets/document/json_depth.hpp"
 #include "targets/document/text_file.hpp"
 #include "targets/document/wording.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/matter/process.hpp"
+#include "model/material/process.hpp"
 #include "targets/document/section.hpp"
 
 namespace kinetix::app {

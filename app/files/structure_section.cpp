@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "targets/document/bound_key.hpp"
+#include "targets/document/section.hpp"
 
 namespace kinetix::app {
 namespace {

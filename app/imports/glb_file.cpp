@@ -6,7 +6,7 @@
 
 #include "app/imports/model_file.hpp"
 #include "model/base/invalid_input.hpp"
-#include "targets/document/json_depth.hpp"
+#include "targets/document/text_file.hpp"
 
 namespace kinetix::app {
 namespace {

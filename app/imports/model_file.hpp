@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/assembly/tiles.hpp"
 #include "model/solids/polyhedron.hpp"
 
 namespace kinetix::app {
@@ -35,5 +36,17 @@ ModelFile read_groups_of_obj(const std::string& bytes, const std::string& file);
 ModelFile read_glb(const std::string& bytes, const std::string& file);
 /// Reads a STEP file by its name, since the library reads named files only.
 ModelFile read_step(const std::string& file);
+
+/// Checks whether a path is a folder of tiles: it holds vertices.txt.
+bool is_tile_folder(const std::string& path);
+
+/// Reads a folder of tiles in the form of PyKirigami (https://github.com/andy-qhjiang/PyKirigami).
+/// vertices.txt has a tile per line: `x y z` of each corner.
+/// constraints.txt has a joint per line: `tile corner tile corner [face]`, counted from 0. A face is 1 (bottom, the
+/// default), 2 (top) or 3 (both). Faces 1 and 2 of the same corners in two lines mean 3.
+/// target.txt may be missing. It has the form of vertices.txt.
+/// @throws InvalidInput with file, line and column: missing or too large files, words that are not numbers, a wrong
+/// count of numbers, faces other than 1 to 3. Also for a target with other corners than the tiles
+model::TileSheet read_tiles(const std::string& folder);
 
 }  // namespace kinetix::app

@@ -13,7 +13,7 @@
 #include "app/files/file_header.hpp"
 #include "app/imports/model_file.hpp"
 #include "model/assembly/shells.hpp"
-#include "model/base/box_of.hpp"
+#include "model/base/box.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/document/section.hpp"
 #include "targets/document/wording.hpp"

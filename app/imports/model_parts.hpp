@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/imports/import_request.hpp"
+#include "app/imports/import_command.hpp"
 #include "model/assembly/assembly.hpp"
 #include "targets/document/keys.hpp"
 

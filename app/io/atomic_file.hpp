@@ -1,5 +1,6 @@
 #pragma once
 
+#include <csignal>
 #include <functional>
 #include <map>
 #include <memory>
@@ -9,6 +10,47 @@
 #include <vector>
 
 namespace kinetix::app {
+
+inline constexpr int interrupts[] = {SIGINT, SIGTERM, SIGHUP,
+                                     SIGPIPE};  ///< signals that ask a program to end
+
+/// Guard that holds interrupts back while it lives: no file may exist that the signal handler does not know.
+class HeldSignals {
+ public:
+  HeldSignals() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (const int signal_number : interrupts) sigaddset(&signals, signal_number);
+    pthread_sigmask(SIG_BLOCK, &signals, &before_);
+  }
+  ~HeldSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
+/// File that one program at a time holds. It is removed with the lock, also at interrupts. A file that SIGKILL or a
+/// power cut left does not lock anybody out.
+class LockFile {
+ public:
+  /// @return null if another program holds it, or if it cannot be made
+  static std::unique_ptr<LockFile> acquire(const std::string& file);
+  ~LockFile();
+  LockFile(const LockFile&) = delete;
+  LockFile& operator=(const LockFile&) = delete;
+
+  /// Removes the files of all locks that live. Safe in a signal handler.
+  static void remove_all();
+
+ private:
+  LockFile(std::string file, int descriptor);
+
+  std::string file_;
+  int descriptor_;
+  LockFile* older_ = nullptr;
+};
 
 /// Writes a whole file or nothing. The content goes to `.NAME.kinetix-part-XXXXXX` in the same folder, is flushed to
 /// the disk and then renamed. An existing file is replaced in one step. On failure it stays and the part is removed.

@@ -22,4 +22,23 @@ struct PictureOptions {
 std::string panel_picture(const model::Linkage& panel, const model::State& state,
                           const PictureOptions& options);
 
+struct FarViewOptions {
+  double pixels_per_cell = 12;  ///< px per cell edge, > 0
+  /// Standard deviation of the Gaussian blur from the distance, cell edges.
+  double blur_in_cells = 0.6;
+  /// Standard deviation of the neighbourhood whose mean light is subtracted, cell edges; 0: none. An eye adapts so.
+  double surroundings_in_cells = 0;
+  /// Stretches the light between its 2nd and 98th percentile, because an eye adapts. Otherwise luminance is true. A
+  /// page must mark such a picture as enhanced.
+  bool enhanced = false;
+  /// Negative picture and white margin, for programs that read dark ink on white paper.
+  bool negative = false, on_white = false;
+};
+
+/// Draws a planar panel in front of a lamp, seen from a distance. The light through its openings is blurred to about a
+/// cell and divided by the panel's blurred outline. Full light is white and no light is black (luminance in sRGB). The
+/// margin of two cells is black. @return a PNG @throws std::runtime_error for a state that is not finite
+std::string far_view(const model::Linkage& panel, const model::State& state,
+                     const FarViewOptions& options = {});
+
 }  // namespace kinetix::app

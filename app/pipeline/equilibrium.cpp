@@ -1,20 +1,22 @@
 #include "app/pipeline/equilibrium.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "app/pipeline/exact_state.hpp"
-#include "app/pipeline/hinge_loads.hpp"
-#include "model/base/append.hpp"
+#include "app/pipeline/closed_form.hpp"
+#include "app/pipeline/drive_loads.hpp"
+#include "app/pipeline/physics.hpp"
+#include "model/base/algorithms.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/closure/closure_drive.hpp"
+#include "model/closure/closure.hpp"
 #include "model/closure/drive_theta.hpp"
-#include "model/elastic/exact_theta.hpp"
 #include "model/elastic/path/turning_points.hpp"
+#include "model/lattice/lattice_motion.hpp"
+#include "optim/elastic/compensation.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -178,6 +180,209 @@ double reached_theta(const model::Lattice& sheet, const model::ExactMotion& exac
   } catch (const InvalidInput&) {
     return turned;
   }
+}
+
+namespace {
+
+// Ratio to the tolerance: an equilibrium this near its goal is not improved further.
+constexpr double near_enough = 0.05;
+// Cell edges: limit within which the end of a path from flat is the equilibrium of the search. Residual forces of
+// both separate them by 2e-4 with soft hinges. Any other state this near would serve as well.
+constexpr double same_state = 1e-3;
+
+// Ratio of stiffnesses: springs this much stiffer than their hinges rest at 1.25 times the turn that they hold.
+constexpr double spring_over_hinge = 4;
+
+/// Returns the largest turning stiffness of a hinge, N mm/rad.
+double stiffest_turn(const model::Elasticity& elasticity, int hinges) {
+  double most = 0;
+  for (int h = 0; h < hinges; ++h) most = std::max(most, elasticity.of(static_cast<std::size_t>(h)).k_turn);
+  return most;
+}
+
+/// Returns the drive for design.yaml; empty if the file need not name it.
+std::optional<model::Drive> springs_to(const Found& found, double theta) {
+  if (!found.goal_drive) return std::nullopt;
+  model::ShapeMemory springs = *found.goal_drive;
+  springs.angle = 2 * theta;
+  return springs;
+}
+
+double rms_mm(const Goal::Observed& observed) {
+  return model::ObservedPoints(observed.points, true).rms_mm();
+}
+
+optim::ElasticGoal goal_of(const Found& found, const Goal& goal) {
+  optim::ElasticGoal out;
+  out.observe = [&found, &goal](const model::Lattice& sheet, const model::State& state) {
+    const auto observed = goal.observe(found, sheet, state);
+    return observed ? observed->points : std::vector<model::ObservedPoint>{};
+  };
+  out.drive = [&found](const model::Lattice& sheet, double theta) { return goal_drive(found, sheet, theta); };
+  return out;
+}
+
+/// Returns the bounds of the compensation. For shape-memory drives theta is the springs' rest angle, beyond the
+/// reached fold, so the general bounds apply to it.
+optim::CompensationOptions bounded(const TurnBounds& bounds, bool by_springs) {
+  optim::CompensationOptions options;
+  options.ties = bounds.ties;
+  options.tilt = bounds.tilt;
+  if (by_springs) return options;
+  options.least_theta = bounds.theta.lower;
+  options.most_theta = bounds.theta.upper;
+  return options;
+}
+
+model::EquilibriumPath path_to(const Found& found, const model::Lattice& sheet, double theta,
+                               const model::Elasticity& elasticity, const std::stop_token& stop) {
+  model::EquilibriumPathOptions options;
+  options.planar = found.plan.planar;
+  options.stop = stop;
+  return trace_equilibrium({sheet, goal_drive(found, sheet, theta), exact_motion(sheet)}, elasticity,
+                           options);
+}
+
+/// Compensates the exact design. @param path of that design, which reached its goal
+optim::Compensation made_up_for(const Found& found, const Goal& goal, const model::EquilibriumPath& path,
+                                const model::Elasticity& elasticity, double tolerance_mm,
+                                const std::stop_token& stop) {
+  optim::CompensationOptions search = bounded(found.bounds, found.goal_drive.has_value());
+  search.enough_mm = near_enough * tolerance_mm;
+  search.stop = stop;
+  return compensate({found.design.structure, found.theta, path.state}, elasticity, goal_of(found, goal),
+                    search);
+}
+
+/// Whether a state misses its goal by more than the tolerance of its points. That is the effect of hinges too soft
+/// for their drive, which springs cure. They cure no other violation.
+bool is_far_off(const Run& run, const Goal& goal, const model::State& state) {
+  const auto observed = goal.observe(run, run.design.structure, state);
+  return !observed || rms_mm(*observed) > observed->tolerance_mm;
+}
+
+/// Replaces the exact design by the compensated one, with its path from flat. The plan keeps the sentences that the
+/// search added. The others described the exact design, whose states come from the closed form.
+Run showing(Run run, const optim::ElasticFit& found, const model::Elasticity& elasticity,
+            const RunOptions& options) {
+  const Plan exact = std::move(run.plan);
+  run.design.structure = found.sheet;
+  run.theta = found.theta;
+  run.plan = make_plan(run.design.structure, Model::equilibrium);
+  run.plan.why.insert(run.plan.why.end(), exact.why.begin() + static_cast<std::ptrdiff_t>(exact.decided),
+                      exact.why.end());
+  run.states.clear();
+  run.fidelity.clear();
+  run.design.drive = springs_to(run, run.theta);
+  const model::LinkageDrive drive = goal_drive(run, run.design.structure, run.theta);
+  ElasticState state = follow_drive(run, drive, elasticity, motion_states, options);
+  const model::State exact_shown = run.to_shown ? moved(run.own, *run.to_shown) : run.own;
+  if (run.is_laid_over)
+    for (NamedState& one : state.states) one.poses = aligned(one.poses, exact_shown);
+  return with_states(std::move(run), std::move(state));
+}
+
+std::string advise_springs(const model::Elasticity& elasticity, int hinges) {
+  return fmt::format(
+      "plates and single hinges let soft hinges lean or buckle sooner than they fold them: try "
+      "`drive: {{kind: shape_memory, k_turn: {:.3g}}}`, springs in all hinges, {:g} times as stiff as "
+      "these, or "
+      "stiffer hinges",
+      spring_over_hinge * stiffest_turn(elasticity, hinges), spring_over_hinge);
+}
+
+ElasticResult result_of(const Goal::Observed& exact, const optim::Compensation& found) {
+  return {.exact_mm = rms_mm(exact),
+          .before_mm = found.before.rms_mm,
+          .after_mm = found.after.rms_mm,
+          .tolerance_mm = exact.tolerance_mm,
+          .largest_change = found.largest_change,
+          .theta_change = found.after.theta - found.before.theta,
+          .rounds = found.rounds,
+          .why = found.why};
+}
+
+Run missed(Run run, const std::string& why) {
+  run.matter->why = why;
+  run.violations.push_back("equilibrium of the elastic hinges: " + why);
+  return run;
+}
+
+/// Measures the equilibrium at the end of the path against the goal. @pre the drive reached its goal
+Run measured(Run run, const Goal& goal, const RunOptions& options) {
+  const Equilibrium& equilibrium = *run.equilibrium;
+  const model::State& end = equilibrium.path.state;
+  if (auto measure = goal.measure(run, StateOf::equilibrium, end, options)) {
+    run.violations = measure->violations;
+    run.by_equilibrium = std::move(measure);
+  }
+  if (!run.met() && !run.goal_drive && is_far_off(run, goal, end))
+    run.violations.push_back(advise_springs(equilibrium.elasticity, run.design.structure.hinges()));
+  return run;
+}
+
+/// Judges the end of the path from flat if it differs from the state of the search, which ignores contact.
+/// @param away distance from that state, cell edges
+Run elsewhere(Run run, const Goal& goal, double away) {
+  const std::string where = fmt::format(
+      "the path from flat ends in another equilibrium than the one near the goal, {:.3g} mm from it",
+      away * run.design.structure.size().edge_mm);
+  if (const auto observed = goal.observe(run, run.design.structure, run.equilibrium->path.state))
+    run.matter->after_mm = rms_mm(*observed);
+  if (!run.met()) return missed(std::move(run), where);
+  run.matter->why = where + ", and within tolerance as well";
+  return run;
+}
+
+}  // namespace
+
+model::LinkageDrive goal_drive(const Found& found, const model::Lattice& sheet, double theta) {
+  const auto springs = springs_to(found, theta);
+  return springs ? drive_on(sheet, *springs) : drive_to(sheet, theta);
+}
+
+bool has_elastic_hinges(const Found& found) {
+  return found.goal && found.design.hinge.model == HingeSection::Model::elastic &&
+         found.plan.model != Model::equilibrium;
+}
+
+CompensatedPath path_in_matter(const Found& found, const Goal& goal, const std::stop_token& stop) {
+  const model::Elasticity elasticity = elasticity_of(found.design);
+  CompensatedPath out{found.design.structure, found.theta,
+                      goal_drive(found, found.design.structure, found.theta),
+                      path_to(found, found.design.structure, found.theta, elasticity, stop)};
+  const auto exact = goal.observe(found, found.design.structure, found.own);
+  if (!exact || out.path.stop != model::EquilibriumPath::Stop::reached) return out;
+  const optim::ElasticFit after =
+      made_up_for(found, goal, out.path, elasticity, exact->tolerance_mm, stop).after;
+  const model::LinkageDrive drive = goal_drive(found, after.sheet, after.theta);
+  model::EquilibriumPathOptions options = path_of_run(found.plan.planar);
+  options.stop = stop;
+  return {after.sheet, after.theta, drive,
+          trace_equilibrium({after.sheet, drive, exact_motion(after.sheet)}, elasticity, options)};
+}
+
+Run compensate_for_elasticity(Run run, const Goal& goal, const RunOptions& options) {
+  const auto exact = goal.observe(run, run.design.structure, run.own);
+  if (!exact) return run;
+  options.progress("hinges in matter", 0);
+  const model::Elasticity elasticity = elasticity_of(run.design);
+  run.matter = ElasticResult{.exact_mm = rms_mm(*exact),
+                             .before_mm = std::nan(""),
+                             .after_mm = std::nan(""),
+                             .tolerance_mm = exact->tolerance_mm,
+                             .why = ""};
+  const model::EquilibriumPath path = path_to(run, run.design.structure, run.theta, elasticity, options.stop);
+  if (path.stop != model::EquilibriumPath::Stop::reached) return missed(std::move(run), path.why);
+  const optim::Compensation found =
+      made_up_for(run, goal, path, elasticity, exact->tolerance_mm, options.stop);
+  run.matter = result_of(*exact, found);
+  run = showing(std::move(run), found.after, elasticity, options);
+  if (!run.equilibrium->reached()) return missed(std::move(run), std::string(run.equilibrium->path.why));
+  run = measured(std::move(run), goal, options);
+  const double away =
+      aligned_distance(run.design.structure, run.equilibrium->path.state, found.after.state).max;
+  return away <= same_state ? run : elsewhere(std::move(run), goal, away);
 }
 
 }  // namespace kinetix::app

@@ -1,13 +1,12 @@
 #include "app/pipeline/robust_search.hpp"
 
 #include <fmt/format.h>
-
 #include <cmath>
 #include <utility>
 
-#include "app/pipeline/as_made.hpp"
-#include "app/pipeline/matter.hpp"
+#include "app/pipeline/equilibrium.hpp"
 #include "app/pipeline/pipeline.hpp"
+#include "app/pipeline/print_tolerance.hpp"
 #include "app/run/design_hinges.hpp"
 
 namespace kinetix::app {

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "app/run/goal.hpp"
-#include "app/run/robust_choice.hpp"
+#include "app/run/search_result.hpp"
 
 namespace kinetix::app {
 

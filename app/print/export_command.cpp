@@ -1,7 +1,6 @@
 #include "app/print/export_command.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -11,12 +10,12 @@
 
 #include "app/io/atomic_file.hpp"
 #include "app/print/fit.hpp"
-#include "app/print/overhang.hpp"
+#include "app/print/format/print_format.hpp"
 #include "app/print/print_report.hpp"
 #include "app/print/sheet/coupon.hpp"
-#include "app/print/sheet/imported_sheet.hpp"
+#include "app/print/sheet/print_sheet.hpp"
 #include "app/run/design_hinges.hpp"
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/document/wording.hpp"
 

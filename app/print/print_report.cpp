@@ -1,25 +1,124 @@
 #include "app/print/print_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "app/io/atomic_file.hpp"
-#include "app/print/format/parts.hpp"
 #include "app/print/format/print_format.hpp"
-#include "app/print/hinge_sorts.hpp"
-#include "app/print/overhang.hpp"
+#include "app/print/sheet/print_sheet.hpp"
 #include "app/report/report.hpp"
 #include "app/result/state_json.hpp"
-#include "model/base/angle.hpp"
-#include "model/base/box_of.hpp"
-#include "targets/document/json_depth.hpp"
+#include "model/base/box.hpp"
+#include "model/base/geometry.hpp"
 #include "targets/document/text_file.hpp"
 
 namespace kinetix::app {
 namespace {
+
+/// Hinges of one kind and material.
+struct HingeSort {
+  model::HingeKind kind = model::HingeKind::pin;
+  std::string material;                          ///< its name; empty for pins, and if the user gave numbers
+  std::vector<const model::HingePrint*> hinges;  ///< of the sheet, not empty
+};
+
+constexpr double one_size_mm = 1e-6;  // mm: sizes that differ by less are reported as one
+
+using Size = std::function<double(const model::HingePrint&)>;
+
+/// Formats the range of a size: "2", "2 to 2.5".
+std::string sizes(const HingeSort& sort, const Size& size) {
+  const auto less = [&](const auto* a, const auto* b) { return size(*a) < size(*b); };
+  const auto [least, most] = std::minmax_element(sort.hinges.begin(), sort.hinges.end(), less);
+  const double low = size(**least), high = size(**most);
+  return high - low < one_size_mm ? fmt::format("{:.3g}", high) : fmt::format("{:.3g} to {:.3g}", low, high);
+}
+
+double knuckle_across_mm(const model::HingePrint& h) {
+  return h.made.diameter_mm + 2 * (h.made.clearance_mm + h.knuckle_wall_mm + h.cap_across_mm);
+}
+
+std::string material_words(const HingeSort& sort) {
+  return sort.material.empty() ? "your material" : sort.material;
+}
+
+std::string plural(model::HingeKind kind) { return fmt::format("{}s", to_string(kind)); }
+
+/// Groups a sheet's hinges, in the order in which they first occur.
+std::vector<HingeSort> hinge_sorts(const PrintSheet& sheet) {
+  std::vector<HingeSort> out;
+  for (const model::HingePrint& hinge : sheet.hinges) {
+    const auto kind = hinge.made.kind;
+    const std::string material = kind == model::HingeKind::pin ? "" : hinge.made.material.name;
+    const auto same = [&](const HingeSort& sort) { return sort.kind == kind && sort.material == material; };
+    auto at = std::find_if(out.begin(), out.end(), same);
+    if (at == out.end()) at = out.insert(at, {kind, material, {}});
+    at->hinges.push_back(&hinge);
+  }
+  return out;
+}
+
+/// Describes the hinges of a sort: "films of pp: gap 2 to 2.5 mm, ...". @param sheet that has them
+std::string hinge_words(const HingeSort& sort, const PrintSheet& sheet) {
+  const auto all = [&](const Size& size) { return sizes(sort, size); };
+  if (sort.kind == model::HingeKind::pin)
+    return fmt::format("pins: rod {} x {} mm, clearance {} mm a side, {} mm along the axis, {} {} mm",
+                       all([](const auto& h) { return h.made.diameter_mm; }),
+                       all([](const auto& h) { return h.made.height_mm; }),
+                       all([](const auto& h) { return h.made.clearance_mm; }),
+                       all([](const auto& h) { return h.axial_clearance_mm; }),
+                       sheet.has_caps() ? "bores in round caps of" : "knuckle", all(knuckle_across_mm));
+  return fmt::format("{} of {}: gap {} mm, thickness {} mm, height {} mm", plural(sort.kind),
+                     material_words(sort), all([](const auto& h) { return h.made.gap_mm; }),
+                     all([](const auto& h) { return h.made.thickness_mm; }),
+                     all([](const auto& h) { return h.made.height_mm; }));
+}
+
+/// Warns of files that do not separate soft parts of several materials. Also warns of hinges that the process prints
+/// of another material than the design assumes. Soft parts that are a separate print may be of any material.
+std::vector<std::string> material_warnings(const PrintSheet& sheet) {
+  std::vector<std::string> out, soft;
+  for (const HingeSort& sort : hinge_sorts(sheet)) {
+    if (sort.kind == model::HingeKind::pin) continue;
+    soft.push_back(fmt::format("{} of {}", plural(sort.kind), material_words(sort)));
+    const std::string& printed = sheet.is_one_material() ? sheet.process.film : sheet.process.rubber;
+    const bool chosen = sheet.is_one_material() || sheet.process.joins_two;
+    if (chosen && sort.material != printed)
+      out.push_back(fmt::format(
+          "{} prints {} of {}: {} of {} are as stiff as the design says only if they are printed of that",
+          sheet.process.name, sheet.is_one_material() ? "walls and films in one," : "soft parts", printed,
+          plural(sort.kind), material_words(sort)));
+  }
+  if (soft.size() > 1 && !sheet.is_one_material())
+    out.push_back(
+        fmt::format("{} are one soft part in the files, printed of one material: stiffnesses of the design "
+                    "are those of each its own",
+                    fmt::join(soft, " and ")));
+  return out;
+}
+
+/// Warns of living hinges that are thinner than the line that the nozzle lays, if they are printed in one with their
+/// walls. Empty for separate strips, which are rolled or laid flat.
+std::optional<std::string> thin_film_warning(const PrintSheet& sheet) {
+  const auto& filament = sheet.process.filament;
+  if (!filament || !sheet.is_one_material()) return std::nullopt;
+  double thinnest = filament->line_mm;
+  for (const model::HingePrint& hinge : sheet.hinges)
+    if (hinge.made.kind == model::HingeKind::film) thinnest = std::min(thinnest, hinge.made.thickness_mm);
+  if (!(thinnest < filament->line_mm)) return std::nullopt;
+  return fmt::format(
+      "films of {:.3g} mm are thinner than the line of {:g} mm that {} lays: slicers leave them out or "
+      "print them thicker, and stiffer than the design says",
+      thinnest, filament->line_mm, sheet.process.name);
+}
 
 using Json = nlohmann::ordered_json;
 

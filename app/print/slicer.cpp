@@ -5,7 +5,6 @@
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -16,11 +15,9 @@
 
 #include "app/io/atomic_file.hpp"
 #include "app/io/text_pattern.hpp"
-#include "app/print/format/parts.hpp"
 #include "app/print/format/print_format.hpp"
 #include "app/print/format/zip_text.hpp"
-#include "app/print/overhang.hpp"
-#include "model/base/box_of.hpp"
+#include "model/base/box.hpp"
 
 namespace kinetix::app {
 namespace {

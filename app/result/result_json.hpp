@@ -1,10 +1,35 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
+#include "app/run/goal_outcome.hpp"
 #include "app/run/run.hpp"
+#include "optim/solvers/multi_start.hpp"
 
 namespace kinetix::app {
+
+/// Returns the section `optimiser` of a search from many starts. @param chosen index of the run that gave the design
+nlohmann::ordered_json search_json(const optim::MultiStartResult& search, int chosen,
+                                   optim::SolverName solver);
+
+/// Returns the section `optimiser` of one search by ceres from `starts` starts.
+nlohmann::ordered_json search_json(const optim::SolveResult& search, int starts = 1);
+/// Returns the summary line of one search by ceres. @param seconds search time, s
+SummaryLine search_line(double seconds, const optim::SolveResult& search);
+
+/// Returns the summary line of a search from many starts. @param seconds search time, s
+SummaryLine search_line(double seconds, const optim::MultiStartResult& search, int chosen,
+                        optim::SolverName solver);
+
+/// Adds `status` and `why` to the section `optimiser`: "stopped", "converged" with `why`, or "failed" with `why_not`.
+void add_end(bool stopped, bool found, const std::string& why, const std::string& why_not,
+             nlohmann::ordered_json& optimiser);
+
+/// Returns the section `robust` of formats.md. @pre run.robust
+nlohmann::ordered_json robust_json(const Run& run);
+/// Returns the summary lines of a robust search. Empty without one.
+std::vector<SummaryLine> robust_lines(const Run& run);
 
 /// Returns result.json, schema kinetix-result/1 (formats.md, app/schema/result.schema.json). Lengths are in mm, and
 /// keys that end in _rad are in radians. Numbers that are not finite become null.

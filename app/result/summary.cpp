@@ -6,16 +6,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/pipeline/body_pieces.hpp"
-#include "app/result/as_made_json.hpp"
-#include "app/result/certified_json.hpp"
-#include "app/result/effort.hpp"
-#include "app/result/equilibrium_json.hpp"
-#include "app/result/made_hinges.hpp"
+#include "app/pipeline/imported_bodies.hpp"
+#include "app/result/motion_evidence.hpp"
+#include "app/result/print_evidence.hpp"
 #include "app/result/result_json.hpp"
-#include "app/result/search_json.hpp"
 #include "app/result/verdict.hpp"
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/pipeline/drive_trials.hpp"
-#include "app/run/drive_end.hpp"
+#include "app/pipeline/drive_loads.hpp"
+#include "app/run/run.hpp"
 
 namespace kinetix::app {
 

@@ -2,17 +2,14 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/pipeline/verify.hpp"
-#include "app/result/as_made_json.hpp"
-#include "app/result/made_hinges.hpp"
-#include "app/run/contact_reason.hpp"
+#include "app/pipeline/physics.hpp"
+#include "app/result/print_evidence.hpp"
 #include "app/run/design_hinges.hpp"
-#include "app/run/drive_end.hpp"
+#include "app/run/run.hpp"
 #include "model/assembly/assembly.hpp"
 
 namespace kinetix::app {

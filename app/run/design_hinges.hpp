@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/files/design_file.hpp"
-#include "model/matter/hinge_strain.hpp"
+#include "model/material/manufactured_hinge.hpp"
 
 namespace kinetix::app {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <memory>
 #include <optional>
 #include <string>
@@ -7,9 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "app/run/forecast.hpp"
+#include "app/run/plan.hpp"
 #include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
+#include "model/lattice/lattice.hpp"
+#include "model/linkage/state.hpp"
 #include "targets/document/section.hpp"
 
 namespace kinetix::app {
@@ -76,5 +79,17 @@ struct Target {
   const GoalKind* kind = nullptr;
   std::shared_ptr<const Goal> goal;
 };
+
+/// Returns the mean position (x, z) of the bodies of each column, mm.
+inline std::vector<Eigen::Vector2d> column_midline(const model::Lattice& structure,
+                                                   const model::State& state) {
+  std::vector<Eigen::Vector2d> points;
+  for (const std::vector<int>& column : body_columns(structure)) {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (const int b : column) sum += Eigen::Vector2d(state[b].p.x(), state[b].p.z());
+    points.push_back(sum / static_cast<double>(column.size()));
+  }
+  return points;
+}
 
 }  // namespace kinetix::app

@@ -1,7 +1,10 @@
 #include "app/run/run.hpp"
 
+#include <fmt/format.h>
 #include <array>
+#include <cmath>
 
+#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::app {
@@ -56,6 +59,57 @@ Design written_design(const Run& run) {
   Design design = run.design;
   design.theta = asked_theta(run);
   return design;
+}
+
+std::array<std::string, 2> wall_names(const model::WallPair& walls, const model::Lattice& sheet) {
+  return {wall_name(sheet, walls.first / 2), wall_name(sheet, walls.second / 2)};
+}
+
+std::string overlap_words(const model::WallPair& walls, const model::Lattice& sheet) {
+  const auto [first, second] = wall_names(walls, sheet);
+  return fmt::format(
+      "walls {} and {} overlap as built, before anything turns, so that no sheet of rigid walls can be made "
+      "so: lower or thinner walls, less tilt or larger cells keep them apart",
+      first, second);
+}
+
+std::string overlap_words(const model::ContactLimit& limit, double theta, const model::Lattice& sheet) {
+  const auto [first, second] = wall_names(limit.walls, sheet);
+  return fmt::format("walls {} and {} overlap at theta {:.3f} deg, on the way to {:.3f} deg", first, second,
+                     to_degrees(*limit.contact), to_degrees(theta));
+}
+
+std::optional<std::string> contact_reason(const Run& run) {
+  const bool is_proven = run.certified && run.certified->designed;
+  if (!is_proven && !run.plan.free_range) return std::nullopt;
+  const model::ContactRange& range = is_proven ? run.certified->designed : *run.plan.free_range;
+  const model::ContactLimit& limit = range.to(run.theta);
+  if (!limit.contact || std::abs(*limit.contact) >= std::abs(run.theta)) return std::nullopt;
+  if (range.overlaps_as_built()) return overlap_words(limit.walls, run.design.structure);
+  return overlap_words(limit, run.theta, run.design.structure);
+}
+
+std::vector<std::string> collisions_on_the_way(const Run& run, const std::string& instead) {
+  const auto reason = contact_reason(run);
+  return reason ? std::vector{*reason + ": " + instead} : std::vector<std::string>{};
+}
+
+std::string describe_other_side(const Equilibrium& equilibrium, double theta) {
+  return fmt::format("folded to theta {:.2f} deg, where {:.2f} was asked for", to_degrees(theta),
+                     to_degrees(equilibrium.drive.theta()));
+}
+
+std::string in_words(model::EquilibriumPath::Stop stop) {
+  return stop == model::EquilibriumPath::Stop::overstretched ? "hinge overstretched" : to_string(stop);
+}
+
+std::string missed_words(const Equilibrium& equilibrium, double theta) {
+  if (equilibrium.reached()) return "other side: " + describe_other_side(equilibrium, theta);
+  return in_words(equilibrium.path.stop) + ": " + equilibrium.path.why;
+}
+
+std::string drive_stop_reason(const model::EquilibriumPath& path) {
+  return "the drive stops on its way, " + in_words(path.stop) + ": " + path.why;
 }
 
 }  // namespace kinetix::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -7,16 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "app/run/found.hpp"
 #include "app/run/run_options.hpp"
+#include "app/run/search_result.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "model/elastic/equilibrium_comparison.hpp"
 #include "model/elastic/path/stable_states.hpp"
-#include "model/matter/process.hpp"
-#include "model/tolerance/flat_starts.hpp"
+#include "model/material/process.hpp"
 #include "model/tolerance/print_runs.hpp"
 #include "model/tolerance/touching_prints.hpp"
-#include "sim/compression_run.hpp"
+#include "sim/physics_run.hpp"
 
 namespace kinetix::app {
 
@@ -217,5 +217,35 @@ const char* tolerance_words(const Run& run, bool is_within);
 
 /// Returns the design as design.yaml has it, with the requested theta.
 Design written_design(const Run& run);
+
+/// Returns the names of the two walls of a pair of plates. A wall has two plates, one at each side of its hinge.
+std::array<std::string, 2> wall_names(const model::WallPair& walls, const model::Lattice& sheet);
+
+/// Returns "walls A and B overlap as built" with advice.
+std::string overlap_words(const model::WallPair& walls, const model::Lattice& sheet);
+
+/// Returns "walls A and B overlap at theta 25.126 deg, on the way to 28.000 deg". @param theta end of the motion, rad
+/// @pre limit.contact
+std::string overlap_words(const model::ContactLimit& limit, double theta, const model::Lattice& sheet);
+
+/// Describes why walls keep an exact motion from reaching the run's theta, one sentence. They overlap as built or
+/// during the motion, by the certified range if there is one, otherwise by samples. Empty if no contact is known.
+std::optional<std::string> contact_reason(const Run& run);
+
+/// Returns contact_reason() with advice, as a list of at most one entry. @param instead advice, in words
+std::vector<std::string> collisions_on_the_way(const Run& run, const std::string& instead);
+
+/// Describes how a path stopped, for people. result.json has `torn` for an overstretched hinge.
+std::string in_words(model::EquilibriumPath::Stop stop);
+
+/// Describes that a sheet folded to the opposite side. @param theta that it reached, rad
+std::string describe_other_side(const Equilibrium& equilibrium, double theta);
+
+/// Describes why an equilibrium is not the goal of its drive. @param theta that it reached, rad
+/// @pre its path stopped early, or the sheet is on the opposite side
+std::string missed_words(const Equilibrium& equilibrium, double theta);
+
+/// Describes where and why the drive stops before its goal, one sentence. @pre it did
+std::string drive_stop_reason(const model::EquilibriumPath& path);
 
 }  // namespace kinetix::app

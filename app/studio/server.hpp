@@ -8,8 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/studio/messages/waiting_texts.hpp"
-#include "app/studio/play/frame.hpp"
+#include "app/studio/play/page_updates.hpp"
 
 namespace kinetix::app::studio {
 

@@ -13,9 +13,8 @@
 #include "app/studio/messages/templates.hpp"
 #include "app/studio/server.hpp"
 #include "app/studio/session/autosave.hpp"
-#include "app/studio/session/earlier_result.hpp"
 #include "app/studio/session/session.hpp"
-#include "app/studio/session/temporary_folder.hpp"
+#include "app/studio/session/uploads.hpp"
 #include "app/viewer/assets.hpp"
 #include "targets/document/document.hpp"
 

@@ -11,17 +11,13 @@
 #include <thread>
 
 #include "app/console/console.hpp"
-#include "app/console/time_left.hpp"
 #include "app/io/atomic_file.hpp"
-#include "app/report/light_result.hpp"
 #include "app/report/report.hpp"
 #include "app/run/run_options.hpp"
-#include "app/sweep/table/shares.hpp"
-#include "app/sweep/table/sweep_csv.hpp"
-#include "app/sweep/table/sweep_json.hpp"
-#include "app/sweep/workers/process_pool.hpp"
+#include "app/sweep/table/sweep_output.hpp"
+#include "app/sweep/table/sweep_table.hpp"
 #include "app/sweep/workers/ranks.hpp"
-#include "app/sweep/workers/thread_pool.hpp"
+#include "app/sweep/workers/worker_pools.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {

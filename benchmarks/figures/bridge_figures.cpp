@@ -1,11 +1,10 @@
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 #include <regex>
 
 #include "benchmarks/figure.hpp"
 #include "benchmarks/stopwatch.hpp"
-#include "model/base/rigid_fit.hpp"
+#include "model/base/geometry.hpp"
 #include "tests/app/print/mujoco_judge.hpp"
 #include "tests/app/program.hpp"
 

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +9,6 @@
 #include "benchmarks/stopwatch.hpp"
 #include "model/contact/certified_range.hpp"
 #include "model/lattice/lattice_motion.hpp"
-#include "model/lattice/turn_laws.hpp"
 #include "tests/support/random_designs.hpp"
 
 namespace kinetix::bench {

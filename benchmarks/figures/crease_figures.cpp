@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -7,12 +6,12 @@
 
 #include "benchmarks/figure.hpp"
 #include "benchmarks/stopwatch.hpp"
-#include "model/closure/null_space.hpp"
+#include "model/closure/mobility.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "model/lattice/origami/origami_sheet.hpp"
-#include "model/lattice/planar/planar_drive.hpp"
-#include "optim/fold/fit_solid.hpp"
-#include "sim/compression_run.hpp"
+#include "model/lattice/planar/planar_motion.hpp"
+#include "optim/fold/fit_fold.hpp"
+#include "sim/physics_run.hpp"
 #include "tests/support/creased.hpp"
 #include "tests/support/miura.hpp"
 #include "tests/support/planar_graphs.hpp"

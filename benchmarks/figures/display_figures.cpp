@@ -1,11 +1,10 @@
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "app/goals/display/display_file.hpp"
 #include "app/goals/display/display_outcome.hpp"
-#include "app/pictures/far_view.hpp"
+#include "app/pictures/panel_picture.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "benchmarks/figure.hpp"
 #include "model/base/parallel_runs.hpp"

@@ -4,8 +4,8 @@
 #include "benchmarks/stopwatch.hpp"
 #include "model/elastic/equilibrium_comparison.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
-#include "model/linkage/actuators.hpp"
-#include "sim/compression_run.hpp"
+#include "model/linkage/linkage_drive.hpp"
+#include "sim/physics_run.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/paper_scenes.hpp"
 

@@ -1,12 +1,11 @@
 #include <fmt/format.h>
-
 #include <chrono>
 #include <cmath>
 
 #include "benchmarks/figure.hpp"
 #include "benchmarks/stopwatch.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
-#include "model/lattice/square/family/classify.hpp"
+#include "model/lattice/square/family/classification.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/paper_scenes.hpp"
 

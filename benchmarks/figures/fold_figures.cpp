@@ -1,10 +1,9 @@
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "app/goals/fold/fold_file.hpp"
 #include "app/goals/fold/fold_goal.hpp"
+#include "app/goals/fold/fold_shape.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "benchmarks/figure.hpp"
 

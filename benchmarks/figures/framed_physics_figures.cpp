@@ -1,6 +1,6 @@
 #include "benchmarks/equilibrium_against_physics.hpp"
-#include "model/linkage/actuators.hpp"
-#include "model/matter/made_hinge.hpp"
+#include "model/linkage/linkage_drive.hpp"
+#include "model/material/manufactured_hinge.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/paper_scenes.hpp"
 

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-
 #include <cmath>
 #include <functional>
 
@@ -10,8 +9,8 @@
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/planar/exact_designs.hpp"
-#include "model/lattice/planar/lattices/honeycomb.hpp"
-#include "sim/compression_run.hpp"
+#include "model/lattice/planar/regular_lattices.hpp"
+#include "sim/physics_run.hpp"
 
 namespace kinetix::bench {
 namespace {

@@ -1,8 +1,7 @@
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 
-#include "app/goals/helmet/helmet_file.hpp"
+#include "app/goals/helmet/helmet_goal.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/result/result_json.hpp"
 #include "benchmarks/figure.hpp"

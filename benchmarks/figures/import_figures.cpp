@@ -1,13 +1,13 @@
 #include <fmt/format.h>
-
 #include <random>
 
 #include "benchmarks/figure.hpp"
 #include "benchmarks/stopwatch.hpp"
 #include "model/assembly/tiles.hpp"
-#include "model/base/angle.hpp"
-#include "sim/pull_run.hpp"
+#include "model/base/geometry.hpp"
+#include "sim/physics_run.hpp"
 #include "sim/shapes/convex_cuts.hpp"
+#include "sim/shapes/cut_quality.hpp"
 #include "tests/support/rotating_squares.hpp"
 #include "tests/support/strip_solids.hpp"
 

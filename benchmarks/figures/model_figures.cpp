@@ -1,12 +1,10 @@
 #include <ceres/jet.h>
 #include <fmt/format.h>
-
 #include <map>
 
 #include "benchmarks/figure.hpp"
 #include "benchmarks/stopwatch.hpp"
-#include "model/lattice/square/family/exact_gradient.hpp"
-#include "model/lattice/square/family/exact_jacobian.hpp"
+#include "model/lattice/square/family/exact_derivatives.hpp"
 #include "model/lattice/square/family/net.hpp"
 #include "tests/support/exact_derivatives.hpp"
 #include "tests/support/random_designs.hpp"

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -7,7 +6,7 @@
 #include "app/goals/outline/outline_goal.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "benchmarks/figure.hpp"
-#include "model/lattice/planar/lattices/registry.hpp"
+#include "model/lattice/planar/regular_lattices.hpp"
 
 namespace kinetix::bench {
 namespace {

@@ -3,7 +3,7 @@
 #include "benchmarks/figure.hpp"
 #include "benchmarks/scenes.hpp"
 #include "model/lattice/lattice_motion.hpp"
-#include "sim/compression_run.hpp"
+#include "sim/physics_run.hpp"
 
 namespace kinetix::bench {
 namespace {

@@ -1,10 +1,9 @@
 #include <fmt/format.h>
-
 #include <array>
 #include <cmath>
 
 #include "benchmarks/figure.hpp"
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "tests/support/played_twist_unit.hpp"
 
 namespace kinetix::bench {

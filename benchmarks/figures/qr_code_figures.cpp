@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 #include <string>
@@ -7,7 +6,6 @@
 
 #include "app/goals/display/display_file.hpp"
 #include "app/goals/display/display_outcome.hpp"
-#include "app/goals/display/display_pictures.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "benchmarks/figure.hpp"
 #include "model/base/parallel_runs.hpp"

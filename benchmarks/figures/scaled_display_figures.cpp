@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -10,13 +9,13 @@
 
 #include "app/goals/display/display_file.hpp"
 #include "app/goals/display/display_outcome.hpp"
-#include "app/pictures/far_view.hpp"
+#include "app/pictures/panel_picture.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "benchmarks/figure.hpp"
 #include "benchmarks/stopwatch.hpp"
 #include "model/base/parallel_runs.hpp"
+#include "targets/display/display_goal.hpp"
 #include "targets/display/glyph_goal.hpp"
-#include "targets/display/panel_levels.hpp"
 #include "tests/support/recogniser.hpp"
 
 namespace kinetix::bench {

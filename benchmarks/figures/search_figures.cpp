@@ -3,7 +3,7 @@
 #include "benchmarks/figure.hpp"
 #include "benchmarks/scenes.hpp"
 #include "benchmarks/stopwatch.hpp"
-#include "optim/curve/curve_starts.hpp"
+#include "optim/curve/fit_curve.hpp"
 
 namespace kinetix::bench {
 namespace {

@@ -1,18 +1,17 @@
 #include <fmt/format.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/goals/registry.hpp"
-#include "app/goals/space_curve/space_curve_file.hpp"
+#include "app/goals/space_curve/space_curve_goal.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/result/result_json.hpp"
 #include "benchmarks/figure.hpp"
 #include "model/closure/closure.hpp"
 #include "model/closure/mobility.hpp"
 #include "model/contact/wall_contact.hpp"
-#include "model/lattice/sodalite/sodalite.hpp"
-#include "sim/compression_run.hpp"
+#include "model/lattice/sodalite.hpp"
+#include "sim/physics_run.hpp"
 #include "targets/document/document.hpp"
 
 namespace kinetix::bench {

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -7,7 +6,6 @@
 #include "benchmarks/figure.hpp"
 #include "model/elastic/path/stable_states.hpp"
 #include "model/lattice/lattice_motion.hpp"
-#include "model/lattice/square/cell_tuple.hpp"
 #include "model/lattice/square/unit_laws.hpp"
 
 namespace kinetix::bench {

@@ -1,19 +1,17 @@
 #include <fmt/format.h>
-
 #include <chrono>
 #include <random>
 
 #include "benchmarks/figure.hpp"
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "model/closure/mobility.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "model/lattice/lattice_motion.hpp"
-#include "model/lattice/origami/fold_mesh.hpp"
 #include "model/lattice/origami/march.hpp"
 #include "model/lattice/origami/origami_sheet.hpp"
+#include "model/lattice/origami/quad_mesh.hpp"
 #include "optim/ribs/fit_ribs.hpp"
 #include "optim/surface/fit_surface.hpp"
-#include "optim/surface/free_height.hpp"
 
 namespace kinetix::bench {
 namespace {

@@ -1,9 +1,8 @@
 #include <fmt/format.h>
-
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/checked_file.hpp"
+#include "app/cli/commands.hpp"
 #include "app/console/console.hpp"
 #include "benchmarks/alone.hpp"
 #include "benchmarks/figure.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "optim/solvers/least_squares.hpp"
+#include "optim/solvers/solver.hpp"
 
 namespace kinetix::bench {
 

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <functional>
 #include <iterator>
@@ -9,7 +8,7 @@
 #include "benchmarks/peers/mujoco_run.hpp"
 #include "benchmarks/scenes.hpp"
 #include "benchmarks/stopwatch.hpp"
-#include "sim/compression_run.hpp"
+#include "sim/physics_run.hpp"
 #include "tests/support/elastic_runs.hpp"
 
 namespace kinetix::bench {

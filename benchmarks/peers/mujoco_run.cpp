@@ -1,7 +1,6 @@
 #include "benchmarks/peers/mujoco_run.hpp"
 
 #include <mujoco/mujoco.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -11,7 +10,7 @@
 
 #include "benchmarks/peers/mujoco_scene.hpp"
 #include "model/base/invalid_input.hpp"
-#include "sim/start_motion.hpp"
+#include "sim/physics_run.hpp"
 
 namespace kinetix::bench {
 namespace {

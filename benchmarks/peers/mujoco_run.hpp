@@ -48,8 +48,8 @@ struct MujocoResult {
 std::string to_string(MujocoResult::Status status);
 bool has_mujoco();
 
-/// Makes the run of sim/compression_run.hpp in MuJoCo. It starts flat, along the first-order motion of
-/// sim/start_motion.hpp. Theta moves to its goal along tau (2 - tau); then the motion is damped until nothing turns.
+/// Makes the run of sim/physics_run.hpp in MuJoCo. It starts flat, along the first-order motion of
+/// sim/physics_run.hpp. Theta moves to its goal along tau (2 - tau); then the motion is damped until nothing turns.
 /// There is no contact and no gravity.
 /// @throws InvalidInput for a drive that is not a driven hinge of the structure; std::runtime_error for a scene that
 /// MuJoCo refuses

@@ -6,8 +6,8 @@
 #include "benchmarks/scenes.hpp"
 #include "benchmarks/stopwatch.hpp"
 #include "model/lattice/lattice_motion.hpp"
-#include "optim/curve/curve_starts.hpp"
-#include "sim/compression_run.hpp"
+#include "optim/curve/fit_curve.hpp"
+#include "sim/physics_run.hpp"
 
 namespace kinetix::bench {
 namespace {

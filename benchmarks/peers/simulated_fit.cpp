@@ -1,8 +1,8 @@
 #include "benchmarks/peers/simulated_fit.hpp"
 
 #include "model/lattice/lattice_motion.hpp"
-#include "sim/compression_run.hpp"
-#include "targets/curve/curve_error.hpp"
+#include "sim/physics_run.hpp"
+#include "targets/curve/curve.hpp"
 
 namespace kinetix::bench {
 

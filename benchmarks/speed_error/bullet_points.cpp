@@ -1,13 +1,12 @@
 #include "benchmarks/speed_error/bullet_points.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 
 #include "benchmarks/speed_error/timed.hpp"
 #include "benchmarks/stopwatch.hpp"
-#include "sim/compression_run.hpp"
+#include "sim/physics_run.hpp"
 
 namespace kinetix::bench {
 namespace {
@@ -17,7 +16,7 @@ constexpr std::size_t few_bodies = 100, many_bodies = 2000;
 // Steps of a whole drive: from fewer than give an answer to more than budgets allow.
 constexpr int drive_steps[] = {5, 10, 15, 20, 30, 40, 60, 80, 120, 240, 500, 1000, 2000};
 constexpr double longest_step_s = 0.1;  // s, the most that PhysicsOptions::step_s allows
-constexpr double stiff_joints = 1e8;    // over the parts' masses, as app/pipeline/verify.cpp has it for nets
+constexpr double stiff_joints = 1e8;    // over the parts' masses, as app/pipeline/physics.cpp has it for nets
 
 /// All numbers of steps with joints of one stiffness.
 struct GridLine {

@@ -1,14 +1,13 @@
 #include "benchmarks/speed_error/scene.hpp"
 
 #include <fmt/format.h>
-
 #include <cmath>
 
 #include "benchmarks/scenes.hpp"
 #include "benchmarks/speed_error/equilibrium_points.hpp"
 #include "benchmarks/speed_error/exact_points.hpp"
 #include "optim/fold/fit_fold.hpp"
-#include "optim/helmet/fit_helmet.hpp"
+#include "optim/ribs/fit_ribs.hpp"
 #include "targets/helmet/head.hpp"
 #include "targets/mesh/mesh_file.hpp"
 #include "tests/support/paper_scenes.hpp"

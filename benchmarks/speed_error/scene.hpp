@@ -5,7 +5,7 @@
 
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/lattice/lattice_motion.hpp"
-#include "model/lattice/square/family/classify.hpp"
+#include "model/lattice/square/family/classification.hpp"
 
 namespace kinetix::bench {
 

@@ -5,17 +5,13 @@
 #include <cstdio>
 #include <set>
 
-#include "model/assembly/contact_patch.hpp"
-#include "model/assembly/crossing.hpp"
 #include "model/assembly/cylinder_faces.hpp"
-#include "model/assembly/direction_across.hpp"
 #include "model/assembly/shells.hpp"
 #include "model/assembly/soft_hinge.hpp"
-#include "model/base/box_of.hpp"
+#include "model/base/algorithms.hpp"
+#include "model/base/box.hpp"
 #include "model/base/decompositions.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/base/lower_median.hpp"
-#include "model/base/union_find.hpp"
 
 namespace kinetix::model {
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <map>
 #include <optional>
 #include <string>
@@ -7,10 +8,19 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/linkage/linkage.hpp"
-#include "model/matter/made_hinge.hpp"
+#include "model/material/manufactured_hinge.hpp"
 #include "model/solids/polyhedron.hpp"
 
 namespace kinetix::model {
+
+/// Returns the component normal to the hinge's axis of the direction from one body to the other, as a unit vector.
+/// Any normal direction is returned if they are aligned with the axis.
+/// @param between from body to body, of any length   @param axis unit vector
+inline Eigen::Vector3d direction_across(const Eigen::Vector3d& between, const Eigen::Vector3d& axis) {
+  const Eigen::Vector3d across = between - between.dot(axis) * axis;
+  return across.norm() > 1e-6 * between.norm() ? Eigen::Vector3d(across.normalized())
+                                               : Eigen::Vector3d(axis.unitOrthogonal());
+}
 
 /// A closed shell of a model of hard and soft parts, mm.
 struct ModelPart {

@@ -4,9 +4,7 @@
 #include <cmath>
 
 #include "model/base/decompositions.hpp"
-#include "model/base/sparse_factor.hpp"
 #include "model/closure/closure.hpp"
-#include "model/closure/closure_solver.hpp"
 
 namespace kinetix::model {
 namespace {

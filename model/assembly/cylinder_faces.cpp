@@ -7,9 +7,9 @@
 #include <map>
 #include <set>
 
-#include "model/base/angle.hpp"
+#include "model/base/algorithms.hpp"
 #include "model/base/decompositions.hpp"
-#include "model/base/union_find.hpp"
+#include "model/base/geometry.hpp"
 
 namespace kinetix::model {
 namespace {

@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/base/rigid_fit.hpp"
-#include "model/base/sparse_factor.hpp"
+#include "model/base/decompositions.hpp"
+#include "model/base/geometry.hpp"
 #include "model/closure/closure.hpp"
-#include "model/closure/closure_solver.hpp"
 
 namespace kinetix::model {
 namespace {

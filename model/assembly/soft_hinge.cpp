@@ -3,13 +3,189 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <limits>
+#include <numeric>
 
-#include "model/assembly/cross_section.hpp"
+#include "model/base/box.hpp"
 #include "model/base/decompositions.hpp"
+#include "model/base/geometry.hpp"
 
 namespace kinetix::model {
+namespace {
+
+using Eigen::Vector3d;
+
+struct Facet {
+  std::array<Vector3d, 3> corners;
+  Vector3d normal;  // unit
+  Eigen::AlignedBox3d box;
+};
+
+std::vector<Facet> facets_in(const Polyhedron& solid, const Eigen::AlignedBox3d& region) {
+  std::vector<Facet> out;
+  for (const auto& t : solid.triangles) {
+    Facet f{{solid.points[t[0]], solid.points[t[1]], solid.points[t[2]]}, {}, {}};
+    for (const Vector3d& p : f.corners) f.box.extend(p);
+    if (!region.intersects(f.box)) continue;
+    const Vector3d area = (f.corners[1] - f.corners[0]).cross(f.corners[2] - f.corners[0]);
+    if (!(area.norm() > 0)) continue;
+    f.normal = area.normalized();
+    out.push_back(f);
+  }
+  std::sort(out.begin(), out.end(),
+            [](const Facet& a, const Facet& b) { return a.box.min().x() < b.box.min().x(); });
+  return out;
+}
+
+Eigen::AlignedBox3d grown(Eigen::AlignedBox3d box, double by) {
+  box.min().array() -= by;
+  box.max().array() += by;
+  return box;
+}
+
+/// Returns the part of a polygon with inward . (p - on) >= 0.
+std::vector<Vector3d> cut(const std::vector<Vector3d>& polygon, const Vector3d& on, const Vector3d& inward) {
+  std::vector<Vector3d> out;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vector3d &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
+    const double a = inward.dot(p - on), b = inward.dot(q - on);
+    if (a >= 0) out.push_back(p);
+    if ((a > 0 && b < 0) || (a < 0 && b > 0)) out.push_back(p + a / (a - b) * (q - p));
+  }
+  return out;
+}
+
+/// Returns the part of the first facet inside the edges of the second one, seen along the second one's normal.
+std::vector<Vector3d> common(const Facet& a, const Facet& b) {
+  std::vector<Vector3d> polygon(a.corners.begin(), a.corners.end());
+  for (int k = 0; k < 3 && !polygon.empty(); ++k) {
+    const Vector3d side = b.corners[(k + 1) % 3] - b.corners[k];
+    polygon = cut(polygon, b.corners[k], b.normal.cross(side).normalized());
+  }
+  return polygon;
+}
+
+bool face_each_other(const Facet& a, const Facet& b, const ContactTolerance& tolerance) {
+  if (!(a.normal.dot(b.normal) < -std::cos(tolerance.angle))) return false;
+  return grown(a.box, tolerance.gap_mm).intersects(b.box);
+}
+
+bool is_near(const std::vector<Vector3d>& polygon, const Facet& b, double gap) {
+  return std::all_of(polygon.begin(), polygon.end(),
+                     [&](const Vector3d& p) { return std::abs(b.normal.dot(p - b.corners[0])) <= gap; });
+}
+
+void add_piece(std::vector<Vector3d> polygon, ContactPatch& patch) {
+  Vector3d area = Vector3d::Zero(), first = Vector3d::Zero();
+  double whole = 0;
+  for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+    const Vector3d part = 0.5 * (polygon[k] - polygon[0]).cross(polygon[k + 1] - polygon[0]);
+    area += part;
+    whole += part.norm();
+    first += part.norm() * (polygon[0] + polygon[k] + polygon[k + 1]) / 3;
+  }
+  if (!(whole > 0)) return;
+  patch.area_mm2 += whole;
+  patch.center += first;
+  patch.normal += area;
+  patch.pieces.push_back(std::move(polygon));
+}
+
+}  // namespace
+
+ContactPatch contact_patch(const Polyhedron& a, const Polyhedron& b, const ContactTolerance& tolerance) {
+  ContactPatch patch;
+  const Eigen::AlignedBox3d of_a = grown(box_of(a.points), tolerance.gap_mm),
+                            of_b = grown(box_of(b.points), tolerance.gap_mm);
+  if (!of_a.intersects(of_b)) return patch;
+  const std::vector<Facet> first = facets_in(a, of_b), second = facets_in(b, of_a);
+  for (const Facet& f : first)
+    for (const Facet& g : second) {
+      if (g.box.min().x() > f.box.max().x() + tolerance.gap_mm) break;
+      if (!face_each_other(f, g, tolerance)) continue;
+      std::vector<Vector3d> polygon = common(f, g);
+      if (polygon.size() >= 3 && is_near(polygon, g, tolerance.gap_mm)) add_piece(std::move(polygon), patch);
+    }
+  if (patch.area_mm2 > 0) {
+    patch.center /= patch.area_mm2;
+    patch.normal /= patch.area_mm2;
+  }
+  return patch;
+}
+
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+struct Segment {
+  Vector2d from, to;
+};
+
+Vector2d in_plane(const PlaneFrame& frame, const Vector3d& p) { return {frame.u.dot(p), frame.v.dot(p)}; }
+
+/// Computes the segment in which the plane cuts a triangle, counter-clockwise about d with the solid on the left.
+/// Corners in the plane count as above it, so that loops close. Returns false if there is no cut.
+bool cuts(const std::array<Vector3d, 3>& corners, const PlaneFrame& frame, double at, Segment& out) {
+  std::array<Vector2d, 2> ends;
+  int found = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d &p = corners[k], &q = corners[(k + 1) % 3];
+    const double a = frame.d.dot(p) - at, b = frame.d.dot(q) - at;
+    if ((a >= 0) == (b >= 0)) continue;
+    ends[(a >= 0) ? 0 : 1] = in_plane(frame, p + a / (a - b) * (q - p));
+    ++found;
+  }
+  // A triangle that is counter-clockwise from outside crosses the plane downwards at the start of its segment.
+  out = {ends[0], ends[1]};
+  return found == 2;
+}
+
+void add_moments(const Segment& s, double& area, Vector2d& first, Matrix2d& second) {
+  const double part = (s.from.x() * s.to.y() - s.from.y() * s.to.x()) / 2;
+  area += part;
+  first += part * (s.from + s.to) / 3;
+  const Vector2d sum = s.from + s.to;
+  second += part / 12 * (sum * sum.transpose() + s.from * s.from.transpose() + s.to * s.to.transpose());
+}
+
+}  // namespace
+
+PlaneFrame PlaneFrame::across(const Vector3d& d) {
+  const Vector3d u = d.unitOrthogonal();
+  return {u, d.cross(u), d};
+}
+
+CrossSection cross_section(const Polyhedron& solid, const PlaneFrame& frame, double at) {
+  CrossSection out;
+  Vector2d first = Vector2d::Zero();
+  Matrix2d second = Matrix2d::Zero();
+  std::complex<double> order = 0;
+  double length = 0;
+  const Vector2d origin = solid.points.empty() ? Vector2d::Zero() : in_plane(frame, solid.points.front());
+  for (const auto& t : solid.triangles) {
+    Segment s;
+    if (!cuts({solid.points[t[0]], solid.points[t[1]], solid.points[t[2]]}, frame, at, s)) continue;
+    s.from -= origin;
+    s.to -= origin;
+    add_moments(s, out.area_mm2, first, second);
+    const Vector2d along = s.to - s.from;
+    length += along.norm();
+    order += along.norm() * std::polar(1.0, 4 * std::atan2(along.y(), along.x()));
+  }
+  if (!(out.area_mm2 > 0)) return {};
+  const Vector2d center = first / out.area_mm2;
+  out.center = origin + center;
+  out.second = second - out.area_mm2 * center * center.transpose();
+  out.edge_order = std::abs(order) / length;
+  out.edge_angle = std::fmod(std::arg(order) / 4 + pi / 2, pi / 2);
+  return out;
+}
+
 namespace {
 
 using Eigen::Matrix2d;

@@ -1,13 +1,58 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "model/assembly/contact_patch.hpp"
-#include "model/matter/made_hinge.hpp"
+#include "model/material/manufactured_hinge.hpp"
 #include "model/solids/polyhedron.hpp"
 
 namespace kinetix::model {
+
+/// Contact area of two solids: flat pieces of both surfaces that face each other.
+struct ContactPatch {
+  double area_mm2 = 0;                               ///< mm^2
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< center of the area, mm
+  /// Mean unit normal by area, out of the first solid; shorter than 1 for curved patches
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  std::vector<std::vector<Eigen::Vector3d>> pieces = {};  ///< convex polygons that form the patch, mm
+};
+
+/// Tolerances for faces in contact.
+struct ContactTolerance {
+  double gap_mm = 0.05;  ///< distance or overlap of the two faces, mm, > 0
+  double angle = 0.09;   ///< angle between the planes of the two faces, rad, > 0
+};
+
+/// Returns the patch of `a` that touches `b`: every triangle of a, cut by every triangle of b that faces it. It is
+/// exact for flat faces that coincide. Curved faces need nearly equal triangles. The triangles of a solid do not
+/// overlap each other.
+ContactPatch contact_patch(const Polyhedron& a, const Polyhedron& b, const ContactTolerance& tolerance = {});
+
+/// A plane frame: u, v and the normal d are right-handed unit vectors.
+struct PlaneFrame {
+  Eigen::Vector3d u, v, d;
+
+  /// Returns a frame with any two u and v normal to d. @param d unit vector
+  static PlaneFrame across(const Eigen::Vector3d& d);
+};
+
+/// Moments of the area in which a plane cuts a solid.
+struct CrossSection {
+  double area_mm2 = 0;                               ///< mm^2
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< in u and v, mm
+  Eigen::Matrix2d second = Eigen::Matrix2d::Zero();  ///< integral of r r^T about the center, mm^4
+  /// Length-weighted mean direction of edges in u and v, modulo pi / 2, rad, [0, pi/2)
+  double edge_angle = 0;
+  /// Agreement of the edge directions, dimensionless, 0 (a circle) to 1 (a rectangle)
+  double edge_order = 0;
+};
+
+/// Computes the moments by Green's theorem over the segments in which the plane d . p = at cuts the triangles: exact
+/// for the triangles.
+/// @param at mm   @pre closed
+CrossSection cross_section(const Polyhedron& solid, const PlaneFrame& frame, double at);
 
 /// Axis about which a soft part between two rigid ones bends, computed from its shape.
 ///

@@ -5,11 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "model/assembly/direction_across.hpp"
-#include "model/base/angle.hpp"
+#include "model/assembly/assembly.hpp"
+#include "model/base/algorithms.hpp"
+#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/base/lower_median.hpp"
-#include "model/base/rigid_fit.hpp"
 
 namespace kinetix::model {
 namespace {

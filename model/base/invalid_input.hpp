@@ -16,9 +16,8 @@ struct Place {
 /// Formats a number as messages write it.
 std::string number_text(double number);
 
-/// The only exception type for bad input. Its message reads `file:line:column: key.path: what is wrong, what
-/// is
-/// allowed`, without the parts that are not known. The program maps it to exit code 2.
+/// The only exception type for bad input. Its message reads
+/// `file:line:column: key.path: what is wrong, what is allowed`, without the parts that are not known. The program maps it to exit code 2.
 class InvalidInput : public std::runtime_error {
  public:
   explicit InvalidInput(const std::string& fault_text, Place place = {});

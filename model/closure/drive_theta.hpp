@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "model/hinge/elasticity.hpp"
+#include "model/linkage/exact_motion.hpp"
 #include "model/linkage/linkage_drive.hpp"
 #include "model/linkage/state.hpp"
 
@@ -39,5 +41,12 @@ double theta_in(const LinkageDrive& drive, const Linkage& linkage, const State& 
 /// Returns the mean fold parameter, rad, of the upright hinges of a state, or of all hinges if none is
 /// upright: half their turns, signed by the checkerboard.
 double mean_theta(const Linkage& linkage, const State& state);
+
+/// Returns the theta, rad, to which a drive takes a structure along its closed form. For most drives it is
+/// ExactMotion::theta_of(). Shape-memory springs fold a sheet only as far as its hinges allow. For them it is
+/// the first minimum from flat of the energy of hinges and springs, to 1e-8 rad.
+/// @pre driven.exact
+/// @throws InvalidInput as ExactMotion::theta_of
+double exact_theta(const DrivenLinkage& driven, const Elasticity& elasticity);
 
 }  // namespace kinetix::model

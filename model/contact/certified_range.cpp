@@ -3,12 +3,182 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
+#include "model/base/box.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/contact/swept_pair.hpp"
+#include "model/contact/swept_motion.hpp"
+#include "model/contact/wall_contact.hpp"
 
 namespace kinetix::model {
 namespace {
+
+/// Data of a linkage common to all states, for proofs that its plates stay apart.
+struct LinkagePlates : LinkageMotion {
+  /// @param structure kept by reference   @param turns one per hinge   @param growth_mm growth of every plate on all
+  /// sides
+  LinkagePlates(const Linkage& structure, const std::vector<TurnLaw>& turns, double growth_mm);
+
+  /// Returns true if a pair must be examined: not of one wall, and not touching at rest. @pre plates of two bodies
+  bool can_touch(const WallPair& pair) const;
+
+  std::vector<HalfWall> walls;              ///< with growth
+  WallContact at_rest;                      ///< without growth
+  std::vector<std::vector<int>> plates_of;  ///< plates of each body
+  std::vector<double> reach;                ///< largest distance of each body's plates from its vertex, mm
+};
+
+/// Two bodies, the hinges from the first to the second, and their plates that are not yet proven apart.
+struct PlatesOfPair {
+  int first = 0, second = 0;
+  HingeChain chain;
+  std::vector<WallPair> walls;
+};
+
+/// Two bodies within an interval of theta, each in the other's frame.
+class SweptPair {
+ public:
+  /// @param plates, interval, pair kept by reference   @param margin_mm required distance of the plates
+  SweptPair(const LinkagePlates& plates, const ThetaInterval& interval, const PlatesOfPair& pair,
+            double margin_mm);
+
+  /// Returns true if all plates are proven to stay apart over the interval, by the spheres around the bodies.
+  bool is_apart() const;
+  /// Returns true if two plates are proven apart, by their spheres or by a separating direction. @pre one of each
+  /// body
+  bool is_apart(const WallPair& walls);
+
+ private:
+  bool is_apart_from_there(const OrientedBox& own, const OrientedBox& other);
+
+  const LinkagePlates& plates_;
+  const ThetaInterval& interval_;
+  const PlatesOfPair& pair_;
+  double margin_mm_;
+  Pose second_;                      ///< pose of the second body in the first one's frame
+  SweptMotion there_;                ///< motion of the second body in the first one's frame
+  std::optional<SweptMotion> back_;  ///< motion of the first body in the second one's frame
+};
+
+LinkagePlates::LinkagePlates(const Linkage& structure, const std::vector<TurnLaw>& turns, double growth_mm)
+    : LinkageMotion(structure, turns),
+      walls(half_walls(structure)),
+      at_rest(structure),
+      plates_of(structure.bodies.size()),
+      reach(structure.bodies.size()) {
+  for (int k = 0; k < static_cast<int>(walls.size()); ++k) {
+    HalfWall& wall = walls[k];
+    // A slanted end that moves out by this distance moves farther along the edge.
+    wall.box.half += growth_mm * Eigen::Vector3d(std::hypot(1, wall.box.slant), 1, 1);
+    plates_of[wall.body].push_back(k);
+    reach[wall.body] = std::max(reach[wall.body], wall.box.center.norm() + radius(wall.box));
+  }
+}
+
+bool LinkagePlates::can_touch(const WallPair& pair) const {
+  return walls[pair.first].hinge != walls[pair.second].hinge &&
+         !std::binary_search(at_rest.touching_at_rest().begin(), at_rest.touching_at_rest().end(), pair);
+}
+
+/// A box at rest and a box that moves relative to it. Both are in the frame of the first one's body, in the middle of
+/// an interval of theta, mm.
+struct SweptBoxes {
+  const OrientedBox& still;
+  const OrientedBox& moving;
+  const SweptMotion& motion;
+  double half_width;  ///< of the interval, rad
+  double margin;      ///< required distance, mm
+};
+
+using Eigen::Vector3d;
+
+// Length of a cross product of unit vectors: below it, rounding dominates
+constexpr double no_direction = 1e-6;
+
+class SweptGap {
+ public:
+  explicit SweptGap(const SweptBoxes& boxes)
+      : boxes_(boxes),
+        apart_(boxes.moving.center - boxes.still.center),
+        speed_(boxes.motion.speed(boxes.moving.center)),
+        lost_(boxes.margin + boxes.motion.change(boxes.moving.center, radius(boxes.moving)) *
+                                 boxes.half_width * boxes.half_width / 2) {}
+
+  /// @param direction unit
+  bool along(Vector3d direction) const {
+    if (direction.dot(apart_) < 0) direction = -direction;
+    const double free = direction.dot(apart_) - support(boxes_.still, direction) - lost_;
+    const Vector3d turned = direction.cross(boxes_.motion.omega());
+    const auto gap = [&](double tau) {
+      return free + tau * direction.dot(speed_) - support(boxes_.moving, -direction - tau * turned);
+    };
+    return gap(boxes_.half_width) > 0 && gap(-boxes_.half_width) > 0;
+  }
+
+ private:
+  const SweptBoxes& boxes_;
+  Vector3d apart_, speed_;
+  double lost_;  ///< mm: margin, and the deviation from the straight path
+};
+
+/// Returns true if one face normal of the box at rest proves that the two boxes stay apart over the whole interval.
+/// Along a direction n the gap at theta = middle + tau is at least
+///   n . (c + tau c') - s(-(n + tau n x w)) - (that of the box at rest along n) - change half_width^2 / 2.
+/// The convex function s is the reach of the moving box from its center along a direction. The bound `change` is that
+/// of the second derivative of every corner. The gap is concave in tau, so its minimum is at an end.
+bool stay_apart_by_faces(const SweptBoxes& boxes) {
+  const SweptGap gap(boxes);
+  for (const Vector3d& normal : face_normals(boxes.still))
+    if (gap.along(normal)) return true;
+  return false;
+}
+
+/// Returns true if a direction normal to an edge of each box proves that they stay apart over the interval.
+bool stay_apart_by_edges(const SweptBoxes& boxes) {
+  const SweptGap gap(boxes);
+  for (const Vector3d& still : edge_directions(boxes.still))
+    for (const Vector3d& moving : edge_directions(boxes.moving)) {
+      const Vector3d across = still.cross(moving);
+      const double length = across.norm();
+      if (length > no_direction && gap.along(across / length)) return true;
+    }
+  return false;
+}
+
+SweptPair::SweptPair(const LinkagePlates& plates, const ThetaInterval& interval, const PlatesOfPair& pair,
+                     double margin_mm)
+    : plates_(plates),
+      interval_(interval),
+      pair_(pair),
+      margin_mm_(margin_mm),
+      second_(interval.relative(pair.first, pair.second)),
+      there_(interval.motion(pair.first, pair.chain)) {}
+
+bool SweptPair::is_apart() const {
+  const double reach = plates_.reach[pair_.first] + plates_.reach[pair_.second];
+  return second_.p.norm() - reach - there_.way(second_.p, plates_.reach[pair_.second]) > margin_mm_;
+}
+
+bool SweptPair::is_apart(const WallPair& walls) {
+  const bool in_order = plates_.walls[walls.first].body == pair_.first;
+  const OrientedBox& own = plates_.walls[in_order ? walls.first : walls.second].box;
+  const HalfWall& other = plates_.walls[in_order ? walls.second : walls.first];
+  const Eigen::Vector3d center = second_.p + second_.R * other.box.center;
+  const double around = radius(other.box);
+  if ((center - own.center).norm() - radius(own) - around - there_.way(center, around) > margin_mm_)
+    return true;
+  const OrientedBox moving = placed(other, second_);
+  const SweptBoxes forth{own, moving, there_, interval_.half_width(), margin_mm_};
+  return stay_apart_by_faces(forth) || is_apart_from_there(own, other.box) || stay_apart_by_edges(forth);
+}
+
+bool SweptPair::is_apart_from_there(const OrientedBox& own, const OrientedBox& other) {
+  if (!back_) back_ = interval_.motion(pair_.second, reversed(pair_.chain));
+  const Pose first = interval_.relative(pair_.second, pair_.first);
+  const OrientedBox moving{first.p + first.R * own.center, first.R * own.axes, own.half, own.slant};
+  return stay_apart_by_faces({other, moving, *back_, interval_.half_width(), margin_mm_});
+}
 
 // Rad, widest interval that is examined as a whole: about a sixteenth of a right angle
 constexpr double widest_interval = 0.1;

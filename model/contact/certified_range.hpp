@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/contact/wall_contact.hpp"
-#include "model/linkage/turn_law.hpp"
+#include "model/linkage/exact_motion.hpp"
 
 namespace kinetix::model {
 

@@ -1,16 +1,57 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "model/base/angle.hpp"
-#include "model/contact/near_pairs.hpp"
+#include "model/base/box.hpp"
+#include "model/base/geometry.hpp"
 #include "model/linkage/exact_motion.hpp"
-#include "model/linkage/half_wall.hpp"
+#include "model/linkage/state.hpp"
 
 namespace kinetix::model {
+
+/// A plate of a linkage with the wall's height and thickness. Its end at the hinge is cut along the hinge
+/// axis, and is slanted if alpha is not 90 deg, as in prints. Contact ranges, equilibria and the simulation
+/// share this shape.
+struct HalfWall {
+  int body = 0;
+  int hinge = 0;
+  OrientedBox box;  ///< relative to the body's position, mm
+};
+
+/// Returns the half walls in the order of Linkage::plates.
+std::vector<HalfWall> half_walls(const Linkage& structure);
+
+/// Returns the plate of a half wall in a state, mm.
+OrientedBox placed(const HalfWall& wall, const Pose& pose);
+
+/// Pairs of points closer than a distance. The points are divided into stripes of that width along the longest side
+/// of their bounding box, and sorted along the second longest. The cost is O(n log n) if few points share a stretch
+/// of a stripe. Buffers are reused between calls.
+class NearPairs {
+ public:
+  /// @param points all finite   @param distance > 0, in the unit of the points
+  /// @return (lower index, higher index), each pair once, in an order that depends only on the points
+  const std::vector<std::pair<int, int>>& find(const Eigen::Matrix3Xd& points, double distance);
+
+ private:
+  struct Entry {
+    double stripe;
+    double along;
+    int index;
+    bool operator<(const Entry& other) const;
+  };
+
+  void pair_up(std::size_t first, std::size_t& partner, double stripe, const Eigen::Matrix3Xd& points,
+               double distance);
+
+  std::vector<Entry> entries_;
+  std::vector<std::pair<int, int>> pairs_;
+};
 
 /// Two half walls of different bodies, as indices into half_walls().
 struct WallPair {

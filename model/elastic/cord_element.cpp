@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "model/linkage/actuators.hpp"
+#include "model/linkage/linkage_drive.hpp"
 
 namespace kinetix::model {
 namespace {

@@ -5,7 +5,7 @@
 
 namespace kinetix::model {
 
-/// Length of a tendon through hinge points (model/linkage/actuators.hpp) in cell edges, with its derivatives
+/// Length of a tendon through hinge points (model/linkage/linkage_drive.hpp) in cell edges, with its derivatives
 /// by the twists of the bodies that carry the points. Derivatives are ordered as in Element: six numbers per
 /// body, in the order of `bodies`. Neighbouring points closer than 1e-9 cell edges have no direction; the
 /// length of their piece counts as constant.

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/elastic/retract.hpp"
-#include "model/linkage/actuators.hpp"
+#include "model/closure/closure.hpp"
+#include "model/linkage/linkage_drive.hpp"
 
 namespace kinetix::model {
 namespace {

@@ -59,7 +59,7 @@ class ElasticSystem {
 
   /// Moves the gripped bodies to their position at fold parameter theta of the drive.
   void place(double theta, State& state) const;
-  /// Returns the state after a step along screws (model/elastic/retract.hpp). Held or driven coordinates move
+  /// Returns the state after a step along screws (model/closure/closure.hpp). Held or driven coordinates move
   /// along a straight line, since an arc would take them off their plate.
   State retract(const State& state, const Eigen::VectorXd& twists) const;
   /// Returns the length of a step from the linearised state: the largest turn of a body (rad) or first-order

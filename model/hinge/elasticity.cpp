@@ -1,10 +1,22 @@
 #include "model/hinge/elasticity.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::model {
+
+TurnResponse SetHinge::at(double turn, double k_turn) const {
+  return LinearHinge().at(std::remainder(turn - set_, 2 * pi), k_turn);
+}
+
+const std::shared_ptr<const HingeLaw>& linear_hinge() {
+  static const std::shared_ptr<const HingeLaw> law = std::make_shared<LinearHinge>();
+  return law;
+}
+
 namespace {
 
 // N/mm, N mm/rad, mm: products and ratios of three such numbers stay far from the limits of double.

@@ -4,10 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "model/hinge/frame_energy.hpp"
-#include "model/hinge/hinge_changes.hpp"
-#include "model/hinge/mismatch_energy.hpp"
-#include "model/hinge/play_energy.hpp"
+#include "model/hinge/clearance_energy.hpp"
+#include "model/hinge/element.hpp"
 
 namespace kinetix::model {
 namespace {

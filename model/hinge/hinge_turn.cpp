@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 
 namespace kinetix::model {
 

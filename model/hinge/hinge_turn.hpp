@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/hinge/element.hpp"
-#include "model/linkage/rest_hinge.hpp"
+#include "model/linkage/linkage.hpp"
 #include "model/linkage/state.hpp"
 
 namespace kinetix::model {

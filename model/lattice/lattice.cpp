@@ -5,7 +5,8 @@
 #include <numeric>
 
 #include "model/assembly/assembly.hpp"
-#include "model/lattice/square/lines.hpp"
+#include "model/lattice/sodalite.hpp"
+#include "model/lattice/square/structure.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -178,6 +179,12 @@ void validate_hinges(const Lattice& sheet) {
   if (const SodaliteStructure* s = sheet.sodalite()) return validate_hinges(*s);
   if (sheet.assembly()) return;
   validate_hinges(*sheet.planar());
+}
+
+RestHinge rest_hinge(const Lattice& sheet, int hinge) {
+  if (const SodaliteStructure* block = sheet.sodalite()) return rest_hinge(*block, hinge);
+  if (sheet.assembly()) return Linkage(sheet).hinges[hinge];
+  return rest_hinge(sheet.wall(hinge));
 }
 
 }  // namespace kinetix::model

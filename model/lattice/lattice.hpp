@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/lattice/planar/planar_structure.hpp"
-#include "model/lattice/sodalite/sodalite.hpp"
+#include "model/lattice/sodalite.hpp"
 #include "model/lattice/square/structure.hpp"
 
 namespace kinetix::model {
@@ -75,5 +75,8 @@ std::vector<std::vector<int>> body_columns(const Lattice& sheet);
 
 /// Checks the hinge parameters. @throws InvalidInput, naming wall and value, for one outside its range (NaN included)
 void validate_hinges(const Lattice& sheet);
+
+/// Returns a hinge of a sheet at rest, as in its linkage.
+RestHinge rest_hinge(const Lattice& sheet, int hinge);
 
 }  // namespace kinetix::model

@@ -4,8 +4,8 @@
 
 #include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/planar/exact_designs.hpp"
+#include "model/lattice/square/changed_cells.hpp"
 #include "model/lattice/square/crease.hpp"
-#include "model/lattice/square/redrawn.hpp"
 
 namespace kinetix::model {
 namespace {

@@ -1,8 +1,71 @@
 #include "model/linkage/linkage_drive.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "model/base/decompositions.hpp"
+#include "model/base/geometry.hpp"
+#include "model/base/invalid_input.hpp"
+#include "model/linkage/exact_motion.hpp"
 
 namespace kinetix::model {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double straight = 1e-14;  // width of a row over its length, squared: below, it is rounding
+constexpr double off = 1e-8;        // cell edges: a row that is meant to bend leaves its plane by far more
+
+Vector3d centre(const std::vector<int>& row, const State& state) {
+  Vector3d sum = Vector3d::Zero();
+  for (const int body : row) sum += state[body].p;
+  return sum / static_cast<double>(row.size());
+}
+
+/// Returns the offsets of the bodies in both rows from the centre of their row, one body per column.
+Eigen::Matrix3Xd offsets(const GrippedRows& rows, const State& state) {
+  Eigen::Matrix3Xd out(3, rows[0].size() + rows[1].size());
+  Eigen::Index k = 0;
+  for (const auto& row : rows) {
+    const Vector3d middle = centre(row, state);
+    for (const int body : row) out.col(k++) = state[body].p - middle;
+  }
+  return out;
+}
+
+/// Returns the direction n with the least |points' n| / (n . across). If several have none, the result is the
+/// one nearest to `across`.
+Vector3d flattest(const Eigen::Matrix3Xd& points, const Vector3d& across) {
+  const auto [axes, values] = principal_axes(points * points.transpose());
+  const double least = straight * values.sum();
+  const Vector3d weights = (values.array().max(0.0) + least).inverse();
+  return (axes * weights.cwiseProduct(axes.transpose() * across)).normalized();
+}
+
+}  // namespace
+
+RowPlanes planes_of(const GrippedRows& rows, const State& state) {
+  const Eigen::Matrix3Xd points = offsets(rows, state);
+  const Vector3d across = centre(rows[1], state) - centre(rows[0], state);
+  RowPlanes planes;
+  planes.normal = flattest(points, across);
+  planes.distance = planes.normal.dot(across);
+  planes.off_plane = (planes.normal.transpose() * points).cwiseAbs().maxCoeff();
+  return planes;
+}
+
+bool keeps_between_plates(const Linkage& structure, const GrippedRows& rows,
+                          const std::function<State(double)>& fold) {
+  const double rest = planes_of(rows, rest_state(structure)).distance;
+  const double allowed = off * structure.size.edge_mm;
+  return std::all_of(std::begin(probe_thetas), std::end(probe_thetas), [&](double theta) {
+    const RowPlanes planes = planes_of(rows, fold(theta));
+    return planes.off_plane <= allowed && std::abs(planes.distance - rest * std::cos(theta)) <= allowed;
+  });
+}
+
 namespace {
 
 enum Coordinate { turn_x, turn_y, turn_z, shift_x, shift_y, shift_z };
@@ -108,6 +171,110 @@ std::vector<std::array<int, 2>> LinkageDrive::held_coordinates(const Linkage& li
   for (const int c : {turn_x, turn_y, turn_z, shift_x, shift_y, shift_z})
     held.push_back({held_body(linkage), c});
   return held;
+}
+
+LinkageDrive plates_between(GrippedRows rows, Axis axis, double compression, int branch, int bodies) {
+  require("drive.compression", compression, compression >= 0 && compression < 1, "in [0, 1)");
+  require("drive.branch", branch, branch == 1 || branch == -1, "1 or -1");
+  LinkageDrive drive;
+  drive.kind = LinkageDrive::Kind::plates;
+  drive.axis = axis;
+  drive.compression = compression;
+  drive.branch = branch;
+  drive.gripped = std::move(rows);
+  drive.held.resize(bodies);
+  std::iota(drive.held.begin(), drive.held.end(), 0);
+  return drive;
+}
+
+LinkageDrive turned_hinge(int hinge, int sense, double angle) {
+  require("drive.angle", angle, std::abs(angle) < pi, "in (-pi, pi) rad");
+  LinkageDrive drive;
+  drive.kind = LinkageDrive::Kind::hinge;
+  drive.hinge = hinge;
+  drive.sense = sense;
+  drive.angle = angle;
+  return drive;
+}
+
+namespace {
+
+bool have_common_body(const RestHinge& a, const RestHinge& b) {
+  return a.lower == b.lower || a.lower == b.upper || a.upper == b.lower || a.upper == b.upper;
+}
+
+bool can_shorten(const Linkage& linkage, const std::vector<int>& through) {
+  for (std::size_t k = 1; k < through.size(); ++k)
+    if (!have_common_body(linkage.hinges[through[k - 1]], linkage.hinges[through[k]])) return true;
+  return false;
+}
+
+[[noreturn]] void refuse_cord(const std::string& why) {
+  throw InvalidInput(why, {"", 0, 0, "drive.through"});
+}
+
+void check_cord(const Linkage& linkage, const std::vector<int>& through) {
+  if (through.size() < 2) refuse_cord("a cord runs through the hinges of at least two walls");
+  for (std::size_t k = 1; k < through.size(); ++k)
+    if (through[k] == through[k - 1])
+      refuse_cord("wall " + linkage.wall_name(through[k]) + " is named twice in a row");
+  if (!can_shorten(linkage, through))
+    refuse_cord(
+        "each two neighbouring walls share a vertex, whose rigid body carries both hinge points: no drive "
+        "shortens this "
+        "cord; name walls that face each other, e.g. [[[0, 0], [0, 1]], [[1, 0], [1, 1]], ...], or every "
+        "other one");
+}
+
+}  // namespace
+
+Eigen::Vector3d hinge_point(const Linkage& linkage, int hinge, const State& state) {
+  const RestHinge& h = linkage.hinges[hinge];
+  const Pose &lower = state[h.lower], &upper = state[h.upper];
+  return (lower.p + upper.p + linkage.size.edge_mm * (lower.R * h.lower_arm + upper.R * h.upper_arm)) / 2;
+}
+
+double cord_length(const Linkage& linkage, const std::vector<int>& through, const State& state) {
+  double sum = 0;
+  for (std::size_t k = 1; k < through.size(); ++k)
+    sum += (hinge_point(linkage, through[k], state) - hinge_point(linkage, through[k - 1], state)).norm();
+  return sum;
+}
+
+LinkageDrive cord_drive(const Linkage& linkage, const std::vector<int>& through, double shorten_mm,
+                        int branch) {
+  check_cord(linkage, through);
+  require("drive.branch", branch, branch == 1 || branch == -1, "1 or -1");
+  LinkageDrive drive;
+  drive.kind = LinkageDrive::Kind::cord;
+  drive.through = through;
+  drive.branch = branch;
+  drive.rest_mm = cord_length(linkage, through, rest_state(linkage));
+  drive.shorten_mm = shorten_mm;
+  if (shorten_mm >= 0 && shorten_mm < drive.rest_mm) return drive;
+  throw InvalidInput(number_text(shorten_mm) +
+                         " is out of range; allowed: a number from 0 and below the cord's length, " +
+                         number_text(drive.rest_mm) + " mm",
+                     {"", 0, 0, "drive.shorten_mm"});
+}
+
+LinkageDrive shape_memory_drive(const Linkage& linkage, std::vector<int> hinges, double k_turn,
+                                double angle) {
+  require("drive.k_turn", k_turn, k_turn >= 1e-30 && k_turn <= 1e30, "positive, from 1e-30 to 1e30 N mm/rad");
+  require("drive.angle", angle, std::abs(angle) < pi, "in (-pi, pi) rad");
+  if (hinges.empty()) {
+    hinges.resize(linkage.hinges.size());
+    std::iota(hinges.begin(), hinges.end(), 0);
+  }
+  std::sort(hinges.begin(), hinges.end());
+  if (const auto twice = std::adjacent_find(hinges.begin(), hinges.end()); twice != hinges.end())
+    throw InvalidInput("wall " + linkage.wall_name(*twice) + " is named twice", {"", 0, 0, "drive.walls"});
+  LinkageDrive drive;
+  drive.kind = LinkageDrive::Kind::shape_memory;
+  drive.springs = std::move(hinges);
+  drive.k_spring = k_turn;
+  drive.angle = angle;
+  return drive;
 }
 
 }  // namespace kinetix::model

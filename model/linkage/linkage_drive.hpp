@@ -1,15 +1,37 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "model/linkage/axis.hpp"
-#include "model/linkage/gripped_rows.hpp"
 #include "model/linkage/linkage.hpp"
+#include "model/linkage/state.hpp"
 
 namespace kinetix::model {
+
+/// Bodies gripped by the first and by the second plate, each in ascending order along the plate.
+using GrippedRows = std::array<std::vector<int>, 2>;
+
+/// Two parallel planes that fit two rows best in a state, relative to their distance.
+struct RowPlanes {
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitX();  ///< unit vector, from the first row to the last
+  double distance = 0;                                ///< distance of the planes, mm
+  double off_plane = 0;                               ///< largest distance of a body from its plane, mm
+};
+
+/// Returns the planes of two rows. If several pairs fit, as for two parallel straight rows, the pair furthest
+/// apart is returned.
+/// @pre at least two bodies per row; a finite state
+RowPlanes planes_of(const GrippedRows& rows, const State& state);
+
+/// Returns true if plates can hold the rows during an exact motion: in two parallel planes, cos(theta) times
+/// as far apart as at rest. Rows that bend towards each other give false, because their sheet would roll
+/// between the plates.
+/// @param fold state at theta, rad
+bool keeps_between_plates(const Linkage& structure, const GrippedRows& rows,
+                          const std::function<State(double)>& fold);
 
 /// Returns the turn of a hinge about its axis at fold parameter theta, if its bodies turn by +-theta: upper
 /// body relative to the lower one, rad. @param sense of the lower body   @param theta rad
@@ -98,5 +120,38 @@ struct LinkageDrive {
   /// rigid motion.
   std::vector<std::array<int, 2>> held_coordinates(const Linkage& linkage) const;
 };
+
+/// Creates plates that hold two rows of a whole linkage and approach each other.
+/// @param compression 1 - distance / distance at rest, [0, 1)   @param branch 1 or -1, sign of theta
+/// @param bodies number of bodies of the linkage
+/// @throws InvalidInput for a compression or branch out of range
+LinkageDrive plates_between(GrippedRows rows, Axis axis, double compression, int branch, int bodies);
+
+/// Creates a drive that turns one hinge. @param sense of its lower body, 1 or -1   @param angle rad, in (-pi,
+/// pi)
+/// @throws InvalidInput for an angle out of range
+LinkageDrive turned_hinge(int hinge, int sense, double angle);
+
+/// Drives that act on hinges of any lattice: a tendon along several hinges, or a spring in each hinge.
+
+/// Returns the point of a hinge midway between the positions carried by its two bodies, mm.
+Eigen::Vector3d hinge_point(const Linkage& linkage, int hinge, const State& state);
+/// Returns the length of a tendon from hinge point to hinge point, mm. @param through hinges, in the order of
+/// the tendon
+double cord_length(const Linkage& linkage, const std::vector<int>& through, const State& state);
+
+/// Creates a drive that shortens a tendon through the points of hinges by `shorten_mm`.
+/// @param branch 1 or -1, the sign of theta if the tendon pulls equally to either side.
+/// @throws InvalidInput for fewer than two hinges, for a hinge twice in a row, and for a shortening that
+/// leaves no tendon.
+/// @throws InvalidInput if no two neighbouring points are on different bodies, which keeps the length constant
+LinkageDrive cord_drive(const Linkage& linkage, const std::vector<int>& through, double shorten_mm,
+                        int branch = 1);
+
+/// Creates a drive by a spring in each of these hinges. At the end it rests at the hinge's turn_at_theta for
+/// theta = angle / 2.
+/// @param hinges empty: all   @param k_turn of each spring, N mm/rad   @param angle rad, in (-pi, pi)
+/// @throws InvalidInput for numbers out of range, and for a hinge named twice
+LinkageDrive shape_memory_drive(const Linkage& linkage, std::vector<int> hinges, double k_turn, double angle);
 
 }  // namespace kinetix::model

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/base/rigid_fit.hpp"
-#include "model/linkage/hinge_mismatch.hpp"
+#include "model/base/geometry.hpp"
 
 namespace kinetix::model {
 namespace {

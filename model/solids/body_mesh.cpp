@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "model/solids/body_solid.hpp"
 
 namespace kinetix::model {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "model/linkage/linkage.hpp"
-#include "model/solids/convex_hull.hpp"
 #include "model/solids/hinge_shape.hpp"
 #include "model/solids/polyhedron.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <utility>
 
 #include "model/base/invalid_input.hpp"
 #include "model/base/parallel_runs.hpp"
@@ -109,6 +110,15 @@ std::vector<PrintEquilibria::Print> PrintEquilibria::of(const std::vector<Matrix
       out[k] = {true, rests[w].of(errors[k])};
   });
   return out;
+}
+
+SettledDesign::SettledDesign(Linkage linkage, HeldState held, bool planar)
+    : held_(std::move(held)),
+      system_(std::move(linkage), held_.elasticity, held_.drive, planar, false),
+      tangent_(system_.dofs()) {
+  system_.place(theta(), held_.state);
+  if (settle(system_, theta(), held_.state, tangent_))
+    by_hinges_.emplace(system_, held_.state, theta(), tangent_);
 }
 
 }  // namespace kinetix::model

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "model/tolerance/print_equilibria.hpp"
-#include "model/tolerance/settled_design.hpp"
 
 namespace kinetix::model {
 

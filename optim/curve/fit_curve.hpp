@@ -1,13 +1,65 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "model/contact/wall_contact.hpp"
-#include "optim/curve/curve_reach.hpp"
+#include "optim/curve/curve_fit.hpp"
 #include "optim/solvers/multi_start.hpp"
-#include "targets/curve/curve_error.hpp"
+#include "targets/curve/curve.hpp"
 
 namespace kinetix::optim {
+
+/// Turn that one column needs to follow the goal, and the turn that its bounds allow at the given theta.
+struct ColumnTurn {
+  int column = 0;
+  double arc_mm = 0;   ///< position of the column's hinge along the goal
+  double needed = 0;   ///< rad, signed, left > 0
+  double allowed = 0;  ///< rad, >= 0: largest turn to that side within the bounds
+  double excess = 0;   ///< rad, >= 0: how far `needed` is outside the turns that the bounds allow
+};
+
+/// Shapes that the bounds and the cell count allow, compared with the goal.
+struct CurveReach {
+  double theta = 0;        ///< rad: gives the straight strip the goal's length, clamped to its bounds
+  double shortest_mm = 0;  ///< length of the straight strip at the largest theta
+  double longest_mm = 0;   ///< length of the straight strip at the smallest theta
+  std::vector<ColumnTurn> turns;
+  /// Reasons why the goal is out of reach, with numbers; empty when none was found.
+  std::vector<std::string> obstacles;
+};
+
+/// Returns the turn that column `column` of `columns` needs to follow the goal, rad, left > 0. It is the turn
+/// between the chords of one column's length before and after the column's hinge, cut off at the ends of the
+/// goal.
+double needed_turn(const targets::Curve& goal, int column, int columns);
+
+/// Compares the needed turn of each column with 2 atan(tan(beta) sin(theta)) of its largest tilt.
+CurveReach analyse_reach(const CurveFit& fit);
+
+/// Half turns psi_c of the columns (rad) that lay the chords of a strip end to end along a curve.
+struct ChordLayout {
+  std::vector<double> psi;     ///< half turn of each column, rad, positive turns left
+  std::vector<double> arc;     ///< arc length of each of the columns + 1 chord ends on the goal, mm
+  double carried_edge_mm = 0;  ///< edge L cos(theta) of a folded cell that gives the chords their length
+};
+
+/// Lays the chords of a strip along the goal. Chord c leaves direction tau_c by psi_c, has length L
+/// cos(theta) cos(psi_c), and tau_{c+1} = tau_c + 2 psi_c. One degree of freedom remains: a zigzag (psi_0,
+/// -psi_0, ...) that changes no chord direction.
+/// @param zigzag added to the smoothest layout (least sum of psi^2), rad
+ChordLayout lay_chords(const targets::Curve& goal, int columns, double zigzag);
+
+/// Returns start k of a search, as x of CurveFit in its units. Start 0 is the smoothest layout. If the bounds
+/// cut that layout, start 1 turns all columns by the same amount, often the best under tight bounds. The
+/// other starts are zigzags of growing size, random from `zigzag_starts` on. The result depends on (seed, k)
+/// only.
+Eigen::VectorXd curve_start(const CurveFit& fit, int k, std::uint64_t seed);
+
+inline constexpr int zigzag_starts = 16;  ///< starts by rule, with zigzags of up to 0.35 rad; the others are
+                                          ///< random
 
 /// Variables of a curve search.
 struct CurveVariables {

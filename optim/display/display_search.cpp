@@ -6,7 +6,7 @@
 #include <random>
 
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/square/lines.hpp"
+#include "model/lattice/square/structure.hpp"
 
 namespace kinetix::optim {
 namespace {

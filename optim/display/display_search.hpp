@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "model/closure/closure_drive.hpp"
+#include "model/closure/closure.hpp"
 #include "optim/display/display_problem.hpp"
-#include "targets/display/display_score.hpp"
+#include "targets/display/display_goal.hpp"
 
 namespace kinetix::optim {
 

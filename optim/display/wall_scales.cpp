@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "model/base/decompositions.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/base/sparse_factor.hpp"
 
 namespace kinetix::optim {
 namespace {

@@ -2,10 +2,45 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
-#include "optim/doe/confidence.hpp"
+namespace kinetix::optim {
+
+/// Unknown value: of failed samples, and of statistics with too few samples. No unit.
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Options of the bootstrap. It draws as many rows as there are, with replacement, and computes the figure
+/// again. The interval is between quantiles of the resampled figures (percentile method; Efron, Tibshirani,
+/// "An introduction to the bootstrap", 1993, ch. 13).
+struct ConfidenceOptions {
+  double level = 0.95;     ///< probability of the interval, 0 < level < 1
+  int resamples = 400;     ///< 2 to 100 000
+  std::uint64_t seed = 0;  ///< same seed, same intervals
+
+  /// @throws InvalidInput naming field, value and rule
+  void validate() const;
+};
+
+/// A figure and its interval, all in the figure's unit. NaN if there were too few usable rows.
+struct Estimate {
+  double value, lower, upper;
+};
+
+/// Returns the value below which a share of the values is, interpolated linearly, in their unit.
+/// @param sorted at least one, ascending, finite
+/// @param share 0 to 1
+double sample_quantile(const std::vector<double>& sorted, double share);
+
+/// Returns a figure with its interval from its values on the resamples, in its unit. Values that are not
+/// finite are ignored. @param level of ConfidenceOptions
+Estimate percentile_estimate(double value, std::vector<double> resampled, double level);
+
+/// Returns the row drawn at place `draw` of resample `resample`. @param rows 1 or more
+std::uint64_t resampled_row(std::uint64_t seed, int resample, std::uint64_t draw, std::uint64_t rows);
+
+}  // namespace kinetix::optim
 
 /// Statistics of a table of samples. `samples` has a row per sample and a column per factor, in the factors'
 /// units and all finite. `responses` has one number per row; NaN (or another value that is not finite) marks
@@ -162,5 +197,12 @@ std::vector<MorrisEffect> morris_effects(const SampleMatrix& samples, std::span<
                                          const ConfidenceOptions& options = {});
 
 /// @}
+
+/// @throws InvalidInput if responses and rows differ in number, without factors, and for a value that is not
+/// finite
+void check_table(const SampleMatrix& samples, std::span<const double> responses);
+
+/// Returns the rows whose response is finite, in order.
+std::vector<Eigen::Index> usable_rows(std::span<const double> responses);
 
 }  // namespace kinetix::optim

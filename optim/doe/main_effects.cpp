@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,9 +6,7 @@
 #include <utility>
 
 #include "model/base/invalid_input.hpp"
-#include "optim/doe/sample_table.hpp"
-
-#include "optim/doe/nan.hpp"
+#include "optim/doe/analysis.hpp"
 
 namespace kinetix::optim {
 namespace {

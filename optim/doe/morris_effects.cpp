@@ -1,12 +1,9 @@
 #include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 
 #include "model/base/invalid_input.hpp"
-#include "optim/doe/sample_table.hpp"
-
-#include "optim/doe/nan.hpp"
+#include "optim/doe/analysis.hpp"
 
 namespace kinetix::optim {
 namespace {

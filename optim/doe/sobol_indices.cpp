@@ -1,13 +1,10 @@
 #include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "model/base/invalid_input.hpp"
-#include "optim/doe/sample_table.hpp"
-
-#include "optim/doe/nan.hpp"
+#include "optim/doe/analysis.hpp"
 
 namespace kinetix::optim {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "optim/solvers/box_least_squares.hpp"
 
 namespace kinetix::optim {

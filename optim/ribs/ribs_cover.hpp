@@ -6,7 +6,7 @@
 
 #include "model/lattice/square/structure.hpp"
 #include "model/linkage/state.hpp"
-#include "targets/mesh/mesh_distance.hpp"
+#include "targets/mesh/triangle_tree.hpp"
 
 namespace kinetix::optim {
 

@@ -1,7 +1,6 @@
 #include "optim/solvers/arrow_solver.hpp"
 
 #include <ceres/ceres.h>
-
 #include <cmath>
 #include <limits>
 #include <new>

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/base/decompositions.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/base/sparse_factor.hpp"
 
 namespace kinetix::optim {
 namespace {

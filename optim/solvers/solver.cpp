@@ -1,13 +1,12 @@
 #include "optim/solvers/solver.hpp"
 
 #include <fmt/format.h>
-
 #include <cmath>
 #include <nlopt.hpp>
 
 #include "model/base/invalid_input.hpp"
 #include "optim/solvers/best_so_far.hpp"
-#include "optim/solvers/nlopt_algorithm.hpp"
+#include "optim/solvers/nlopt_solver.hpp"
 
 namespace kinetix::optim {
 

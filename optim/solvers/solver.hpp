@@ -6,9 +6,35 @@
 #include <string>
 #include <vector>
 
-#include "optim/solvers/least_squares.hpp"
-
 namespace kinetix::optim {
+
+/// Sharing of variables between hinges: one variable per column, row, ...
+enum class Per { column, row, cell, hinge, all };
+
+/// Symmetry of the folded shape under a motion of the flat sheet onto itself.
+enum class Symmetry { none, mirror_x, mirror_y, rotate_2, rotate_4 };
+
+/// Closed interval of an angle, rad.
+struct AngleRange {
+  double lower = 0, upper = 0;
+};
+
+/// Least-squares problem: minimise |r(x)|^2 / 2 subject to lower <= x <= upper. x and r are in units that the
+/// problem chooses.
+class LeastSquaresProblem {
+ public:
+  virtual ~LeastSquaresProblem() = default;
+
+  virtual int variables() const = 0;
+  virtual int residuals() const = 0;
+  /// Returns the bounds; +-infinity for none.
+  virtual const Eigen::VectorXd& lower() const = 0;
+  virtual const Eigen::VectorXd& upper() const = 0;
+
+  /// Fills r (sized residuals()) and, unless null, J (sized residuals() x variables()), dr/dx. Safe to call
+  /// from several threads. @return false if the problem cannot be evaluated
+  virtual bool evaluate(const Eigen::VectorXd& x, Eigen::VectorXd& r, Eigen::MatrixXd* J) const = 0;
+};
 
 enum class SolverName { ceres, slsqp, mma, ccsa, bobyqa, cobyla, crs };
 

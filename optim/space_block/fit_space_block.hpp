@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "model/base/angle.hpp"
-#include "model/lattice/sodalite/sodalite.hpp"
-#include "optim/solvers/variables.hpp"
+#include "model/base/geometry.hpp"
+#include "model/lattice/sodalite.hpp"
+#include "optim/solvers/solver.hpp"
 #include "targets/space_block/space_block_goal.hpp"
 
 namespace kinetix::optim {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "model/lattice/square/numbering.hpp"
-#include "optim/solvers/least_squares.hpp"
+#include "model/lattice/square/structure.hpp"
+#include "optim/solvers/solver.hpp"
 #include "targets/curve/space_curve.hpp"
 
 namespace kinetix::optim {

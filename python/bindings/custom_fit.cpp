@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "model/lattice/square/family/exact_jacobian.hpp"
+#include "model/lattice/square/family/exact_derivatives.hpp"
 
 namespace kinetix::python {
 namespace {

@@ -3,13 +3,13 @@
 #include <stop_token>
 
 #include "model/lattice/square/family/exact_family.hpp"
-#include "optim/curve/bend_ties.hpp"
-#include "optim/solvers/least_squares.hpp"
+#include "optim/curve/curve_fit.hpp"
+#include "optim/solvers/solver.hpp"
 #include "python/bindings/custom_error.hpp"
 
 namespace kinetix::python {
 
-/// Fit of a strip (family F2) to a user's error. x = (bends of optim/curve/bend_ties.hpp, theta), rad. The Jacobian is
+/// Fit of a strip (family F2) to a user's error. x = (bends of optim/curve/curve_fit.hpp, theta), rad. The Jacobian is
 /// exact with the gradient of the error, otherwise by central differences over x.
 class CustomFit final : public optim::LeastSquaresProblem {
  public:

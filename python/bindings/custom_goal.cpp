@@ -1,13 +1,12 @@
 #include "python/bindings/custom_goal.hpp"
 
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 
-#include "app/result/search_json.hpp"
-#include "app/run/contact_reason.hpp"
+#include "app/result/result_json.hpp"
+#include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
-#include "model/base/append.hpp"
+#include "model/base/algorithms.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "model/lattice/lattice_motion.hpp"

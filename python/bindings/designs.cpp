@@ -1,12 +1,11 @@
 #include "python/bindings/designs.hpp"
 
 #include <pybind11/stl.h>
-
 #include <cmath>
 #include <optional>
 
-#include "app/pipeline/hinge_loads.hpp"
-#include "model/base/angle.hpp"
+#include "app/pipeline/drive_loads.hpp"
+#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/lattice_motion.hpp"
 #include "python/bindings/arrays.hpp"

@@ -4,9 +4,9 @@
 #include <pybind11/stl.h>
 
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/square/family/classify.hpp"
-#include "model/lattice/square/family/exact_jacobian.hpp"
-#include "model/lattice/square/numbering.hpp"
+#include "model/lattice/square/family/classification.hpp"
+#include "model/lattice/square/family/exact_derivatives.hpp"
+#include "model/lattice/square/structure.hpp"
 #include "python/bindings/arrays.hpp"
 
 namespace kinetix::python {

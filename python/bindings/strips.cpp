@@ -1,15 +1,13 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/square/family/exact_gradient.hpp"
-#include "model/lattice/square/family/exact_jacobian.hpp"
-#include "model/lattice/square/numbering.hpp"
+#include "model/lattice/square/family/exact_derivatives.hpp"
+#include "model/lattice/square/structure.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/many_folds.hpp"

@@ -5,16 +5,13 @@
 #include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
-
 #include <algorithm>
 
-#include "sim/joints/bullet_math.hpp"
-#include "sim/joints/cord.hpp"
 #include "sim/joints/elastic_hinges.hpp"
-#include "sim/joints/hand.hpp"
+#include "sim/joints/external_pulls.hpp"
 #include "sim/joints/joints.hpp"
 #include "sim/joints/row_system.hpp"
-#include "sim/shapes/wall_tip_edges.hpp"
+#include "sim/shapes/part_shape.hpp"
 
 namespace kinetix::sim {
 namespace {

@@ -3,8 +3,23 @@
 #include <array>
 #include <memory>
 
-#include "model/linkage/axis.hpp"
 #include "model/linkage/linkage.hpp"
+#include "model/linkage/state.hpp"
+
+class btMatrix3x3;
+class btTransform;
+class btVector3;
+
+namespace kinetix::sim {
+
+Eigen::Vector3d eigen(const btVector3& v);
+Eigen::Matrix3d eigen(const btMatrix3x3& m);
+/// Converts a pose. @param transform in cell edges   @return in mm
+model::Pose pose_of(const btTransform& transform, double edge_mm);
+/// Converts a pose in mm to a transform in cell edges.
+btTransform transform_of(const model::Pose& mm, double edge_mm);
+
+}  // namespace kinetix::sim
 
 class btGeneric6DofSpring2Constraint;
 class btTypedConstraint;

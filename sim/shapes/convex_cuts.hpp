@@ -41,13 +41,4 @@ struct CutOptions {
 /// @pre closed, of one shell   @throws InvalidInput for options out of range
 std::vector<CutPiece> convex_cuts(const model::Polyhedron& solid, const CutOptions& options = {});
 
-/// Quality of pieces, measured at points in an even sequence over their box.
-struct CutQuality {
-  double coverage = 0;       ///< share of the points inside the solid that are inside a piece
-  double sticks_out_mm = 0;  ///< largest distance from the solid of a point inside a piece, mm
-  double overlap = 0;        ///< share of the points in pieces that are in several
-};
-/// Measures the quality. @param points > 0, in the box
-CutQuality measured(const std::vector<CutPiece>& pieces, const model::Polyhedron& solid, int points);
-
 }  // namespace kinetix::sim

@@ -4,11 +4,43 @@
 #include <BulletCollision/CollisionDispatch/btCompoundCompoundCollisionAlgorithm.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
-
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <set>
 
+#include "model/contact/wall_contact.hpp"
+
 namespace kinetix::sim {
+namespace {
+
+/// @param half of the plate, cell edges; @param slant length gained by the end at the hinge per height
+Prism prism(const Eigen::Matrix3d& axes, const Eigen::Vector3d& half, double slant, double inset) {
+  const double length = 2 * half.x() - inset * std::hypot(1, slant), height = half.y() - inset,
+               thickness = half.z() - inset;
+  Prism corners;
+  int k = 0;
+  for (const double h : {-height, height})
+    for (const double w : {-thickness, thickness})
+      for (const double u : {0.0, length + h * slant}) corners[k++] = axes * Eigen::Vector3d(u, h, w);
+  return corners;
+}
+
+}  // namespace
+
+std::vector<std::vector<WallPrism>> wall_prisms(const model::Linkage& structure, double inset) {
+  std::vector<std::vector<WallPrism>> prisms(structure.bodies.size());
+  const std::vector<model::HalfWall> walls = half_walls(structure);
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    const model::HalfWall& wall = walls[k];
+    const Eigen::Vector3d half = wall.box.half / structure.size.edge_mm;
+    const double slant = structure.plates[k].slant;
+    prisms[wall.body].push_back({wall.hinge, prism(wall.box.axes, half, slant, inset)});
+  }
+  return prisms;
+}
+
 namespace {
 
 std::unique_ptr<btConvexHullShape> hull(const Prism& prism, WallSurface surface) {
@@ -90,6 +122,43 @@ btVector3 PartShape::upright(const btCollisionObject& part, int wall) {
 void skip_walls_of_one_hinge() {
   static std::once_flag once;
   std::call_once(once, [] { gCompoundCompoundChildShapePairCallback = may_collide; });
+}
+
+namespace {
+
+constexpr double one_place = 0.02;  // cell edges: far below the thickness of a usual wall, 0.08
+
+struct Uprights {
+  btVector3 first, second;
+};
+
+Uprights uprights(const btPersistentManifold& manifold, const btManifoldPoint& point) {
+  return {PartShape::upright(*manifold.getBody0(), point.m_index0),
+          PartShape::upright(*manifold.getBody1(), point.m_index1)};
+}
+
+double distance_across(const btVector3& shift, const btVector3& upright) {
+  return (shift - shift.dot(upright) * upright).length();
+}
+
+bool on_one_edge(const btManifoldPoint& a, const btManifoldPoint& b, const Uprights& up) {
+  const btVector3 shift = a.getPositionWorldOnB() - b.getPositionWorldOnB();
+  return std::min(distance_across(shift, up.first), distance_across(shift, up.second)) < one_place;
+}
+
+}  // namespace
+
+void count_points_on_edges(const btPersistentManifold& manifold, PointCounts& counts) {
+  for (int k = 0; k < manifold.getNumContacts(); ++k) {
+    const btManifoldPoint& point = manifold.getContactPoint(k);
+    const Uprights up = uprights(manifold, point);
+    int count = 1;
+    for (int l = 0; l < manifold.getNumContacts(); ++l) {
+      const btManifoldPoint& other = manifold.getContactPoint(l);
+      if (l != k && other.getDistance() < 0 && on_one_edge(point, other, up)) ++count;
+    }
+    counts[&point] = count;
+  }
 }
 
 }  // namespace kinetix::sim

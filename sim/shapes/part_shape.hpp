@@ -1,9 +1,31 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
-#include "sim/shapes/wall_prisms.hpp"
+#include "model/linkage/linkage.hpp"
+
+namespace kinetix::sim {
+
+/// Corners of a convex prism; cell edges, in the frame of its body (rest orientation, origin on the vertex).
+using Prism = std::array<Eigen::Vector3d, 8>;
+
+/// Half wall as a collision shape.
+struct WallPrism {
+  int hinge = 0;  ///< index of the hinge at its end
+  Prism prism;
+};
+
+/// Returns the half walls of each body (model/contact/wall_contact.hpp), with the end at the hinge cut along the
+/// hinge axis: slanted unless alpha is 90 deg.
+/// @param inset distance by which the faces are moved inwards, except the one at the vertex; cell edges,
+/// below half the thickness
+std::vector<std::vector<WallPrism>> wall_prisms(const model::Linkage& structure, double inset = 0);
+
+}  // namespace kinetix::sim
 
 class btCollisionObject;
 class btCollisionShape;
@@ -50,5 +72,17 @@ class PartShape {
 
 /// Makes the engine ignore contact between the two half walls of one hinge, in every world.
 void skip_walls_of_one_hinge();
+
+}  // namespace kinetix::sim
+
+class btPersistentManifold;
+
+namespace kinetix::sim {
+
+using PointCounts = std::unordered_map<const void*, int>;
+
+/// Counts the engine's points on each wall tip edge that presses along its height, by point. Two or more
+/// points of an edge share the stiffness of one contact. @pre the manifold is of two PartShapes
+void count_points_on_edges(const btPersistentManifold& manifold, PointCounts& counts);
 
 }  // namespace kinetix::sim

@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "targets/display/glyph_goal.hpp"
-#include "targets/display/glyph_picture.hpp"
 #include "targets/display/image_goal.hpp"
 #include "targets/document/text_file.hpp"
 

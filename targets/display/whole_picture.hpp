@@ -3,7 +3,6 @@
 #include <functional>
 
 #include "targets/display/picture.hpp"
-#include "targets/display/topology.hpp"
 
 namespace kinetix::targets {
 

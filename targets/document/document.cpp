@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "targets/document/tree.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::targets {
@@ -152,6 +151,21 @@ std::array<double, 2> Node::angle_range(const Bounds& degrees) const {
   range(degrees);
   const auto ends = list("[lower, upper]");
   return {ends[0].angle(degrees), ends[1].angle(degrees)};
+}
+
+std::string Tree::path(int item) const {
+  std::vector<int> chain;
+  for (; items[item].parent >= 0; item = items[item].parent) chain.push_back(item);
+  std::reverse(chain.begin(), chain.end());
+  std::string text;
+  for (const int link : chain) {
+    const Item& at = items[link];
+    if (items[at.parent].kind == Node::Kind::list)
+      text += "[" + std::to_string(at.position) + "]";
+    else
+      text += (text.empty() ? "" : ".") + at.key;
+  }
+  return text;
 }
 
 }  // namespace kinetix::targets

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 
 namespace kinetix::targets {
 namespace {

@@ -122,7 +122,7 @@ struct Key {
   Key(std::string name, ValueType type, Default fallback, std::string meaning, With with = {});
   /// A section.
   Key(std::string name, KeyTable keys, std::string meaning, Default fallback = {});
-  /// A number, a range or a truth value that fills a member (targets/document/bound_key.hpp).
+  /// A number, a range or a truth value that fills a member (targets/document/section.hpp).
   template <class Object, class Value>
   Key(std::string name, Value Object::*member, ValueType type, Default fallback, std::string meaning,
       With with = {});

@@ -2,14 +2,12 @@
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/mark.h>
 #include <yaml-cpp/parser.h>
-
 #include <algorithm>
 #include <sstream>
 #include <unordered_map>
 
 #include "targets/document/document.hpp"
 #include "targets/document/text_file.hpp"
-#include "targets/document/tree.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::targets {

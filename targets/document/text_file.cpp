@@ -7,10 +7,26 @@
 #include <fstream>
 
 #include "model/base/invalid_input.hpp"
-#include "targets/document/utf8.hpp"
+#include "targets/document/document.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::targets {
+
+std::size_t character_length(std::string_view text, std::size_t start) {
+  const auto byte = [&](std::size_t k) {
+    return start + k < text.size() ? static_cast<unsigned char>(text[start + k]) : 0u;
+  };
+  const unsigned first = byte(0), second = byte(1);
+  if (first < 0x80) return 1;
+  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  const bool overlong = first < 0xC2 || (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
+  const bool beyond = first > 0xF4 || (first == 0xF4 && second > 0x8F) || (first == 0xED && second > 0x9F);
+  if (overlong || beyond) return 0;
+  for (std::size_t k = 1; k < length; ++k)
+    if ((byte(k) & 0xC0) != 0x80) return 0;
+  return length;
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,6 +112,20 @@ std::size_t start_of_line(const std::string& text, std::size_t position) {
 
 int column_of(const std::string& text, std::size_t position) {
   return 1 + characters(text, start_of_line(text, position), position);
+}
+
+std::optional<std::size_t> find_too_deep(std::string_view json) {
+  int depth = 0;
+  bool in_string = false;
+  for (std::size_t k = 0; k < json.size(); ++k) {
+    const char c = json[k];
+    if (in_string && c == '\\') ++k;
+    if (c == '"') in_string = !in_string;
+    if (in_string) continue;
+    if ((c == '[' || c == '{') && ++depth > max_document_depth) return k;
+    if (c == ']' || c == '}') --depth;
+  }
+  return std::nullopt;
 }
 
 }  // namespace kinetix::targets

@@ -1,9 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace kinetix::targets {
+
+/// Bytes of the UTF-8 character at `start`; 0 where it is malformed. @pre start < text.size()
+std::size_t character_length(std::string_view text, std::size_t start);
 
 /// Reads the bytes of a file.
 /// @throws InvalidInput with the file alone as place when it is missing, unreadable, a folder, a pipe or a device, or
@@ -23,5 +28,9 @@ std::size_t start_of_line(const std::string& text, std::size_t position);
 
 /// Returns the column in characters, from 1, of the byte at `position`. @pre position <= text.size()
 int column_of(const std::string& text, std::size_t position);
+
+/// Finds the first bracket of a JSON text that is nested more than max_document_depth deep. Every reader of JSON
+/// requires that there is none: the parser accepts any depth, but copies and printing recurse and exhaust the stack.
+std::optional<std::size_t> find_too_deep(std::string_view json);
 
 }  // namespace kinetix::targets

@@ -6,8 +6,6 @@
 #include <numeric>
 #include <vector>
 
-#include "targets/document/hidden_quotes.hpp"
-
 namespace kinetix::targets {
 namespace {
 

@@ -4,6 +4,9 @@
 #include <array>
 #include <vector>
 
+#include "model/lattice/planar/planar_graph.hpp"
+#include "targets/document/document.hpp"
+
 namespace kinetix::targets {
 
 /// A straight line of a drawing from one point to the other, mm, y upwards.
@@ -30,5 +33,14 @@ Drawing parse_dxf(const std::string& text);
 /// @throws InvalidInput without a place for anything but an SVG file, and for curves (circle, ellipse, round corners,
 /// curved path commands). Unreadable numbers and units, an svg within the svg, and endlessly nested groups also throw.
 Drawing parse_svg(const std::string& text);
+
+/// Finds the walls of a drawing. Line ends within a thousandth of the mean line length are one vertex, and lines drawn
+/// twice are one wall. Vertices that near to the outermost line of a side are moved onto it. Vertices are numbered
+/// from below, and from the left in a row; mm.
+model::PlanarGraph walls_of(const Drawing& drawing);
+
+/// Reads the drawing that a document names, relative to its folder: a .dxf or .svg file. @throws InvalidInput at the
+/// document's place for another ending, and naming the file for what cannot be read or has no lines
+model::PlanarGraph read_drawing(const Node& path);
 
 }  // namespace kinetix::targets

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/document/wording.hpp"
 #include "targets/drawing/drawing.hpp"

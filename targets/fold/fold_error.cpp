@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/base/rigid_fit.hpp"
+#include "model/base/geometry.hpp"
 
 namespace kinetix::targets {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "model/linkage/state.hpp"
-#include "targets/fold/net_layout.hpp"
+#include "targets/fold/fold_net.hpp"
 
 namespace kinetix::targets {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "targets/document/bound_key.hpp"
+#include "targets/document/section.hpp"
 #include "targets/fold/solid.hpp"
 
 namespace kinetix::targets {

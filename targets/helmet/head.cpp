@@ -3,9 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
+#include "model/contact/wall_contact.hpp"
+#include "targets/curve/read_curve.hpp"
+#include "targets/document/wording.hpp"
 #include "targets/helmet/head_dome.hpp"
+#include "targets/helmet/head_pose.hpp"
+#include "targets/mesh/mesh_file.hpp"
 #include "targets/mesh/mesh_section.hpp"
 
 namespace kinetix::targets {
@@ -110,6 +116,122 @@ SpaceCurve cross_section(const Head& head, double s, double reach) {
   const Vector3d p = head.profile.at(s);
   const Plane plane(head.profile.direction(s, reach), p);
   return curve_through(p, Vector3d::UnitX(), head.dome.mesh(), plane);
+}
+
+namespace {
+
+using Eigen::Vector3d;
+
+void add_corners(const OrientedBox& box, const MeshSolid& solid, WallsInside& found) {
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector3d side(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+    const double distance = solid.distance(box.center + box.axes * side.cwiseProduct(box.half));
+    if (!(distance < 0)) continue;
+    ++found.corners;
+    found.depth_mm = std::max(found.depth_mm, -distance);
+  }
+}
+
+/// Whether each plate meets the solid. The plates of a body hang together at its vertex: where none of them
+/// meets the skin, all lie on one side of it.
+std::vector<bool> which_meet(const std::vector<model::HalfWall>& plates, const model::State& state,
+                             const MeshSolid& solid) {
+  std::vector<bool> meets(plates.size()), is_cut(state.size(), false), is_within(state.size(), false);
+  for (std::size_t k = 0; k < plates.size(); ++k) {
+    meets[k] = solid.tree().touches(placed(plates[k], state[plates[k].body]));
+    if (meets[k]) is_cut[plates[k].body] = true;
+  }
+  for (std::size_t b = 0; b < state.size(); ++b) is_within[b] = !is_cut[b] && solid.contains(state[b].p);
+  for (std::size_t k = 0; k < plates.size(); ++k) {
+    const int body = plates[k].body;
+    if (!meets[k])
+      meets[k] = is_cut[body] ? solid.contains(placed(plates[k], state[body]).center) : is_within[body];
+  }
+  return meets;
+}
+
+}  // namespace
+
+WallsInside walls_inside(const model::Linkage& structure, const model::State& state, const MeshSolid& solid) {
+  WallsInside found;
+  const std::vector<model::HalfWall> plates = half_walls(structure);
+  const std::vector<bool> meets = which_meet(plates, state, solid);
+  for (std::size_t k = 0; k < plates.size(); ++k) {
+    if (!meets[k]) continue;
+    const model::HalfWall& half = plates[k];
+    const OrientedBox box = placed(half, state[half.body]);
+    if (found.hinges.empty() || found.hinges.back() != half.hinge) found.hinges.push_back(half.hinge);
+    add_corners(box, solid, found);
+  }
+  return found;
+}
+
+namespace {
+
+using Eigen::Vector3d;
+
+// Range of the crown's coordinates, mm, as for points of curves.
+const Bounds coordinate = from_to(-max_coordinate_mm, max_coordinate_mm, "mm");
+TriangleMesh read_mesh_of(const Node& mesh) {
+  const std::string name = mesh.text("the path of an OBJ, STL or PLY file");
+  const std::string file = (std::filesystem::path(mesh.folder()) / name).string();
+  const HiddenQuotes hidden(file, mesh.folder());
+  try {
+    return read_mesh(file);
+  } catch (const InvalidInput& e) {
+    throw mesh.error(e.what());
+  }
+}
+
+// Words of the keys `up` and `front`: unit vectors in the mesh's axes.
+const Word<Vector3d> axes[] = {
+    {"x", Vector3d::UnitX()},   {"y", Vector3d::UnitY()},   {"z", Vector3d::UnitZ()},
+    {"+x", Vector3d::UnitX()},  {"+y", Vector3d::UnitY()},  {"+z", Vector3d::UnitZ()},
+    {"-x", -Vector3d::UnitX()}, {"-y", -Vector3d::UnitY()}, {"-z", -Vector3d::UnitZ()}};
+
+Vector3d read_crown(const Node& crown) {
+  const auto xyz = crown.list_of(3, "a point [x, y, z], in mm and in the mesh's axes");
+  return {xyz[0].number(coordinate), xyz[1].number(coordinate), xyz[2].number(coordinate)};
+}
+
+HeadPose read_pose(const Section& target) {
+  HeadPose pose;
+  target.read("units", pose.unit, length_units);
+  target.read("up", pose.up, axes);
+  target.read("front", pose.front, axes);
+  if (const auto crown = target.optional("crown")) pose.crown = read_crown(*crown);
+  target.read("coverage_mm", pose.coverage_mm);
+  return pose;
+}
+
+}  // namespace
+
+std::vector<Key> head_keys() {
+  return {
+      {"mesh", value::text("path of an OBJ, STL or PLY file"), needed, "a mesh of a head"},
+      {"units", value::choice(length_units), by_default("mm"), "of the mesh"},
+      {"up", value::choice(axes), by_default("z"), "axis of the mesh that points up"},
+      {"front", value::choice(axes), otherwise("whichever way the top of the head is longer"),
+       "axis of the mesh that points to the face"},
+      {"crown", value::list(value::number(coordinate), "`[x, y, z]`", 3, 3), otherwise("the highest point"),
+       "where the ribs meet the spine's middle, in mm and in the mesh's axes"},
+  };
+}
+
+Key coverage_key() {
+  return {"coverage_mm", value::number(above(0, "mm")), by_default(HeadPose{}.coverage_mm),
+          "how far below the crown the rim is"};
+}
+
+Head read_head(const Section& target) {
+  const Node file = target.required("mesh", "the path of an OBJ, STL or PLY file of a head");
+  const HeadPose pose = read_pose(target);
+  const TriangleMesh mesh = read_mesh_of(file);
+  try {
+    return make_head(mesh, pose);
+  } catch (const InvalidHead& e) {
+    throw target.optional(e.key()).value_or(file).error(e.reason());
+  }
 }
 
 }  // namespace kinetix::targets

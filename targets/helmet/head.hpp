@@ -1,9 +1,14 @@
 #pragma once
 
+#include <vector>
+
+#include "model/linkage/state.hpp"
 #include "targets/curve/space_curve.hpp"
+#include "targets/document/section.hpp"
 #include "targets/helmet/head_dome.hpp"
 #include "targets/helmet/head_pose.hpp"
-#include "targets/mesh/mesh_distance.hpp"
+#include "targets/mesh/mesh_solid.hpp"
+#include "targets/mesh/triangle_tree.hpp"
 
 namespace kinetix::targets {
 
@@ -39,5 +44,28 @@ Head make_head(const TriangleMesh& mesh, const HeadPose& pose);
 /// @param reach the plane's normal is the profile's direction over s - reach to s + reach, mm, > 0
 /// @pre s on the profile
 SpaceCurve cross_section(const Head& head, double s, double reach);
+
+/// Walls of a folded structure that lie in a solid, wholly or in part.
+struct WallsInside {
+  std::vector<int> hinges;  ///< of these walls, ascending
+  int corners = 0;      ///< of the two plates that make a wall (half_wall.hpp), eight each, that lie inside
+  double depth_mm = 0;  ///< of the deepest corner; 0 where a solid pokes through a wall between its corners
+};
+
+/// @param state of the structure, in the frame of the solid
+WallsInside walls_inside(const model::Linkage& structure, const model::State& state, const MeshSolid& solid);
+
+/// Returns the keys of a target section that describe the head and its pose, except coverage_mm.
+std::vector<Key> head_keys();
+Key coverage_key();
+
+/// Reads the head of a target section. `mesh` is an OBJ, STL or PLY file, relative to the document's folder. All other
+/// keys are optional:
+///   - `units`: mm, cm, m or in; default mm.
+///   - `up` and `front`: x, -x, +x, y, ...; default z, and the axis along which the head is longer.
+///   - `crown`: [x, y, z] in mm and in the mesh's axes; default the highest point.
+///   - `coverage_mm`: depth below the crown; default 90.
+/// @throws InvalidInput at the key at fault for what read_mesh and make_head refuse
+Head read_head(const Section& target);
 
 }  // namespace kinetix::targets

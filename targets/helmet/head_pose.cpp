@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "targets/mesh/mesh_fragments.hpp"
+#include "targets/mesh/triangle_mesh.hpp"
 #include "targets/mesh/triangle_tree.hpp"
 
 namespace kinetix::targets {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "model/base/invalid_input.hpp"
+#include "targets/document/keys.hpp"
 #include "targets/mesh/triangle_mesh.hpp"
 
 namespace kinetix::targets {
@@ -50,5 +51,9 @@ TriangleMesh head_mesh(const TriangleMesh& mesh, LengthUnit unit);
 /// @param mesh what head_mesh gave
 /// @throws InvalidHead for a front that is not across up, a crown farther than crown_reach_mm from the mesh
 Eigen::Isometry3d head_frame(const TriangleMesh& mesh, const HeadPose& pose);
+
+/// The units of a mesh, as files name them.
+inline constexpr Word<LengthUnit> length_units[] = {
+    {"mm", LengthUnit::mm}, {"cm", LengthUnit::cm}, {"m", LengthUnit::m}, {"in", LengthUnit::inch}};
 
 }  // namespace kinetix::targets

@@ -5,9 +5,43 @@
 #include <limits>
 #include <numeric>
 
-#include "targets/mesh/triangle_in_box.hpp"
-
 namespace kinetix::targets {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Most corners of a clipped triangle: six planes add one each to its three, and one is to spare.
+constexpr int most_corners = 10;
+
+struct Polygon {
+  std::array<Vector3d, most_corners> corners;
+  int count = 0;
+
+  void add(const Vector3d& p) { corners[count++] = p; }
+};
+
+/// Cuts a polygon to its part with sign * coordinate <= limit (Sutherland and Hodgman 1974).
+Polygon clipped(const Polygon& polygon, int coordinate, double sign, double limit) {
+  Polygon kept;
+  for (int k = 0; k < polygon.count; ++k) {
+    const Vector3d &p = polygon.corners[k], &q = polygon.corners[(k + 1) % polygon.count];
+    const double beyond_p = sign * p[coordinate] - limit, beyond_q = sign * q[coordinate] - limit;
+    if (beyond_p <= 0) kept.add(p);
+    if ((beyond_p <= 0) != (beyond_q <= 0)) kept.add(p + beyond_p / (beyond_p - beyond_q) * (q - p));
+  }
+  return kept;
+}
+
+}  // namespace
+
+bool is_in_box(const std::array<Vector3d, 3>& corners, const OrientedBox& box) {
+  Polygon left;
+  for (const Vector3d& p : corners) left.add(box.axes.transpose() * (p - box.center));
+  for (int c = 0; c < 3; ++c)
+    for (const double sign : {-1.0, 1.0}) left = clipped(left, c, sign, box.half[c]);
+  return left.count > 0;
+}
+
 namespace {
 
 using Corners = std::array<Eigen::Vector3d, 3>;
@@ -216,6 +250,41 @@ bool TriangleTree::touches(const OrientedBox& box) const {
     pending.push(branch.second);
   }
   return false;
+}
+
+namespace {
+
+using Eigen::Vector3d;
+
+/// Largest distance of a closest point on the mesh, as a fraction of the distance to the inner point. For nearer
+/// points the direction to them would be that of rounding errors.
+constexpr double on_the_mesh = 1e-10;
+
+/// Returns the unit vector along the direction, turned to face away from the inner point; along `away` for a zero
+/// direction.
+Vector3d outward(const Vector3d& direction, const Vector3d& away) {
+  const double size = direction.norm();
+  if (!(size > 0)) return away.normalized();
+  return direction.dot(away) < 0 ? Vector3d(-direction / size) : Vector3d(direction / size);
+}
+
+}  // namespace
+
+MeshDistance::MeshDistance(TriangleMesh mesh, const Vector3d& inside)
+    : mesh_(std::move(mesh)), tree_(mesh_), inside_(inside) {}
+
+ClosestMeshPoint MeshDistance::closest(const Vector3d& p) const {
+  const NearestPlace place = tree_.nearest(p);
+  const Vector3d away = place.point - inside_, offset = p - place.point;
+  const double size = std::sqrt(place.squared_distance);
+  ClosestMeshPoint closest;
+  closest.triangle = place.triangle;
+  closest.point = place.point;
+  closest.distance = offset.dot(away) < 0 ? -size : size;
+  closest.face_normal = outward(area_normal(mesh_, place.triangle), away);
+  const bool is_on_it = !(size > on_the_mesh * away.norm());
+  closest.normal = is_on_it ? closest.face_normal : Vector3d(offset / closest.distance);
+  return closest;
 }
 
 }  // namespace kinetix::targets

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
+
+#include "targets/curve/read_curve.hpp"
 
 namespace kinetix::targets {
 
@@ -54,5 +57,26 @@ struct OutlineError {
 /// @param corners of a polygon, counter-clockwise, mm. NaN in them, or a polygon that crosses itself, gives NaN
 /// (in rms and max; in iou)
 OutlineError outline_error(const Outline& goal, const std::vector<Eigen::Vector2d>& corners);
+
+/// Returns the direction of the area within an outline, rad, which turns with it. The first of the moments integral (z
+/// - middle)^n dA, n = 2 to 6, that does not vanish gives n directions, with z = x + i y. The result is the one
+/// towards which most of the area lies far out (integral of |z - middle|^2 (z - middle) dA). Ties go to the direction
+/// nearest to the outline's first point. Empty for a disc, whose directions are all equal.
+std::optional<double> direction_of(const Outline& outline);
+
+/// Returns the smaller diagonal of two bounding boxes, mm: square to direction_of, and at 45 deg to it. It does not
+/// depend on how the outline is turned. A disc gives the diagonal of the axis-aligned box.
+double smallest_diagonal(const Outline& outline);
+
+/// Returns the outline turned about the origin. @param angle rad, counter-clockwise; 0 leaves it as it is
+Outline turned(const Outline& outline, double angle);
+
+/// Returns every key of a `target:` section of kind outline.
+const KeyTable& outline_target_keys();
+
+/// Reads the outline under a key (read_points, with the second axis y).
+/// @throws InvalidInput at the point at fault, in the CSV or in the document, as read_points, or for what Outline
+/// refuses
+Outline read_outline(const Node& points);
 
 }  // namespace kinetix::targets

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "targets/document/section.hpp"
+
 namespace kinetix::targets {
 
 /// A block that shrinks in all three directions at once.
@@ -29,5 +31,11 @@ struct SpaceBlockError {
 /// @param rest lengths, mm, > 0   @param pressed lengths, mm
 SpaceBlockError space_block_error(const SpaceBlockGoal& goal, const Eigen::Vector3d& rest,
                                   const Eigen::Vector3d& pressed);
+
+/// Every key of a `target:` section of kind space_block.
+const KeyTable& space_block_target_keys();
+
+/// @throws InvalidInput for a factor or lengths out of range
+SpaceBlockGoal read_space_block(const Section& target);
 
 }  // namespace kinetix::targets

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 
 namespace kinetix::targets {
 namespace {

@@ -2,16 +2,15 @@
 
 #include <filesystem>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
-#include "targets/curve/read_points.hpp"
-#include "targets/document/bound_key.hpp"
-#include "targets/document/hidden_quotes.hpp"
+#include "targets/curve/read_curve.hpp"
+#include "targets/document/section.hpp"
+#include "targets/document/wording.hpp"
 #include "targets/helmet/head_pose.hpp"
-#include "targets/helmet/length_units.hpp"
 #include "targets/mesh/mesh_file.hpp"
-#include "targets/surface/mesh_patch.hpp"
 #include "targets/surface/revolution.hpp"
+#include "targets/surface/surface_patch.hpp"
 
 namespace kinetix::targets {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/base/angle.hpp"
 #include "model/base/decompositions.hpp"
+#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/mesh/mesh_section.hpp"
 

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "targets/curve/space_curve.hpp"
-#include "targets/mesh/mesh_distance.hpp"
+#include "targets/mesh/triangle_tree.hpp"
 #include "targets/surface/surface_patch.hpp"
 
 namespace kinetix::targets {

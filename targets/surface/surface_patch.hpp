@@ -5,6 +5,8 @@
 #include <functional>
 #include <string>
 
+#include "targets/mesh/triangle_mesh.hpp"
+
 namespace kinetix::targets {
 
 /// Height of a surface over a point of a plane, with its first and second derivatives by it.
@@ -61,5 +63,13 @@ SurfacePatch vase_patch(double height, double radius, double swell, double arc);
 /// derivative by x, mm   @param level mm, > 0: about the radius   @param narrowest mm, > 0: the least radius, above half.y()
 SurfacePatch round_patch(const std::string& name, const Eigen::Vector2d& half, double level, double narrowest,
                          const std::function<std::array<double, 3>(double)>& radius);
+
+/// Fits an open mesh by heights over its mean plane. The mean of its normals is z, the side of the least rectangle
+/// round it x, and the middle of that rectangle the origin. Heights are one smooth polynomial through its vertices.
+/// The rectangle is shrunk to the area of the mesh, so that round meshes are not evaluated outside their boundary.
+/// @throws InvalidInput for a mesh that is closed, covers itself, has holes, several pieces or edges of more than two
+/// triangles. It also throws for a mesh that turns by 80 deg or more from its mean normal, or is not smooth (the
+/// polynomial misses it).
+SurfacePatch mesh_patch(const TriangleMesh& mesh);
 
 }  // namespace kinetix::targets

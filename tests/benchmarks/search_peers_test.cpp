@@ -2,8 +2,8 @@
 
 #include "benchmarks/peers/differenced_problem.hpp"
 #include "benchmarks/peers/simulated_fit.hpp"
-#include "optim/curve/curve_starts.hpp"
-#include "targets/curve/curve_error.hpp"
+#include "optim/curve/fit_curve.hpp"
+#include "targets/curve/curve.hpp"
 #include "tests/support/curves.hpp"
 
 namespace kinetix::bench {

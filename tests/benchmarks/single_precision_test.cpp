@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "model/lattice/lattice_motion.hpp"
-#include "sim/compression_run.hpp"
+#include "sim/physics_run.hpp"
 #include "tests/support/random_designs.hpp"
 
 namespace kinetix::bench {

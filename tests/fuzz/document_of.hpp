@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/goals/registry.hpp"
-#include "app/pipeline/exact_state.hpp"
+#include "app/pipeline/closed_form.hpp"
 #include "tests/fuzz/input_folder.hpp"
 
 namespace kinetix::fuzz {

@@ -1,14 +1,11 @@
-#include "app/report/report.hpp"
-
 #include <gtest/gtest.h>
-
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "app/report/light_result.hpp"
+#include "app/report/report.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,8 +1,7 @@
 #include <gtest/gtest.h>
-
 #include <cmath>
 
-#include "sim/compression_run.hpp"
+#include "sim/physics_run.hpp"
 #include "tests/sim/overlap.hpp"
 #include "tests/sim/runs.hpp"
 

@@ -1,4 +1,5 @@
 #include "sim/shapes/convex_cuts.hpp"
+#include "sim/shapes/cut_quality.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "model/lattice/planar/planar_drive.hpp"
-#include "sim/compression_run.hpp"
+#include "model/lattice/planar/planar_motion.hpp"
+#include "sim/physics_run.hpp"
 #include "tests/support/creased.hpp"
 #include "tests/support/miura.hpp"
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "model/closure/closure.hpp"
-#include "model/closure/closure_drive.hpp"
 #include "model/hinge/elasticity.hpp"
 #include "model/lattice/lattice_motion.hpp"
 

@@ -2,8 +2,7 @@
 
 #include "model/base/invalid_input.hpp"
 #include "model/elastic/elastic_system.hpp"
-#include "model/lattice/square/family/classify.hpp"
-#include "sim/equilibrium.hpp"
+#include "model/lattice/square/family/classification.hpp"
 #include "sim/joints/elastic_hinges.hpp"
 
 namespace kinetix::sim {

@@ -1,11 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/square/cell_tuple.hpp"
-#include "sim/compression_run.hpp"
+#include "model/lattice/square/unit_laws.hpp"
+#include "sim/physics_run.hpp"
 #include "tests/sim/elastic_equilibrium.hpp"
 #include "tests/sim/runs.hpp"
 #include "tests/support/paper_scenes.hpp"

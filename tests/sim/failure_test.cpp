@@ -1,13 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
 #include <set>
 
 #include "model/base/invalid_input.hpp"
-#include "sim/compression_run.hpp"
-#include "sim/verdict.hpp"
+#include "sim/physics_result.hpp"
+#include "sim/physics_run.hpp"
 #include "tests/sim/runs.hpp"
 
 namespace kinetix::sim {

@@ -1,10 +1,8 @@
-#include "sim/joints/framed_points.hpp"
-
 #include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 
 #include "model/hinge/hinge_energy.hpp"
+#include "sim/joints/elastic_hinges.hpp"
 #include "tests/support/random_elastic.hpp"
 
 namespace kinetix::sim {

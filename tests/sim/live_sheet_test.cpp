@@ -2,11 +2,11 @@
 
 #include <random>
 
-#include "model/closure/closure_drive.hpp"
+#include "model/closure/closure.hpp"
 #include "model/closure/drive_theta.hpp"
 #include "model/elastic/elastic_system.hpp"
-#include "model/lattice/square/family/classify.hpp"
-#include "model/linkage/actuators.hpp"
+#include "model/lattice/square/family/classification.hpp"
+#include "model/linkage/linkage_drive.hpp"
 #include "tests/sim/runs.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/random_elastic.hpp"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "model/lattice/square/family/classify.hpp"
+#include "model/lattice/square/family/classification.hpp"
 #include "tests/sim/runs.hpp"
 #include "tests/support/random_nets.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "model/lattice/square/structure.hpp"
 #include "model/linkage/state.hpp"
-#include "sim/shapes/wall_prisms.hpp"
+#include "sim/shapes/part_shape.hpp"
 
 namespace kinetix::testing {
 

@@ -1,11 +1,10 @@
 #include <gtest/gtest.h>
-
 #include <Eigen/Dense>
 #include <random>
 
 #include "sim/joints/row_system.hpp"
 #include "sim/rigid_parts.hpp"
-#include "sim/shapes/wall_prisms.hpp"
+#include "sim/shapes/part_shape.hpp"
 #include "sim/world.hpp"
 #include "tests/sim/runs.hpp"
 

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "model/lattice/planar/closed_rim.hpp"
-#include "model/lattice/planar/planar_drive.hpp"
-#include "sim/compression_run.hpp"
+#include "model/lattice/planar/closed_boundary.hpp"
+#include "model/lattice/planar/planar_motion.hpp"
+#include "sim/physics_run.hpp"
 #include "tests/support/creased.hpp"
 #include "tests/support/planar_graphs.hpp"
 #include "tests/support/polygons.hpp"

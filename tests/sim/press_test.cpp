@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "model/elastic/path/equilibrium_path.hpp"
-#include "model/lattice/square/family/classify.hpp"
-#include "sim/compression_run.hpp"
+#include "model/lattice/square/family/classification.hpp"
+#include "sim/physics_run.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/paper_scenes.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/contact/convex_bodies.hpp"
+#include "model/elastic/contact/piece_contact.hpp"
 
 namespace kinetix::testing {
 

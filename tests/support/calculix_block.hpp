@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "model/matter/made_hinge.hpp"
+#include "model/material/manufactured_hinge.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 /// Stiffness of soft hinges from CalculiX, a finite-element program that shares none of their formulas.

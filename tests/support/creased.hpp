@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/lattice/planar/lattices/rhombus.hpp"
 #include "model/lattice/planar/planar_crease.hpp"
+#include "model/lattice/planar/regular_lattices.hpp"
 #include "tests/support/planar_graphs.hpp"
 
 /// Planar structures with a crease, for tests.

@@ -4,7 +4,7 @@
 
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/lattice/lattice_motion.hpp"
-#include "model/lattice/square/family/classify.hpp"
+#include "model/lattice/square/family/classification.hpp"
 #include "model/lattice/square/unit_laws.hpp"
 
 namespace kinetix::model {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/lattice/square/family/exact_jacobian.hpp"
+#include "model/lattice/square/family/exact_derivatives.hpp"
 #include "tests/support/derivatives.hpp"
 
 namespace kinetix::testing {

@@ -1,13 +1,11 @@
-#include "tests/support/free_linkage.hpp"
-
 #include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/base/rotation_vector.hpp"
+#include "tests/support/free_linkage.hpp"
 
 namespace kinetix::testing {
 namespace {

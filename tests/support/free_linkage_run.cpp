@@ -1,18 +1,15 @@
-#include "tests/support/free_linkage_run.hpp"
-
 #include <btBulletDynamicsCommon.h>
 #include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
+#include "model/base/algorithms.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/base/larger.hpp"
-#include "sim/joints/bullet_math.hpp"
 #include "sim/joints/direct_solver.hpp"
 #include "sim/joints/joints.hpp"
+#include "tests/support/free_linkage_run.hpp"
 
 namespace kinetix::testing {
 namespace {

@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-#include "model/lattice/square/family/classify.hpp"
+#include "model/lattice/square/family/classification.hpp"
 #include "model/lattice/square/structure.hpp"
 #include "model/lattice/square/unit_laws.hpp"
 #include "tests/support/free_linkage_run.hpp"

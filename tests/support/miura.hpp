@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "model/lattice/planar/lattices/honeycomb.hpp"
 #include "model/lattice/planar/planar_crease.hpp"
+#include "model/lattice/planar/regular_lattices.hpp"
 
 /// Miura's pattern on hexagons, for tests.
 namespace kinetix::testing {

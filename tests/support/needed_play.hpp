@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "model/closure/closure_drive.hpp"
+#include "model/closure/closure.hpp"
 #include "model/lattice/square/structure.hpp"
 #include "model/linkage/linkage.hpp"
 

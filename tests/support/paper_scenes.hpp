@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "model/lattice/square/cell_tuple.hpp"
 #include "model/lattice/square/family/exact_family.hpp"
+#include "model/lattice/square/unit_laws.hpp"
 
 /// Structures of the paper's figures, by its cell tuples. Numbers that text and figures leave open are chosen here:
 /// tilts of 30 deg, twisting angles of 80 deg, the lengths of strips.

@@ -4,11 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "model/lattice/planar/lattices/brick.hpp"
-#include "model/lattice/planar/lattices/honeycomb.hpp"
-#include "model/lattice/planar/lattices/octagon.hpp"
-#include "model/lattice/planar/lattices/rhombus.hpp"
 #include "model/lattice/planar/planar_motion.hpp"
+#include "model/lattice/planar/regular_lattices.hpp"
 
 /// Drawings and motions of planar structures for tests and figures.
 namespace kinetix::testing {

@@ -5,8 +5,8 @@
 
 #include "model/elastic/path/stable_states.hpp"
 #include "model/lattice/lattice_motion.hpp"
-#include "model/lattice/square/cell_tuple.hpp"
-#include "model/matter/made_hinge.hpp"
+#include "model/lattice/square/unit_laws.hpp"
+#include "model/material/manufactured_hinge.hpp"
 #include "tests/support/needed_play.hpp"
 
 /// The paper's twist unit as it was printed (section 5.1): a cell of 30 mm, walls 2 mm thick, with clearance in its

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "model/lattice/square/family/classify.hpp"
+#include "model/lattice/square/family/classification.hpp"
 
 namespace kinetix::testing {
 

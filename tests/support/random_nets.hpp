@@ -4,7 +4,7 @@
 #include <set>
 
 #include "model/lattice/square/crease.hpp"
-#include "model/lattice/square/family/net_rules.hpp"
+#include "model/lattice/square/family/net.hpp"
 
 namespace kinetix::testing {
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/pictures/far_view.hpp"
+#include "app/pictures/panel_picture.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace kinetix::testing {

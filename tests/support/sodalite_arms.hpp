@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "model/lattice/sodalite/sodalite.hpp"
+#include "model/lattice/sodalite.hpp"
 
 namespace kinetix::testing {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "model/solids/polyhedron.hpp"
 
 namespace kinetix::testing {

@@ -1,30 +1,25 @@
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
-#include "app/goals/curve/curve_file.hpp"
-#include "app/goals/curve/robust_curve.hpp"
+#include "app/goals/curve/curve_search.hpp"
 #include "app/pipeline/robust_search.hpp"
-#include "app/result/search_json.hpp"
+#include "app/result/result_json.hpp"
 #include "app/result/state_json.hpp"
-#include "app/run/contact_reason.hpp"
-#include "app/run/found.hpp"
 #include "app/run/goal.hpp"
-#include "app/run/midline.hpp"
 #include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
-#include "model/base/box_of.hpp"
+#include "app/run/search_result.hpp"
+#include "model/base/box.hpp"
 #include "model/lattice/lattice.hpp"
 #include "model/lattice/lattice_motion.hpp"
-#include "model/tolerance/observed_points.hpp"
+#include "model/tolerance/print_tolerance.hpp"
 #include "optim/curve/fit_curve.hpp"
 #include "targets/curve/curve.hpp"
-#include "targets/curve/curve_error.hpp"
-#include "targets/curve/polyline_tree.hpp"
+#include "targets/curve/polyline.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,7 +1,6 @@
 #include "app/goals/display/display_file.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -9,11 +8,10 @@
 #include "app/files/file_header.hpp"
 #include "app/files/process_section.hpp"
 #include "app/files/structure_section.hpp"
-#include "app/files/wall_node.hpp"
-#include "app/goals/display/search_panel.hpp"
+#include "app/goals/display/display_panel.hpp"
 #include "optim/display/display_search.hpp"
 #include "targets/display/read_display.hpp"
-#include "targets/document/bound_key.hpp"
+#include "targets/document/section.hpp"
 
 namespace kinetix::app {
 namespace {

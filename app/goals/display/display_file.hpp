@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/files/goal_settings.hpp"
-#include "app/files/hinge_parts.hpp"
+#include "app/files/hinge_section.hpp"
 #include "app/files/lattice_section.hpp"
 #include "model/lattice/square/structure.hpp"
 #include "model/linkage/linkage_drive.hpp"

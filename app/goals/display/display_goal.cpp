@@ -10,16 +10,14 @@
 #include <utility>
 
 #include "app/files/process_section.hpp"
-#include "app/goals/display/display_limits.hpp"
 #include "app/goals/display/display_outcome.hpp"
-#include "app/goals/display/display_prints.hpp"
-#include "app/goals/display/search_panel.hpp"
-#include "app/pipeline/hinge_loads.hpp"
-#include "app/pipeline/physics_settings.hpp"
+#include "app/goals/display/display_panel.hpp"
+#include "app/pipeline/drive_loads.hpp"
+#include "app/pipeline/physics.hpp"
 #include "app/run/goal.hpp"
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "model/lattice/lattice_motion.hpp"
-#include "targets/display/panel_levels.hpp"
+#include "targets/display/display_goal.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "app/goals/display/display_file.hpp"
 #include "targets/display/display_goal.hpp"
-#include "targets/display/display_score.hpp"
 
 namespace kinetix::app {
 

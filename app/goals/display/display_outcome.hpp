@@ -4,12 +4,14 @@
 #include <optional>
 #include <vector>
 
-#include "app/pipeline/hinge_loads.hpp"
-#include "app/run/found.hpp"
-#include "optim/display/as_made_display.hpp"
+#include "app/pictures/panel_picture.hpp"
+#include "app/pipeline/drive_loads.hpp"
+#include "app/run/run.hpp"
+#include "app/run/search_result.hpp"
+#include "optim/display/display_reading.hpp"
 #include "optim/display/fit_display.hpp"
 #include "targets/display/display_goal.hpp"
-#include "targets/display/topology.hpp"
+#include "targets/display/picture.hpp"
 
 namespace kinetix::app {
 
@@ -84,5 +86,16 @@ class DisplayMeasure final : public Measure {
   std::optional<targets::PanelSize> estimated;  ///< estimated size of a panel with enough contrast, in cells
   std::optional<PrintedDisplay> printed;        ///< print tolerance analysis, for pictures of two levels
 };
+
+/// Draws the pictures of a run's panel. `before`, `after` and `hinges` (the map of t) are .svg and .png, and so is
+/// `physics` if a simulation settled. `afar_before.png` and `afar_after.png` (far_view) are in true luminance. Names
+/// with `_enhanced` have stretched contrast. The motion is in `frames/00.png` and on.
+std::vector<NamedContent> display_pictures(const Run& run);
+
+/// Returns the settings of the view from a distance. Panels with more cells are seen from further away. Large panels
+/// are seen with their surroundings, because an eye adapts to the light of a large panel.
+FarViewOptions far_view_options(const targets::DisplayGoal& goal);
+/// Draws only the four pictures from a distance.
+std::vector<NamedContent> far_pictures(const Run& run);
 
 }  // namespace kinetix::app

@@ -1,24 +1,89 @@
-#include <fmt/format.h>
+#include "app/goals/fold/fold_goal.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 #include <utility>
 
-#include "app/goals/fold/fold_file.hpp"
-#include "app/goals/fold/fold_limits.hpp"
-#include "app/pipeline/hinge_loads.hpp"
+#include "app/goals/fold/fold_shape.hpp"
+#include "app/pipeline/drive_loads.hpp"
+#include "app/pipeline/equilibrium.hpp"
 #include "app/pipeline/robust_search.hpp"
 #include "app/run/goal.hpp"
 #include "app/run/run.hpp"
-#include "model/base/append.hpp"
+#include "model/base/algorithms.hpp"
+#include "model/closure/drive_theta.hpp"
 #include "model/lattice/lattice_motion.hpp"
 #include "optim/fold/fit_box.hpp"
 #include "targets/document/number.hpp"
 
 namespace kinetix::app {
 namespace {
+
+/// Loads of a fold with and without limits, for FoldOutcome.
+struct KeptLoads {
+  std::optional<FoldLoads> loads, unlimited;
+};
+
+constexpr int theta_halvings = 5;  // down to a degree of theta: loads of a fold change slowly with it
+// rad: narrower ranges count as one theta, as in the trials of a robust search.
+constexpr double one_theta = 0.5 * radians_per_degree;
+
+/// Loads of a design compensated for its elastic hinges, and whether it still folds into its goal.
+struct Borne {
+  FoldLoads loads;
+  bool meets_goal = false;
+};
+
+Borne borne_by(const FoldFile& file, Found trial, const Goal& goal, const optim::FoldDesign& design,
+               const std::stop_token& stop) {
+  const FoldShape shape = shape_of(file.goal, design);
+  trial.design.structure = design.folded.structure;
+  trial.theta = design.folded.theta;
+  trial.goal = std::make_unique<FoldOutcome>(shape);
+  trial = planned(std::move(trial));
+  const CompensatedPath found = path_in_matter(trial, goal, stop);
+  return {
+      {model::mean_theta(found.sheet, found.path.state),
+       hinge_loads(found.path, found.drive, found.sheet, trial.design.hinge, trial.design.hinge_overrides)},
+      found.path.stop == model::EquilibriumPath::Stop::reached &&
+          shape.violations(file, shape.error_of(found.path.state), "equilibrium").empty()};
+}
+
+/// Reduces theta, with steeper tilts, until drive and hinges stay within the file's limits and the sheet still folds
+/// into its goal. Returns the loads of this design and those without limits.
+///
+/// The design stays as it was if no theta works, or after a stop. Loads are empty if the stop comes before the first
+/// design is followed to its equilibrium.
+/// @param asked_of settings of the file that apply to any design   @param goal of the file
+/// @param search finds the design for a largest theta, rad
+KeptLoads keep_limits(const FoldFile& file, const Found& asked_of, const Goal& goal,
+                      optim::FoldDesign& design, const std::function<optim::FoldDesign(double)>& search,
+                      const RunOptions& options) {
+  if (!file.limits.any() || !design.folds) return {};
+  const FoldLoads asked = borne_by(file, asked_of, goal, design, options.stop).loads;
+  if (options.stop.stop_requested()) return {};  // an interrupted path does not reach the fold
+  KeptLoads out{asked, {}};
+  if (share_of(file.limits, asked.hinges) <= HingeLimits::in_hand) return out;
+  const auto keeps = [&](double theta, double share) -> std::optional<bool> {
+    options.progress("limits", share);
+    optim::FoldDesign next = search(theta);
+    if (options.stop.stop_requested()) return std::nullopt;
+    if (!next.folds) return true;
+    const Borne borne = borne_by(file, asked_of, goal, next, options.stop);
+    if (options.stop.stop_requested()) return std::nullopt;
+    if (!(share_of(file.limits, borne.loads.hinges) <= HingeLimits::in_hand)) return false;
+    // A sheet that does not reach its goal strains its hinges little, which is not a way to keep the limits.
+    if (!borne.meets_goal) return true;
+    design = std::move(next);
+    out = {borne.loads, asked};
+    return true;
+  };
+  halve({file.theta.lower, design.folded.theta}, {theta_halvings, one_theta}, keeps);
+  return out;
+}
 
 /// Returns the mean |tilt| of a crease, rad. Tilts compensated for elastic hinges differ a little.
 double mean_tilt(const model::Lattice& net, const std::vector<int>& hinges) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/goals/fold/fold_shape.hpp"
-#include "app/pipeline/hinge_loads.hpp"
-#include "app/run/found.hpp"
+#include "app/pipeline/drive_loads.hpp"
+#include "app/run/search_result.hpp"
 
 namespace kinetix::app {
 

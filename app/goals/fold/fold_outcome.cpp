@@ -1,10 +1,8 @@
-#include "app/goals/fold/fold_goal.hpp"
-
 #include <fmt/format.h>
-
 #include <map>
 
-#include "app/result/search_json.hpp"
+#include "app/goals/fold/fold_goal.hpp"
+#include "app/result/result_json.hpp"
 #include "app/run/run.hpp"
 
 namespace kinetix::app {

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "app/goals/outline/search_outline.hpp"
-#include "app/run/found.hpp"
+#include "app/goals/outline/outline_search.hpp"
+#include "app/run/search_result.hpp"
 
 namespace kinetix::app {
 

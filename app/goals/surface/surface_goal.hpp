@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/goals/ribs/beside.hpp"
+#include "app/goals/ribs/ribs_goal.hpp"
 #include "app/goals/surface/surface_file.hpp"
-#include "app/run/found.hpp"
+#include "app/run/search_result.hpp"
 #include "model/lattice/origami/origami_sheet.hpp"
 #include "optim/surface/fit_surface.hpp"
 #include "targets/surface/gauss_curvature.hpp"

@@ -1,10 +1,9 @@
 #include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 
 #include "app/goals/ribs/ribs_goal.hpp"
-#include "app/goals/surface/ribs_file.hpp"
-#include "app/result/search_json.hpp"
+#include "app/goals/surface/surface_file.hpp"
+#include "app/result/result_json.hpp"
 #include "targets/mesh/mesh_section.hpp"
 
 namespace kinetix::app {

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -8,9 +7,8 @@
 #include <queue>
 #include <set>
 
-#include "app/print/format/parts.hpp"
 #include "app/print/format/print_format.hpp"
-#include "model/closure/closure_drive.hpp"
+#include "model/closure/closure.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -62,5 +63,65 @@ extern const PrintFormat mjcf_format;
 extern const PrintFormat glb_format;
 /// NAME.scad: modules of OpenSCAD for bodies and soft parts, in any state from flat to the fold.
 extern const PrintFormat scad_format;
+
+/// Rounds points to floats, as files hold them. All formats, and the volumes and masses reported for them, then have
+/// the same corners.
+model::Polyhedron as_filed(model::Polyhedron solid);
+
+/// Returns all bodies of a job as one list of triangles, each a separate closed surface; mm, at their places in the
+/// sheet. Loose rods are left out: they would be printed with their forks.
+model::Polyhedron hard_part(const PrintJob& job);
+/// Returns all soft parts as one list of triangles, mm, at their places in the sheet; empty without any.
+model::Polyhedron soft_part(const PrintJob& job);
+/// Joins hard and soft parts in one list.
+model::Polyhedron joined(model::Polyhedron hard, const model::Polyhedron& soft);
+
+/// Parts that are printed on one bed: bodies without loose rods, and their soft parts. A soft part between two tiles
+/// is printed with the lower body. mm, at their places in the flat sheet.
+struct TileParts {
+  model::Polyhedron hard, soft;
+};
+TileParts tile_parts(const PrintJob& job, int tile);
+
+/// Returns all loose rods side by side, lying along x on the plane z = 0, mm; empty without any.
+model::Polyhedron laid_out_rods(const PrintSheet& sheet);
+
+/// Slicer settings that keep the gaps of pins open, mm. A slicer's own settings would close them.
+struct GapSettings {
+  double closing_radius_mm = 0;  ///< of slices: gaps narrower than twice this are closed
+  double elephant_foot_mm =
+      0;                    ///< compensation: first layers are narrower by this, as they spread on the bed
+  double expansion_mm = 0;  ///< of all contours in the plane
+};
+
+/// Returns the settings of a sheet; empty without pins. The radius is PrusaSlicer's own if that leaves the least
+/// clearance of a pin open.
+std::optional<GapSettings> gap_settings(const PrintSheet& sheet);
+
+/// Largest overhang that FDM prints without support, degrees from upright (docs/print.md section 3).
+constexpr double steep_deg = 45;
+
+/// Returns the largest angle of a hinge axis from upright in the flat sheet, degrees, [0, 90].
+double steepest_deg(const PrintSheet& sheet);
+
+/// Returns the area of a solid's faces that look down and lean more than `steep_deg` from upright, mm^2. Faces on the
+/// bed do not count. @param turn rotation of the solid before it is put on the bed
+double overhang_mm2(const model::Polyhedron& solid, const Eigen::Matrix3d& turn);
+
+/// Orientation on the bed, with its overhang.
+struct PrintOrientation {
+  std::string_view name;  ///< on the command line
+  Eigen::Matrix3d turn;   ///< rotation matrix from the place in the files
+  double overhang_mm2 = 0;
+};
+
+/// Returns both flat orientations of the hard and soft parts in the job's own state: as in the files (flat), and
+/// turned over about x (over). On an edge most bodies would begin in the air.
+std::vector<PrintOrientation> lies(const PrintJob& job);
+/// Returns the orientation with the least overhang; ties go to the first.
+const PrintOrientation& best(const std::vector<PrintOrientation>& all);
+
+/// Turns the solids that `stl`, `3mf` and `step` write.
+void lay(PrintJob& job, const PrintOrientation& lie);
 
 }  // namespace kinetix::app

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "app/print/sheet/fold_motion.hpp"
-#include "model/base/angle.hpp"
-#include "model/linkage/wall.hpp"
+#include "model/base/geometry.hpp"
+#include "model/linkage/linkage.hpp"
 
 namespace kinetix::app {
 namespace {

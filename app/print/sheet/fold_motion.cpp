@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/contact/theta_interval.hpp"
+#include "model/contact/swept_motion.hpp"
 
 namespace kinetix::app {
 namespace {

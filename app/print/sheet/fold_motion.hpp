@@ -6,9 +6,8 @@ class btConvexHullShape;
 #include <vector>
 
 #include "app/print/sheet/print_sheet.hpp"
-#include "model/contact/hinge_chains.hpp"
 #include "model/contact/swept_motion.hpp"
-#include "model/matter/process.hpp"
+#include "model/material/process.hpp"
 #include "model/solids/hinge_shape.hpp"
 
 namespace kinetix::app {

@@ -4,10 +4,10 @@
 #include <map>
 #include <set>
 
-#include "app/print/sheet/fold_motion.hpp"
+#include "app/print/sheet/part_distances.hpp"
 #include "model/base/parallel_runs.hpp"
-#include "model/contact/near_pairs.hpp"
-#include "model/contact/swept_hull.hpp"
+#include "model/contact/swept_motion.hpp"
+#include "model/contact/wall_contact.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -17,7 +17,6 @@ using model::HingeChain;
 using model::SweptHull;
 
 constexpr double polygon_mm = 0.01;  // mm: distance of polygons from their circles
-constexpr double nothing_mm = 1e3;   // mm: distance if there are no two bodies
 constexpr double first_rad = 2e-3;   // rad: 0.1 degrees, the precision of messages
 constexpr double slack_mm = 0.005;   // mm: between two checked states, parts come nearer by at most this
 constexpr double looked_mm = 1;      // mm: nearer parts are searched if no others are near
@@ -30,40 +29,6 @@ void run_all(int count, const std::function<void(int)>& run) {
   model::run_in_parallel(count, count < few ? 1 : 0, run);
 }
 
-double clearance_of(const model::HingePrint& hinge) {
-  return hinge.made.kind == model::HingeKind::pin ? hinge.made.clearance_mm : 0;
-}
-
-PathClearance nothing_near() {
-  PathClearance none;
-  none.in_hinges.mm = none.elsewhere.mm = none.nearest.mm = none.flat_mm = nothing_mm;
-  return none;
-}
-
-void take_less(const LeastDistance& other, LeastDistance& known) {
-  if (other.spare_mm() < known.spare_mm()) known = other;
-}
-
-void take_nearer(const LeastDistance& other, LeastDistance& known) {
-  if (other.mm < known.mm) known = other;
-}
-
-/// Two pieces that are not proven apart, with the direction between their nearest points.
-struct PiecePair {
-  int first = 0, second = 0;
-  Vector3d normal = Vector3d::Zero();  // as the first body of the parts sees it; 0: none is known
-};
-
-/// Two parts that may come too near.
-struct PartPair {
-  int first = 0, second = 0;
-  bool is_hinged = false;
-  double asked_mm = 0;
-  std::vector<int> bodies = {};         // bodies of both parts: the first sees the others
-  std::vector<HingeChain> chains = {};  // of hinges, to each of the others
-  std::vector<PiecePair> open = {};
-};
-
 /// Pair of parts over an interval of the path.
 struct Task {
   double low = 0, high = 0;
@@ -75,158 +40,6 @@ struct PairResult {
   std::vector<PiecePair> open;         // not proven
   std::optional<LeastDistance> least;  // of those that were measured
   bool is_uncertain = false;           // the path's margin exceeds the spare distance: halving does not help
-};
-
-/// Distances that parts must keep.
-class PairRules {
- public:
-  explicit PairRules(const PrintSheet& sheet)
-      : sheet_(sheet),
-        bodies_(static_cast<int>(sheet.bodies.size())),
-        asked_(sheet.bodies.size(), nothing_mm),
-        hinged_(sheet.bodies.size()) {
-    for (std::size_t h = 0; h < sheet.hinges.size(); ++h) {
-      const model::RestHinge& hinge = sheet.linkage.hinges[h];
-      const double clearance = clearance_of(sheet.hinges[h]);
-      hinged_[std::min(hinge.lower, hinge.upper)].emplace_back(std::max(hinge.lower, hinge.upper), clearance);
-      most_asked_ = std::max(most_asked_, clearance);
-      if (clearance > 0)
-        for (const int b : {hinge.lower, hinge.upper}) asked_[b] = std::min(asked_[b], clearance);
-    }
-  }
-
-  /// Returns a pair with its required distance; empty for two parts that belong together.
-  std::optional<PartPair> pair(int a, int b) const {
-    if (a == b || is_joined_by(a, b) || is_joined_by(b, a)) return std::nullopt;
-    std::optional<double> clearance;
-    if (const int lower = std::min(a, b); lower < bodies_)
-      for (const auto& [upper, of_hinge] : hinged_[lower])
-        if (upper == std::max(a, b)) clearance = of_hinge;
-    if (clearance) return PartPair{a, b, true, *clearance};
-    return PartPair{a, b, false, asked_elsewhere(a, b)};
-  }
-
-  double most_asked() const { return most_asked_; }
-
-  /// Returns the bodies that a part moves with.
-  std::vector<int> bodies_of(int part) const {
-    if (part < bodies_) return {part};
-    const model::RestHinge& hinge = sheet_.linkage.hinges[part - bodies_];
-    return {hinge.lower, hinge.upper};
-  }
-
- private:
-  /// Checks whether a body is one of the two that a soft part joins.
-  bool is_joined_by(int soft, int body) const {
-    if (soft < bodies_) return false;
-    const model::RestHinge& hinge = sheet_.linkage.hinges[soft - bodies_];
-    return hinge.lower == body || hinge.upper == body;
-  }
-
-  double asked_elsewhere(int a, int b) const {
-    if (a >= bodies_ || b >= bodies_) return 0;
-    const double least = std::min(asked_[a], asked_[b]);
-    return least < nothing_mm ? least : 0;
-  }
-
-  const PrintSheet& sheet_;
-  const int bodies_;
-  double most_asked_ = 0;      // mm
-  std::vector<double> asked_;  // of each body, the least clearance of its pins, mm.
-  // Bodies after each body that share a hinge with it, and the clearance, mm: 0 for soft parts.
-  std::vector<std::vector<std::pair<int, double>>> hinged_;
-};
-
-/// Distances of a sheet's parts in single states.
-class Distances {
- public:
-  Distances(const PrintSheet& sheet, ClearanceLook look)
-      : sheet_(sheet), look_(look), parts(sheet), rules(sheet) {}
-
-  PathClearance measured(double theta, const model::State& state) const {
-    PathClearance least = nothing_near();
-    std::vector<PlacedPiece> all;
-    std::vector<double> radii;
-    Eigen::Matrix3Xd centers(3, parts.pieces.size());
-    double reach = 0;  // mm
-    for (std::size_t k = 0; k < parts.pieces.size(); ++k) {
-      all.push_back(placed(parts.pieces[k], state));
-      centers.col(k) = all.back().center();
-      radii.push_back(radius(all.back(), centers.col(k)));
-      reach = std::max(reach, 2 * radii.back() + (look_ == ClearanceLook::verdict ? rules.most_asked() : 1));
-    }
-    model::NearPairs near;
-    for (const auto& [a, b] : near.find(centers, reach)) {
-      const double apart_mm = (centers.col(a) - centers.col(b)).norm() - radii[a] - radii[b];
-      if (look_ == ClearanceLook::verdict && apart_mm >= rules.most_asked()) continue;
-      const auto pair = rules.pair(all[a].piece.part, all[b].piece.part);
-      if (!pair) continue;
-      LeastDistance& known = pair->is_hinged ? least.in_hinges : least.elsewhere;
-      LeastDistance found{apart_mm, pair->first, pair->second, theta, Vector3d::Zero(), pair->asked_mm};
-      const bool counts = look_ == ClearanceLook::verdict
-                              ? found.spare_mm() < 0
-                              : found.spare_mm() < known.spare_mm() || found.mm < least.nearest.mm;
-      if (!counts) continue;
-      const PieceDistance there = piece_distance(all[a], all[b]);
-      found.mm = there.mm;
-      found.place = there.place;
-      take_less(found, known);
-      take_nearer(found, least.nearest);
-    }
-    compare_bores(theta, state, least);
-    least.flat_mm = least.nearest.mm;
-    return least;
-  }
-
-  /// Compares rods with bores at both ends of the eye. Both are cylinders, with axes apart by the joint separation.
-  void compare_bores(double theta, const model::State& state, PathClearance& least) const {
-    for (std::size_t h = 0; h < sheet_.hinges.size(); ++h)
-      if (sheet_.hinges[h].made.kind == model::HingeKind::pin) compare_bore(h, theta, state, least);
-  }
-
- private:
-  static PlacedPiece placed(const PartPiece& piece, const model::State& state) {
-    PlacedPiece out{piece, {}};
-    for (const PieceEnd& end : piece.ends) out.poses.push_back(&state[end.body]);
-    return out;
-  }
-
-  /// Returns the radius of a sphere about the middle of a piece's ends.
-  static double radius(const PlacedPiece& at, const Vector3d& center) {
-    double most = 0;
-    for (std::size_t k = 0; k < at.poses.size(); ++k) {
-      const PieceEnd& end = at.piece.ends[k];
-      most = std::max(most, (at.poses[k]->R * end.center + at.poses[k]->p - center).norm() + end.radius);
-    }
-    return most;
-  }
-
-  void compare_bore(std::size_t h, double theta, const model::State& state, PathClearance& least) const {
-    const model::RestHinge& hinge = sheet_.linkage.hinges[h];
-    const model::Pose &lower = state[hinge.lower], &upper = state[hinge.upper];
-    const double edge = sheet_.linkage.size.edge_mm, clearance = sheet_.hinges[h].made.clearance_mm;
-    const Vector3d axis = lower.R * hinge.axis, place = lower.p + edge * lower.R * hinge.lower_arm,
-                   apart = upper.p + edge * upper.R * hinge.upper_arm - place;
-    for (const double s : {-0.5, 0.5}) {
-      const double high = s * sheet_.hinges[h].made.height_mm;
-      const Vector3d gap = apart + high * (upper.R * hinge.axis - axis);
-      const LeastDistance found{clearance - (gap - gap.dot(axis) * axis).norm(),
-                                hinge.lower,
-                                hinge.upper,
-                                theta,
-                                place + high * axis,
-                                clearance};
-      take_less(found, least.in_hinges);
-      take_nearer(found, least.nearest);
-    }
-  }
-
-  const PrintSheet& sheet_;
-  const ClearanceLook look_;
-
- public:
-  const MovingParts parts;
-  const PairRules rules;
 };
 
 /// Check of one pair of parts over an interval of the path.

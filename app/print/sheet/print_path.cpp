@@ -6,12 +6,11 @@
 #include <map>
 #include <utility>
 
-#include "app/pipeline/hinge_loads.hpp"
-#include "app/pipeline/physics_settings.hpp"
+#include "app/pipeline/drive_loads.hpp"
+#include "app/pipeline/physics.hpp"
 #include "app/print/sheet/fold_motion.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/lattice/lattice_motion.hpp"
-#include "model/lattice/turn_laws.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "app/files/design_file.hpp"
 #include "model/base/invalid_input.hpp"
+#include "model/linkage/exact_motion.hpp"
 #include "model/linkage/state.hpp"
-#include "model/linkage/turn_law.hpp"
 
 namespace kinetix::app {
 

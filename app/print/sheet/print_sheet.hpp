@@ -8,7 +8,7 @@
 #include "app/files/design_file.hpp"
 #include "app/print/sheet/print_path.hpp"
 #include "model/linkage/exact_motion.hpp"
-#include "model/matter/process.hpp"
+#include "model/material/process.hpp"
 #include "model/solids/body_solid.hpp"
 
 namespace kinetix::app {
@@ -90,5 +90,10 @@ model::Polyhedron placed(model::Polyhedron mesh, const model::Pose& pose);
 model::Polyhedron placed_body(const PrintSheet& sheet, const model::State& state, int body);
 /// Returns a soft part's mesh in a state. Each end moves with its own wall.
 model::Polyhedron placed_soft(const PrintSheet& sheet, const model::State& state, int hinge);
+
+/// Makes the sheet of a design of imported bodies: its meshes as they are, at rest or turned by its drive, and the
+/// motion.
+/// @throws InvalidInput for a folded state that its drive does not reach
+PrintSheet imported_sheet(const Design& design, const model::Process& process, bool folded);
 
 }  // namespace kinetix::app

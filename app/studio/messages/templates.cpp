@@ -2,7 +2,7 @@
 
 #include "app/files/structure_section.hpp"
 #include "model/lattice/square/family/exact_family.hpp"
-#include "model/lattice/square/numbering.hpp"
+#include "model/lattice/square/structure.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app::studio {

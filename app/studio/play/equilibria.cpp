@@ -1,13 +1,12 @@
 #include "app/studio/play/equilibria.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "app/pipeline/physics_settings.hpp"
-#include "model/base/angle.hpp"
-#include "model/closure/closure_drive.hpp"
+#include "app/pipeline/physics.hpp"
+#include "model/base/geometry.hpp"
+#include "model/closure/closure.hpp"
 #include "model/closure/drive_theta.hpp"
 #include "model/elastic/elastic_system.hpp"
 #include "model/elastic/path/near_equilibrium.hpp"

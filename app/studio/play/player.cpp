@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
-#include "app/pipeline/hinge_loads.hpp"
-#include "app/pipeline/physics_settings.hpp"
+#include "app/pipeline/drive_loads.hpp"
+#include "app/pipeline/physics.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/drive_theta.hpp"
-#include "model/elastic/exact_theta.hpp"
 #include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::app::studio {

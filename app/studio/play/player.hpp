@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "app/studio/play/frame.hpp"
+#include "app/studio/play/page_updates.hpp"
 #include "app/studio/play/shape.hpp"
 
 namespace kinetix::app::studio {

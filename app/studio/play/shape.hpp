@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "app/files/design_file.hpp"
-#include "app/studio/play/frame.hpp"
+#include "app/studio/play/page_updates.hpp"
 #include "model/assembly/assembly.hpp"
 #include "model/assembly/deployment.hpp"
-#include "model/contact/convex_bodies.hpp"
+#include "model/elastic/contact/piece_contact.hpp"
 #include "model/lattice/nearest_design.hpp"
 #include "model/linkage/exact_motion.hpp"
-#include "sim/contact_parts.hpp"
 #include "sim/live_sheet.hpp"
+#include "sim/physics_options.hpp"
 
 namespace kinetix::app::studio {
 

@@ -1,7 +1,6 @@
 #include "app/studio/session/session.hpp"
 
 #include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -9,13 +8,12 @@
 #include "app/exports/exporters.hpp"
 #include "app/files/bodies_section.hpp"
 #include "app/io/atomic_file.hpp"
-#include "app/pipeline/closed_way.hpp"
+#include "app/pipeline/imported_bodies.hpp"
 #include "app/run/run.hpp"
-#include "app/studio/messages/design_message.hpp"
 #include "app/studio/messages/message.hpp"
 #include "app/studio/messages/templates.hpp"
+#include "app/studio/session/autosave.hpp"
 #include "app/studio/session/design_edits.hpp"
-#include "app/studio/session/earlier_result.hpp"
 
 namespace kinetix::app::studio {
 namespace {

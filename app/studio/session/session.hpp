@@ -8,10 +8,9 @@
 #include "app/studio/play/equilibria.hpp"
 #include "app/studio/play/player.hpp"
 #include "app/studio/session/autosave.hpp"
-#include "app/studio/session/design_history.hpp"
-#include "app/studio/session/job.hpp"
-#include "app/studio/session/parts.hpp"
+#include "app/studio/session/design_edits.hpp"
 #include "app/studio/session/session_loop.hpp"
+#include "app/studio/session/uploads.hpp"
 
 namespace kinetix::app::studio {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "app/studio/messages/design_message.hpp"
 #include "app/studio/messages/message.hpp"
 
 namespace kinetix::app::studio {

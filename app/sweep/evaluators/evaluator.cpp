@@ -4,18 +4,17 @@
 #include <new>
 #include <nlohmann/json.hpp>
 
+#include "app/pipeline/drive_loads.hpp"
 #include "app/pipeline/equilibrium.hpp"
-#include "app/pipeline/hinge_loads.hpp"
-#include "app/pipeline/physics_settings.hpp"
+#include "app/pipeline/physics.hpp"
 #include "app/pipeline/pipeline.hpp"
-#include "app/pipeline/verify.hpp"
 #include "app/print/fit.hpp"
 #include "app/result/result_json.hpp"
 #include "app/run/run.hpp"
 #include "model/elastic/path/near_equilibrium.hpp"
 #include "model/lattice/lattice_motion.hpp"
-#include "model/lattice/square/family/sheet_reader.hpp"
-#include "optim/doe/nan.hpp"
+#include "model/lattice/square/family/exact_family.hpp"
+#include "optim/doe/analysis.hpp"
 
 namespace kinetix::app {
 namespace {

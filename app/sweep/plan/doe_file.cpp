@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "app/files/file_header.hpp"
-#include "targets/document/bound_key.hpp"
+#include "targets/document/section.hpp"
 
 namespace kinetix::app {
 namespace {

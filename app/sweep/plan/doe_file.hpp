@@ -7,7 +7,7 @@
 
 #include "app/run/plan.hpp"
 #include "optim/doe/sampling.hpp"
-#include "targets/document/document_path.hpp"
+#include "targets/document/edit_document.hpp"
 #include "targets/document/section.hpp"
 
 namespace kinetix::app {

@@ -4,11 +4,33 @@
 #include <string>
 #include <vector>
 
+#include "app/files/design_file.hpp"
+#include "app/run/goal.hpp"
 #include "app/sweep/plan/doe_file.hpp"
-#include "app/sweep/plan/sweep_base.hpp"
 #include "targets/document/edit_document.hpp"
 
 namespace kinetix::app {
+
+/// File that a sweep varies: a design (forward runs) or a target (a search in every sample).
+struct SweepBase {
+  targets::Node root;
+  std::optional<Design> design;
+  std::optional<Target> target;  ///< empty if the file is a design
+
+  /// Returns whether the base is a design of imported bodies.
+  bool has_bodies() const { return design && design->structure.assembly(); }
+};
+
+/// @throws InvalidInput as read_design and read_target
+SweepBase read_base(const std::string& file);
+
+/// Lists the numbers that a file of the base's kind may hold, also those that this file leaves out.
+std::vector<std::string> optional_keys(const SweepBase& base);
+
+/// Returns a message such as "the base has no number at `design.tetha_deg`; the nearest is
+/// `design.theta_deg`".
+std::string no_such_path(const SweepBase& base, const targets::DocumentEditor& editor,
+                         const targets::DocumentPath& path);
 
 /// A number of the base that a factor writes.
 struct Edit {

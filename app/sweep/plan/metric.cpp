@@ -12,15 +12,15 @@
 #include <span>
 
 #include "app/goals/registry.hpp"
-#include "app/run/midline.hpp"
+#include "app/run/goal.hpp"
 #include "model/assembly/assembly.hpp"
+#include "model/base/algorithms.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/base/larger.hpp"
 #include "model/lattice/lattice.hpp"
 #include "model/lattice/lattice_motion.hpp"
 #include "model/linkage/state.hpp"
-#include "optim/doe/nan.hpp"
-#include "targets/document/document_path.hpp"
+#include "optim/doe/analysis.hpp"
+#include "targets/document/edit_document.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {

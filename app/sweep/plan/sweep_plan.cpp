@@ -7,7 +7,6 @@
 
 #include "app/goals/registry.hpp"
 #include "model/lattice/lattice_motion.hpp"
-#include "targets/document/hidden_quotes.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {

@@ -11,7 +11,7 @@
 #include <thread>
 #include <utility>
 
-#include "app/sweep/workers/work_message.hpp"
+#include "app/sweep/workers/worker_pools.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "app/sweep/workers/thread_pool.hpp"
+#include "app/sweep/workers/worker_pools.hpp"
 
 namespace kinetix::app {
 

@@ -1,6 +1,8 @@
 #include "model/elastic/path/near_equilibrium.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "model/elastic/path/closed_form.hpp"
 #include "model/elastic/path/measured_system.hpp"
@@ -80,6 +82,162 @@ EquilibriumPath follow_change(const State& state, const std::function<DrivenLink
     last = std::move(path.state);
     done = next;
   }
+}
+
+namespace {
+
+// Rounds of the active set. If hinges hardly open, rows of 13 bodies need two to four, with all changes at
+// once.
+constexpr int most_rounds = 100, rounds_with_all = 5;
+// Fraction of the largest force of a plate on a body. A smaller pull is the residual of Newton's method.
+constexpr double no_pull = 1e-6;
+// Cell edges: tolerance for rounding, within which a body is on its plate.
+constexpr double on_plate = 1e-12;
+
+/// Forces and distances along the axis of bodies that plates push.
+struct Pushing {
+  const ElasticSystem& system;
+  const State& state;
+  Eigen::VectorXd gradient;
+  double distance = 0;  ///< from the middle between the plates to each plate, cell edges
+  double middle = 0;    ///< cell edges
+
+  int axis() const { return component(system.drive().axis); }
+  static double inward(int side) { return side == 0 ? 1 : -1; }
+  /// Returns the force that holds a body in place, positive away from the plate, k_point edge.
+  double force(int side, int body) const { return inward(side) * gradient[6 * body + 3 + axis()]; }
+  /// Returns how far a body is behind its plate, cell edges.
+  double behind(int side, int body) const {
+    const double plate = middle - inward(side) * distance;
+    return inward(side) * (plate - state[body].p[axis()] / system.structure().size.edge_mm);
+  }
+};
+
+Pushing pushing(const GrippedRows& rows, const ElasticSystem& system, const State& state, double theta) {
+  Pushing out{system, state, system.elastic_gradient(state)};
+  const auto place = [&](int side) {
+    return system.structure().bodies[rows[side].front()].position[out.axis()];
+  };
+  out.middle = (place(0) + place(1)) / 2;
+  out.distance = (place(1) - place(0)) / 2 * std::cos(theta);
+  return out;
+}
+
+double largest_force(const Pushing& plates, const GrippedRows& held) {
+  double largest = 0;
+  for (const int side : {0, 1})
+    for (const int body : held[side]) largest = std::max(largest, std::abs(plates.force(side, body)));
+  return largest;
+}
+
+/// Body of a row that a plate pulls, or that is behind its plate.
+struct Wrong {
+  int side = 0, body = 0;
+  bool behind = false;
+  double by = 0;  ///< pull, k_point edge, or distance, cell edges
+};
+
+std::vector<Wrong> all_wrong(const GrippedRows& rows, const ElasticSystem& system, const State& state,
+                             double theta) {
+  const Pushing plates = pushing(rows, system, state, theta);
+  const GrippedRows& held = system.gripped();
+  const double pull = no_pull * largest_force(plates, held);
+  std::vector<Wrong> out;
+  for (const int side : {0, 1})
+    for (const int body : rows[side]) {
+      const bool is_held = std::find(held[side].begin(), held[side].end(), body) != held[side].end();
+      const Wrong wrong{side, body, !is_held,
+                        is_held ? -plates.force(side, body) : plates.behind(side, body)};
+      if (wrong.by > (is_held ? pull : on_plate)) out.push_back(wrong);
+    }
+  return out;
+}
+
+/// Returns the worst violation. Bodies behind their plate come first, since their load changes which ones are
+/// pulled.
+Wrong worst_of(const std::vector<Wrong>& wrong) {
+  return *std::max_element(wrong.begin(), wrong.end(), [](const Wrong& a, const Wrong& b) {
+    return std::pair(a.behind, a.by) < std::pair(b.behind, b.by);
+  });
+}
+
+void mend(const GrippedRows& rows, const Wrong& wrong, GrippedRows& held) {
+  GrippedRows mended;
+  for (const int side : {0, 1})
+    for (const int body : rows[side]) {
+      const bool is_it = side == wrong.side && body == wrong.body;
+      const bool is_held = std::find(held[side].begin(), held[side].end(), body) != held[side].end();
+      if (is_it ? wrong.behind : is_held) mended[side].push_back(body);
+    }
+  held = std::move(mended);
+}
+
+EquilibriumPath not_found(EquilibriumPath path, const std::string& why) {
+  path.stop = EquilibriumPath::Stop::not_converged;
+  path.why = "plates that press without gripping: " + why;
+  return path;
+}
+
+int bodies_of(const GrippedRows& rows) { return static_cast<int>(rows[0].size() + rows[1].size()); }
+
+/// Finds the equilibrium near a state after a change of the bodies that plates hold.
+EquilibriumPath settled_again(const DrivenLinkage& now, const Elasticity& elasticity,
+                              const EquilibriumPathOptions& options, State state, double theta) {
+  ElasticSystem(now.linkage, elasticity, now.drive, *options.planar, options.contact, options.bodies)
+      .place(theta, state);
+  return follow_change(
+      state, [&](double) { return now; }, elasticity, options);
+}
+
+/// Returns since when a path is off its closed form.
+OffClosedForm off_closed_form(const EquilibriumPath& path) {
+  const auto left_unstable = [&](const PathEvent& event) {
+    const bool left = event.kind == PathEvent::Kind::bifurcation || event.kind == PathEvent::Kind::snap;
+    return left && event.at.theta == path.off_closed_form_since;
+  };
+  return {path.off_closed_form_since, std::any_of(path.events.begin(), path.events.end(), left_unstable)};
+}
+
+/// Replaces the end of a path with that of another one.
+void replace_end(EquilibriumPath& path, const DrivenLinkage& now, const Elasticity& elasticity,
+                 const EquilibriumPathOptions& options, EquilibriumPath end) {
+  const MeasuredSystem system(now.linkage, elasticity, now.drive, options);
+  path.steps.back() = end.steps.back();
+  path.gaps = end.gaps;
+  path.iterations += end.iterations;
+  path.hinge_energies = system.hinge_energies(end.state);
+  path.off_closed_form = end.off_closed_form || std::isfinite(path.off_closed_form_since);
+  path.state = std::move(end.state);
+  path.why = stop_reason(path, system, options.gap_limit, {}, off_closed_form(path));
+}
+
+}  // namespace
+
+EquilibriumPath trace_pressed(const DrivenLinkage& driven, const Elasticity& elasticity,
+                              const EquilibriumPathOptions& options,
+                              const std::function<void(const EquilibriumStep&, const State&)>& frame) {
+  DrivenLinkage now = driven;
+  now.drive.press = false;
+  EquilibriumPath path = trace_equilibrium(now, elasticity, options, frame);
+  if (path.stop != EquilibriumPath::Stop::reached) return path;
+  EquilibriumPathOptions same = options;
+  same.planar = path.planar;
+  for (int k = 0; k < most_rounds; ++k) {
+    const ElasticSystem system(now.linkage, elasticity, now.drive, path.planar, options.contact,
+                               options.bodies);
+    std::vector<Wrong> wrong = all_wrong(driven.drive.gripped, system, path.state, path.theta);
+    path.let_go = bodies_of(driven.drive.gripped) - bodies_of(now.drive.gripped);
+    if (wrong.empty()) return path;
+    if (k >= rounds_with_all) wrong = {worst_of(wrong)};
+    for (const Wrong& one : wrong) mend(driven.drive.gripped, one, now.drive.gripped);
+    if (now.drive.gripped[0].size() < 2 || now.drive.gripped[1].size() < 2)
+      return not_found(std::move(path),
+                       "they push at most one body of a row, so that the structure would turn");
+    EquilibriumPath next = settled_again(now, elasticity, same, path.state, path.theta);
+    if (next.stop != EquilibriumPath::Stop::reached) return not_found(std::move(path), next.why);
+    replace_end(path, now, elasticity, same, std::move(next));
+  }
+  return not_found(std::move(path), "no bodies were found that they push and never pull");
 }
 
 }  // namespace kinetix::model

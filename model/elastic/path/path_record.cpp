@@ -1,9 +1,208 @@
 #include "model/elastic/path/path_record.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "model/base/geometry.hpp"
+#include "model/base/invalid_input.hpp"
+
 namespace kinetix::model {
+namespace {
+
+using Kind = PathEvent::Kind;
+using Descent = Branch::Descent;
+
+// Change of the drive. Over a smaller change, the difference of two loads is the residual of Newton's method.
+constexpr double least_change = 1e-6;
+constexpr double steep = 30;  // times the steepest slope of the load before contact: jamming
+// Fraction of the largest tension on the path. A smaller compression is the residual of Newton's method.
+constexpr double no_push = 1e-6;
+
+std::string words(Descent descent, bool on_closed_form) {
+  switch (descent) {
+    case Descent::closed_form:
+      return on_closed_form ? "exact mode" : "exact mode, to less energy off the closed form";
+    case Descent::off_closed_form:
+      return "lowest mode, since the closed form is unstable too";
+    default:
+      return "lowest mode";
+  }
+}
+
+}  // namespace
+
+std::optional<double> LockWatch::look(const EquilibriumStep& before, const EquilibriumStep& after) const {
+  if (locked_ || after.contacts == 0 || !(free_slope_ > 0)) return {};
+  double slope = after.stiffness;
+  if (std::isnan(slope)) {
+    const double change = after.drive - before.drive;
+    if (before.contacts == 0 || !(std::abs(change) >= least_change)) return {};
+    slope = (after.load - before.load) / change;
+  }
+  if (!(slope > steep * free_slope_)) return {};
+  return slope / free_slope_;
+}
+
+std::optional<double> LockWatch::see(const EquilibriumStep& before, const EquilibriumStep& after) {
+  const double change = after.drive - before.drive;
+  if (after.contacts == 0 && std::abs(change) >= least_change)
+    free_slope_ = std::max(free_slope_, std::abs((after.load - before.load) / change));
+  const auto times = look(before, after);
+  locked_ = locked_ || times;
+  return times;
+}
+
+bool SlackWatch::look(const EquilibriumStep& step) const {
+  return !slack_ && step.load < -no_push * std::max(largest_, std::abs(step.load));
+}
+
+bool SlackWatch::see(const EquilibriumStep& step) {
+  largest_ = std::max(largest_, std::abs(step.load));
+  const bool was_slack = std::exchange(slack_, step.load < -no_push * largest_);
+  return slack_ && !was_slack;
+}
+
+void PathEvents::see(const EquilibriumStep& before, const EquilibriumStep& after, const State& state,
+                     const Arrival& arrival) {
+  // A jump happens where the path leaves its branch. The length of the step after it has no meaning.
+  const EquilibriumStep& at = arrival.located && (arrival.snapped || arrival.descent) ? before : after;
+  const auto happened = [&](Kind kind, std::string what) { add(kind, at, before.theta, std::move(what)); };
+  if (arrival.descent) {
+    if (arrival.on_closed_form) off_ = {};
+    if (arrival.descent == Descent::off_closed_form) off_ = {at.theta, true};
+    happened(
+        arrival.snapped ? Kind::snap : Kind::bifurcation,
+        "the equilibrium turned unstable: left along the " + words(*arrival.descent, arrival.on_closed_form));
+  } else if (arrival.snapped)
+    happened(Kind::snap, "jumped to another state at nearly the same drive");
+  if (auto words = departure(after, state, arrival)) happened(Kind::departure, std::move(*words));
+  if (before.contacts == 0 && after.contacts > 0) happened(Kind::contact, system_.touching_words(state));
+  if (before.contacts > 0 && after.contacts == 0)
+    happened(Kind::release, system_.touching_kind() + " no longer touch");
+  if (system_.drive().only_pulls() && slack_.see(after))
+    happened(
+        Kind::slack,
+        "the cord would have to push, which it cannot: it goes slack, and the structure goes on by itself");
+  if (arrival.snapped) return;
+  if (const auto times = lock_.see(before, after))
+    happened(Kind::lock, system_.touching_kind() + " carry the drive: the load rises " +
+                             number_text(std::round(*times)) + " times as steeply as without contact");
+}
+
+std::optional<std::string> PathEvents::departure(const EquilibriumStep& after, const State& state,
+                                                 const Arrival& arrival) {
+  const auto turn = departure_.see(state, after.theta, arrival.on_closed_form);
+  if (departure_.is_back() && !off_.unstable) off_ = {};
+  if (!turn || off_.unstable) return {};
+  off_ = {after.theta, false};
+  if (arrival.descent || arrival.snapped) return {};
+  return departure_words(system_, closed_form_, state, after.theta, *turn);
+}
+
+void PathEvents::end_locked(const EquilibriumStep& last, const std::string& touching,
+                            const std::string& why) {
+  if (last.contacts == 0)
+    add(Kind::contact, last, last.theta, touching.empty() ? system_.touching_kind() + " touch" : touching);
+  if (!lock_.has_locked()) add(Kind::lock, last, last.theta, why);
+}
+
+void PathEvents::add(Kind kind, const EquilibriumStep& at, double since, std::string what) {
+  events_.push_back({kind, at, since, std::move(what)});
+}
+
+std::string to_string(PathEvent::Kind kind) {
+  switch (kind) {
+    case Kind::bifurcation:
+      return "bifurcation";
+    case Kind::snap:
+      return "snap";
+    case Kind::limit_point:
+      return "limit point";
+    case Kind::contact:
+      return "contact";
+    case Kind::release:
+      return "release";
+    case Kind::slack:
+      return "slack";
+    case Kind::departure:
+      return "departure";
+    case Kind::lock:
+      break;
+  }
+  return "lock";
+}
+
+namespace {
+
+using Stop = EquilibriumPath::Stop;
+
+std::string degrees(double theta) { return number_text(to_degrees(theta)) + " deg"; }
+
+std::string place(const EquilibriumStep& last, const LinkageDrive& drive, const OffClosedForm& off) {
+  const std::string at = " at theta " + degrees(last.theta) + (drive.tells_fold() ? "" : " of the drive") +
+                         ", load " + number_text(last.load) + " " + drive.load_unit();
+  if (!std::isfinite(off.since)) return at;
+  return at + "; off the closed form since theta " + degrees(off.since) +
+         (off.unstable ? ", where that is unstable" : "");
+}
+
+std::string overstretched(const HingeGaps& gaps, const Linkage& linkage, double gap_limit) {
+  return "the hinge on wall " + linkage.wall_name(gaps.worst_hinge) + " stretched by " +
+         number_text(gaps.max) + " cell edges; at most " + number_text(gap_limit) + " is allowed;";
+}
+
+std::string locked(const Refusal& refusal, const std::string& what) {
+  return what + " in contact lock the structure: " +
+         (refusal.faults.tunnelled ? "further on they would have to pass through each other;"
+                                   : "no equilibrium found further on;");
+}
+
+std::string not_converged(const Refusal& refusal) {
+  if (refusal.faults.mirrored) return "further on the sheet folds to the other side than asked;";
+  return "no equilibrium found further on (" + number_text(refusal.newton.iterations) +
+         " iterations, force " + number_text(refusal.newton.force) + " left);";
+}
+
+}  // namespace
+
+EquilibriumPath::Stop Refusal::stop(const EquilibriumStep& last) const {
+  return last.contacts == 0 && touching.empty() && !faults.tunnelled ? Stop::not_converged : Stop::locked;
+}
+
+std::string stop_reason(const EquilibriumPath& path, const MeasuredSystem& system, double gap_limit,
+                        const Refusal& refusal, const OffClosedForm& off) {
+  const std::string at = place(path.steps.back(), system.elastic.drive(), off);
+  switch (path.stop) {
+    case Stop::reached:
+      return "the drive reached its goal" + at;
+    case Stop::overstretched:
+      return overstretched(path.gaps, system.elastic.structure(), gap_limit) + at;
+    case Stop::locked:
+      return locked(refusal, system.elastic.touching_kind()) + at;
+    case Stop::interrupted:
+      return "it was told to stop" + at;
+    case Stop::not_converged:
+      break;
+  }
+  return not_converged(refusal) + at;
+}
+
+std::string to_string(EquilibriumPath::Stop stop) {
+  switch (stop) {
+    case Stop::reached:
+      return "reached";
+    case Stop::overstretched:
+      return "torn";
+    case Stop::locked:
+      return "locked";
+    case Stop::interrupted:
+      return "interrupted";
+    case Stop::not_converged:
+      break;
+  }
+  return "not converged";
+}
 
 PathRecord::PathRecord(const MeasuredSystem& system, const ClosedForm& closed_form, const PathHead& head,
                        const EquilibriumPathOptions& options,

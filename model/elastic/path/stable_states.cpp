@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/closure/closure_drive.hpp"
+#include "model/closure/closure.hpp"
 #include "model/closure/drive_theta.hpp"
 #include "model/elastic/lowest_mode.hpp"
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/origami/fold_mesh.hpp"
+#include "model/lattice/origami/quad_mesh.hpp"
 
 namespace kinetix::model {
 namespace {

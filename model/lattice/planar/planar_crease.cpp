@@ -5,9 +5,8 @@
 #include <map>
 #include <utility>
 
-#include "model/base/larger.hpp"
-#include "model/base/union_find.hpp"
-#include "model/lattice/planar/plane_geometry.hpp"
+#include "model/base/algorithms.hpp"
+#include "model/base/geometry.hpp"
 
 namespace kinetix::model {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "model/base/algorithms.hpp"
+#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/base/union_find.hpp"
-#include "model/lattice/planar/plane_geometry.hpp"
 
 namespace kinetix::model {
 namespace {

@@ -5,8 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "model/base/algorithms.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/base/union_find.hpp"
 
 namespace kinetix::model {
 namespace {

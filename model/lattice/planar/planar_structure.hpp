@@ -3,9 +3,7 @@
 #include <vector>
 
 #include "model/lattice/planar/planar_lattice.hpp"
-#include "model/linkage/hinge_parameters.hpp"
 #include "model/linkage/linkage.hpp"
-#include "model/linkage/wall.hpp"
 
 namespace kinetix::model {
 

@@ -1,6 +1,6 @@
 #include "model/lattice/square/crease.hpp"
 
-#include "model/base/union_find.hpp"
+#include "model/base/algorithms.hpp"
 
 namespace kinetix::model {
 

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <numeric>
 #include <string>
 
 #include "model/base/invalid_input.hpp"
-#include "model/linkage/wall.hpp"
+#include "model/linkage/linkage.hpp"
 
 namespace kinetix::model {
 namespace {
@@ -211,6 +212,79 @@ bool is_vertical(const Hinge& hinge) { return is_vertical(hinge_axis(hinge.wall.
 bool all_vertical(const Structure& structure) {
   return std::all_of(structure.hinges.begin(), structure.hinges.end(),
                      [](const Hinge& hinge) { return is_vertical(hinge); });
+}
+
+namespace {
+
+/// Names of hinges and bodies in messages.
+struct Names {
+  std::vector<Wall> walls;
+  std::vector<Vertex> vertices;
+};
+
+void name_parts(const Structure& s, Linkage& linkage) {
+  auto names = std::make_shared<Names>();
+  names->vertices = s.bodies;
+  names->walls.reserve(s.hinges.size());
+  for (const Hinge& hinge : s.hinges) names->walls.push_back(hinge.wall);
+  linkage.wall_name = [names](int hinge) { return to_string(names->walls[hinge]); };
+  linkage.vertex_name = [names](int body) { return to_string(names->vertices[body]); };
+}
+
+}  // namespace
+
+HingedWall hinged_wall(const Hinge& hinge) {
+  return {hinge.lower, hinge.upper, edge_direction(hinge.wall.axis), hinge.parameters};
+}
+
+RestHinge rest_hinge(const Hinge& hinge) { return rest_hinge(hinged_wall(hinge)); }
+
+Structure::operator Linkage() const {
+  Linkage out;
+  out.size = size;
+  out.bodies.reserve(bodies.size());
+  for (const Vertex& v : bodies) out.bodies.push_back({rest_place(v), v.sense()});
+  out.hinges.reserve(hinges.size());
+  out.plates.reserve(2 * hinges.size());
+  for (const Hinge& hinge : hinges) {
+    for (const Plate& plate : plates(hinged_wall(hinge), static_cast<int>(out.hinges.size())))
+      out.plates.push_back(plate);
+    out.hinges.push_back(rest_hinge(hinge));
+  }
+  out.cells.reserve(cell_members.size());
+  for (const CellHinges& cell : cell_members)
+    out.cells.push_back({{cell.bodies.begin(), cell.bodies.end()}, {cell.hinges.begin(), cell.hinges.end()}});
+  name_parts(*this, out);
+  return out;
+}
+
+int line_of(const Wall& wall) { return row_along(wall.axis, wall.from); }
+
+int line_count(const Structure& structure, Axis axis) {
+  int count = 0;
+  for (const Hinge& h : structure.hinges)
+    if (h.wall.axis == axis) count = std::max(count, line_of(h.wall) + 1);
+  return count;
+}
+
+std::vector<int> hinges_on_line(const Structure& structure, Axis axis, int line) {
+  std::vector<int> hinges;
+  for (int k = 0; k < static_cast<int>(structure.hinges.size()); ++k) {
+    const Wall& wall = structure.hinges[k].wall;
+    if (wall.axis == axis && line_of(wall) == line) hinges.push_back(k);
+  }
+  return hinges;
+}
+
+bool starts_in_class_b(const Wall& wall) { return !wall.from.is_class_a(); }
+
+std::vector<std::vector<int>> body_columns(const Structure& structure) {
+  std::vector<std::vector<int>> columns;
+  for (int b = 0; b < static_cast<int>(structure.bodies.size()); ++b) {
+    if (b == 0 || structure.bodies[b].i != structure.bodies[b - 1].i) columns.emplace_back();
+    columns.back().push_back(b);
+  }
+  return columns;
 }
 
 }  // namespace kinetix::model

@@ -7,10 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "model/linkage/axis.hpp"
-#include "model/linkage/hinge_parameters.hpp"
 #include "model/linkage/linkage.hpp"
-#include "model/linkage/wall.hpp"
 
 namespace kinetix::model {
 
@@ -113,7 +110,7 @@ void validate_hinges(const Structure& structure);
 /// Returns the row of a vertex along an axis: its column i for x, its row j for y.
 inline int row_along(Axis axis, Vertex v) { return axis == Axis::x ? v.i : v.j; }
 
-/// Returns the up-direction of a wall plate at rest, unit length; beta in rad. More in model/linkage/wall.hpp.
+/// Returns the up-direction of a wall plate at rest, unit length; beta in rad. More in model/linkage/linkage.hpp.
 Eigen::Vector3d wall_up(Axis axis, double beta);
 /// Returns true if the hinge axis is along z at rest, to 1e-9 rad.
 bool is_vertical(const Hinge& hinge);
@@ -121,5 +118,33 @@ bool is_vertical(const Hinge& hinge);
 bool all_vertical(const Structure& structure);
 /// Returns the hinge axis at rest, unit length.
 Eigen::Vector3d hinge_axis(Axis axis, const HingeParameters& parameters);
+
+/// Returns the number of columns (axis x) or rows (axis y) of walls, counted from 0 at the lattice's origin.
+int line_count(const Structure& structure, Axis axis);
+/// Returns the column or row of a wall.
+int line_of(const Wall& wall);
+/// Returns the hinges of the x-walls of column `line`, or of the y-walls of row `line`; ascending.
+std::vector<int> hinges_on_line(const Structure& structure, Axis axis, int line);
+/// Returns true if a wall's lower vertex is of sublattice B: its t is then 1 minus the fraction of sublattice A.
+bool starts_in_class_b(const Wall& wall);
+
+/// Returns the bodies of each column of vertices with bodies, both ascending.
+std::vector<std::vector<int>> body_columns(const Structure& structure);
+
+/// Numbering of columns, rows and bodies on a whole lattice from (0, 0), column by column, from 0.
+
+/// Returns the number of bodies of a lattice of columns x rows cells.
+inline std::size_t lattice_bodies(std::size_t columns, std::size_t rows) {
+  return (columns + 1) * (rows + 1);
+}
+/// Returns the body on a vertex of a lattice with `rows` rows of cells.
+inline int lattice_body(Vertex vertex, int rows) { return vertex.i * (rows + 1) + vertex.j; }
+/// Returns the number of columns of vertices of a lattice with this number of bodies.
+inline int vertex_columns(std::size_t bodies, int rows) {
+  return static_cast<int>(bodies / static_cast<std::size_t>(rows + 1));
+}
+
+/// Returns +1 for even columns, -1 for odd ones: tilts and turns alternate with it. @pre column >= 0
+inline int column_sign(int column) { return column % 2 == 0 ? 1 : -1; }
 
 }  // namespace kinetix::model

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include "app/console/console.hpp"
-#include "app/console/time_left.hpp"
 
 namespace kinetix::testing {
 namespace {

@@ -1,8 +1,7 @@
-#include "app/console/time_left.hpp"
-
 #include <gtest/gtest.h>
 
-#include "app/run/forecast.hpp"
+#include "app/console/console.hpp"
+#include "app/run/plan.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,11 +1,10 @@
 #include "app/files/design_file.hpp"
 
 #include <gmock/gmock.h>
-
 #include <cmath>
 #include <random>
 
-#include "model/matter/process.hpp"
+#include "model/material/process.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/random_designs.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -1,13 +1,12 @@
 #include "app/files/lattice_section.hpp"
 
 #include <gmock/gmock.h>
-
 #include <filesystem>
 #include <random>
 #include <tuple>
 
 #include "app/files/design_file.hpp"
-#include "model/lattice/planar/closed_rim.hpp"
+#include "model/lattice/planar/closed_boundary.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/planar_graphs.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <random>
 
-#include "model/closure/null_space.hpp"
+#include "model/closure/mobility.hpp"
 #include "model/lattice/planar/planar_motion.hpp"
 #include "tests/support/random_mesh.hpp"
 

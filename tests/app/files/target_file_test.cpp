@@ -1,13 +1,12 @@
 #include <gmock/gmock.h>
-
 #include <cmath>
 #include <random>
 
-#include "app/goals/curve/curve_file.hpp"
+#include "app/goals/curve/curve_search.hpp"
 #include "app/goals/display/display_file.hpp"
-#include "app/goals/helmet/helmet_file.hpp"
+#include "app/goals/helmet/helmet_goal.hpp"
 #include "app/goals/registry.hpp"
-#include "app/goals/space_curve/space_curve_file.hpp"
+#include "app/goals/space_curve/space_curve_goal.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/targets/heads.hpp"

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "targets/document/document.hpp"
-#include "targets/document/tree.hpp"
 
 namespace kinetix::testing {
 

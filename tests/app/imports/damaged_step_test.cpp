@@ -1,15 +1,13 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <fmt/format.h>
-
 #include <atomic>
 #include <cstring>
 #include <random>
 #include <thread>
 
+#include "app/cad/cad_formats.hpp"
 #include "app/cad/solid_bytes.hpp"
-#include "app/cad/step.hpp"
 #include "app/io/reader_program.hpp"
 #include "model/base/invalid_input.hpp"
 #include "tests/app/program.hpp"

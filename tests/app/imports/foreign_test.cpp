@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "sim/shapes/convex_cuts.hpp"
+#include "sim/shapes/cut_quality.hpp"
 #include "targets/mesh/mesh_file.hpp"
 #include "tests/app/program.hpp"
 

@@ -1,18 +1,16 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <fmt/format.h>
-
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/cad/stl_text.hpp"
+#include "app/cad/cad_formats.hpp"
 #include "app/files/design_file.hpp"
 #include "app/print/format/zip_text.hpp"
 #include "model/assembly/assembly.hpp"
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
 #include "tests/support/strip_solids.hpp"

@@ -1,13 +1,11 @@
 #include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 
-#include "model/base/angle.hpp"
-#include "model/base/rigid_fit.hpp"
+#include "model/base/geometry.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
 

@@ -2,9 +2,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/files/file_header.hpp"
-#include "app/files/physics_section.hpp"
+#include "app/files/goal_settings.hpp"
 #include "app/goals/registry.hpp"
-#include "app/run/midline.hpp"
+#include "app/run/goal.hpp"
 #include "model/lattice/lattice_motion.hpp"
 
 /// A kind of goal in one file: a strip of one row of upright cells that folds to a width.

@@ -1,4 +1,4 @@
-#include "model/lattice/planar/lattices/registry.hpp"
+#include "model/lattice/planar/regular_lattices.hpp"
 
 /// A lattice in one file: stacked rectangles of 2 x 1 with a vertex in the middle of their long sides.
 namespace kinetix::model {

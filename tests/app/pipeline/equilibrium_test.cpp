@@ -1,6 +1,5 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -8,7 +7,7 @@
 #include <string>
 
 #include "app/files/design_file.hpp"
-#include "app/pipeline/drive_trials.hpp"
+#include "app/pipeline/drive_loads.hpp"
 #include "app/result/summary.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"

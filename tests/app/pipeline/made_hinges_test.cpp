@@ -1,11 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "model/base/angle.hpp"
-#include "model/matter/made_hinge.hpp"
+#include "model/base/geometry.hpp"
+#include "model/material/manufactured_hinge.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -13,7 +12,7 @@
 #include "app/goals/fold/fold_goal.hpp"
 #include "app/goals/registry.hpp"
 #include "app/pipeline/robust_search.hpp"
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
 

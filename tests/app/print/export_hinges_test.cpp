@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -12,7 +11,7 @@
 #include "app/print/slicer.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/linkage/state.hpp"
-#include "model/matter/hinge_strain.hpp"
+#include "model/material/manufactured_hinge.hpp"
 #include "tests/app/print/exports.hpp"
 #include "tests/app/program.hpp"
 #include "tests/support/stl_volume.hpp"

@@ -1,12 +1,11 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/print/format/print_format.hpp"
 #include "app/print/format/zip_text.hpp"
-#include "app/print/overhang.hpp"
 #include "app/print/slicer.hpp"
 #include "tests/app/print/exports.hpp"
 #include "tests/app/program.hpp"

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-
 #include <cstdlib>
 #include <iostream>
 #include <random>
@@ -10,7 +9,7 @@
 #include "app/print/sheet/print_path.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/lattice_motion.hpp"
-#include "model/lattice/square/family/classify.hpp"
+#include "model/lattice/square/family/classification.hpp"
 #include "tests/app/print/exports.hpp"
 #include "tests/app/print/folding_judge.hpp"
 #include "tests/support/random_designs.hpp"

@@ -1,15 +1,14 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <regex>
 
 #include "app/print/fit.hpp"
+#include "app/print/format/print_format.hpp"
 #include "app/print/format/sheet_drawing.hpp"
-#include "app/print/overhang.hpp"
 #include "tests/app/print/mesh_distance.hpp"
 #include "tests/app/program.hpp"
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -12,10 +11,10 @@
 #include <sstream>
 
 #include "app/print/fit.hpp"
-#include "app/print/format/parts.hpp"
-#include "model/closure/closure_drive.hpp"
+#include "app/print/format/print_format.hpp"
+#include "model/closure/closure.hpp"
 #include "model/linkage/state.hpp"
-#include "model/matter/made_hinge.hpp"
+#include "model/material/manufactured_hinge.hpp"
 #include "tests/app/print/gltf_judge.hpp"
 #include "tests/app/print/mujoco_judge.hpp"
 #include "tests/app/print/slices.hpp"

@@ -1,12 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "app/print/fit.hpp"
-#include "app/print/overhang.hpp"
+#include "app/print/format/print_format.hpp"
 #include "app/print/sheet/coupon.hpp"
 #include "app/print/slicer.hpp"
 #include "app/report/report.hpp"

@@ -1,12 +1,11 @@
-#include "app/studio/play/equilibria.hpp"
-
 #include <gtest/gtest.h>
 
 #include "app/studio/messages/templates.hpp"
+#include "app/studio/play/equilibria.hpp"
 #include "app/studio/play/shape.hpp"
-#include "model/closure/closure_drive.hpp"
+#include "model/closure/closure.hpp"
 #include "model/closure/drive_theta.hpp"
-#include "model/linkage/actuators.hpp"
+#include "model/linkage/linkage_drive.hpp"
 
 namespace kinetix::testing {
 namespace {

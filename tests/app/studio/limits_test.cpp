@@ -2,14 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
-
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <latch>
 
-#include "app/studio/session/parts.hpp"
+#include "app/studio/session/uploads.hpp"
 #include "tests/app/studio/studio.hpp"
 
 namespace kinetix::testing {

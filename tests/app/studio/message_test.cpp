@@ -1,7 +1,6 @@
 #include "app/studio/messages/message.hpp"
-
 #include "app/io/bytes.hpp"
-#include "app/studio/play/frame.hpp"
+#include "app/studio/play/page_updates.hpp"
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::testing {

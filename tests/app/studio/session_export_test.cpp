@@ -1,10 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
 
-#include "app/pipeline/hinge_loads.hpp"
+#include "app/pipeline/drive_loads.hpp"
 #include "tests/app/studio/studio.hpp"
 
 namespace kinetix::testing {

@@ -1,8 +1,5 @@
-#include "app/studio/session/session_loop.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
@@ -10,7 +7,7 @@
 #include <new>
 #include <thread>
 
-#include "app/studio/session/job.hpp"
+#include "app/studio/session/session_loop.hpp"
 #include "model/base/invalid_input.hpp"
 #include "tests/app/studio/studio.hpp"
 

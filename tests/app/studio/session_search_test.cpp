@@ -1,12 +1,11 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
-#include "app/studio/session/earlier_result.hpp"
+#include "app/studio/session/autosave.hpp"
 #include "tests/app/studio/studio.hpp"
 
 namespace kinetix::testing {

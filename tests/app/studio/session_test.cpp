@@ -1,16 +1,14 @@
-#include "app/studio/session/session.hpp"
-
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <atomic>
 #include <fstream>
 #include <random>
 
-#include "app/pipeline/hinge_loads.hpp"
+#include "app/pipeline/drive_loads.hpp"
 #include "app/studio/messages/templates.hpp"
-#include "app/studio/session/earlier_result.hpp"
+#include "app/studio/session/autosave.hpp"
+#include "app/studio/session/session.hpp"
 #include "model/lattice/lattice_motion.hpp"
 #include "tests/app/studio/client.hpp"
 #include "tests/app/studio/studio.hpp"

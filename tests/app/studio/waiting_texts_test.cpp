@@ -1,6 +1,6 @@
-#include "app/studio/messages/waiting_texts.hpp"
-
 #include <gtest/gtest.h>
+
+#include "app/studio/play/page_updates.hpp"
 
 namespace kinetix::testing {
 namespace {

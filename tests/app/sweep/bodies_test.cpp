@@ -1,11 +1,10 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/cad/stl_text.hpp"
+#include "app/cad/cad_formats.hpp"
 #include "tests/app/schema_errors.hpp"
 #include "tests/app/sweep/sweep.hpp"
 #include "tests/support/strip_solids.hpp"

@@ -1,17 +1,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <csignal>
 #include <utility>
 
 #include "app/io/bytes.hpp"
 #include "app/studio/messages/templates.hpp"
 #include "app/sweep/plan/edit.hpp"
-#include "app/sweep/workers/process_pool.hpp"
-#include "app/sweep/workers/thread_pool.hpp"
-#include "app/sweep/workers/work_message.hpp"
-#include "model/base/angle.hpp"
-#include "model/solids/open_hinge.hpp"
+#include "app/sweep/workers/worker_pools.hpp"
+#include "model/base/geometry.hpp"
+#include "model/solids/hinge_shape.hpp"
 #include "targets/document/edit_document.hpp"
 #include "tests/app/sweep/sweep.hpp"
 #include "tests/support/bad_input.hpp"

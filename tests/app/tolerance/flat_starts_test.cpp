@@ -1,14 +1,12 @@
-#include "model/tolerance/flat_starts.hpp"
-
 #include <gmock/gmock.h>
-
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "app/goals/registry.hpp"
 #include "app/pipeline/pipeline.hpp"
-#include "app/result/as_made_json.hpp"
+#include "app/result/print_evidence.hpp"
 #include "app/result/verdict.hpp"
+#include "model/tolerance/print_runs.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace kinetix::app {

@@ -1,12 +1,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-
 #include <cstdlib>
 #include <numeric>
 
 #include "app/goals/registry.hpp"
-#include "app/pipeline/as_made.hpp"
 #include "app/pipeline/pipeline.hpp"
+#include "app/pipeline/print_tolerance.hpp"
 #include "model/lattice/lattice_motion.hpp"
 #include "tests/app/tolerance/free_prints.hpp"
 #include "tests/app/tolerance/wall_solids.hpp"

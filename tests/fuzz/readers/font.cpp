@@ -1,4 +1,4 @@
-#include "targets/display/glyph_picture.hpp"
+#include "targets/display/glyph_goal.hpp"
 #include "tests/fuzz/input_folder.hpp"
 
 using namespace kinetix;

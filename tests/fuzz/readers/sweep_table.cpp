@@ -1,7 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "app/sweep/table/sweep_csv.hpp"
-#include "app/sweep/table/sweep_json.hpp"
+#include "app/sweep/table/sweep_output.hpp"
 #include "app/sweep/table/sweep_table.hpp"
 #include "tests/fuzz/input_folder.hpp"
 

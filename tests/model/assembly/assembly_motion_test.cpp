@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/closure/closure_drive.hpp"
+#include "model/closure/closure.hpp"
 #include "tests/support/rotating_squares.hpp"
 
 namespace kinetix::model {

@@ -1,12 +1,10 @@
 #include "model/assembly/soft_hinge.hpp"
 
 #include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <random>
 
 #include "model/assembly/assembly.hpp"
-#include "model/assembly/cross_section.hpp"
 #include "model/base/invalid_input.hpp"
 #include "tests/support/strip_solids.hpp"
 

@@ -6,7 +6,7 @@
 #include "model/assembly/assembly_motion.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/closure.hpp"
-#include "model/linkage/hinge_mismatch.hpp"
+#include "model/linkage/state.hpp"
 #include "tests/support/rotating_squares.hpp"
 
 namespace kinetix::model {

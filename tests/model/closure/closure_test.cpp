@@ -1,14 +1,11 @@
 #include "model/closure/closure.hpp"
 
 #include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 
 #include "model/base/invalid_input.hpp"
-#include "model/closure/closure_solver.hpp"
-#include "model/lattice/square/cell_tuple.hpp"
 #include "model/lattice/square/unit_laws.hpp"
 #include "tests/support/derivatives.hpp"
 #include "tests/support/random_designs.hpp"

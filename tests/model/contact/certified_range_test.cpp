@@ -1,12 +1,10 @@
 #include "model/contact/certified_range.hpp"
 
 #include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/lattice_motion.hpp"
-#include "model/lattice/turn_laws.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/creased.hpp"
 #include "tests/support/random_designs.hpp"

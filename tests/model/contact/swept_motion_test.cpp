@@ -1,11 +1,9 @@
 #include "model/contact/swept_motion.hpp"
 
 #include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 
 #include "model/lattice/lattice_motion.hpp"
-#include "model/lattice/turn_laws.hpp"
 #include "tests/support/random_designs.hpp"
 #include "tests/support/random_nets.hpp"
 

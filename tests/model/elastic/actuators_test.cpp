@@ -1,15 +1,12 @@
-#include "model/linkage/actuators.hpp"
-
 #include <gtest/gtest.h>
-
 #include <cmath>
 #include <functional>
 
 #include "model/base/invalid_input.hpp"
 #include "model/closure/drive_theta.hpp"
 #include "model/elastic/adjoint.hpp"
-#include "model/elastic/exact_theta.hpp"
 #include "model/elastic/path/stable_states.hpp"
+#include "model/linkage/linkage_drive.hpp"
 #include "tests/support/derivatives.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/paper_scenes.hpp"

@@ -1,9 +1,7 @@
 #include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 
 #include "model/closure/closure.hpp"
-#include "model/closure/closure_solver.hpp"
 #include "model/closure/mobility.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"

@@ -1,13 +1,11 @@
 #include "model/hinge/hinge_energy.hpp"
 
 #include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <random>
 
 #include "model/closure/closure.hpp"
-#include "model/closure/closure_drive.hpp"
-#include "model/hinge/play_energy.hpp"
+#include "model/hinge/clearance_energy.hpp"
 #include "tests/support/derivatives.hpp"
 #include "tests/support/random_elastic.hpp"
 

@@ -1,12 +1,11 @@
 #include "model/linkage/state.hpp"
 
 #include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 
-#include "model/base/larger.hpp"
+#include "model/base/algorithms.hpp"
 #include "tests/support/random_designs.hpp"
 
 namespace kinetix::model {

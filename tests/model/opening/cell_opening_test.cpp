@@ -1,14 +1,11 @@
 #include "model/opening/cell_opening.hpp"
 
 #include <gtest/gtest.h>
-
 #include <cmath>
 #include <random>
 
 #include "model/closure/closure.hpp"
-#include "model/closure/closure_solver.hpp"
-#include "model/lattice/square/family/classify.hpp"
-#include "model/opening/soft_aperture.hpp"
+#include "model/lattice/square/family/classification.hpp"
 #include "tests/support/derivatives.hpp"
 
 namespace kinetix::model {

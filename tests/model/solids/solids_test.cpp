@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
 #include <random>
@@ -7,9 +6,9 @@
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/lattice.hpp"
 #include "model/lattice/square/structure.hpp"
-#include "model/linkage/wall.hpp"
+#include "model/linkage/linkage.hpp"
 #include "model/solids/body_solid.hpp"
-#include "model/solids/open_hinge.hpp"
+#include "model/solids/hinge_shape.hpp"
 
 namespace kinetix::model {
 namespace {

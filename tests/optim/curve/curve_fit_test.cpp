@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "model/base/invalid_input.hpp"
-#include "optim/curve/curve_reach.hpp"
-#include "optim/curve/curve_starts.hpp"
+#include "optim/curve/fit_curve.hpp"
 #include "tests/support/curves.hpp"
 #include "tests/support/derivatives.hpp"
 

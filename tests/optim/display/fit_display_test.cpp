@@ -1,12 +1,11 @@
 #include "optim/display/fit_display.hpp"
 
 #include <gtest/gtest.h>
-
 #include <cmath>
 #include <random>
 
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/planar/lattices/honeycomb.hpp"
+#include "model/lattice/planar/regular_lattices.hpp"
 #include "tests/support/derivatives.hpp"
 #include "tests/support/paper_scenes.hpp"
 

@@ -2,12 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <random>
 
 #include "model/base/invalid_input.hpp"
 #include "model/closure/mobility.hpp"
-#include "targets/display/display_score.hpp"
+#include "targets/display/display_goal.hpp"
 #include "tests/support/planar_graphs.hpp"
 
 namespace kinetix::optim {

@@ -1,9 +1,7 @@
 #include <gtest/gtest.h>
-
 #include <random>
 
 #include "optim/doe/analysis.hpp"
-#include "optim/doe/nan.hpp"
 #include "tests/optim/doe/test_functions.hpp"
 
 namespace kinetix::optim {

@@ -3,7 +3,6 @@
 
 #include "model/base/invalid_input.hpp"
 #include "optim/doe/analysis.hpp"
-#include "optim/doe/nan.hpp"
 #include "tests/optim/doe/test_functions.hpp"
 
 namespace kinetix::optim {

@@ -1,11 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <array>
 
 #include "model/base/invalid_input.hpp"
 #include "optim/doe/analysis.hpp"
-#include "optim/doe/nan.hpp"
 #include "tests/optim/doe/test_functions.hpp"
 
 namespace kinetix::optim {

@@ -1,13 +1,13 @@
-#include "optim/fold/fit_fold.hpp"
-
 #include <gmock/gmock.h>
-
+#include <gtest/gtest.h>
 #include <cmath>
 #include <stop_token>
 
 #include "model/contact/wall_contact.hpp"
-#include "model/lattice/square/family/classify.hpp"
-#include "optim/fold/face_crossing.hpp"
+#include "model/lattice/planar/planar_motion.hpp"
+#include "model/lattice/square/family/classification.hpp"
+#include "optim/fold/fit_fold.hpp"
+#include "optim/fold/folded_net.hpp"
 
 namespace kinetix::optim {
 namespace {
@@ -140,6 +140,23 @@ TEST(FaceCrossing, FindsNoneInAnyUnfoldingOfACube) {
   for (const targets::FoldNet& net : cube.nets)
     EXPECT_FALSE(first_face_crossing(
         fold_to(net, std::vector<int>(5, 2), 25 * radians_per_degree, small_cell, 60 * radians_per_degree)));
+}
+
+class Solids : public ::testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Fit, Solids, ::testing::Range(0, static_cast<int>(targets::solid_names().size())),
+                         [](const auto& run) { return targets::solid_names()[run.param]; });
+
+TEST_P(Solids, FoldWithNoWallInTheWay) {
+  const SolidDesign design = fit_solid(targets::named_solid(GetParam()), 2, 0, {});
+  ASSERT_TRUE(design.folds);
+  for (std::size_t c = 0; c < design.net.creases.size(); ++c) {
+    EXPECT_NEAR(to_degrees(design.error.fold[c] - design.net.creases[c].angle), 0, 1e-6);
+    EXPECT_LE(design.tilt[c], FoldOptions{}.tilt + 1e-12);
+  }
+  EXPECT_LE(design.error.rms, 1e-9);
+  const auto limit =
+      theta_range(design.net.structure, exact_motion(design.net.structure), {.limit = design.theta}).positive;
+  EXPECT_FALSE(limit.touches);
 }
 
 }  // namespace

@@ -1,14 +1,11 @@
 #include "optim/outline/fit_outline.hpp"
 
 #include <gmock/gmock.h>
-
 #include <cmath>
 #include <numbers>
 
 #include "kinetix/kinetix.hpp"
-#include "model/lattice/planar/lattices/brick.hpp"
-#include "model/lattice/planar/lattices/honeycomb.hpp"
-#include "model/lattice/planar/lattices/octagon.hpp"
+#include "model/lattice/planar/regular_lattices.hpp"
 
 namespace kinetix::optim {
 namespace {

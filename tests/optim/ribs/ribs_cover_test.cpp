@@ -1,10 +1,9 @@
 #include "optim/ribs/ribs_cover.hpp"
 
 #include <gtest/gtest.h>
-
 #include <cmath>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "model/lattice/square/family/net.hpp"
 #include "model/lattice/square/fishbone.hpp"
 #include "optim/ribs/fit_ribs.hpp"

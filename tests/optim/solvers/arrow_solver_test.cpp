@@ -1,11 +1,10 @@
 #include "optim/solvers/arrow_solver.hpp"
 
 #include <gtest/gtest.h>
-
 #include <cmath>
 #include <limits>
 
-#include "optim/solvers/least_squares.hpp"
+#include "optim/solvers/solver.hpp"
 
 namespace kinetix::optim {
 namespace {

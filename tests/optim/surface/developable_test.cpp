@@ -1,12 +1,11 @@
 #include "optim/surface/developable.hpp"
 
 #include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
 #include <random>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 
 namespace kinetix::optim {
 namespace {

@@ -1,13 +1,12 @@
 #include "optim/surface/fit_surface.hpp"
 
 #include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/origami/origami_sheet.hpp"
-#include "optim/surface/surface_starts.hpp"
+#include "optim/surface/surface_problem.hpp"
 #include "tests/support/derivatives.hpp"
 
 namespace kinetix::optim {

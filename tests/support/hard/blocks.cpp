@@ -4,9 +4,8 @@
 #include "model/base/invalid_input.hpp"
 #include "model/closure/closure.hpp"
 #include "model/closure/mobility.hpp"
-#include "model/closure/null_space.hpp"
 #include "model/elastic/newton.hpp"
-#include "model/linkage/gripped_rows.hpp"
+#include "model/linkage/linkage_drive.hpp"
 #include "tests/support/hard/kit.hpp"
 #include "tests/support/sodalite_arms.hpp"
 

@@ -1,10 +1,9 @@
-#include "tests/support/hard/kit.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-#include "model/closure/closure_drive.hpp"
+#include "model/closure/closure.hpp"
 #include "model/elastic/elastic_system.hpp"
+#include "tests/support/hard/kit.hpp"
 
 namespace kinetix::testing {
 namespace {

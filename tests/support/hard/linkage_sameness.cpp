@@ -5,8 +5,8 @@
 #include <random>
 
 #include "model/elastic/elastic_system.hpp"
-#include "model/lattice/planar/planar_drive.hpp"
-#include "model/matter/made_hinge.hpp"
+#include "model/lattice/planar/planar_motion.hpp"
+#include "model/material/manufactured_hinge.hpp"
 #include "tests/support/hard/kit.hpp"
 #include "tests/support/miura.hpp"
 #include "tests/support/planar_graphs.hpp"

@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/closure/closure_drive.hpp"
-#include "model/hinge/play_energy.hpp"
-#include "model/lattice/planar/planar_drive.hpp"
-#include "model/matter/hinge_strain.hpp"
-#include "model/matter/made_hinge.hpp"
+#include "model/closure/closure.hpp"
+#include "model/hinge/clearance_energy.hpp"
+#include "model/lattice/planar/planar_motion.hpp"
+#include "model/material/manufactured_hinge.hpp"
 #include "tests/support/creased.hpp"
 #include "tests/support/hard/kit.hpp"
 #include "tests/support/planar_graphs.hpp"

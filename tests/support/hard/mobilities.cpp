@@ -2,7 +2,7 @@
 #include <functional>
 
 #include "model/base/invalid_input.hpp"
-#include "model/closure/closure_drive.hpp"
+#include "model/closure/closure.hpp"
 #include "model/closure/mobility.hpp"
 #include "tests/support/hard/kit.hpp"
 #include "tests/support/random_elastic.hpp"

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "model/closure/closure_drive.hpp"
+#include "model/closure/closure.hpp"
 #include "tests/support/hard/kit.hpp"
 #include "tests/support/paper_scenes.hpp"
 

@@ -5,8 +5,7 @@
 #include "model/closure/closure.hpp"
 #include "model/closure/drive_theta.hpp"
 #include "model/closure/mobility.hpp"
-#include "model/closure/null_space.hpp"
-#include "model/lattice/planar/planar_drive.hpp"
+#include "model/lattice/planar/planar_motion.hpp"
 #include "tests/support/hard/kit.hpp"
 #include "tests/support/planar_graphs.hpp"
 

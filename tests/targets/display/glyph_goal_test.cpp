@@ -1,12 +1,10 @@
 #include "targets/display/glyph_goal.hpp"
 
 #include <gmock/gmock.h>
-
 #include <algorithm>
 #include <map>
 
-#include "targets/display/glyph_picture.hpp"
-#include "targets/display/topology.hpp"
+#include "targets/display/picture.hpp"
 #include "tests/support/bad_input.hpp"
 
 namespace kinetix::targets {

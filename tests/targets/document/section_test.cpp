@@ -1,11 +1,9 @@
 #include "targets/document/section.hpp"
 
 #include <gmock/gmock.h>
-
 #include <stdexcept>
 
-#include "model/base/angle.hpp"
-#include "targets/document/bound_key.hpp"
+#include "model/base/geometry.hpp"
 #include "tests/support/bad_input.hpp"
 
 namespace kinetix::targets {

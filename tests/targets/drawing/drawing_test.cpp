@@ -2,10 +2,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <random>
 
-#include "targets/drawing/read_drawing.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/temporary_folder.hpp"
 

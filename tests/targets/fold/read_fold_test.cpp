@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "targets/fold/net_layout.hpp"
+#include "targets/fold/fold_net.hpp"
 #include "tests/support/bad_input.hpp"
 
 namespace kinetix::targets {

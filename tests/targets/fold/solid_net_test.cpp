@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/closure/null_space.hpp"
+#include "model/closure/mobility.hpp"
 #include "model/lattice/planar/planar_motion.hpp"
 
 namespace kinetix::targets {

@@ -1,12 +1,9 @@
 #include "targets/space_curve/space_goal.hpp"
 
 #include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
-
-#include "targets/space_curve/space_error.hpp"
 
 namespace kinetix::targets {
 namespace {

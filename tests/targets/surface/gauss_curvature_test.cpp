@@ -1,13 +1,12 @@
 #include "targets/surface/gauss_curvature.hpp"
 
 #include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
 #include <functional>
 #include <random>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 
 namespace kinetix::targets {
 namespace {

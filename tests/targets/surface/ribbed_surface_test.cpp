@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 #include "tests/targets/meshes.hpp"
 

@@ -3,9 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
-#include "targets/surface/mesh_patch.hpp"
 #include "tests/support/bad_input.hpp"
 #include "tests/support/derivatives.hpp"
 

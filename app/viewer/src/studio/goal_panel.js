@@ -4,7 +4,7 @@ import {DrawingPad} from "./drawing_pad.js";
 import {CARDS} from "./goals.js";
 import {say, status, unsay} from "./words.js";
 
-const LARGEST_FILE = 32 * 2 ** 20;  // bytes of all files of a search: limit of the program (app/studio/session/parts.hpp)
+const LARGEST_FILE = 32 * 2 ** 20;  // bytes of all files of a search: limit of the program (app/studio/session/uploads.hpp)
 const PART = 480e3;                 // bytes, a multiple of 3: the program accepts messages up to 768 KiB, and base64 adds a third
 
 export class GoalPanel {

@@ -1,15 +1,56 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
-#include "model/closure/closure_drive.hpp"
-#include "model/lattice/square/grip.hpp"
+#include "model/closure/closure.hpp"
+#include "model/lattice/square/family/classification.hpp"
+#include "model/lattice/square/structure.hpp"
 #include "model/linkage/linkage_drive.hpp"
 #include "model/linkage/state.hpp"
 
 namespace kinetix::model {
+
+/// A rectangle of lattice vertices, including corners: the part of a structure that plates grip.
+struct Grip {
+  Vertex first;  ///< lower left
+  Vertex last;   ///< upper right
+  bool operator==(const Grip&) const = default;
+
+  bool contains(Vertex v) const { return first.i <= v.i && v.i <= last.i && first.j <= v.j && v.j <= last.j; }
+};
+
+std::string to_string(const Grip& grip);
+
+/// Checks a grip. @throws InvalidInput unless the rectangle spans at least one cell in both directions and the
+/// structure has every vertex of its first and last row along the axis
+void validate(const Grip& grip, Axis axis, const Structure& structure);
+
+/// Returns the bodies on the first and on the last row of vertices along the axis, ascending along the row. The rows
+/// are those of the grip or, without one, of the whole structure.
+GrippedRows gripped_bodies(const Structure& structure, Axis axis, const std::optional<Grip>& grip = {});
+
+/// Part of a net that plates grip, and the direction of the plates.
+struct NetGrip {
+  Grip grip;
+  Axis axis = Axis::y;  ///< normal of the plates
+};
+
+/// Returns the part of a net (family F4) that plates grip best; empty if there is none. A candidate is a flat panel
+/// of basic cells between plates along its longer side. Another is a spine of any length, one cell wide, between
+/// plates along it, in which it bends. The choice is the rectangle with the least total distance of all bodies,
+/// counted in walls, because they all swing with it.
+std::optional<NetGrip> find_net_grip(const Structure& structure);
+
+/// Checks that plates can hold the gripped rows during an exact motion (keeps_between_plates). Other structures are
+/// not checked. @throws InvalidInput if they cannot
+void require_kept_rows(const Structure& structure, const Classification& kind, Axis axis,
+                       const std::optional<Grip>& grip);
+/// Checks rows that the plates hold. @param what part of the structure bounded by the rows, for the message
+void require_kept_rows(const Structure& structure, const Classification& kind, Axis axis,
+                       const GrippedRows& rows, const std::string& what);
 
 /// Drive by two rigid planes normal to `axis` that close in on the structure. They grip the bodies of the first and
 /// last row of vertices along the axis, like pins in a frictionless slot. The coordinate of such a body along the
@@ -69,7 +110,7 @@ struct BodyPull {
 /// Drive of a structure, as in files. A driven hinge leaves the structure floating freely.
 ///
 /// Flat is a singular position: the height changes with theta squared, so it does not distinguish the two signs of
-/// theta. The run selects the branch: bodies start along the first-order motion of sim/start_motion.hpp, with the
+/// theta. The run selects the branch: bodies start along the first-order motion of sim/physics_run.hpp, with the
 /// sign of theta. Sublattice A is then pushed about z in that direction and sublattice B against it, with decreasing
 /// strength until the drive is complete. A sheet that must strain needs the push, because it buckles only after some
 /// travel of its plates.
@@ -95,7 +136,7 @@ std::vector<Drive> search_drives(const Structure& structure, double theta);
 /// - For planar sheets, plates whose rows stay straight, if there are any.
 /// - Plates normal to the direction in which its rows are stacked (y; x if the sheet folds along y). This needs a
 /// flat and straight boundary, or a rectangle without an exact family, or a sheet without vertical hinges.
-/// - For nets, plates that grip a part (model/lattice/square/family/net_grip.hpp). Without such a part, the vertical
+/// - For nets, plates that grip a part (model/lattice/square/family/drive.hpp). Without such a part, the vertical
 /// hinge nearest to its middle among those that turn by twice theta; otherwise by the turn of its crease at theta.
 /// - For other sheets, the first vertical hinge, by twice theta.
 /// @param theta rad, in (-pi/2, pi/2)

@@ -1,6 +1,5 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -11,13 +10,11 @@
 
 #include "app/goals/display/display_file.hpp"
 #include "app/goals/display/display_goal.hpp"
-#include "app/goals/display/display_limits.hpp"
-#include "app/goals/display/search_panel.hpp"
-#include "app/pictures/far_view.hpp"
+#include "app/goals/display/display_panel.hpp"
 #include "app/pictures/panel_picture.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "targets/display/glyph_goal.hpp"
-#include "targets/display/image_file.hpp"
+#include "targets/display/image_goal.hpp"
 #include "targets/document/document.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"

@@ -1,11 +1,9 @@
 #include <gmock/gmock.h>
-
 #include <nlohmann/json.hpp>
 
 #include "app/exports/exporters.hpp"
 #include "app/goals/display/display_outcome.hpp"
-#include "app/goals/display/display_pictures.hpp"
-#include "app/goals/display/search_panel.hpp"
+#include "app/goals/display/display_panel.hpp"
 #include "app/goals/registry.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "tests/support/qr_reader.hpp"

@@ -1,9 +1,8 @@
 #include <gmock/gmock.h>
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
 

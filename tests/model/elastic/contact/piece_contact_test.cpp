@@ -1,19 +1,16 @@
 #include "model/elastic/contact/piece_contact.hpp"
 
 #include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <memory>
 #include <random>
 
 #include "model/assembly/assembly.hpp"
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "model/closure/closure.hpp"
-#include "model/elastic/contact/piece_surface.hpp"
 #include "model/elastic/elastic_system.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
-#include "model/elastic/retract.hpp"
-#include "model/linkage/make_drive.hpp"
+#include "model/linkage/linkage_drive.hpp"
 #include "tests/support/box_pieces.hpp"
 #include "tests/support/derivatives.hpp"
 

@@ -1,11 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <functional>
 #include <optional>
 #include <random>
 
-#include "model/closure/closure_drive.hpp"
+#include "model/closure/closure.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "model/elastic/path/stable_states.hpp"
 #include "model/elastic/path/turning_points.hpp"

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "tests/support/played_twist_unit.hpp"
 
 /// Flip of the paper's twist unit with clearance in its pins.

@@ -1,9 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "model/closure/closure_drive.hpp"
-#include "model/elastic/path/drive_load.hpp"
+#include "model/closure/closure.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
-#include "model/elastic/path/path_direction.hpp"
+#include "model/elastic/path/measured_system.hpp"
 #include "model/elastic/path/turning_points.hpp"
 #include "tests/support/elastic_runs.hpp"
 #include "tests/support/random_designs.hpp"

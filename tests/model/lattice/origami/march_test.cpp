@@ -2,12 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
 
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/origami/fold_mesh.hpp"
+#include "model/lattice/origami/quad_mesh.hpp"
 #include "tests/support/bad_input.hpp"
 
 namespace kinetix::model {

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "model/base/angle.hpp"
+#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/mobility.hpp"
 #include "model/contact/wall_contact.hpp"
-#include "model/lattice/origami/fold_mesh.hpp"
+#include "model/lattice/origami/quad_mesh.hpp"
 #include "tests/support/random_mesh.hpp"
 
 namespace kinetix::model {

@@ -1,11 +1,10 @@
-#include "tests/support/creased.hpp"
-
 #include <gtest/gtest.h>
 
-#include "model/closure/null_space.hpp"
+#include "model/closure/mobility.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
-#include "model/lattice/planar/closed_rim.hpp"
-#include "model/lattice/planar/planar_drive.hpp"
+#include "model/lattice/planar/closed_boundary.hpp"
+#include "model/lattice/planar/planar_motion.hpp"
+#include "tests/support/creased.hpp"
 #include "tests/support/planar_graphs.hpp"
 
 namespace kinetix::model {

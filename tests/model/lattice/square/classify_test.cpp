@@ -1,14 +1,12 @@
-#include "model/lattice/square/family/classify.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 #include <complex>
 #include <limits>
 #include <random>
 
-#include "model/lattice/square/cell_tuple.hpp"
+#include "model/lattice/square/family/classification.hpp"
+#include "model/lattice/square/unit_laws.hpp"
 #include "tests/support/random_designs.hpp"
 
 namespace kinetix::model {

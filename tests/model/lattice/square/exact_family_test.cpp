@@ -1,5 +1,3 @@
-#include "model/lattice/square/family/exact_family.hpp"
-
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
@@ -7,8 +5,8 @@
 #include <string>
 
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/square/family/exact_gradient.hpp"
-#include "model/lattice/square/family/exact_jacobian.hpp"
+#include "model/lattice/square/family/exact_derivatives.hpp"
+#include "model/lattice/square/family/exact_family.hpp"
 #include "tests/support/derivatives.hpp"
 #include "tests/support/exact_derivatives.hpp"
 #include "tests/support/random_designs.hpp"

@@ -1,12 +1,11 @@
 #include "model/lattice/square/fishbone.hpp"
 
 #include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 
+#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/base/rotation_vector.hpp"
-#include "model/lattice/square/family/classify.hpp"
+#include "model/lattice/square/family/classification.hpp"
 #include "model/lattice/square/family/net.hpp"
 #include "tests/support/derivatives.hpp"
 

@@ -1,17 +1,15 @@
-#include "model/lattice/square/family/fold_angles.hpp"
-
 #include <gtest/gtest.h>
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <random>
 
-#include "model/closure/closure_solver.hpp"
+#include "model/closure/closure.hpp"
 #include "model/closure/mobility.hpp"
 #include "model/lattice/lattice_motion.hpp"
-#include "model/lattice/square/family/classify.hpp"
-#include "model/lattice/square/family/net_rules.hpp"
+#include "model/lattice/square/family/classification.hpp"
+#include "model/lattice/square/family/fold_angles.hpp"
+#include "model/lattice/square/family/net.hpp"
 #include "tests/support/derivatives.hpp"
 #include "tests/support/random_designs.hpp"
 #include "tests/support/random_nets.hpp"

@@ -1,10 +1,8 @@
-#include "model/lattice/square/family/net.hpp"
-
 #include <gtest/gtest.h>
-
 #include <Eigen/Geometry>
 
-#include "model/lattice/square/family/classify.hpp"
+#include "model/lattice/square/family/classification.hpp"
+#include "model/lattice/square/family/net.hpp"
 #include "tests/support/derivatives.hpp"
 #include "tests/support/random_designs.hpp"
 #include "tests/support/random_nets.hpp"

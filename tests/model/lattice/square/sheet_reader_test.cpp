@@ -1,8 +1,7 @@
-#include "model/lattice/square/family/sheet_reader.hpp"
-
 #include <gtest/gtest.h>
 
-#include "model/lattice/square/family/classify.hpp"
+#include "model/lattice/square/family/classification.hpp"
+#include "model/lattice/square/family/exact_family.hpp"
 #include "tests/support/random_designs.hpp"
 
 namespace kinetix::model {

@@ -1,0 +1,241 @@
+#include "app/result/motion_evidence.hpp"
+
+#include <fmt/format.h>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/run/run.hpp"
+#include "model/elastic/path/closed_form.hpp"
+
+namespace kinetix::app {
+namespace {
+
+struct Limit {
+  double most;
+  const char* words;
+};
+
+// N: two fingers pinch with 40 to 100, a hand grips with 200 to 500, body weight on two arms gives 300 and more.
+constexpr Limit forces[] = {{20, "fingers"}, {100, "a hand"}, {300, "both arms"}};
+// N mm: fingers turn a knob with 500 to 1500, a hand opens a jar with 4000 to 6000.
+constexpr Limit moments[] = {{500, "fingers"}, {3000, "a hand"}, {10000, "both arms"}};
+
+template <std::size_t N>
+std::string words(const Limit (&limits)[N], double value) {
+  for (const Limit& limit : limits)
+    if (std::abs(value) <= limit.most) return limit.words;
+  return "a vice";
+}
+
+}  // namespace
+
+std::string effort_of_force(double newtons) { return words(forces, newtons); }
+
+std::string effort_of_moment(double newton_mm) { return words(moments, newton_mm); }
+
+std::string effort_of(const Equilibrium& equilibrium) {
+  if (!equilibrium.drive.acts_from_outside()) return "its own springs";
+  const double load = largest_load(equilibrium.path);
+  return equilibrium.drive.has_force() ? effort_of_force(load) : effort_of_moment(load);
+}
+
+std::string effort_of(const AssumedHinges& taken) {
+  return taken.is_force ? effort_of_force(*taken.load) : effort_of_moment(*taken.load);
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json step_json(const model::EquilibriumStep& step, const model::LinkageDrive& drive) {
+  return {{"theta_rad", step.theta},
+          {"drive", step.drive},
+          {"drive_unit", drive.coordinate_unit()},
+          {"load", step.load},
+          {"load_unit", drive.load_unit()},
+          {"energy_Nmm", step.energy},
+          {"gap", step.gap},
+          {"contacts", step.contacts},
+          {"stable", step.stable}};
+}
+
+Json event_json(const model::PathEvent& event) {
+  return {{"kind", to_string(event.kind)}, {"theta_rad", event.at.theta}, {"since_rad", event.since},
+          {"drive", event.at.drive},       {"load", event.at.load},       {"what", event.what}};
+}
+
+/// Adds the stiffness terms of hinges that are not just two springs k_point.
+void add_directions(const model::Elasticity& e, Json& stiffness) {
+  const model::HingeStiffness k = stiffness_of(e);
+  if (!e.ratios.are_one() || !e.tilt.are_by_reach())
+    stiffness.update({{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}});
+  if (k.rock) stiffness["rock"] = *k.rock;
+  if (k.twist) stiffness["twist"] = *k.twist;
+  if (e.play_mm > 0) stiffness["play_mm"] = e.play_mm;
+}
+
+std::string change_text(const ElasticResult& matter) {
+  return fmt::format("tilts changed by up to {:.2f} deg, theta by {:.2f} deg, in {} steps: {}",
+                     to_degrees(matter.largest_change), to_degrees(matter.theta_change), matter.rounds,
+                     matter.why);
+}
+
+}  // namespace
+
+double mean_moment(const Equilibrium& equilibrium) {
+  return equilibrium.path.steps.back().load / static_cast<double>(equilibrium.drive.springs.size());
+}
+
+Json equilibrium_json(const Equilibrium& equilibrium) {
+  const model::EquilibriumPath& path = equilibrium.path;
+  const model::Elasticity& e = equilibrium.elasticity;
+  Json steps = Json::array(), events = Json::array(), energies = Json::array();
+  Json stiffness = {
+      {"k_point", e.k_point}, {"k_turn", e.k_turn}, {"reach_mm", e.reach_mm}, {"k_contact", e.k_contact}};
+  if (e.each.empty()) add_directions(e, stiffness);
+  for (const model::EquilibriumStep& step : path.steps) steps.push_back(step_json(step, equilibrium.drive));
+  for (const model::PathEvent& event : path.events) events.push_back(event_json(event));
+  for (const model::HingeEnergy& energy : path.hinge_energies)
+    energies.push_back({{"stretch", energy.stretch}, {"turn", energy.turn}});
+  Json json = {{"stop", to_string(path.stop)},
+               {"why", path.why},
+               {"effort", effort_of(equilibrium)},
+               {"planar", path.planar},
+               {"goal_rad", equilibrium.drive.theta()},
+               {"iterations", path.iterations},
+               {"stiffness", stiffness},
+               {"path", steps},
+               {"events", events},
+               {"hinge_energy_Nmm", energies}};
+  if (!equilibrium.drive.acts_from_outside())
+    json["shape_memory"] = {{"springs", equilibrium.drive.springs.size()},
+                            {"k_turn", equilibrium.drive.k_spring},
+                            {"energy_Nmm", path.steps.back().springs},
+                            {"moment_mean_Nmm", mean_moment(equilibrium)}};
+  return json;
+}
+
+void add_equilibrium_metrics(const Equilibrium& equilibrium, Json& metrics) {
+  const model::EquilibriumStep& last = equilibrium.path.steps.back();
+  metrics["reached"] = equilibrium.reached();
+  metrics[equilibrium.drive.coordinate_name()] = last.drive;
+  metrics[equilibrium.drive.has_force() ? "load_N" : "load_Nmm"] = last.load;
+  if (equilibrium.drive.has_force()) metrics["force_N"] = largest_load(equilibrium.path);
+  metrics["energy_Nmm"] = last.energy;
+  metrics["hinge_gap_max"] = equilibrium.path.gaps.max;
+  metrics["hinge_gap_rms"] = equilibrium.path.gaps.rms;
+  if (!equilibrium.from_exact) return;
+  metrics["exact_rms"] = equilibrium.from_exact->rms;
+  metrics["exact_max"] = equilibrium.from_exact->max;
+}
+
+Json matter_json(const ElasticResult& matter) {
+  return {{"exact_mm", matter.exact_mm},
+          {"before_mm", matter.before_mm},
+          {"after_mm", matter.after_mm},
+          {"tolerance_mm", matter.tolerance_mm},
+          {"largest_change_rad", matter.largest_change},
+          {"theta_change_rad", matter.theta_change},
+          {"rounds", matter.rounds},
+          {"why", matter.why}};
+}
+
+std::vector<SummaryLine> matter_lines(const Run& run) {
+  if (!run.matter) return {};
+  const ElasticResult& matter = *run.matter;
+  if (!std::isfinite(matter.after_mm)) return {{"matter", "NO EQUILIBRIUM: " + matter.why}};
+  return {
+      {"matter",
+       fmt::format("with its hinges as made, points of the sheet are {:.3g} mm off {} (rms), where those of "
+                   "the exact design would be {:.3g} mm off; its prints are allowed {:.3g} mm",
+                   matter.after_mm, run.judged_against, matter.before_mm, matter.tolerance_mm)},
+      {"", change_text(matter)}};
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using model::ContactLimit;
+using model::ContactRange;
+
+Json limit_json(const ContactLimit& limit, const model::Lattice& sheet) {
+  Json out = {{"theta_rad", limit.theta}, {"contact_rad", nullptr}, {"walls", Json::array()}};
+  if (limit.contact) out["contact_rad"] = *limit.contact;
+  if (limit.touches) out["walls"] = wall_names(limit.walls, sheet);
+  return out;
+}
+
+Json range_json(const ContactRange& range, const model::Lattice& sheet) {
+  return {{"growth_mm", range.growth_mm},
+          {"low", limit_json(range.negative, sheet)},
+          {"high", limit_json(range.positive, sheet)},
+          {"left_out", range.touching_at_rest.size()}};
+}
+
+/// Formats the collision-free range of theta. Returns "nowhere" if it is 0 deg at both ends after rounding.
+std::string between(const ContactRange& range) {
+  constexpr double shown = 0.005 * radians_per_degree;  // smaller angles print as 0.00 deg
+  if (-range.negative.theta < shown && range.positive.theta < shown) return "nowhere";
+  return fmt::format("{:.2f} to {:.2f} deg", to_degrees(range.negative.theta),
+                     to_degrees(range.positive.theta));
+}
+
+std::string end_words(const ContactLimit& limit, const model::Lattice& sheet) {
+  if (!limit.touches) return "where the search ends";
+  const auto [first, second] = wall_names(limit.walls, sheet);
+  return fmt::format("limited by walls {} and {}", first, second);
+}
+
+/// Returns the lines for an equilibrium that left the closed form. The range applies to the closed form only.
+std::vector<SummaryLine> left_lines(const ProvenRanges& certified, const model::Lattice& sheet,
+                                    double theta) {
+  return {{"NOT PROVEN",
+           "free of contact: the equilibrium has left the closed form, and of its states nothing is proven"},
+          {"", fmt::format("the closed form, which these states are not, is free of it for theta {}, {}",
+                           between(certified.designed), end_words(certified.designed.to(theta), sheet))},
+          {"", fmt::format("that form printed, with walls up to {:.2f} mm out of place: {}",
+                           certified.printed.growth_mm, between(certified.printed))}};
+}
+
+}  // namespace
+
+NearExact near_exact(const Run& run) {
+  if (!run.equilibrium) return NearExact::same;
+  const Equilibrium& found = *run.equilibrium;
+  const bool is_near = found.turned_off && *found.turned_off <= model::ClosedForm::far;
+  return is_near && !found.path.off_closed_form ? NearExact::near : NearExact::left;
+}
+
+Json certified_json(const ProvenRanges& certified, const model::Lattice& sheet, double theta,
+                    NearExact states) {
+  if (!certified.designed) return {{"why_not", certified.designed.why_not}};
+  return {{"design", range_json(certified.designed, sheet)},
+          {"printed", range_json(certified.printed, sheet)},
+          {"states_are_exact", states == NearExact::same},
+          {"states_have_left", states == NearExact::left},
+          {"covers_theta", certified.designed.covers(theta)},
+          {"covers_theta_printed", certified.printed.covers(theta)}};
+}
+
+std::vector<SummaryLine> certified_lines(const ProvenRanges& certified, const model::Lattice& sheet,
+                                         double theta, NearExact states) {
+  if (!certified.designed)
+    return {{"contact", "no range of theta is proven free of it: " + certified.designed.why_not}};
+  if (certified.designed.overlaps_as_built())
+    return {{"NOT PROVEN", "free of contact: " + overlap_words(certified.designed.positive.walls, sheet)}};
+  if (states == NearExact::left) return left_lines(certified, sheet, theta);
+  const std::string range = fmt::format("theta {}, {}", between(certified.designed),
+                                        end_words(certified.designed.to(theta), sheet));
+  std::vector<SummaryLine> lines = {
+      certified.designed.covers(theta)
+          ? SummaryLine{"proven", "free of contact for " + range}
+          : SummaryLine{"NOT PROVEN", fmt::format("free of contact at theta {:.2f} deg: proven for {}",
+                                                  to_degrees(theta), range)}};
+  if (states == NearExact::near)
+    lines.push_back({"", "of the closed form: equilibria of elastic hinges come near it"});
+  lines.push_back({"", fmt::format("printed, with walls up to {:.2f} mm out of place: {}",
+                                   certified.printed.growth_mm, between(certified.printed))});
+  return lines;
+}
+
+}  // namespace kinetix::app

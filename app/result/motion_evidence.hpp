@@ -1,0 +1,53 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "app/run/goal_outcome.hpp"
+#include "app/run/run.hpp"
+
+namespace kinetix::app {
+
+/// Classifies a force on plates, N: "fingers", "a hand", "both arms", "a vice". The limits are from ergonomics
+/// handbooks, rounded down to what most adults can do without strain.
+std::string effort_of_force(double newtons);
+/// Classifies the moment of a driven hinge, N mm, by the same words.
+std::string effort_of_moment(double newton_mm);
+/// Describes the peak actuation load. Shape-memory drives need none: "its own springs".
+std::string effort_of(const Equilibrium& equilibrium);
+/// Classifies the load that holds assumed hinges at the design. @pre taken.load
+std::string effort_of(const AssumedHinges& taken);
+
+/// Returns the section `equilibrium` of result.json.
+nlohmann::ordered_json equilibrium_json(const Equilibrium& equilibrium);
+
+/// Returns the mean moment of shape-memory springs at the end of the path, N mm.
+double mean_moment(const Equilibrium& equilibrium);
+
+/// Adds an equilibrium's numbers to `metrics`.
+void add_equilibrium_metrics(const Equilibrium& equilibrium, nlohmann::ordered_json& metrics);
+
+/// Returns the section `matter` of result.json.
+nlohmann::ordered_json matter_json(const ElasticResult& matter);
+
+/// Returns the summary lines of the compensation for elastic hinges: distance from the goal before and after it. Empty
+/// without run.matter.
+std::vector<SummaryLine> matter_lines(const Run& run);
+
+/// Relation of a run's states to the closed form that the certified range applies to.
+/// same: there is no equilibrium, so states are exact. near: the last equilibrium is close to the closed form.
+/// left: the equilibrium path left the closed form, or no closed form fits the drive.
+enum class NearExact { same, near, left };
+
+/// Determines this relation for a run.
+NearExact near_exact(const Run& run);
+
+/// Returns the section `certified` of result.json. @param theta of the reported state, rad
+nlohmann::ordered_json certified_json(const ProvenRanges& certified, const model::Lattice& sheet,
+                                      double theta, NearExact states);
+
+/// Returns the lines for the summary and for `check`. @param theta of the reported state, rad
+std::vector<SummaryLine> certified_lines(const ProvenRanges& certified, const model::Lattice& sheet,
+                                         double theta, NearExact states);
+
+}  // namespace kinetix::app

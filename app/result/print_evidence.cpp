@@ -1,0 +1,384 @@
+#include "app/result/print_evidence.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "app/files/process_section.hpp"
+#include "app/result/motion_evidence.hpp"
+#include "app/run/design_hinges.hpp"
+#include "model/closure/closure.hpp"
+#include "model/material/manufactured_hinge.hpp"
+
+namespace kinetix::app {
+namespace {
+
+/// Elastomer or living hinge in the reported state.
+struct Turned {
+  int hinge;
+  const model::MadeHinge* made;
+  double turn;    ///< absolute value, rad
+  double strain;  ///< strain by bending and stretching, ratio
+};
+
+std::vector<Turned> turned_hinges(const Run& run) {
+  std::vector<Turned> all;
+  if (run.states.empty() || !(run.design.hinge.made || !run.design.hinge_overrides.empty())) return all;
+  const model::Linkage linkage(run.design.structure);
+  for (int h = 0; h < run.design.structure.hinges(); ++h) {
+    const auto& made = hinge_section(run.design, h).made;
+    if (!made || made->kind == model::HingeKind::pin) continue;
+    const model::State& state = run.states.front().poses;
+    all.push_back(
+        {h, &*made, std::abs(hinge_turn(linkage, state, h)), hinge_strain(*made, linkage, state, h)});
+  }
+  return all;
+}
+
+double strain_share(const Turned& t) { return t.strain / t.made->material.strain_max; }
+
+double corner_turn(const Run& run, const Turned& t) {
+  const model::CellSize size = run.design.structure.size();
+  return contact_turn(*t.made, size.thickness_mm, run.design.structure.hinge(t.hinge).offset * size.edge_mm);
+}
+
+/// Returns label and text for the made hinge, pins included, whose offset exceeds the limit of its kind the most.
+std::optional<std::pair<std::string, std::string>> offset_line(const Run& run) {
+  const model::CellSize size = run.design.structure.size();
+  std::optional<std::pair<std::string, std::string>> line;
+  double worst = 1e-9 * size.edge_mm;  // mm: rounding of a file's digits
+  for (int h = 0; h < run.design.structure.hinges(); ++h) {
+    const auto& made = hinge_section(run.design, h).made;
+    if (!made) continue;
+    const double offset = std::abs(run.design.structure.hinge(h).offset) * size.edge_mm;
+    const double most = largest_offset_mm(*made, size);
+    if (!(offset - most > worst)) continue;
+    worst = offset - most;
+    line = {
+        "OFFSET",
+        fmt::format(
+            "the offset of the hinge of wall {} is {:.2f} mm; made so in this wall it can be {:.2f} at most",
+            wall_name(run.design.structure, h), offset, most)};
+  }
+  return line;
+}
+
+/// Returns the hinge with the largest value if that value is above 1, else nullptr.
+template <class Value>
+const Turned* worst(const std::vector<Turned>& all, const Value& value) {
+  const auto at = std::max_element(all.begin(), all.end(),
+                                   [&](const Turned& a, const Turned& b) { return value(a) < value(b); });
+  return at != all.end() && value(*at) > 1 ? &*at : nullptr;
+}
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+}  // namespace
+
+std::optional<HingeStrain> worst_strain(const Run& run) {
+  const std::vector<Turned> all = turned_hinges(run);
+  const auto most = std::max_element(all.begin(), all.end(), [](const Turned& a, const Turned& b) {
+    return strain_share(a) < strain_share(b);
+  });
+  if (most == all.end()) return std::nullopt;
+  return HingeStrain{most->strain, most->made->material.strain_max};
+}
+
+std::vector<std::string> unprintable(const Run& run) {
+  std::vector<std::string> all;
+  if (!run.goal) return all;
+  for (const model::PrintProblem& problem : print_problems(run.design)) all.push_back(problem_text(problem));
+  if (all.empty() && run.print && !run.print->is_taken) all.push_back(run.print->why);
+  return all;
+}
+
+std::vector<std::pair<std::string, std::string>> made_hinge_lines(const Run& run) {
+  std::vector<std::pair<std::string, std::string>> lines;
+  for (const std::string& what : unprintable(run)) lines.emplace_back("PRINT", what);
+  const std::vector<Turned> all = turned_hinges(run);
+  if (const Turned* t = worst(all, strain_share))
+    lines.emplace_back("STRAINED", strained_words({t->hinge, t->strain, t->made->material.strain_max},
+                                                  wall_name(run.design.structure, t->hinge)));
+  const auto corners = [&](const Turned& t) { return t.turn / corner_turn(run, t); };
+  if (const Turned* t = worst(all, corners))
+    lines.emplace_back(
+        "CORNERS", fmt::format("corners of the two halves of wall {} meet where it has turned by {:.1f} deg; "
+                               "here by {:.1f}: a longer gap lets it turn further",
+                               wall_name(run.design.structure, t->hinge),
+                               corner_turn(run, *t) / radians_per_degree, t->turn / radians_per_degree));
+  if (const auto offset = offset_line(run)) lines.push_back(*offset);
+  return lines;
+}
+
+nlohmann::ordered_json made_problems_json(const Run& run) {
+  nlohmann::ordered_json out = nlohmann::ordered_json::array();
+  for (const auto& [label, words] : made_hinge_lines(run))
+    out.push_back({{"kind", lower_case(label)}, {"what", words}});
+  return out;
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_sources = 10;  // length of lists: enough for a reader
+constexpr const char* parameters[] = {"t", "alpha", "beta", "offset"};
+constexpr const char* parameter_words[] = {"the place", "the direction", "the tilt", "the offset"};
+
+constexpr const char* plural_words[] = {"places", "directions", "tilts", "offsets"};
+
+std::string share_words(double share) {
+  return share < 0.01 ? "under 1 %" : fmt::format("{:.0f} %", 100 * share);
+}
+
+/// Describes the sampled prints. @param goal reference of the distances, in words
+std::string prints_words(const PrintedGoal& printed, const std::string& goal) {
+  const model::PrintRuns& runs = *printed.runs;
+  if (runs.prints == 0)
+    return fmt::format(
+        "none of {} prints in the elastic model found an equilibrium near the design: FIRST ORDER SAYS "
+        "NOTHING OF THEM",
+        runs.failed);
+  std::string text =
+      fmt::format("{} prints in the elastic model: {:.2f} mm off {} (rms), {} of them within {:.2f} mm",
+                  runs.prints, runs.rms_mm, goal, runs.kept(), runs.p95_mm);
+  if (runs.failed > 0) text += fmt::format("; {} more found no equilibrium near the design", runs.failed);
+  return text + (printed.is_confirmed() ? "" : ": FIRST ORDER IS FAR FROM THEM");
+}
+
+/// Describes collisions of walls, for prints that keep the goal.
+std::string holding_words(const PrintedGoal& printed) {
+  if (printed.touches_too_often())
+    return fmt::format("holds, but in {:.0f} % of prints walls touch", 100 * printed.touching->share());
+  if (!printed.free_of_contact) return "holds, but that walls stay apart is not proven";
+  return *printed.free_of_contact ? "holds" : "holds, but walls may meet";
+}
+
+std::string verdict_words(const Run& run) {
+  const PrintedGoal& printed = *run.printed;
+  if (!printed.can_be_printed) return "cannot be printed";
+  if (printed.holds() && !run.met()) return "prints keep that, but the design itself misses the goal";
+  if (printed.holds()) return holding_words(printed);
+  if (printed.runs && printed.runs->prints == 0)
+    return "NOT EVERY PRINT HOLDS, and none settles in the elastic model";
+  return printed.p95_mm() <= printed.tolerance_mm ? "NOT EVERY PRINT HOLDS, of those in the elastic model"
+                                                  : "NOT EVERY PRINT HOLDS";
+}
+
+Json taken_json(const AssumedHinges& taken) {
+  Json out = {{"kind", to_string(taken.made.kind)},
+              {"material", taken.made.material.name},
+              {"gap_mm", taken.made.gap_mm},
+              {"thickness_mm", taken.made.thickness_mm},
+              {"height_mm", taken.made.height_mm},
+              {"strain", taken.strain},
+              {"strain_allowed", taken.made.material.strain_max}};
+  if (taken.load)
+    out["load"] = {{"value", *taken.load}, {"unit", taken.load_unit()}, {"effort", effort_of(taken)}};
+  return out;
+}
+
+/// Warns if the fold is outside the collision-free range of prints; nullopt if it is inside, or no range is proven.
+std::optional<std::string> contact_words(const Run& run) {
+  if (run.printed->free_of_contact.value_or(true) || run.certified->printed.covers(run.theta))
+    return std::nullopt;
+  return fmt::format(
+      "walls of prints may meet: theta {:.2f} deg lies beyond what is proven free of contact with each wall "
+      "up "
+      "to {:.2f} mm out of place",
+      to_degrees(run.theta), run.certified->printed.growth_mm);
+}
+
+/// Describes the share of simulated prints whose walls touch during the motion; nullopt if it is zero or unknown.
+std::optional<std::string> touching_words(const PrintedGoal& printed) {
+  if (!printed.touching || printed.touching->share() == 0) return std::nullopt;
+  return fmt::format("in {:.0f} +- {:.0f} % of {} simulated prints walls touch on the way to the fold{}",
+                     100 * printed.touching->share(), 100 * printed.touching->error(),
+                     printed.touching->prints,
+                     printed.touches_too_often()
+                         ? ": leave more room between walls that end near each other, or print more precisely"
+                         : "");
+}
+
+/// Describes prints that plates may fold to the other side, with advice; nullopt if there are none.
+std::optional<std::string> flat_start_words(const PrintedGoal& printed) {
+  if (!printed.from_flat || !printed.from_flat->need_help()) return std::nullopt;
+  const model::FlatStarts& starts = *printed.from_flat;
+  std::string text = fmt::format("of {} sample prints that plates press from flat ", starts.prints);
+  if (starts.other_side > 0) text += fmt::format("{} fold to the other side", starts.other_side);
+  if (starts.other_side > 0 && starts.either_side > 0) text += " and ";
+  if (starts.either_side > 0) text += fmt::format("{} fold to either side by chance", starts.either_side);
+  return text + ": bend the sheet a little to its side by hand before the plates close";
+}
+
+/// Formats a load with three digits, and with all integer digits, so that large forces have no power of ten.
+std::string held_load_text(double load) {
+  return load < 100 ? fmt::format("{:.3g}", load) : fmt::format("{:.0f}", load);
+}
+
+std::string taken_words(const AssumedHinges& taken) {
+  const model::MadeHinge& block = taken.made;
+  const std::string held =
+      !taken.load ? ""
+                  : fmt::format(", held there by {} {} ({})", held_load_text(std::abs(*taken.load)),
+                                taken.load_unit(), effort_of(taken));
+  return fmt::format(
+      "hinges, left open, are taken for {} blocks {:.1f} mm long that keep their turns: strained by {:.2f} "
+      "of "
+      "{:g}{}",
+      block.material.name, block.gap_mm, taken.strain, block.material.strain_max, held);
+}
+
+/// Returns the reasons why prints leave the goal, one sentence each. Empty if they keep it.
+std::vector<std::string> scatter_reasons(const Run& run) {
+  const PrintedGoal& printed = *run.printed;
+  std::vector<std::string> why;
+  if (printed.p95_mm() > printed.tolerance_mm)
+    why.push_back(fmt::format("95 of 100 prints stay within {:.2f} mm of {}, and {:.2f} mm are allowed",
+                              printed.p95_mm(), run.judged_against, printed.tolerance_mm));
+  if (!printed.runs) return why;
+  const model::PrintRuns& runs = *printed.runs;
+  if (runs.failed > 0)
+    why.push_back(fmt::format("{} of {} prints in the elastic model found no equilibrium near the design",
+                              runs.failed, runs.prints + runs.failed));
+  if (runs.prints > 0 && runs.p95_mm > printed.tolerance_mm)
+    why.push_back(
+        fmt::format("of {} prints in the elastic model {} came within {:.2f} mm of {}, and "
+                    "{:.2f} mm are allowed",
+                    runs.prints, runs.kept(), runs.p95_mm, run.judged_against, printed.tolerance_mm));
+  return why;
+}
+
+}  // namespace
+
+std::vector<PlaceSource> sources_by_place(const Run& run) {
+  const model::Structure* squares = run.design.structure.squares();
+  if (!squares || !run.printed) return {};
+  std::map<std::pair<std::string, int>, double> shares;
+  for (const model::ScatterSource& source : run.printed->made.sources) {
+    const model::Wall& wall = squares->hinges[static_cast<std::size_t>(source.hinge)].wall;
+    shares[{line_name(wall, run.is_strip), source.parameter}] += source.share;
+  }
+  std::vector<PlaceSource> out;
+  for (const auto& [at, share] : shares) out.push_back({at.first, at.second, share});
+  std::stable_sort(out.begin(), out.end(),
+                   [](const PlaceSource& a, const PlaceSource& b) { return a.share > b.share; });
+  return out;
+}
+
+Json as_made_json(const Run& run) {
+  const model::ToleranceResult& made = run.printed->made;
+  Json sources = Json::array();
+  for (std::size_t k = 0; k < std::min(made.sources.size(), most_sources); ++k)
+    sources.push_back({{"hinge", made.sources[k].hinge},
+                       {"parameter", parameters[made.sources[k].parameter]},
+                       {"share", made.sources[k].share}});
+  Json places = Json::array();
+  const std::vector<PlaceSource> all = sources_by_place(run);
+  for (std::size_t k = 0; k < std::min(all.size(), most_sources); ++k)
+    places.push_back(
+        {{"place", all[k].place}, {"parameter", parameters[all[k].parameter]}, {"share", all[k].share}});
+  Json out = {{"process", run.design.process.name},
+              {"sd",
+               {{"t_mm", run.design.process.sd.t_mm},
+                {"tilt_deg", run.design.process.sd.tilt_deg},
+                {"clearance_mm", run.design.process.sd.clearance_mm}}},
+              {"designed_mm", made.designed_mm},
+              {"rms_mm", run.printed->rms_mm()},
+              {"p95_mm", run.printed->p95_mm()},
+              {"first_order_rms_mm", made.rms_mm},
+              {"tolerance_mm", run.printed->tolerance_mm},
+              {"can_be_printed", run.printed->can_be_printed},
+              {"holds", run.printed->holds()},
+              {"why", as_made_reasons(run)},
+              {"free_of_contact", nullptr},
+              {"confirmed", run.printed->is_confirmed()},
+              {"sources", sources},
+              {"places", places}};
+  if (const auto& is_free = run.printed->free_of_contact) out["free_of_contact"] = *is_free;
+  out["touching_share"] = nullptr;
+  if (const auto& touching = run.printed->touching) {
+    out["touching_share"] = touching->share();
+    out["touching_error"] = touching->error();
+    out["touching_prints"] = touching->prints;
+    out["touching_settled"] = touching->settled;
+  }
+  if (const auto& starts = run.printed->from_flat)
+    out["from_flat"] = {{"prints", starts->prints},
+                        {"other_side", starts->other_side},
+                        {"either_side", starts->either_side},
+                        {"failed", starts->failed}};
+  if (run.printed->taken) out["taken"] = taken_json(*run.printed->taken);
+  if (const auto& tight = run.printed->without_play)
+    out["play"] = {{"clearance_mm", loosest_pin(run.design)->clearance_mm},
+                   {"tilt_deg", to_degrees(tilt_play(*loosest_pin(run.design)))},
+                   {"rms_without_mm", tight->rms_mm},
+                   {"p95_without_mm", tight->p95_mm}};
+  if (const auto& runs = run.printed->runs)
+    out["prints"] = {{"count", runs->prints},
+                     {"failed", runs->failed},
+                     {"rms_mm", runs->rms_mm},
+                     {"p95_mm", runs->p95_mm},
+                     {"kept", runs->kept()}};
+  return out;
+}
+
+std::vector<std::string> as_made_reasons(const Run& run) {
+  std::vector<std::string> why = unprintable(run);
+  for (std::string& reason : scatter_reasons(run)) why.push_back(std::move(reason));
+  return why;
+}
+
+std::vector<std::string> scatter_warnings(const Run& run) {
+  std::vector<std::string> all = scatter_reasons(run);
+  if (auto contact = contact_words(run)) all.push_back(std::move(*contact));
+  if (run.printed->touches_too_often()) all.push_back(*touching_words(*run.printed));
+  if (auto starts = flat_start_words(*run.printed)) all.push_back(std::move(*starts));
+  if (run.printed->runs && !run.printed->is_confirmed())
+    all.push_back(prints_words(*run.printed, run.judged_against));
+  return all;
+}
+
+std::vector<SummaryLine> as_made_lines(const Run& run) {
+  if (!run.printed) return {};
+  const model::ToleranceResult& made = run.printed->made;
+  std::vector<SummaryLine> lines = {
+      {"as made",
+       fmt::format("printed by {}: {:.2f} mm off {} (rms over points of the sheet; {:.2f} "
+                   "mm as designed), 95 of 100 prints within {:.2f} mm; {:.2f} mm are allowed: {}",
+                   run.design.process.name, run.printed->rms_mm(), run.judged_against, made.designed_mm,
+                   run.printed->p95_mm(), run.printed->tolerance_mm, verdict_words(run))}};
+  if (const auto touching = touching_words(*run.printed); touching && !run.printed->touches_too_often())
+    lines.push_back({"", *touching});  // a larger share is reported as a warning
+  if (const auto places = sources_by_place(run); !places.empty())
+    lines.push_back({"", fmt::format("{} of {}: {} of what errors do", plural_words[places[0].parameter],
+                                     places[0].place, share_words(places[0].share))});
+  if (!made.sources.empty()) {
+    const model::ScatterSource& most = made.sources.front();
+    lines.push_back(
+        {"", fmt::format("largest single source: {} of the hinge on wall {}, {} of what errors do",
+                         parameter_words[most.parameter], wall_name(run.design.structure, most.hinge),
+                         share_words(most.share))});
+  }
+  if (const auto& tight = run.printed->without_play)
+    lines.push_back(
+        {"",
+         fmt::format("of which play of {:g} mm a side, {:.2f} deg: without it {:.2f} mm off {}, 95 of 100 "
+                     "within {:.2f} mm",
+                     loosest_pin(run.design)->clearance_mm, to_degrees(tilt_play(*loosest_pin(run.design))),
+                     tight->rms_mm, run.judged_against, tight->p95_mm)});
+  if (run.printed->runs) lines.push_back({"", prints_words(*run.printed, run.judged_against)});
+  if (run.printed->taken) {
+    lines.push_back({"", taken_words(*run.printed->taken)});
+    lines.push_back({"", "`hinge:` and `drive:` in the file say what other hinges come to"});
+  }
+  return lines;
+}
+
+}  // namespace kinetix::app

@@ -1,0 +1,155 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/files/design_file.hpp"
+#include "app/files/goal_settings.hpp"
+#include "app/run/goal_outcome.hpp"
+#include "app/run/plan.hpp"
+#include "model/linkage/state.hpp"
+#include "optim/elastic/tilt_ties.hpp"
+#include "optim/solvers/solver.hpp"
+
+namespace kinetix::app {
+
+/// Returns the cost that a robust search minimises, mm. @param weight of prints, (0, 1]; the design itself has the
+/// rest to 1
+inline double robust_cost(double weight, double designed_mm, double as_made_mm) {
+  return (1 - weight) * designed_mm + weight * as_made_mm;
+}
+
+/// Whether a search prefers a candidate (designed_mm, as_made_mm, is_allowed) to the best so far.
+template <class Candidate>
+bool is_more_robust(double weight, const Candidate& next, const Candidate& best) {
+  const auto cost = [&](const Candidate& c) { return robust_cost(weight, c.designed_mm, c.as_made_mm); };
+  return next.is_allowed && (!best.is_allowed || cost(next) < cost(best));
+}
+
+/// Design tried by a robust search, with the expected error of its prints.
+struct RobustCandidate {
+  double theta = 0;  ///< rad
+  double cell_mm = 0;
+  std::optional<double> gap_mm = {};  ///< of blocks and films
+  double designed_mm = 0;             ///< rms error of the design itself; NaN if not known
+  double as_made_mm = 0;              ///< expected rms error of prints; NaN if not known
+  double as_made_p95 = 0;             ///< mm, error that 95 of 100 prints stay within; NaN if not known
+
+  /// Whether it meets the goal, also in the equilibrium of its hinges, can be printed, and its hinges withstand the
+  /// strain.
+  bool is_allowed = false;
+  std::string why_not = {};  ///< reason in words if it is not allowed
+};
+
+/// Designs from which a robust search chose.
+struct RobustChoice {
+  std::vector<RobustCandidate> tried;  ///< the plain search's design first
+  std::size_t chosen = 0;              ///< index in tried
+};
+
+/// Bounds of tilts and theta by a file.
+struct TurnBounds {
+  double tilt = 75 * radians_per_degree;  ///< largest tilt of either sign, rad, (0, pi/2)
+  optim::AngleRange theta{2 * radians_per_degree, 44 * radians_per_degree};  ///< rad, (0, pi/2)
+  /// Returns which tilts of a found sheet stay equal, each with its range.
+  std::function<std::vector<optim::TiltTie>(const model::Lattice&)> ties = optim::tilt_ties;
+};
+
+/// Simulation that a goal requests.
+struct PhysicsRequest {
+  enum class When { always, if_met, never };
+  When when = When::always;
+  std::optional<model::LinkageDrive> drive = {};  ///< replaces the drive that folds the sheet to theta
+  double least_settle_s = 0;                      ///< least simulated time for settling, s
+};
+
+/// Result of a search, or a design that was given.
+struct Found {
+  /// Its theta is replaced by `theta` below when it is written.
+  Design design;
+  double theta = 0;                         ///< rad, of the state shown
+  std::shared_ptr<const GoalOutcome> goal;  ///< null for a design, which was not searched for
+  Tolerances tolerances;                    ///< of a goal
+  std::string judged_against = "the goal";  ///< what points of the sheet are compared with, in words
+  bool is_strip = false;                    ///< whether a column is enough to locate a place in the sheet
+  std::optional<model::ShapeMemory>
+      goal_drive;                      ///< springs in place of the usual drive, for goals of exact families
+  std::vector<HingePart> hinge_parts;  ///< from a goal's file
+  /// Choice of a robust search. Empty for curves, whose choice includes columns.
+  std::optional<RobustChoice> robust;
+  double verify_tolerance = GoalSettings::usual_verify;  ///< limit of Verification::distance.rms, cell edges
+
+  /// Model that computes the states. Empty: exact if a family fits, otherwise bullet.
+  std::optional<Model> model = {};
+  /// States of the motion by the model, by theta, rad. Empty: those of the family.
+  std::function<model::State(double theta)> motion = {};
+  /// Pose to which results move states of the model. Empty: they stay where they are.
+  std::optional<model::Pose> to_shown = {};
+  /// Whether results show equilibria after rigid alignment with the model's state.
+  bool is_laid_over = false;
+  /// State of the search, shown if the path to the equilibrium is stopped early.
+  struct Known {
+    Model model = Model::exact;
+    model::State state;
+  };
+  std::optional<Known> known = {};
+  PhysicsRequest physics = {};
+  std::vector<std::string> notes = {};  ///< sentences for the plan
+  TurnBounds bounds = {};               ///< bounds of tilts and theta in the compensation for elastic hinges
+
+  /// Plan, set by planned(). A search that needs the exact motion sets that part itself.
+  Plan plan;
+  /// State of a goal's design by its model, not yet moved by to_shown. Set by planned(), for equilibria by their
+  /// path.
+  model::State own;
+};
+
+/// Returns the design with the theta that was found or given.
+Design asked_design(const Found& found);
+
+/// Adds the plan and the per-hinge overrides of the file to what was found. Adds its state if its family has a closed
+/// form.
+/// @param brief RunOptions::brief   @throws InvalidInput if the state of a goal needs a closed form that is missing
+Found planned(Found found, bool brief = false);
+
+inline void take_settings(Found& found, const GoalSettings& asked) {
+  found.design.physics = asked.physics;
+  found.design.hinge = asked.hinge;
+  found.hinge_parts = asked.hinge_parts;
+  found.goal_drive = asked.drive;
+  found.design.process = asked.process;
+  found.verify_tolerance = asked.verify_tolerance;
+}
+
+/// Returns the outcome of a goal as the caller's type. @pre found.goal has that type
+template <class Outcome>
+const Outcome& outcome_of(const Found& found) {
+  return dynamic_cast<const Outcome&>(*found.goal);
+}
+
+/// State of a design that is measured.
+enum class StateOf { model, equilibrium, physics };
+
+/// Returns "model", "equilibrium" or "physics run". The second is that of elastic hinges of a goal of an exact
+/// family.
+std::string in_words(StateOf of);
+
+/// Distance of one state from a goal; each kind of goal has its own.
+class Measure {
+ public:
+  virtual ~Measure() = default;
+
+  /// Reasons why the state misses the goal, in words; empty if it meets the goal.
+  std::vector<std::string> violations = {};
+  /// Measured state as results show it; empty: where it is.
+  std::optional<model::State> shown = {};
+  /// Warnings that leave the goal met.
+  std::vector<std::string> warnings = {};
+  /// Reason why prints of the state were not judged, if the kind judges prints itself.
+  std::string prints_unknown = {};
+};
+
+}  // namespace kinetix::app

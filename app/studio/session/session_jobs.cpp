@@ -1,0 +1,346 @@
+#include <filesystem>
+#include <mutex>
+#include <optional>
+
+#include "app/console/console.hpp"
+#include "app/goals/registry.hpp"
+#include "app/io/atomic_file.hpp"
+#include "app/io/bytes.hpp"
+#include "app/pipeline/imported_bodies.hpp"
+#include "app/pipeline/pipeline.hpp"
+#include "app/print/export_command.hpp"
+#include "app/print/fit.hpp"
+#include "app/result/result_json.hpp"
+#include "app/result/verdict.hpp"
+#include "app/studio/messages/message.hpp"
+#include "app/studio/session/session.hpp"
+#include "app/studio/session/uploads.hpp"
+
+namespace kinetix::app::studio {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using SteadyClock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds between_words{
+    500};                                // of a search, on screen: as often as people read them
+constexpr std::size_t most_senders = 8;  // pages whose parts of files are kept
+
+double seconds_since(SteadyClock::time_point start) {
+  return std::chrono::duration<double>(SteadyClock::now() - start).count();
+}
+
+/// Returns the name if it is a plain file name, which cannot leave its folder.
+std::string plain_name(const std::string& name) {
+  const bool plain = !name.empty() && name.size() < 100 && name[0] != '.' &&
+                     name.find_first_of("/\\") == std::string::npos && name.find('\0') == std::string::npos;
+  if (!plain) throw InvalidInput("files: a name must be a plain file name");
+  return name;
+}
+
+}  // namespace
+
+void Session::take_part(const Message& message) {
+  if (parts_.count(client_) == 0 && parts_.size() >= most_senders) parts_.erase(parts_.begin());
+  constexpr double farthest = 1e15;  // largest whole number allowed here; Parts has a separate limit
+  parts_[client_].add(plain_name(message.text("name")),
+                      static_cast<std::int64_t>(message.number("at", 0, farthest)),
+                      from_base64(message.text("content")));
+}
+
+void Session::search(const Message& message) {
+  if (searching_) throw InvalidInput("search: one is going on; stop it first");
+  const auto folder = make_temporary_folder();
+  Parts parts = std::exchange(parts_[client_], {});
+  if (message.has("files"))
+    for (const auto& [name, content] : message.named_texts("files"))
+      parts.add(plain_name(name), 0, from_base64(content));
+  for (const auto& [name, content] : parts.files()) write_file((*folder / name).string(), content);
+  const std::string file = (*folder / "target.yaml").string();
+  write_file(file, message.text("target"));
+  read_target(file);
+  search_for(file, folder);
+}
+
+/// @param keeps objects that must live until the search ends
+void Session::search_for(const std::string& file, std::shared_ptr<const void> keeps) {
+  searcher_.start([this, file, keeps](const std::stop_token& stop) {
+    std::string stage_shown;
+    TimeLeft left;
+    std::mutex words;
+    const auto start = SteadyClock::now();
+    SteadyClock::time_point stage_start = start, next = start;
+    const auto progress = [&](const std::string& stage, double done, const std::string& so_far) {
+      const std::lock_guard lock(words);
+      if (stage != stage_shown) {
+        stage_shown = stage;
+        stage_start = next = SteadyClock::now();
+        left = {};
+      }
+      left.update(seconds_since(stage_start), done);
+      if (SteadyClock::now() < next) return;
+      next = SteadyClock::now() + between_words;
+      Json out = progress_message("search", stage, done, so_far);
+      if (const auto seconds = left.at(seconds_since(stage_start)); seconds && done < 1)
+        out["left_s"] = *seconds;
+      tell(out);
+    };
+    try {
+      const Target target = read_target(file);
+      RunOptions options;
+      options.threads = opened_.threads;
+      options.seed = opened_.seed;
+      options.progress = progress;
+      options.stop = stop;
+      options.engine = &engine_;
+      options.printable = answer_of_export;
+      auto run = std::make_shared<Run>(run_goal(*target.goal, options));
+      enqueue([this, run] { found(run); });
+    } catch (const std::exception& e) {
+      enqueue([this, what = failure_message(e)] {
+        searching_ = false;
+        tell(error_message(what, 0, "search"));
+        send_state();
+      });
+    }
+  });
+  searching_ = true;
+  send_state();
+}
+
+void Session::found(std::shared_ptr<Run> run) {
+  searching_ = false;
+  Design design = written_design(*run);
+  const bool is_other = design.name != history_.current().name;
+  Finding finding{run,
+                  {{"type", "result"},
+                   {"result", result_json(*run)},
+                   {"summary", summary(*run)},
+                   {"met", verdict_of(*run).met.value_or(false)},
+                   {"stopped", run->stopped}},
+                  design.theta};
+  if (is_other)
+    take_other(std::move(design), std::move(finding));
+  else
+    take(std::move(design), std::move(finding));
+  fold_to(run->theta);
+  send_state();
+  changed_ = true;
+}
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Returns the rows of an equilibrium path that the page draws.
+Json path_rows(const KnownPath& way, const Equilibria& equilibria) {
+  Json rows = Json::array();
+  for (const model::DrivenState& at : way.states)
+    rows.push_back({{"theta_rad", at.step.theta},
+                    {"force_N", equilibria.force_N(at.step.theta, at.step.load)},
+                    {"energy_Nmm", at.step.energy},
+                    {"stable", at.step.stable}});
+  return rows;
+}
+
+}  // namespace
+
+/// Newest shape of an equilibrium path that is not shown yet.
+struct Session::NewestShape {
+  std::mutex mutex;
+  std::optional<std::pair<model::DrivenState, double>> at;  ///< state and its force, N
+};
+
+/// Traces equilibria to theta on a separate thread, starting from the known ones. Shapes are shown as they
+/// are found.
+void Session::trace(double theta) {
+  if (theta == 0) return show_flat();
+  const int client = client_, number = ++traces_;
+  const double id = std::exchange(id_, 0);
+  start(tracer_, id, "theta",
+        [this, client, number, id, theta, design = history_.current(), moving = player_.moving(),
+         known = way_, is_settled = stable_of_ == way_](const std::stop_token& stop) {
+          if (stop.stop_requested()) return dropped(client, id);
+          const Equilibria equilibria(design, moving);
+          const auto newest = std::make_shared<NewestShape>();
+          const auto see = [&](const model::DrivenState& at) {
+            const double force = equilibria.force_N(at.step.theta, at.step.load);
+            const std::lock_guard lock(newest->mutex);
+            const bool is_awaited = newest->at.has_value();
+            newest->at.emplace(at, force);
+            if (!is_awaited) enqueue([this, number, newest] { show_newest(number, *newest); });
+          };
+          std::string why;
+          const auto way = equilibria.go(theta, known, stop, see, why);
+          if (stop.stop_requested()) return dropped(client, id);
+          Json rows = path_rows(*way, equilibria);
+          enqueue([this, number, client, id, way, why, rows = std::move(rows)] {
+            note_heard(client, id);
+            changed_ = true;
+            if (number != traces_) return;
+            way_ = way;
+            path_ = rows;
+            send_path();
+            if (!why.empty()) tell(error_message(why, 0, "equilibrium"), client);
+          });
+          if (way == known && is_settled) return;
+          auto states = equilibria.stable(*way, stop);
+          if (stop.stop_requested()) return;
+          enqueue([this, number, way, states = std::move(states)] {
+            if (number != traces_) return;
+            stable_ = states;
+            stable_of_ = way;
+          });
+        });
+}
+
+/// Shows the flat state, which needs no search: nothing is strained.
+void Session::show_flat() {
+  tracer_.stop_current();
+  ++traces_;
+  player_.show_equilibrium(rest_state(player_.moving().linkage), 0, 0, 0);
+  changed_ = true;
+}
+
+void Session::show_newest(int number, NewestShape& newest) {
+  std::optional<std::pair<model::DrivenState, double>> shape;
+  {
+    const std::lock_guard lock(newest.mutex);
+    shape = std::exchange(newest.at, std::nullopt);
+  }
+  if (number != traces_ || !shape) return;
+  const auto& [at, force] = *shape;
+  player_.show_equilibrium(at.state, at.step.theta, force, at.step.energy);
+  changed_ = true;
+}
+
+/// Reports the command as done: newer work replaced it.
+void Session::dropped(int client, double id) {
+  enqueue([this, client, id] {
+    note_heard(client, id);
+    changed_ = true;
+  });
+}
+
+void Session::snap() {
+  if (player_.mode() != Mode::equilibrium) throw InvalidInput("snap: needs the mode equilibrium");
+  if (stable_.size() < 2)
+    throw InvalidInput(
+        "snap: no other stable state is known; fold further first, past where it would snap over");
+  next_stable_ = (next_stable_ + 1) % stable_.size();
+  const model::StableState& state = stable_[next_stable_];
+  player_.show_equilibrium(state.state, player_.moving().theta_of(state.state), 0, state.energy);
+}
+
+/// Computes the motion of bodies if it is not known yet, and then its collisions.
+void Session::follow() {
+  if (!player_.moving().bodies || player_.moving().way->meets) return;
+  const Design& design = history_.current();
+  const double theta = player_.moving().way->followed ? 0 : asked_theta(design, player_.moving());
+  start(follower_, 0, type_,
+        [this, revision = revision_, theta, pull = pull_of(design),
+         moving = player_.moving()](const std::stop_token& asked) {
+          const auto stop = [&] { return asked.stop_requested(); };
+          const auto send_motion = [&](const BodiesMotion& way, double to) {
+            if (stop()) return;
+            enqueue([this, revision, to, way = std::make_shared<const BodiesMotion>(way)] {
+              if (revision == revision_) take(way, to);
+            });
+          };
+          BodiesMotion way = *moving.way;
+          if (!way.followed) send_motion(way = way_of(moving.linkage, way.hinge, pull, stop), theta);
+          const model::Assembly& assembly = *moving.bodies->structure.assembly();
+          way.meets = {first_meeting(assembly, way, -1, stop), first_meeting(assembly, way, 1, stop)};
+          send_motion(way, 0);
+        });
+}
+
+void Session::take(std::shared_ptr<const BodiesMotion> way, double theta) {
+  player_.take(std::move(way));
+  send_design();
+  if (theta != 0) fold_to(theta);
+  changed_ = true;
+}
+
+/// Cuts bodies into convex pieces for collisions, once and in the background, and then enters the mode.
+void Session::cut_for(Mode mode) {
+  awaited_ = mode;
+  const double id = std::exchange(id_, 0);
+  start(cutter_, id, type_, [this, client = client_, id, moving = player_.moving()](const std::stop_token&) {
+    const model::Assembly& assembly = *moving.bodies->structure.assembly();
+    const BodyPieces pieces = pieces_of(assembly, opened_.threads);
+    const auto parts = std::make_shared<const sim::ContactParts>(contact_parts(pieces, assembly));
+    std::unique_lock alone(engine_);
+    const auto pressing =
+        std::make_shared<const model::ConvexBodies>(convex_bodies(pieces, assembly, moving.linkage));
+    alone.unlock();
+    enqueue([this, client, id, of = moving.bodies, parts, pressing] {
+      const bool is_shown = have_one_shape(of.get(), player_.moving().bodies.get());
+      if (is_shown) player_.take(parts, pressing);
+      note_heard(client, id);
+      changed_ = true;
+      if (const auto wanted = std::exchange(awaited_, {}); wanted && is_shown) enter(*wanted);
+    });
+  });
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+}  // namespace
+
+void Session::export_files(const Message& message) {
+  if (exporting_) throw InvalidInput("export: one is going on; wait for it");
+  PrintRequest request;
+  request.formats = message.texts("formats");
+  if (message.has("process")) request.process = message.text("process");
+  if (message.has("hinge")) request.hinge = message.text("hinge");
+  if (message.has("clearance_mm")) request.clearance_mm = message.number("clearance_mm", 0.01, 10);
+  if (message.has("orient")) request.orient = message.text("orient");
+  if (message.has("bed_mm")) request.bed_mm = message.numbers("bed_mm", 1, 1e5);
+  if (request.bed_mm.size() % 2 != 0 || request.bed_mm.size() > 2)
+    throw InvalidInput("bed_mm: must be [x, y]");
+  const bool at_fold = message.has("at_fold") && message.boolean("at_fold");
+  Design design = history_.current();
+  if (at_fold)
+    design =
+        design_at_shown_fold(std::move(design), player_.moving(), player_.sheet_theta(), player_.theta());
+  const fs::path beside = save_file().parent_path();
+  const std::string folder = (beside / (design.name + "_print")).string();
+  const int client = client_;
+  const double id = std::exchange(id_, 0);
+  exporter_.start([this, client, id, theta = asked_theta(design, player_.moving()),
+                   design = std::move(design), request, folder, at_fold,
+                   revision = revision_](const std::stop_token&) {
+    const auto progress = [this](const std::string& stage, double done, const std::string& so_far) {
+      const Json out = progress_message("export", stage, done, so_far);
+      enqueue([this, out] { tell(out); });
+    };
+    try {
+      const Exported out = export_design(design, request, folder, progress);
+      enqueue([this, client, id, out, at_fold, revision, theta] {
+        exporting_ = false;
+        note_heard(client, id);
+        changed_ = true;
+        tell({{"type", "exported"},
+              {"folder", out.folder},
+              {"files", out.files},
+              {"summary", out.text},
+              {"revision", revision},
+              {"theta_rad", theta},
+              {"at_fold", at_fold}});
+      });
+    } catch (const std::exception& e) {
+      enqueue([this, client, id, what = failure_message(e)] {
+        exporting_ = false;
+        tell(error_message(what, id, "export"), client);
+      });
+    }
+  });
+  exporting_ = true;
+}
+
+}  // namespace kinetix::app::studio
