@@ -33,7 +33,7 @@ std::vector<Figure> space_figures();
 std::vector<Figure> certified_figures();
 std::vector<Figure> block_stiffness_figures();
 std::vector<Figure> framed_physics_figures();
-std::vector<Figure> matter_figures();
+std::vector<Figure> compensation_figures();
 std::vector<Figure> print_figures();
 std::vector<Figure> print_judge_figures();
 std::vector<Figure> studio_figures();

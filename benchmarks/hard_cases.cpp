@@ -18,7 +18,7 @@ using testing::HardEquilibrium;
 
 // Bodies of a case that the engine is run on as well: larger cases would hold up the table for the engine
 // alone.
-constexpr std::size_t most_bodies = 3000;
+constexpr std::size_t max_bodies = 3000;
 
 sim::PhysicsResult physics_of(const HardEquilibrium& found) {
   sim::PhysicsOptions options;
@@ -38,7 +38,7 @@ double energy_of(const HardEquilibrium& found, const model::State& state) {
 std::string physics_answer(const HardAnswer& answer) {
   if (!answer.settled) return "-";
   const HardEquilibrium& found = *answer.settled;
-  if (found.structure.bodies.size() > most_bodies)
+  if (found.structure.bodies.size() > max_bodies)
     return fmt::format("not run: {} bodies", found.structure.bodies.size());
   const sim::PhysicsResult run = physics_of(found);
   if (run.status == sim::PhysicsResult::Status::blew_up) return run.why;

@@ -66,7 +66,7 @@ constexpr Group groups[] = {{"whole_runs", kinetix::bench::whole_run_figures, tr
                             {"certified", kinetix::bench::certified_figures, true},
                             {"blocks", kinetix::bench::block_stiffness_figures},
                             {"framed_physics", kinetix::bench::framed_physics_figures, true},
-                            {"matter", kinetix::bench::matter_figures},
+                            {"matter", kinetix::bench::compensation_figures},
                             {"print", kinetix::bench::print_figures},
                             {"print_judges", kinetix::bench::print_judge_figures},
                             {"studio", kinetix::bench::studio_figures},

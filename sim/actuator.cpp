@@ -205,8 +205,7 @@ std::unique_ptr<Actuator> make_actuator(const model::Linkage& structure, const m
                                         double spring_weight, Cord* cord) {
   if (drive.has_plates()) return std::make_unique<Plates>(structure, drive, bodies, error_reduction);
   if (cord) return std::make_unique<PulledCord>(structure, drive.rest_mm, bodies, *cord);
-  if (!drive.acts_from_outside())
-    return std::make_unique<HeatedSprings>(structure, drive, spring_weight, *elastic);
+  if (!drive.is_external()) return std::make_unique<HeatedSprings>(structure, drive, spring_weight, *elastic);
   if (elastic) return std::make_unique<DrivenSpring>(structure, drive.hinge, bodies, *elastic);
   return std::make_unique<DrivenHinge>(structure.hinges[drive.hinge], drive.sense, bodies, error_reduction);
 }

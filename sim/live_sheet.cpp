@@ -18,17 +18,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double hand_stiffness =
+constexpr double drag_stiffness =
     300;                       // part mass / s^2, per part of the sheet: it follows within a tenth of a
                                // second
 constexpr double damping = 4;  // 1/s, of all speeds: a released sheet stops after a second
 constexpr double pulled_damping =
     60;  // 1/s, with a tendon, which does not hold the sheet back: it moves no further than pulled
 constexpr double drive_speed = 1;    // rad of theta per second: a fold takes about one
-constexpr double longest_way = 0.1;  // cell edges or rad per step: linearisation is inaccurate beyond
-constexpr double shortest_way =
-    1e-6;                      // cell edges or rad per step: a sheet that cannot move this far without
-                               // gaining energy is at rest
+constexpr double max_motion = 0.1;   // cell edges or rad per step: linearisation is inaccurate beyond
+constexpr double min_motion = 1e-6;  // cell edges or rad per step: a sheet that cannot move this far without
+                                     // gaining energy is at rest
 constexpr double fall = 10;    // cell edges / s^2: weight shows within a second and does not tear hinges
 constexpr double newton = 30;  // part mass edge / s^2: a push of 1 N with rigid hinges
 constexpr double flat_theta = 0.01;       // rad: below, a pressing hand has no lever arm
@@ -49,7 +48,7 @@ LiveSheet::LiveSheet(const model::Linkage& structure, const PhysicsOptions& opti
       options_(options),
       k_point_(k_point_N_mm),
       parts_(std::move(parts)),
-      way_(longest_way),
+      step_limit_(max_motion),
       state_(rest_state(structure)) {
   rebuild();
 }
@@ -57,14 +56,14 @@ LiveSheet::LiveSheet(const model::Linkage& structure, const PhysicsOptions& opti
 LiveSheet::~LiveSheet() = default;
 
 void LiveSheet::rebuild() {
-  std::vector<Hold> holds;
-  if (world_) holds = world_->hand().holds;
+  std::vector<FixedBody> fixed_bodies;
+  if (world_) fixed_bodies = world_->external_pulls().fixed_bodies;
   world_ = std::make_unique<World>(structure_, drive_, options_, parts_.get());
   world_->parts().place(state_);
-  for (Hold& hold : holds) hold.place = state_[hold.body];
-  world_->hand().holds = std::move(holds);
+  for (FixedBody& fixed_body : fixed_bodies) fixed_body.place = state_[fixed_body.body];
+  world_->external_pulls().fixed_bodies = std::move(fixed_bodies);
   if (drive_) world_->set_drive(theta_);
-  world_->limit_way(way_);
+  world_->limit_motion(step_limit_);
 }
 
 void LiveSheet::place(const model::State& state) {
@@ -77,8 +76,8 @@ void LiveSheet::place(const model::State& state) {
 void LiveSheet::drag(int body, const Vector3d& at, const Vector3d& to) {
   if (drive_) release();
   const double parts = static_cast<double>(structure_.bodies.size());
-  world_->hand().grasps = {
-      {body, in_rest_frame(structure_, body, at), to / structure_.size.edge_mm, hand_stiffness * parts}};
+  world_->external_pulls().spring_pulls = {
+      {body, in_rest_frame(structure_, body, at), to / structure_.size.edge_mm, drag_stiffness * parts}};
 }
 
 void LiveSheet::push(int body, const Vector3d& at, const Vector3d& force_N) {
@@ -87,7 +86,7 @@ void LiveSheet::push(int body, const Vector3d& at, const Vector3d& force_N) {
 }
 
 void LiveSheet::release() {
-  world_->hand().grasps.clear();
+  world_->external_pulls().spring_pulls.clear();
   push_.reset();
   if (!drive_) return;
   drive_.reset();
@@ -95,12 +94,12 @@ void LiveSheet::release() {
 }
 
 void LiveSheet::fix(int body, bool fixed) {
-  std::vector<Hold>& holds = world_->hand().holds;
-  std::erase_if(holds, [body](const Hold& hold) { return hold.body == body; });
-  if (fixed) holds.push_back({body, state_[body]});
+  std::vector<FixedBody>& fixed_bodies = world_->external_pulls().fixed_bodies;
+  std::erase_if(fixed_bodies, [body](const FixedBody& fixed_body) { return fixed_body.body == body; });
+  if (fixed) fixed_bodies.push_back({body, state_[body]});
 }
 
-bool LiveSheet::is_dragged() const { return !world_->hand().grasps.empty(); }
+bool LiveSheet::is_dragged() const { return !world_->external_pulls().spring_pulls.empty(); }
 
 void LiveSheet::drive_to(const model::LinkageDrive& drive, const model::State& reference) {
   push_.reset();
@@ -137,8 +136,8 @@ void LiveSheet::step() {
 }
 
 void LiveSheet::advance_drive() {
-  const double way = drive_speed * options_.step_s;
-  theta_ += std::clamp(drive_->theta() - theta_, -way, way);
+  const double change = drive_speed * options_.step_s;
+  theta_ += std::clamp(drive_->theta() - theta_, -change, change);
   world_->set_drive(theta_);
 }
 
@@ -174,16 +173,16 @@ void LiveSheet::accept(double before) {
   const bool grows = !is_pulled() && !(potential_energy(next) <= before);
   if (grows || !holds(next)) {
     world_->parts().place(state_);
-    way_ = std::max(way_ / 4, shortest_way);
+    step_limit_ = std::max(step_limit_ / 4, min_motion);
   } else {
     state_ = std::move(next);
-    way_ = std::min(2 * way_, longest_way);
-    if (!is_pulled()) keep_energy(before);
+    step_limit_ = std::min(2 * step_limit_, max_motion);
+    if (!is_pulled()) limit_energy(before);
   }
-  world_->limit_way(way_);
+  world_->limit_motion(step_limit_);
 }
 
-void LiveSheet::keep_energy(double before) {
+void LiveSheet::limit_energy(double before) {
   const double kinetic = world_->parts().kinetic_energy(), excess = energy() - before;
   if (!(excess > 0)) return;
   world_->parts().damp(kinetic > excess ? std::sqrt((kinetic - excess) / kinetic) : 0);
@@ -198,9 +197,9 @@ double LiveSheet::force_unit() const {
 
 bool LiveSheet::is_at_rest() const { return !is_pulled() && world_->parts().fastest() < resting_speed; }
 
-double LiveSheet::hand_force_N() const {
+double LiveSheet::pull_force_N() const {
   if (!is_dragged() || !options_.elastic) return std::numeric_limits<double>::quiet_NaN();
-  return force_unit() * world_->hand().pull(state_).norm();
+  return force_unit() * world_->external_pulls().pull(state_).norm();
 }
 
 double LiveSheet::potential(const model::State& state) const {

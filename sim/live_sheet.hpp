@@ -61,7 +61,7 @@ class LiveSheet {
   /// per second.
   bool is_at_rest() const;
   /// Returns the force of the dragging hand, N; NaN without dragging or with rigid hinges.
-  double hand_force_N() const;
+  double pull_force_N() const;
   /// Returns the energy in elastic hinges, N mm; NaN with rigid hinges.
   double hinge_energy_Nmm() const;
   /// Returns the sum of kinetic energy and the energy in hinges and of weight: part mass edge^2 / s^2.
@@ -78,7 +78,7 @@ class LiveSheet {
   void advance_drive();
   void apply_forces();
   void leave_flat();
-  void keep_energy(double before);
+  void limit_energy(double before);
   bool holds(const model::State& next) const;
   void accept(double before);
   bool is_pulled() const { return is_dragged() || push_ || drive_; }
@@ -94,8 +94,8 @@ class LiveSheet {
   std::optional<model::LinkageDrive> drive_;
   std::optional<Push> push_;
   bool gravity_ = false;
-  double theta_ = 0;  ///< of the drive, rad
-  double way_;        ///< longest motion of a part per step: cell edges or rad
+  double theta_ = 0;   ///< of the drive, rad
+  double step_limit_;  ///< longest motion of a part per step: cell edges or rad
   double seconds_ = 0;
   model::State state_;
 };

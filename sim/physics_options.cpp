@@ -10,7 +10,7 @@ namespace {
 
 // Marks values without an upper limit: any finite number, in any unit, is allowed.
 constexpr double no_limit = std::numeric_limits<double>::max();
-constexpr double most_steps = 1e7;  // time steps: a mistyped step_s gives a message instead of an endless run
+constexpr double max_steps = 1e7;  // time steps: a mistyped step_s gives a message instead of an endless run
 
 void positive(const char* field, double value, double largest = no_limit) {
   if (value > 0 && value <= largest) return;
@@ -48,7 +48,7 @@ void PhysicsOptions::validate() const {
   not_negative("settle_unrest", settle_residual_motion, 0.1);
   not_negative("settle_damping", settle_damping, 1e6);
   const double steps = (drive_seconds + settle_seconds) / step_s;
-  if (!(steps <= most_steps))
+  if (!(steps <= max_steps))
     throw InvalidInput(fmt::format("physics.step_s is {}: {:.3g} s in such steps are more than 10 million",
                                    step_s, drive_seconds + settle_seconds));
   positive("settle_speed", settle_speed);

@@ -52,9 +52,9 @@ double mean_turn(const model::Linkage& structure, const model::LinkageDrive& dri
 /// straight is on neither branch, and passes.
 bool is_on_branch(const model::Linkage& structure, const model::LinkageDrive& drive,
                   const PhysicsOptions& options, const model::State& state) {
-  const double least_turn = options.elastic ? -1e-6 : 0;
+  const double min_turn = options.elastic ? -1e-6 : 0;
   if (!drive.has_plates() || drive.compression == 0) return true;
-  return drive.branch * mean_turn(structure, drive, state) > least_turn;
+  return drive.branch * mean_turn(structure, drive, state) > min_turn;
 }
 
 bool has_finite_state(const PhysicsResult& r) {
@@ -83,7 +83,7 @@ std::string open_hinge(const model::Linkage& s, const PhysicsResult& r) {
 }
 
 /// Describes the hinges of parts that still move. Rigid hinges hold during any motion.
-std::string hinges_words(const model::Linkage& s, const PhysicsOptions& o, const PhysicsResult& r) {
+std::string describe_moving_hinges(const model::Linkage& s, const PhysicsOptions& o, const PhysicsResult& r) {
   return o.elastic
              ? open_hinge(s, r)
              : fmt::format("parts still move, with hinges open by at most {:.2g} cell edges", r.gaps.max);
@@ -100,7 +100,7 @@ std::string reason(const model::Linkage& s, const PhysicsOptions& o, const Physi
       return fmt::format("settled after {:.3g} s: largest hinge gap {:.2g} cell edges", r.simulated_s,
                          r.gaps.max);
     case Status::not_settled:
-      return fmt::format("not at rest after {:.3g} s: {}{}", r.simulated_s, hinges_words(s, o, r),
+      return fmt::format("not at rest after {:.3g} s: {}{}", r.simulated_s, describe_moving_hinges(s, o, r),
                          r.contact.touches() ? ", " + contact(s, r) : "");
     case Status::hinge_gap_exceeded:
       return fmt::format("{}; at most {:.2g} is allowed (after {:.3g} s)", open_hinge(s, r), gap_limit(o),
@@ -130,8 +130,8 @@ double overlap_limit(const model::Linkage& structure, const PhysicsOptions& opti
   return options.elastic ? structure.size.thickness_mm / structure.size.edge_mm / 2 : options.overlap_limit;
 }
 
-void judge(const model::Linkage& structure, const model::LinkageDrive& drive, const PhysicsOptions& options,
-           bool settled, PhysicsResult& result) {
+void set_status(const model::Linkage& structure, const model::LinkageDrive& drive,
+                const PhysicsOptions& options, bool settled, PhysicsResult& result) {
   const bool on_branch = is_on_branch(structure, drive, options, result.state);
   result.status = status_of(structure, options, settled, on_branch, result);
   result.why = reason(structure, options, result);

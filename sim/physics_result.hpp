@@ -53,7 +53,7 @@ double overlap_limit(const model::Linkage& structure, const PhysicsOptions& opti
 /// Sets status and reason of a finished run from its last measurements.
 /// @param settled whether the run came to rest.
 /// @param result its status blew_up is kept
-void judge(const model::Linkage& structure, const model::LinkageDrive& drive, const PhysicsOptions& options,
-           bool settled, PhysicsResult& result);
+void set_status(const model::Linkage& structure, const model::LinkageDrive& drive,
+                const PhysicsOptions& options, bool settled, PhysicsResult& result);
 
 }  // namespace kinetix::sim

@@ -49,7 +49,7 @@ class PullRun {
       step();
       settled = result_.steps >= drive_steps_ && is_at_rest();
     }
-    judge(structure_, model::LinkageDrive(), options_, settled, result_);
+    set_status(structure_, model::LinkageDrive(), options_, settled, result_);
     result_.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     if (observer_.progress) observer_.progress(1);
     return std::move(result_);
@@ -58,7 +58,7 @@ class PullRun {
  private:
   void step() {
     const double tau = std::min(1.0, (result_.steps + 1.0) / drive_steps_);
-    grasp(model::pull_at(structure_, pull_, tau * (2 - tau)));
+    set_pulls(model::pull_at(structure_, pull_, tau * (2 - tau)));
     world_.parts().damp(damping_);
     world_.step();
     ++result_.steps;
@@ -67,14 +67,15 @@ class PullRun {
       observer_.progress(static_cast<double>(result_.steps) / (all_steps_ + 1));
   }
 
-  void grasp(const model::Pull& now) {
+  void set_pulls(const model::Pull& now) {
     const std::vector<Eigen::Vector3d> arms = model::pull_points(now.turns);
     const double stiffness = pull_stiffness / static_cast<double>(arms.size());
-    std::vector<Grasp>& grasps = world_.hand().grasps;
-    grasps.clear();
+    std::vector<SpringPull>& spring_pulls = world_.external_pulls().spring_pulls;
+    spring_pulls.clear();
     for (int b = 0; b < static_cast<int>(now.to.size()); ++b)
       for (const Eigen::Vector3d& arm : arms)
-        grasps.push_back({b, arm, now.to[b].p / structure_.size.edge_mm + now.to[b].R * arm, stiffness});
+        spring_pulls.push_back(
+            {b, arm, now.to[b].p / structure_.size.edge_mm + now.to[b].R * arm, stiffness});
   }
 
   void measure() {
@@ -116,7 +117,7 @@ PhysicsResult run_pull(const model::Linkage& structure, const model::Pull& pull,
 
 namespace {
 
-constexpr double least_share = 0.5;          // of the wanted spins: a motion with less is a different one
+constexpr double min_share = 0.5;            // of the wanted spins: a motion with less is a different one
 constexpr double weight_of_the_rest = 1e-6;  // relative to that of the spins: decides only what they leave
                                              // open
 
@@ -164,7 +165,7 @@ std::vector<model::Twist> start_motion(const model::Linkage& structure) {
     all += structure.bodies[b].first_turn().squaredNorm();
   }
   share /= all;
-  if (!(share > least_share)) return bare_spins(structure);
+  if (!(share > min_share)) return bare_spins(structure);
   std::vector<model::Twist> twists;
   for (std::size_t b = 0; b < structure.bodies.size(); ++b)
     twists.push_back({motion.segment<3>(6 * b) / share, motion.segment<3>(6 * b + 3) / share});
@@ -184,12 +185,10 @@ void disturb(std::vector<model::Twist>& motion, double by, unsigned seed, bool p
 
 namespace {
 
-constexpr int least_window_steps = 100;  // since the drive's end: fewer show too little of a slow swing
+constexpr int min_window_steps = 100;  // since the drive's end: fewer show too little of a slow swing
 constexpr int window_steps = 200;     // time steps at the end: enough to show the amplitude of an oscillation
 constexpr int few_steps = 8;          // downhill: a soft mode takes more
 constexpr double least_force = 1e-9;  // k_point edge: below, a structure is at rest
-
-using Clock = std::chrono::steady_clock;
 
 int steps_in(double seconds, double step_s) { return static_cast<int>(std::ceil(seconds / step_s - 1e-9)); }
 
@@ -220,13 +219,13 @@ class Run {
     world_.parts().start(start_, 2 * rate_);
     measure();
     show();
-    bool settled = false, failed = failed_on_the_way();
+    bool settled = false, failed = failed_during_motion();
     while (result_.steps < all_steps_ && !settled && !failed && !observer_.stop.stop_requested()) {
       step();
-      failed = failed_on_the_way();
+      failed = failed_during_motion();
       settled = !failed && result_.steps >= drive_steps_ && (comes_to_rest() || stays_in_place());
     }
-    judge(structure_, drive_, options_, settled, result_);
+    set_status(structure_, drive_, options_, settled, result_);
     result_.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     show_end();
     return std::move(result_);
@@ -252,24 +251,24 @@ class Run {
     if (!options_.elastic) return world_.parts().damp(damping_);
     const double energy = world_.parts().kinetic_energy();
     if (energy < energy_) {
-      limit_way();
+      limit_motion();
       world_.parts().damp(0);
-      energy_ = way_ = steps_downhill_ = 0;
+      energy_ = motion_ = steps_downhill_ = 0;
     } else {
       energy_ = energy;
       ++steps_downhill_;
-      way_ = std::max(way_, world_.parts().fastest() * options_.step_s);
+      motion_ = std::max(motion_, world_.parts().fastest() * options_.step_s);
     }
   }
 
   /// Adapts the longest motion per step. A linearised step may overshoot the deepest point, and the next one
   /// overshoot back, without end. Parts move half as far from now on if they are past that point after a few
   /// steps, the longest of which was at least half of the previous longest. Otherwise the limit doubles.
-  void limit_way() {
-    const bool jumps = steps_downhill_ <= few_steps && way_ >= way_before_ / 2;
-    longest_way_ = jumps ? way_ / 2 : 2 * longest_way_;
-    way_before_ = way_;
-    world_.limit_way(longest_way_);
+  void limit_motion() {
+    const bool jumps = steps_downhill_ <= few_steps && motion_ >= previous_motion_ / 2;
+    max_motion_ = jumps ? motion_ / 2 : 2 * max_motion_;
+    previous_motion_ = motion_;
+    world_.limit_motion(max_motion_);
   }
 
   void measure() {
@@ -280,7 +279,7 @@ class Run {
     result_.contact = world_.deepest_contact();
   }
 
-  bool failed_on_the_way() {
+  bool failed_during_motion() {
     if (!(world_.parts().fastest() <= options_.speed_limit)) result_.status = PhysicsResult::Status::blew_up;
     return result_.status == PhysicsResult::Status::blew_up ||
            !(result_.gaps.max <= (options_.elastic ? options_.stretch_limit : options_.tear_limit)) ||
@@ -298,8 +297,8 @@ class Run {
     if (!options_.elastic) return world_.parts().fastest_hinge() <= options_.settle_speed;
     const double force = largest_hinge_force(structure_, result_.state, *options_.elastic);
     const double limit = options_.settle_force * std::max(force, least_force);
-    const double way = world_.parts().fastest() * options_.step_s;
-    return world_.free_force() <= limit && way * std::max(way, force) <= limit;
+    const double motion = world_.parts().fastest() * options_.step_s;
+    return world_.free_force() <= limit && motion * std::max(motion, force) <= limit;
   }
 
   /// Returns whether the parts are at rest, and then clears the residual motion.
@@ -312,7 +311,7 @@ class Run {
   /// Returns whether parts stayed within the allowed residual motion over the last steps.
   bool stays_in_place() {
     if (!options_.elastic || options_.settle_residual_motion == 0 ||
-        all_steps_ - drive_steps_ < least_window_steps || result_.steps < all_steps_ - window_steps)
+        all_steps_ - drive_steps_ < min_window_steps || result_.steps < all_steps_ - window_steps)
       return false;
     if (window_.empty()) window_ = result_.state;
     result_.residual_motion = std::max(result_.residual_motion, farthest_from(window_));
@@ -361,15 +360,15 @@ class Run {
   double energy_ = std::numeric_limits<double>::infinity();  ///< kinetic, at the last step of settling
   int steps_downhill_ = 0;                                   ///< since parts stopped
   // Largest motion of a part per step, cell edges or rad: since parts stopped, before that, and its limit.
-  double way_ = 0, way_before_ = std::numeric_limits<double>::infinity(),
-         longest_way_ = std::numeric_limits<double>::infinity();
+  double motion_ = 0, previous_motion_ = std::numeric_limits<double>::infinity(),
+         max_motion_ = std::numeric_limits<double>::infinity();
   model::State window_;  ///< state at the first of the last steps
   double next_frame_s_ = 0;
   int last_frame_ = -1;
 };
 
 void refuse_unknown(const model::LinkageDrive& drive, const PhysicsOptions& options) {
-  if (!drive.acts_from_outside() && !options.elastic)
+  if (!drive.is_external() && !options.elastic)
     throw InvalidInput("shape_memory needs elastic hinges in the physics run: give `hinge: {model: elastic}`",
                        {"", 0, 0, "drive.kind"});
 }

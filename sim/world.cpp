@@ -59,10 +59,11 @@ btDefaultCollisionConstructionInfo memory_of_pairs(std::size_t parts) {
 
 std::unique_ptr<btConstraintSolver> make_solver(const PhysicsOptions& options, double edge_mm,
                                                 const ElasticHinges* elastic, const Cord* cord,
-                                                const Hand& hand, const double& longest_way, bool& agrees) {
+                                                const ExternalPulls& external_pulls, const double& max_motion,
+                                                bool& agrees) {
   DirectSolverSettings settings{.joint_stiffness = options.joint_stiffness, .elastic = elastic, .cord = cord};
-  settings.hand = &hand;
-  settings.longest_way = &longest_way;
+  settings.external_pulls = &external_pulls;
+  settings.max_motion = &max_motion;
   settings.agrees = &agrees;
   settings.edge_mm = edge_mm;
   if (options.elastic) {
@@ -93,8 +94,8 @@ struct World::Engine {
   btDbvtBroadphase broadphase;
   std::optional<ElasticHinges> elastic;
   std::optional<Cord> cord;
-  Hand hand;
-  double longest_way = std::numeric_limits<double>::infinity();
+  ExternalPulls external_pulls;
+  double max_motion = std::numeric_limits<double>::infinity();
   bool agrees = true;  ///< whether the rows that pushed in the last step were consistent
   std::unique_ptr<btConstraintSolver> solver;
   btDiscreteDynamicsWorld world;
@@ -112,9 +113,9 @@ struct World::Engine {
         options(in_force(o)),
         elastic(make_elastic()),
         cord(make_cord()),
-        hand(options.joint_stiffness, structure.size.edge_mm),
+        external_pulls(options.joint_stiffness, structure.size.edge_mm),
         solver(make_solver(options, structure.size.edge_mm, elastic ? &*elastic : nullptr,
-                           cord ? &*cord : nullptr, hand, longest_way, agrees)),
+                           cord ? &*cord : nullptr, external_pulls, max_motion, agrees)),
         world(&dispatcher, &broadphase, solver.get(), &configuration),
         parts(structure, options, contact_parts) {
     world.setGravity({0, 0, 0});
@@ -178,7 +179,7 @@ struct World::Engine {
   void ignore_initial_contacts() {
     find_initial_contacts();
     for (const TouchingPieces& p : passing)
-      PartShape::let_pass(*parts.bodies()[p.body], p.piece, *parts.bodies()[p.other], p.piece_of_other);
+      PartShape::ignore_contact(*parts.bodies()[p.body], p.piece, *parts.bodies()[p.other], p.piece_of_other);
   }
 
   /// Adds the hinges. Points with stiffness in their hinge's frame are handled by the direct solver.
@@ -219,8 +220,8 @@ World::World(const model::Linkage& structure, const std::optional<model::Linkage
 
 World::~World() = default;
 
-Hand& World::hand() { return engine_->hand; }
-void World::limit_way(double longest) { engine_->longest_way = longest; }
+ExternalPulls& World::external_pulls() { return engine_->external_pulls; }
+void World::limit_motion(double longest) { engine_->max_motion = longest; }
 RigidParts& World::parts() { return engine_->parts; }
 const RigidParts& World::parts() const { return engine_->parts; }
 

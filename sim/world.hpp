@@ -12,7 +12,7 @@ namespace kinetix::sim {
 
 struct ContactParts;
 struct TouchingPieces;
-class Hand;
+class ExternalPulls;
 class RigidParts;
 
 /// Structure as rigid parts, hinges and a drive in the engine. Half walls collide without friction, except
@@ -25,10 +25,10 @@ class World {
         const PhysicsOptions& options, const ContactParts* parts = nullptr);
   ~World();
 
-  /// Returns the hands that pull and hold. They and limit_way() need the direct solver.
-  Hand& hand();
+  /// Returns the hands that pull and hold. They and limit_motion() need the direct solver.
+  ExternalPulls& external_pulls();
   /// Limits the motion of every part per step, cell edges or rad.
-  void limit_way(double longest);
+  void limit_motion(double longest);
   RigidParts& parts();
   const RigidParts& parts() const;
 

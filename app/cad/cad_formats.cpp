@@ -15,7 +15,7 @@ namespace kinetix::app::cad {
 namespace {
 
 // CPU time limit in s. Files of this program take 1 s per MiB. Damaged files that crash the reader do so at once.
-constexpr unsigned long least_s = 20, s_per_mebibyte = 10;
+constexpr unsigned long min_s = 20, s_per_mebibyte = 10;
 constexpr unsigned long most_bytes = 4ul << 30;  // bytes: 4 GiB of address space, libraries included
 
 void* cad_function(const char* name) { return model::module_function("kinetix-cad.so", name); }
@@ -35,7 +35,7 @@ std::vector<FoundSolid> solids_of_step(const std::string& file) {
   const std::uintmax_t size = std::filesystem::file_size(file, unknown);
   const unsigned long mebibytes = unknown ? 0 : static_cast<unsigned long>(size >> 20);
   const std::string bytes =
-      run_reader("kinetix-read-step", {file}, {least_s + s_per_mebibyte * mebibytes, most_bytes});
+      run_reader("kinetix-read-step", {file}, {min_s + s_per_mebibyte * mebibytes, most_bytes});
   try {
     return read_solids(bytes);
   } catch (const std::runtime_error& e) {

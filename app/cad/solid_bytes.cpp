@@ -7,10 +7,10 @@ namespace {
 
 FoundSolid read_solid(ByteReader& reader) {
   FoundSolid solid;
-  solid.name = reader.get_all<std::string>();
-  solid.colour = reader.get_all<std::string>();
-  solid.points = reader.get_all<std::vector<Eigen::Vector3d>>();
-  solid.triangles = reader.get_all<std::vector<std::array<int, 3>>>();
+  solid.name = reader.extract_all<std::string>();
+  solid.colour = reader.extract_all<std::string>();
+  solid.points = reader.extract_all<std::vector<Eigen::Vector3d>>();
+  solid.triangles = reader.extract_all<std::vector<std::array<int, 3>>>();
   for (const auto& triangle : solid.triangles)
     for (const int corner : triangle)
       if (corner < 0 || static_cast<std::size_t>(corner) >= solid.points.size())
@@ -24,10 +24,10 @@ std::string to_bytes(const std::vector<FoundSolid>& solids) {
   std::string bytes;
   put(bytes, solids.size());
   for (const FoundSolid& solid : solids) {
-    put_all(bytes, solid.name.data(), solid.name.size());
-    put_all(bytes, solid.colour.data(), solid.colour.size());
-    put_all(bytes, solid.points.data(), solid.points.size());
-    put_all(bytes, solid.triangles.data(), solid.triangles.size());
+    append_all(bytes, solid.name.data(), solid.name.size());
+    append_all(bytes, solid.colour.data(), solid.colour.size());
+    append_all(bytes, solid.points.data(), solid.points.size());
+    append_all(bytes, solid.triangles.data(), solid.triangles.size());
   }
   return bytes;
 }

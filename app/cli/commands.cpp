@@ -67,7 +67,7 @@ class Stopper {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds between_looks{20};  // ms: too short for users to notice
+constexpr std::chrono::milliseconds poll_interval{20};  // ms: too short for users to notice
 
 std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may write it");
@@ -91,7 +91,7 @@ Stopper::Stopper(std::optional<double> time_limit_s) {
   const Clock::time_point begin = Clock::now();
   watch_ = std::thread([this, begin, time_limit_s] {
     std::unique_lock lock(mutex_);
-    while (!source_.stop_requested() && !end_.wait_for(lock, between_looks, [this] { return ends_; })) {
+    while (!source_.stop_requested() && !end_.wait_for(lock, poll_interval, [this] { return ends_; })) {
       const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
       const bool late = time_limit_s && seconds >= *time_limit_s;
       if (interrupted || late) {
@@ -162,9 +162,9 @@ void print(const Run& run, const nlohmann::ordered_json& json, const std::string
     std::cout << json.dump(1) << "\n";
   else
     std::cout << summary(run)
-              << fmt::format(
-                     "  {:<10} {}/{}\n", "written", folder,
-                     std::string("report.html, result.json, design.yaml") + (run.way ? ", parts" : ""));
+              << fmt::format("  {:<10} {}/{}\n", "written", folder,
+                             std::string("report.html, result.json, design.yaml") +
+                                 (run.closed_path ? ", parts" : ""));
 }
 
 /// Runs a function, writes its results and prints the summary. @param watch started before the file was read.
@@ -336,7 +336,7 @@ std::optional<double> free_memory() {
 constexpr const char* of_motion = " along x, y and z of the design's motion";
 
 // Number of bodies up to which the collision-free range is computed within a second.
-constexpr int most_bodies_for_contact = 4000;
+constexpr int max_bodies_for_contact = 4000;
 
 // Measured on square sheets of 250 x 250 and 1000 x 1000 cells, after reading.
 constexpr double check_seconds_per_body = 1e-5, check_bytes_per_body = 1.6e3;
@@ -417,7 +417,7 @@ std::string CheckedFile::text() const {
   if (forecast) out += text_of(*forecast, kind == "design" ? of_motion : "");
   if (contact)
     for (const auto& [label, words] :
-         certified_lines(contact->certified, forecast->sheet, contact->theta, NearExact::same))
+         certified_lines(contact->certified, forecast->sheet, contact->theta, ClosedFormRelation::same))
       out += line(label.c_str(), words);
   if (kind == "sweep") out += line("samples", fmt::format("{:.0f}", samples));
   return out;
@@ -427,7 +427,8 @@ nlohmann::ordered_json CheckedFile::json() const {
   nlohmann::ordered_json out = {{"file", file}, {"kind", kind}, {"name", name}, {"valid", true}};
   if (forecast) out["expected"] = json_of(*forecast);
   if (contact)
-    out["certified"] = certified_json(contact->certified, forecast->sheet, contact->theta, NearExact::same);
+    out["certified"] =
+        certified_json(contact->certified, forecast->sheet, contact->theta, ClosedFormRelation::same);
   if (kind == "sweep") out["samples"] = samples;
   return out;
 }
@@ -450,12 +451,12 @@ CheckedFile check_file(const std::string& file, const Progress& progress) {
   if (design.structure.assembly()) return {file, "design", design.name};
   announce_check(file, design.structure, progress);
   CheckedFile out{.file = file, .kind = "design", .name = design.name, .forecast = forecast_design(design)};
-  if (design.structure.bodies() <= most_bodies_for_contact)
+  if (design.structure.bodies() <= max_bodies_for_contact)
     out.contact = contact_of(design);
   else
     out.forecast->notes.push_back(fmt::format(
         "the collision-free range is computed here for up to {} bodies; `simulate` needs {} for it",
-        most_bodies_for_contact, about(contact_seconds(design.structure))));
+        max_bodies_for_contact, about(contact_seconds(design.structure))));
   return out;
 }
 

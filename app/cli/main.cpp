@@ -181,7 +181,7 @@ void add_view(CLI::App& app, CommandOptions& options, kinetix::app::ViewRequest&
       ->type_name("");
   add_common(app, options);
   app.add_flag_callback(
-      "--no-open", [&request] { request.opens_page = false; }, "prints the address and opens no browser");
+      "--no-open", [&request] { request.opens_browser = false; }, "prints the address and opens no browser");
   app.add_option("--port", request.port, "of 127.0.0.1; 0 (default): any that is free")
       ->type_name("PORT")
       ->check(CLI::Range(0, 65535));
@@ -221,7 +221,7 @@ void refuse_options_before(const CLI::App& app, const CLI::App& command) {
 }
 
 /// Looks for --json, also in a command line that cannot be parsed.
-bool asks_for_json(int argc, char** argv) {
+bool requests_json(int argc, char** argv) {
   return std::any_of(argv + 1, argv + argc,
                      [](const char* word) { return std::string_view(word) == "--json"; });
 }
@@ -312,7 +312,7 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (app.exit(e) == 0) return kinetix::app::done;
-    if (asks_for_json(argc, argv)) kinetix::app::print_error(e.what(), kinetix::app::bad_input);
+    if (requests_json(argc, argv)) kinetix::app::print_error(e.what(), kinetix::app::bad_input);
     return kinetix::app::bad_input;
   }
   for (const CLI::App* command : app.get_subcommands()) refuse_options_before(app, *command);
@@ -363,7 +363,7 @@ void keep_stack() {
 
 /// Ends the program without the destructors of global objects, which other threads may still use. Libraries also call
 /// exit: OpenMP does so if it cannot start a thread.
-void end_at_once(int code, void*) {
+void exit_immediately(int code, void*) {
   kinetix::app::remove_unfinished();
   std::_Exit(code);
 }
@@ -372,8 +372,8 @@ void end_at_once(int code, void*) {
 
 int main(int argc, char** argv) {
   std::set_terminate(kinetix::app::terminate_with_message);
-  on_exit(end_at_once, nullptr);
-  const bool as_json = asks_for_json(argc, argv);
+  on_exit(exit_immediately, nullptr);
+  const bool as_json = requests_json(argc, argv);
   const kinetix::app::PrintableStreams printable;
   try {
     keep_stack();

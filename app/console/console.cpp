@@ -36,11 +36,11 @@ void TimeLeft::update(double seconds, double done) {
 std::optional<double> TimeLeft::at(double seconds) {
   const double left = total_ - seconds;
   if (!is_known() || !(left > 0)) return std::nullopt;
-  told_ = std::min(told_, left);
-  return left <= about_ratio * told_ + about_s ? std::optional(told_) : std::nullopt;
+  displayed_s_ = std::min(displayed_s_, left);
+  return left <= about_ratio * displayed_s_ + about_s ? std::optional(displayed_s_) : std::nullopt;
 }
 
-std::string TimeLeft::words(double seconds) {
+std::string TimeLeft::text(double seconds) {
   if (!is_known() || done_ >= 1) return "";
   const auto left = at(seconds);
   return left ? "about " + duration_text(*left) + " left" : "takes longer than it seemed";
@@ -103,13 +103,13 @@ bool is_plain(char c) { return (c >= 0x20 && c < 0x7f) || c == '\n' || c == '\t'
 
 }  // namespace
 
-Console::Console(bool quiet, bool says_starts)
-    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), says_starts_(says_starts) {
+Console::Console(bool quiet, bool logs_starts)
+    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), logs_starts_(logs_starts) {
   forks();
   if (quiet_) return;
-  heart_ = std::thread([this] {
+  heartbeat_ = std::thread([this] {
     awake_.count_down();
-    beat();
+    heartbeat();
   });
   awake_.wait();
 }
@@ -121,10 +121,10 @@ Console::~Console() {
     clear_line();
   }
   end_.notify_one();
-  if (heart_.joinable()) heart_.join();
+  if (heartbeat_.joinable()) heartbeat_.join();
 }
 
-void Console::beat() {
+void Console::heartbeat() {
   std::unique_lock lock(mutex_);
   while (!end_.wait_for(lock, pulse, [this] { return ends_; }))
     if (!stage_.empty() && Clock::now() >= next_) {
@@ -140,7 +140,7 @@ void Console::beat() {
 std::string Console::note(double seconds) {
   if (!note_.empty()) return note_;
   const std::string text = (so_far_.empty() ? "" : so_far_ + ", ") + duration_text(seconds),
-                    left = done_ < 0 ? "" : left_.words(seconds);
+                    left = done_ < 0 ? "" : left_.text(seconds);
   return left.empty() ? text : text + ", " + left;
 }
 
@@ -183,7 +183,7 @@ void Console::stage(const std::string& name, double done, const std::string& not
     since_ = Clock::now();
     next_ = since_ + interval;
     left_ = {};
-    if (!terminal_ && says_starts_) log().info("{} ...", name);
+    if (!terminal_ && logs_starts_) log().info("{} ...", name);
   }
   const int percent = done < 0 ? -1 : static_cast<int>(100 * std::min(done, 1.0));
   const bool changes = is_new || percent != shown_percent_ || note != note_ || so_far != so_far_;

@@ -25,7 +25,7 @@ class TimeLeft {
   /// Returns the time left, s. Empty if too little is done for an estimate, or if it takes longer than displayed.
   std::optional<double> at(double seconds);
   /// Returns "about 41 s left", "takes longer than it seemed", or an empty text.
-  std::string words(double seconds);
+  std::string text(double seconds);
 
  private:
   bool is_known() const { return total_ < std::numeric_limits<double>::infinity(); }
@@ -33,7 +33,7 @@ class TimeLeft {
   double began_ = -1, before_ = 0;                          ///< s and share at the first update
   double done_ = -1;                                        ///< the latest share
   double total_ = std::numeric_limits<double>::infinity();  ///< s, whole stage, extrapolated from that share
-  double told_ = std::numeric_limits<double>::infinity();   ///< s left: the least displayed so far
+  double displayed_s_ = std::numeric_limits<double>::infinity();  ///< s left: the least displayed so far
 };
 
 /// Formats a duration: "2.3 s", "41 s", "4 min 10 s", "3 h 20 min".
@@ -44,9 +44,9 @@ std::string duration_text(double seconds);
 /// any thread.
 class Console {
  public:
-  /// @param says_starts prints a line at the start of each stage if stderr is not a terminal. Otherwise a stage
+  /// @param logs_starts prints a line at the start of each stage if stderr is not a terminal. Otherwise a stage
   /// shorter than a second prints nothing, so that an error message is the only output
-  explicit Console(bool quiet, bool says_starts = true);
+  explicit Console(bool quiet, bool logs_starts = true);
   ~Console();
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
@@ -62,13 +62,13 @@ class Console {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void beat();
+  void heartbeat();
   void show();
   void show_bar(double seconds);
   std::string note(double seconds);
   void clear_line();
 
-  const bool quiet_, terminal_, says_starts_;
+  const bool quiet_, terminal_, logs_starts_;
   std::mutex mutex_;  ///< guards all members below
   std::condition_variable end_;
   bool ends_ = false;
@@ -79,7 +79,7 @@ class Console {
   Clock::time_point since_, next_;  ///< start of the stage; time of the next report
   std::string stage_, note_, so_far_;
   std::latch awake_{1};  ///< open once the heartbeat runs: starting a thread takes memory, too
-  std::thread heart_;
+  std::thread heartbeat_;
 };
 
 /// Opens a file in the user's browser by xdg-open, without waiting. Reports a missing xdg-open on stderr.

@@ -23,7 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Edge = model::CreasePattern::Edge;
 
-constexpr std::size_t most_triangles = 200'000;            // triangles of bodies in a report: a page of 5 MB
+constexpr std::size_t max_triangles = 200'000;             // triangles of bodies in a report: a page of 5 MB
 constexpr std::string_view creases_name = "creases.fold";  // in the folder of results
 
 std::vector<NamedContent> write_design(const Run& run, const Json&) {
@@ -82,7 +82,7 @@ std::vector<NamedContent> write_creases(const Run& run, const nlohmann::ordered_
   const model::PlanarStructure* planar = run.design.structure.planar();
   if (!planar || run.plan.exact.name != model::creased_family) return {};
   try {
-    const model::CreasePattern pattern = crease_pattern(*planar, redrawing_of(*planar).y, run.theta);
+    const model::CreasePattern pattern = crease_pattern(*planar, parallel_drawing_of(*planar).y, run.theta);
     return {{std::string(creases_name), origami_text(pattern, run.theta, run.design.name)}};
   } catch (const InvalidInput&) {
     return {};  // the format has no facets that are not polygons
@@ -106,13 +106,13 @@ std::vector<NamedContent> write_report(const Run& run, const Json& result) {
   Json shown = result;
   if (const model::Assembly* bodies = run.design.structure.assembly()) {
     shown["structure"] = shown_bodies_json(*bodies);
-    if (triangles_of(*bodies) <= most_triangles) shown["meshes"] = meshes_json(*bodies);
+    if (triangles_of(*bodies) <= max_triangles) shown["meshes"] = meshes_json(*bodies);
   }
   shown["timing_s"].erase("write");
   if (run.goal)
     for (const auto& [name, png] : run.goal->pictures(run, true))
       shown["pictures"][name] = "data:image/png;base64," + to_base64(png);
-  return {{"report.html", report_html(light_result(std::move(shown), !scene_script().empty()).dump())}};
+  return {{"report.html", report_html(compact_result(std::move(shown), !scene_script().empty()).dump())}};
 }
 
 // Name, extensions, whether every run writes it, and how.

@@ -24,9 +24,9 @@ constexpr double unit_length = 1e-3;  // deviation of an axis's length from 1: r
 constexpr double square = 1e-2;       // limit of the cosine between an axis and the direction along the part
 constexpr double default_reach = 0.18;  // cell edges, as for hinges of sheets
 /// Kind of a joint as files name it.
-enum class JointWord { pin, block, ball };
-constexpr targets::Word<JointWord> joint_words[] = {
-    {"pin", JointWord::pin}, {"block", JointWord::block}, {"ball", JointWord::ball}};
+enum class JointChoice { pin, block, ball };
+constexpr targets::Word<JointChoice> joint_choices[] = {
+    {"pin", JointChoice::pin}, {"block", JointChoice::block}, {"ball", JointChoice::ball}};
 
 // Degrees of a driven hinge: one angle cannot describe more than half a turn in either direction.
 const targets::Bounds turn_bounds = targets::between(-180, 180, "degrees");
@@ -73,7 +73,7 @@ const targets::KeyTable& joint_keys() {
        "what the drive and results call it"},
       {"bodies", value::list(value::text("name of a body"), "`[name, name]`", 2, 2), targets::needed,
        "the two bodies that it joins"},
-      {"kind", value::choice(joint_words), targets::by_default("block"),
+      {"kind", value::choice(joint_choices), targets::by_default("block"),
        "`block`: a soft part; `pin`: turns about its axis alone; `ball`: turns every way about its point"},
       {"point_mm", vector_mm(), targets::needed, "on its axis, at rest"},
       {"axis", direction(), targets::needed, "of length 1, at rest"},
@@ -218,10 +218,10 @@ class BodiesReader {
     hinge.lower = body_of(ends[0]);
     hinge.upper = body_of(ends[1]);
     if (hinge.lower == hinge.upper) throw bodies.error("joins a body with itself");
-    JointWord kind = JointWord::block;
-    section.read("kind", kind, joint_words);
-    hinge.kind = kind == JointWord::block ? model::HingeKind::block : model::HingeKind::pin;
-    hinge.ball = kind == JointWord::ball;
+    JointChoice kind = JointChoice::block;
+    section.read("kind", kind, joint_choices);
+    hinge.kind = kind == JointChoice::block ? model::HingeKind::block : model::HingeKind::pin;
+    hinge.ball = kind == JointChoice::ball;
     hinge.point =
         read_vector(section.required("point_mm", "a point on its axis, mm"), "a point [x, y, z], mm");
     hinge.axis = read_direction(section.required("axis", "its axis, of length 1"));

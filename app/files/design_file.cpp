@@ -29,8 +29,8 @@ const targets::Bounds tilt = targets::between(-90, 90, "degrees");
 const targets::Bounds offset = targets::between(-0.5, 0.5, "mm (within half a cell to either side)");
 
 // Words of the key `shared`.
-constexpr targets::Word<SharedWalls> ways_to_share[] = {{"average", SharedWalls::average},
-                                                        {"must_agree", SharedWalls::must_agree}};
+constexpr targets::Word<SharedWalls> shared_wall_choices[] = {{"average", SharedWalls::average},
+                                                              {"must_agree", SharedWalls::must_agree}};
 
 targets::ValueType four(const targets::ValueType& entry) {
   return value::list(entry, "`[bottom, right, top, left]`", 4, 4);
@@ -53,7 +53,7 @@ targets::KeyTable pattern_keys() {
   return targets::KeyTable({
       {"even", tuple_keys(), "cells whose i + j is even"},
       {"odd", tuple_keys(), "cells whose i + j is odd"},
-      {"shared", value::choice(ways_to_share), targets::by_default("must_agree"),
+      {"shared", value::choice(shared_wall_choices), targets::by_default("must_agree"),
        "what to do where two cells disagree about the wall between them: refuse the file, or take the "
        "average"},
   });
@@ -106,7 +106,7 @@ void read_pattern(const targets::Section& design, model::Lattice& sheet) {
                                    lattice_name(sheet) + "; name single `hinges`");
   const model::CellTuple even = read_tuple(pattern.section("even")), odd = read_tuple(pattern.section("odd"));
   SharedWalls shared = SharedWalls::must_agree;
-  pattern.read("shared", shared, ways_to_share);
+  pattern.read("shared", shared, shared_wall_choices);
   pattern.node().located([&] { apply_pattern(*squares, even, odd, shared); });
 }
 

@@ -176,7 +176,7 @@ const targets::KeyTable& drive_keys() {
 }
 
 /// Returns the keys of a drive without a goal, `drive: {side: -1}`.
-const targets::KeyTable& side_alone_keys() {
+const targets::KeyTable& side_only_keys() {
   static const targets::KeyTable keys({side_key()});
   return keys;
 }
@@ -292,7 +292,7 @@ struct DriveText {
   std::string operator()(const model::BodyPull&) const { return ""; }  // bodies_text() writes it
 };
 
-struct DriveWords {
+struct DriveDescription {
   const char* operator()(const model::Plates& plates) const {
     return plates.press ? "two plates that press" : "two plates";
   }
@@ -315,7 +315,7 @@ targets::Key press_key() {
 }
 
 targets::Key drive_key() {
-  return {"drive", value::either({value::map(drive_keys()), value::map(side_alone_keys())}),
+  return {"drive", value::either({value::map(drive_keys()), value::map(side_only_keys())}),
           targets::otherwise("to `design.theta_deg`"), "how the structure is moved; `side` may stand alone"};
 }
 
@@ -324,7 +324,7 @@ std::optional<model::Drive> read_drive_section(const targets::Section& root,
   const auto node = root.optional("drive");
   if (!node) return std::nullopt;
   if (is_side_alone(*node)) {
-    targets::Section(*node, side_alone_keys());
+    targets::Section(*node, side_only_keys());
     return std::nullopt;
   }
   return read_word(node->required("kind", "plates, hinge, cord or shape_memory"), readers)(*node, structure);
@@ -336,7 +336,7 @@ std::string drive_text(const model::Lattice& structure, const std::optional<mode
   return keys.empty() ? "" : "drive: {" + keys + "}\n";
 }
 
-const char* describe(const model::Drive& drive) { return std::visit(DriveWords{}, drive); }
+const char* describe(const model::Drive& drive) { return std::visit(DriveDescription{}, drive); }
 
 int read_side(const targets::Section& root) {
   const auto drive = root.optional("drive");

@@ -81,7 +81,6 @@ PhysicsSection read_physics(const targets::Section& root, double edge_mm) {
 
 namespace {
 
-namespace value = targets::value;
 using optim::Symmetry;
 
 // Words of the key `symmetry`.

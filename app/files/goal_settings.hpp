@@ -64,12 +64,14 @@ class Goal;
 
 /// Settings of a run in the file of every goal, except the goal itself.
 struct GoalSettings {
-  static constexpr double usual_verify = 0.02;  // cell edges: twenty times the error of converged simulations
+  static constexpr double default_verify_tolerance =
+      0.02;                             // cell edges: twenty times the error of converged simulations
   static constexpr double grain = 0.5;  // cell edges: a sheet of such cells cannot follow more closely
 
-  std::string name = {};                   ///< default: the file's name without its ending
-  double verify_tolerance = usual_verify;  ///< tolerance.verify: limit of verify_rms, cell edges, (0, 1]
-  SolverSection solver = {};               ///< only of kinds with a choice of solvers
+  std::string name = {};  ///< default: the file's name without its ending
+  double verify_tolerance =
+      default_verify_tolerance;  ///< tolerance.verify: limit of verify_rms, cell edges, (0, 1]
+  SolverSection solver = {};     ///< only of kinds with a choice of solvers
   PhysicsSection physics = {};
   HingeSection hinge = {};
   std::vector<HingePart> hinge_parts = {};  ///< per-hinge overrides
@@ -94,7 +96,7 @@ inline constexpr const char* any_hinge = "what the hinges are made of";
 inline constexpr const char* sized_hinge = "what the hinges are made of; needs `structure.cell_mm`";
 
 /// Returns the key `tolerance.verify`.
-targets::Key verify_key(double usual = GoalSettings::usual_verify);
+targets::Key verify_key(double usual = GoalSettings::default_verify_tolerance);
 
 /// Reads the settings that a kind has keys for, except those of read_hinges().
 /// @param edge_mm cell edge, for ranges of lengths

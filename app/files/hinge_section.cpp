@@ -14,7 +14,7 @@ namespace {
 namespace value = targets::value;
 using Model = HingeSection::Model;
 using model::HingeKind;
-using model::MadeHinge;
+using model::ManufacturedHinge;
 
 // Words of the key `model`.
 constexpr targets::Word<Model> models[] = {{"rotary", Model::rotary}, {"elastic", Model::elastic}};
@@ -97,24 +97,25 @@ std::vector<targets::Key> stiffness_and_shape() {
        "gap"},
       {"material", value::either({value::choice(material_names()), value::map(material_keys())}),
        targets::otherwise("needed; of a pin `" + std::string(default_pin) + "`"), material_meaning()},
-      {"gap_mm", &MadeHinge::gap_mm, value::length(targets::between(0, 1, "mm (below the cell edge)")),
+      {"gap_mm", &ManufacturedHinge::gap_mm,
+       value::length(targets::between(0, 1, "mm (below the cell edge)")),
        targets::otherwise("needed by blocks and films"), "length of a block or film along the wall"},
       {"thickness_mm", value::number(targets::above(0, "mm")),
        targets::otherwise("the wall's; needed by films"), "of a block or film, at most the wall's"},
       {"height_mm", value::number(targets::above(0, "mm")), targets::otherwise("the wall's"),
        "of the hinge along its axis, at most the wall's"},
-      {"diameter_mm", &MadeHinge::diameter_mm,
+      {"diameter_mm", &ManufacturedHinge::diameter_mm,
        value::length(targets::between(0, 0.5, "mm (below half a cell)")),
        targets::otherwise("needed by pins"),
        "of the rod of a pin; its knuckle, 1.6 mm and two clearances wider, is at most 0.7 cells"},
-      {"clearance_mm", &MadeHinge::clearance_mm,
+      {"clearance_mm", &ManufacturedHinge::clearance_mm,
        value::length({0, 0.5, true, false, "mm (below half a cell)"}),
        targets::by_default(default_clearance_mm), "of a pin, between rod and bore, a side"},
-      {"play", &MadeHinge::with_play, value::boolean(),
+      {"play", &ManufacturedHinge::with_play, value::boolean(),
        "whether a pin moves freely within its clearance, a dead band in which nothing resists: sheets are "
        "then "
        "loose, and their equilibrium is any of many"},
-      {"caps", &MadeHinge::caps, value::boolean(),
+      {"caps", &ManufacturedHinge::caps, value::boolean(),
        "whether knuckles of a pin are round caps about the middle of their walls, as large as the hinge "
        "furthest off its middle asks for, with their bores beside it: all look alike"},
   };
@@ -130,7 +131,7 @@ std::vector<targets::Key> keys_with(targets::Key model) {
   return keys;
 }
 
-constexpr int most_lines = 1000000;  // lines of a sheet: more than fit in a file
+constexpr int max_lines = 1000000;  // lines of a sheet: more than fit in a file
 
 targets::Key except_key() {
   return {"except", value::list(value::map(hinge_part_keys()), "a list of hinges made otherwise", 0),
@@ -140,7 +141,7 @@ targets::Key except_key() {
 }
 
 /// Checks that a file gives a hinge in one way only.
-void check_one_way(const targets::Section& section) {
+void check_stiffness_keys(const targets::Section& section) {
   const auto refuse = [&](const char* way, std::initializer_list<const char*> others) {
     if (!section.optional(way)) return;
     for (const char* key : others)
@@ -188,7 +189,8 @@ void check_lengths(const targets::Section& section, HingeKind kind) {
 
 /// Checks a made hinge. The message of validate() begins with the field. If the file gives that key, the error is at
 /// the key and does not repeat the name.
-void check_made(const targets::Section& section, const model::MadeHinge& hinge, const model::CellSize& size) {
+void check_manufactured_hinge(const targets::Section& section, const model::ManufacturedHinge& hinge,
+                              const model::CellSize& size) {
   try {
     validate(hinge, size);
   } catch (const InvalidInput& e) {
@@ -198,8 +200,9 @@ void check_made(const targets::Section& section, const model::MadeHinge& hinge, 
   }
 }
 
-model::MadeHinge read_made(const targets::Section& section, const model::CellSize& size) {
-  model::MadeHinge hinge;
+model::ManufacturedHinge read_manufactured_hinge(const targets::Section& section,
+                                                 const model::CellSize& size) {
+  model::ManufacturedHinge hinge;
   section.read("kind", hinge.kind, kinds);
   check_kind(section, hinge.kind);
   if (const auto material = section.optional("material"))
@@ -217,20 +220,20 @@ model::MadeHinge read_made(const targets::Section& section, const model::CellSiz
     hinge.thickness_mm = size.thickness_mm;
   section.read("thickness_mm", hinge.thickness_mm, {0, size.thickness_mm, false, true, "mm (the wall's)"});
   section.read_into(hinge, size.edge_mm);
-  check_made(section, hinge, size);
+  check_manufactured_hinge(section, hinge, size);
   return hinge;
 }
 
 /// Reads all of the section except the model.
 HingeSection read_stiffness_or_shape(const targets::Section& section, const model::CellSize& size,
                                      HingeSection hinge) {
-  check_one_way(section);
+  check_stiffness_keys(section);
   section.read(
       "k_turn", hinge.k_turn,
       hinge.model == Model::elastic ? targets::above(0, "N mm/rad") : targets::at_least(0, "N mm/rad"));
   section.read_into(hinge, size.edge_mm);
   if (const auto k = section.section("k"); k.given()) k.read_into(hinge.k.emplace());
-  if (section.optional("kind")) hinge.made = read_made(section, size);
+  if (section.optional("kind")) hinge.made = read_manufactured_hinge(section, size);
   return hinge;
 }
 
@@ -252,7 +255,7 @@ std::string material_text(const model::Material& m) {
   return "{" + material_keys().text(m) + "}";
 }
 
-std::string made_text(const model::MadeHinge& h) {
+std::string format_manufactured_hinge(const model::ManufacturedHinge& h) {
   const std::string start =
       fmt::format("kind: {}, material: {}, ", to_string(h.kind), material_text(h.material));
   const std::string shape =
@@ -300,8 +303,8 @@ const targets::KeyTable& single_hinge_keys() {
 
 const targets::KeyTable& hinge_line_keys() {
   static const targets::KeyTable keys(
-      {{"column", value::integer(0, most_lines), {}, "of squares: the walls along x of this column"},
-       {"row", value::integer(0, most_lines), {}, "of squares: the walls along y of this row"}});
+      {{"column", value::integer(0, max_lines), {}, "of squares: the walls along x of this column"},
+       {"row", value::integer(0, max_lines), {}, "of squares: the walls along y of this row"}});
   return keys;
 }
 
@@ -333,28 +336,30 @@ HingeSection read_single_hinge(const targets::Section& section, const model::Cel
   return read_stiffness_or_shape(section, size, {.model = Model::elastic, .reach_mm = {}});
 }
 
-std::string offset_limit_text(const model::MadeHinge& hinge, const model::CellSize& size) {
+std::string offset_limit_text(const model::ManufacturedHinge& hinge, const model::CellSize& size) {
   const std::string limit =
       fmt::format("a hinge made so in walls of {:g} mm can sit at most {:.3g} mm off their middle",
                   size.thickness_mm, largest_offset_mm(hinge, size));
   if (hinge.kind != HingeKind::pin || hinge.caps) return limit;
-  model::MadeHinge capped = hinge;
+  model::ManufacturedHinge capped = hinge;
   capped.caps = true;
   return limit + fmt::format("; with `caps: true` {:.3g} mm", largest_offset_mm(capped, size));
 }
 
 std::string hinge_text(const HingeSection& hinge) {
   const std::string reach = hinge.reach_mm ? ", reach_mm: " + text(*hinge.reach_mm) : "";
-  return hinge.made ? made_text(*hinge.made) : stiffness_text(hinge) + reach;
+  return hinge.made ? format_manufactured_hinge(*hinge.made) : stiffness_text(hinge) + reach;
 }
 
 namespace {
 
 using PartPlace = HingePart::Place;
 
-constexpr double least_lean = 1e-9;  // rad: smaller tilts are rounding
+constexpr double min_lean = 1e-9;  // rad: smaller tilts are rounding
 
-const char* line_word(const HingePart& part) { return part.place == PartPlace::column ? "column" : "row"; }
+const char* line_name_of_place(const HingePart& part) {
+  return part.place == PartPlace::column ? "column" : "row";
+}
 
 void read_place(const targets::Node& at, HingePart& part) {
   if (at.kind() != targets::Node::Kind::map) {
@@ -366,7 +371,7 @@ void read_place(const targets::Node& at, HingePart& part) {
   if (is_column == line.optional("row").has_value())
     throw at.error("names a part by one of `column: k` and `row: k`");
   part.place = is_column ? PartPlace::column : PartPlace::row;
-  line.read(line_word(part), part.line);
+  line.read(line_name_of_place(part), part.line);
 }
 
 std::vector<targets::Node> entries(const targets::Section& root) {
@@ -387,7 +392,7 @@ HingePart read_part(const targets::Node& node, const model::CellSize& size) {
 std::vector<int> leaning_hinges(const model::Lattice& sheet) {
   std::vector<int> out;
   for (int h = 0; h < sheet.hinges(); ++h)
-    if (std::abs(sheet.hinge(h).beta) > least_lean) out.push_back(h);
+    if (std::abs(sheet.hinge(h).beta) > min_lean) out.push_back(h);
   return out;
 }
 
@@ -398,8 +403,9 @@ std::vector<int> hinges_of_part(const model::Lattice& sheet, const HingePart& pa
   const model::Axis axis = part.place == PartPlace::column ? model::Axis::x : model::Axis::y;
   const int count = line_count(*squares, axis);
   if (part.line >= count)
-    throw InvalidInput(fmt::format("{} {} is not there; the sheet has {} 0 to {}", line_word(part), part.line,
-                                   part.place == PartPlace::column ? "columns" : "rows", count - 1));
+    throw InvalidInput(fmt::format("{} {} is not there; the sheet has {} 0 to {}", line_name_of_place(part),
+                                   part.line, part.place == PartPlace::column ? "columns" : "rows",
+                                   count - 1));
   return hinges_on_line(*squares, axis, part.line);
 }
 
@@ -449,15 +455,14 @@ void refuse_lines(const targets::Section& root, const std::vector<HingePart>& pa
     if (parts[k].place != PartPlace::creases)
       throw all[k].optional("at")->error(
           fmt::format("a {} is named in designs, whose columns are known; allowed in targets: creases",
-                      line_word(parts[k])));
+                      line_name_of_place(parts[k])));
 }
 
-namespace value = targets::value;
-
-std::vector<targets::Key> hinge_limit_keys(const std::string& instead, const targets::Default& usual_strain) {
+std::vector<targets::Key> hinge_limit_keys(const std::string& instead,
+                                           const targets::Default& default_strain) {
   return {{"force_N", &HingeLimits::force_N, value::number(targets::above(0, "N")),
            "most that the drive may take on the way; " + instead},
-          {"strain", &HingeLimits::strain, value::number({0, 10, false, true, {}}), usual_strain,
+          {"strain", &HingeLimits::strain, value::number({0, 10, false, true, {}}), default_strain,
            "most that a hinge made as a block or film may be strained, likewise"}};
 }
 

@@ -20,8 +20,8 @@ struct HingeSection {
   double k_turn = 0.1;             ///< N mm/rad, > 0; 0 is allowed for rotary hinges
   std::optional<double> reach_mm;  ///< half distance of the two constraint points, 0.01 to 10 cell edges
   std::optional<double> k_contact = {};  ///< of walls in contact, N/mm, > 0; empty: 10 k_point or 5 max(k)
-  std::optional<model::HingeStiffness> k = {};  ///< replaces k_point and k_turn
-  std::optional<model::MadeHinge> made = {};    ///< replaces all of them except k_contact
+  std::optional<model::HingeStiffness> k = {};        ///< replaces k_point and k_turn
+  std::optional<model::ManufacturedHinge> made = {};  ///< replaces all of them except k_contact
 
   bool operator==(const HingeSection&) const = default;
 };
@@ -50,7 +50,7 @@ HingeSection read_elastic_hinge_section(const targets::Section& root, const mode
 HingeSection read_single_hinge(const targets::Section& section, const model::CellSize& size);
 
 /// Describes how far a made hinge can be off the middle of its wall, and for a pin without caps how far with caps.
-std::string offset_limit_text(const model::MadeHinge& hinge, const model::CellSize& size);
+std::string offset_limit_text(const model::ManufacturedHinge& hinge, const model::CellSize& size);
 
 /// Returns the inside of a map that reads back to the same hinge, except its model: "k_point: 1000, k_turn: 0.1".
 std::string hinge_text(const HingeSection& hinge);
@@ -94,7 +94,7 @@ void refuse_lines(const targets::Section& root, const std::vector<HingePart>& pa
 struct HingeLimits {
   /// Fraction of a limit that a search keeps to, so that the run from flat with its different steps keeps the limit
   /// too.
-  static constexpr double in_hand = 0.99;
+  static constexpr double safe_share = 0.99;
 
   std::optional<double> force_N;  ///< tolerance.force_N: largest load on the drive, N, > 0
   std::optional<double> strain;   ///< tolerance.strain: largest strain of blocks and films, ratio, (0, 10]
@@ -104,9 +104,9 @@ struct HingeLimits {
 
 /// Returns the keys `force_N` and `strain` of a `tolerance:` section. @param instead action of a search to keep them,
 /// in words
-/// @param usual_strain default
+/// @param default_strain default
 std::vector<targets::Key> hinge_limit_keys(const std::string& instead,
-                                           const targets::Default& usual_strain = {});
+                                           const targets::Default& default_strain = {});
 /// Reads the limits. @throws InvalidInput for a strain if no hinges are blocks or films, and for more than their
 /// materials withstand
 HingeLimits read_hinge_limits(const targets::Section& tolerance, const HingeSection& hinge,

@@ -26,8 +26,8 @@ constexpr double default_gusset = 0.2;        // of an edge: printable gussets, 
 
 // Ratio of a gusset to the edge: shorter ones have both hinges in one place, longer ones leave rotors no arms.
 const targets::Bounds gussets = targets::from_to(0.02, 0.9);
-constexpr int most_cells_in_space = 14;  // per direction: 14^3 cells have some 100 000 bodies
-constexpr double slender = 0.1;          // of an edge: rotors pass each other up to heights of a fifth
+constexpr int max_cells_in_space = 14;  // per direction: 14^3 cells have some 100 000 bodies
+constexpr double slender = 0.1;         // of an edge: rotors pass each other up to heights of a fifth
 constexpr const char* slender_walls = "of `sodalite` a tenth of `cell_mm`";  // `slender` in words
 constexpr const char* rims[] = {"open", "closed"};
 // Degrees of a rhombus: flatter ones have walls that touch their neighbours'.
@@ -70,7 +70,7 @@ targets::Node cells_of(const targets::Section& structure) {
   return structure.required("cells", "[columns, rows], or a list of cells [[i, j], ...]");
 }
 
-bool read_rim(const targets::Section& structure, bool closed) {
+bool read_boundary(const targets::Section& structure, bool closed) {
   const auto node = structure.optional("rim");
   return !node ? closed : node->one_of({std::begin(rims), std::end(rims)}) == 1;
 }
@@ -123,7 +123,7 @@ model::Lattice read_graph(const targets::Section& structure) {
   const targets::Node place = drawing ? *drawing : structure.node();
   model::PlanarGraph graph = drawing ? targets::read_drawing(*drawing) : read_walls(structure);
   place.located([&] { validate(graph); });
-  if (read_rim(structure, false)) graph = closed_rim(std::move(graph));
+  if (read_boundary(structure, false)) graph = closed_boundary(std::move(graph));
   const model::CellSize size = read_size(structure, mean_length(graph));
   for (Eigen::Vector2d& vertex : graph.vertices) vertex /= size.edge_mm;
   return place.located([&] { return make_planar_structure(std::move(graph), size); });
@@ -164,7 +164,7 @@ model::Lattice read_block(const targets::Section& structure) {
   const targets::Node cells = structure.required("cells", "[n, n, n], cubic cells along x, y and z");
   std::array<int, 3> counts{};
   const auto nodes = cells.list_of(3, "[n, n, n], cubic cells along x, y and z");
-  for (std::size_t d = 0; d < 3; ++d) counts[d] = nodes[d].integer(1, most_cells_in_space);
+  for (std::size_t d = 0; d < 3; ++d) counts[d] = nodes[d].integer(1, max_cells_in_space);
   double gusset = default_gusset;
   structure.read("gusset", gusset);
   model::CellSize size = read_size(structure, default_cell_mm);
@@ -195,8 +195,8 @@ std::string drawn_text(const model::PlanarStructure& planar) {
   for (const auto& [i, j] : drawn.cells) cells.push_back({i, j});
   std::string text =
       fmt::format("  lattice: {}\n  cells: {}\n", drawn.lattice->name, cells_text(cells, true));
-  if (drawn.lattice->takes_angle) text += "  angle_deg: " + targets::degrees_text(drawn.angle) + "\n";
-  return text + (drawn.closed_rim ? "  rim: closed\n" : "");
+  if (drawn.lattice->needs_angle) text += "  angle_deg: " + targets::degrees_text(drawn.angle) + "\n";
+  return text + (drawn.closed_boundary ? "  rim: closed\n" : "");
 }
 
 std::string graph_text(const model::PlanarStructure& planar) {
@@ -229,7 +229,7 @@ targets::Key lattice_key(std::vector<std::string> words, targets::Default fallba
   return {"lattice", value::choice(std::move(words)), std::move(fallback), lattice_meaning()};
 }
 
-targets::Key rim_key(bool closed = false) {
+targets::Key boundary_key(bool closed = false) {
   return {
       "rim", value::choice(std::vector<std::string>(std::begin(rims), std::end(rims))),
       closed ? targets::otherwise("closed") : targets::by_default("open"),
@@ -262,7 +262,7 @@ const targets::KeyTable& regular_keys() {
       lattice_key(regular_names(), targets::needed),
       any_cells_key(),
       angle_key(),
-      rim_key(),
+      boundary_key(),
       cell_mm_key(targets::by_default(default_cell_mm)),
       wall_mm_key(),
   });
@@ -272,7 +272,7 @@ const targets::KeyTable& regular_keys() {
 const targets::KeyTable& block_keys() {
   static const targets::KeyTable keys({
       lattice_key({in_space}, targets::needed),
-      {"cells", value::list(value::integer(1, most_cells_in_space), "`[n, n, n]`", 3, 3), targets::needed,
+      {"cells", value::list(value::integer(1, max_cells_in_space), "`[n, n, n]`", 3, 3), targets::needed,
        "of `sodalite`: cubic cells along x, y and z"},
       {"gusset", value::number(gussets), targets::by_default(default_gusset),
        "of `sodalite`: length of a gusset, the piece between two rotors that never turns, over the edge; "
@@ -289,7 +289,7 @@ const targets::KeyTable& drawing_keys() {
       lattice_key({by_hand}, targets::needed),
       {"drawing", value::text("path of a DXF or SVG file, from the folder of the design"), targets::needed,
        "of `graph`: its lines are the walls, in mm"},
-      rim_key(),
+      boundary_key(),
       drawn_cell_mm_key(),
       wall_mm_key(),
   });
@@ -321,7 +321,7 @@ const targets::KeyTable& graph_keys() {
        value::list(value::list(value::integer(0, max_vertices - 1), "`[from, to]`", 2, 2),
                    "`[[from, to], ...]`"),
        targets::needed, "of `graph` without a drawing: each by the numbers of its two vertices, from 0"},
-      rim_key(),
+      boundary_key(),
       drawn_cell_mm_key(),
       wall_mm_key(),
   });
@@ -339,7 +339,7 @@ double LatticeChoice::cell_shape() const {
 }
 
 std::vector<targets::Key> lattice_choice_keys(bool closed) {
-  return {lattice_key(names_with_cells(), targets::by_default(squares)), angle_key(), rim_key(closed)};
+  return {lattice_key(names_with_cells(), targets::by_default(squares)), angle_key(), boundary_key(closed)};
 }
 
 LatticeChoice read_lattice_choice(const targets::Section& structure, bool closed) {
@@ -349,19 +349,19 @@ LatticeChoice read_lattice_choice(const targets::Section& structure, bool closed
     if (const std::size_t k = node->one_of({names.begin(), names.end()}); k > 0)
       choice.lattice = model::planar_lattices()[k - 1];
   if (const auto angle = structure.optional("angle_deg");
-      angle && !(choice.lattice && choice.lattice->takes_angle))
+      angle && !(choice.lattice && choice.lattice->needs_angle))
     throw angle->key_error(fmt::format("cells of lattice: {} have one shape only", choice.name()));
   if (const auto rim = structure.optional("rim"); rim && !choice.lattice)
     throw rim->key_error("a panel of squares needs no closed rim: it has one freedom");
   structure.read("angle_deg", choice.angle);
-  choice.closed_rim = choice.lattice && read_rim(structure, closed);
+  choice.closed_boundary = choice.lattice && read_boundary(structure, closed);
   return choice;
 }
 
 model::Lattice make_sheet(const LatticeChoice& choice, const std::vector<model::LatticeCell>& cells,
                           const model::CellSize& size) {
   if (choice.lattice)
-    return make_planar_structure({choice.lattice, cells, choice.angle, choice.closed_rim}, size);
+    return make_planar_structure({choice.lattice, cells, choice.angle, choice.closed_boundary}, size);
   std::vector<model::Cell> squares_of;
   for (const auto& [i, j] : cells) squares_of.push_back({i, j});
   return make_structure(std::move(squares_of), size);

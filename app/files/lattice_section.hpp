@@ -22,7 +22,7 @@ std::string structure_text(const model::Lattice& sheet);
 struct LatticeChoice {
   const model::PlanarLattice* lattice = nullptr;  ///< null: squares
   double angle = model::LatticeSheet{}.angle;     ///< rad, of lattices that take one
-  bool closed_rim = false;                        ///< whether the boundary is closed; not of squares
+  bool closed_boundary = false;                   ///< whether the boundary is closed; not of squares
 
   std::string name() const;
   /// Returns the distance of neighbouring columns over that of neighbouring rows: 1 for squares, 2 for bricks.

@@ -27,7 +27,7 @@ constexpr std::size_t max_pattern_bytes = 16 << 20;  // bytes, 16 MiB as for des
 // Rad: opposite sectors of vertices given to six digits differ from a straight angle by less.
 constexpr double straight_slack = 2e-3;
 constexpr double same_multiplier = 2e-3;  // relative: around a mesh given to six digits they agree better
-constexpr double least_ratio = 1e-4;      // of multipliers: below it a crease does not fold at all
+constexpr double min_ratio = 1e-4;        // of multipliers: below it a crease does not fold at all
 
 std::string vertex_name(int v) { return "vertex " + std::to_string(v); }
 std::string edge_name(const Ends& e) {
@@ -162,16 +162,16 @@ Pattern read_pattern(const Json& frame) {
 /// Checks that vertices inside the boundary have four creases.
 void check_degrees(const Pattern& p) {
   std::vector<int> degree(p.vertices.size(), 0);
-  std::vector<bool> at_rim(p.vertices.size(), false);
+  std::vector<bool> at_boundary(p.vertices.size(), false);
   for (const auto& [edge, faces] : p.sides) {
     if (faces.size() > 2) throw InvalidInput(edge_name(edge) + " has more than two faces");
     for (const int v : {edge.first, edge.second}) {
       ++degree[v];
-      if (faces.size() == 1) at_rim[v] = true;
+      if (faces.size() == 1) at_boundary[v] = true;
     }
   }
   for (int v = 0; v < static_cast<int>(degree.size()); ++v)
-    if (!at_rim[v] && degree[v] > 0 && degree[v] != 4)
+    if (!at_boundary[v] && degree[v] > 0 && degree[v] != 4)
       throw InvalidInput(vertex_name(v) + " inside the pattern has " + std::to_string(degree[v]) +
                          " creases; only vertices of four fold exactly");
 }
@@ -304,7 +304,7 @@ class Reading {
                          "other a mountain and a valley");
     const double of_other = level_flips ? std::sin((a - b) / 2) / std::sin((a + b) / 2)
                                         : -std::cos((a + b) / 2) / std::cos((a - b) / 2);
-    if (!(std::abs(of_other) >= least_ratio))
+    if (!(std::abs(of_other) >= min_ratio))
       throw InvalidInput(name(i, j) +
                          ": two of its creases cannot fold, as the other two lie on one line and at " +
                          "right angles to them");

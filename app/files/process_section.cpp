@@ -53,8 +53,8 @@ const targets::KeyTable& custom_process_keys() {
       {"base", value::choice(process_names()), targets::by_default(process_names().front().c_str()),
        "the process that all other numbers come from"},
       limit_key("clearance_mm", &model::Process::clearance_mm, "least clearance of a pin, a side"),
-      limit_key("least_wall_mm", &model::Process::least_wall_mm, "least thickness of a wall"),
-      limit_key("least_pin_mm", &model::Process::least_pin_mm, "least diameter of a pin's rod"),
+      limit_key("least_wall_mm", &model::Process::min_wall_mm, "least thickness of a wall"),
+      limit_key("least_pin_mm", &model::Process::min_pin_mm, "least diameter of a pin's rod"),
       {"sd", sd_keys(), "how far prints are from what was designed"},
   });
   return keys;
@@ -102,7 +102,7 @@ std::string problem_text(const model::PrintProblem& problem) {
 }
 
 void note_process(const model::Process& process, const model::CellSize& size,
-                  const std::optional<model::MadeHinge>& made, std::vector<std::string>& notes) {
+                  const std::optional<model::ManufacturedHinge>& made, std::vector<std::string>& notes) {
   for (const model::PrintProblem& problem : print_problems(process, size, made)) {
     const std::string note = problem_text(problem);
     if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
@@ -122,13 +122,13 @@ model::Process read_process(const targets::Section& root) {
 }
 
 model::Process read_process(const targets::Section& root, const model::CellSize& size,
-                            const std::optional<model::MadeHinge>& made) {
+                            const std::optional<model::ManufacturedHinge>& made) {
   const model::Process process = read_process(root);
   const auto node = root.optional("process");
   if (!node) return process;
   const auto problems = print_problems(process, size, made);
   if (problems.empty()) return process;
-  throw node->error(problem_text({problems.front().what, least_cell_mm(process, size, made)}));
+  throw node->error(problem_text({problems.front().what, min_cell_mm(process, size, made)}));
 }
 
 }  // namespace kinetix::app

@@ -19,13 +19,13 @@ std::string problem_text(const model::PrintProblem& problem);
 
 /// Adds notes to a forecast on what a process cannot print of a whole sheet, each once.
 void note_process(const model::Process& process, const model::CellSize& size,
-                  const std::optional<model::MadeHinge>& made, std::vector<std::string>& notes);
+                  const std::optional<model::ManufacturedHinge>& made, std::vector<std::string>& notes);
 
 /// Reads the process. The default is the first process, as the paper prints.
 /// @param root the whole document   @param made its hinges, if it says how they are made
 /// @throws InvalidInput also if the file names a process that cannot print the sheet
 model::Process read_process(const targets::Section& root, const model::CellSize& size,
-                            const std::optional<model::MadeHinge>& made);
+                            const std::optional<model::ManufacturedHinge>& made);
 /// Reads the process of a file that does not give the size of the sheet yet.
 model::Process read_process(const targets::Section& root);
 

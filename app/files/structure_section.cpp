@@ -14,8 +14,8 @@ namespace value = targets::value;
 constexpr int max_side = 10'000;              // cells: the longest strip that is read
 constexpr std::size_t max_cells = 1'000'000;  // in all: rejected before bodies and hinges use memory
 // Cell edges: thinner walls lose light and contact to rounding.
-constexpr double least_thickness = 1e-6;
-constexpr double least_height_mm = 1e-4;  // mm: below the default of the smallest cells, 0.0006 mm
+constexpr double min_thickness = 1e-6;
+constexpr double min_height_mm = 1e-4;  // mm: below the default of the smallest cells, 0.0006 mm
 constexpr double thin_thickness = 0.08, thin_height = 0.15;  // ratio to an edge
 // Description of `cells` in messages.
 constexpr const char* wanted_cells = "[columns, rows], or a list of cells [[i, j], ...]";
@@ -34,9 +34,9 @@ std::string name(const model::Cell& cell) {
 
 targets::KeyTable wall_mm_keys(const char* thickness, const char* height) {
   return targets::KeyTable({
-      {"thickness", value::length({least_thickness, 0.5, true, false, "mm (less than half of cell_mm)"}),
+      {"thickness", value::length({min_thickness, 0.5, true, false, "mm (less than half of cell_mm)"}),
        targets::otherwise(thickness), "thickness of the walls"},
-      {"height", value::number(targets::from_to(least_height_mm, 10'000, "mm")), targets::otherwise(height),
+      {"height", value::number(targets::from_to(min_height_mm, 10'000, "mm")), targets::otherwise(height),
        "height of the walls"},
   });
 }

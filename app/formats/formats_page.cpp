@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string words_text(const Json& words) {
+std::string choices_text(const Json& words) {
   std::string text;
   for (const Json& word : words)
     text += (text.empty() ? "`" : ", `") + (word.is_string() ? word.get<std::string>() : word.dump()) + "`";
@@ -68,8 +68,8 @@ class SchemaTable {
   }
 
   std::string type_text(const Json& schema) const {
-    if (schema.contains("const")) return words_text(Json::array({schema["const"]}));
-    if (schema.contains("enum")) return words_text(schema["enum"]);
+    if (schema.contains("const")) return choices_text(Json::array({schema["const"]}));
+    if (schema.contains("enum")) return choices_text(schema["enum"]);
     if (schema.contains("oneOf") && !schema.contains("properties")) return "section or nothing";
     const Json type = schema.value("type", Json("section"));
     if (type.is_array()) {
@@ -85,9 +85,10 @@ class SchemaTable {
   void add_properties(const std::string& prefix, const Json& schema, const std::string& note = {}) {
     const Json properties = schema.value("properties", Json::object());
     for (const auto& [key, value] : properties.items()) add_key(prefix + key, resolved(value), note);
-    for (const Json& way : schema.value("oneOf", Json::array()))
-      if (way.contains("properties"))
-        add_properties(prefix, way, way["properties"]["kind"]["const"].get<std::string>() + ": ");
+    for (const Json& alternative : schema.value("oneOf", Json::array()))
+      if (alternative.contains("properties"))
+        add_properties(prefix, alternative,
+                       alternative["properties"]["kind"]["const"].get<std::string>() + ": ");
   }
 
   void add_key(const std::string& path, const Json& schema, const std::string& note) {
@@ -130,10 +131,10 @@ std::string meaning_of(const std::string& path, const targets::Key& key) {
 }
 
 /// Collects the words of each choice from all alternatives of a map: the page shows them all.
-void add_words(Rows& rows, const std::string& prefix, const std::vector<targets::ValueType>& ways) {
-  for (const targets::ValueType& way : ways) {
-    if (way.kind != Kind::map) continue;
-    for (const targets::Key& key : way.keys->keys()) {
+void add_choices(Rows& rows, const std::string& prefix, const std::vector<targets::ValueType>& alternatives) {
+  for (const targets::ValueType& alternative : alternatives) {
+    if (alternative.kind != Kind::map) continue;
+    for (const targets::Key& key : alternative.keys->keys()) {
       if (key.type.kind != Kind::choice) continue;
       std::vector<std::string>& words = rows.words[prefix + key.name];
       for (const std::string& word : key.type.words)
@@ -145,7 +146,7 @@ void add_words(Rows& rows, const std::string& prefix, const std::vector<targets:
 /// Adds the maps that a value may hold. Their paths include what is between the key and theirs.
 void add_inner_maps(Rows& rows, const std::string& path, const targets::ValueType& type) {
   if (type.kind == Kind::map && type.keys->title().empty()) add_map(rows, path + ".", *type.keys);
-  if (type.kind == Kind::either) add_words(rows, path + ".", type.parts);
+  if (type.kind == Kind::either) add_choices(rows, path + ".", type.parts);
   for (const targets::ValueType& part : type.parts)
     add_inner_maps(rows, type.kind == Kind::list ? path + "[]" : path, part);
 }

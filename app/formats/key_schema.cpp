@@ -108,11 +108,12 @@ Json map_with_choice_of_keys(const targets::KeyTable& keys) {
 }
 
 Json map_schema(const targets::KeyTable& keys) {
-  const targets::Alternatives& ways = keys.alternatives();
-  if (ways.names.empty()) return plain_map_schema(keys);
-  if (ways.chosen_by.empty()) return map_with_choice_of_keys(keys);
+  const targets::Alternatives& alternatives = keys.alternatives();
+  if (alternatives.names.empty()) return plain_map_schema(keys);
+  if (alternatives.chosen_by.empty()) return map_with_choice_of_keys(keys);
   Json schema;
-  for (const std::string& name : ways.names) schema["anyOf"].push_back(plain_map_schema(keys.only(name)));
+  for (const std::string& name : alternatives.names)
+    schema["anyOf"].push_back(plain_map_schema(keys.only(name)));
   return schema;
 }
 
@@ -136,7 +137,7 @@ Json schema_of(const targets::ValueType& type) {
       break;
   }
   Json schema;
-  for (const targets::ValueType& way : type.parts) schema["anyOf"].push_back(schema_of(way));
+  for (const targets::ValueType& alternative : type.parts) schema["anyOf"].push_back(schema_of(alternative));
   return schema;
 }
 
@@ -200,14 +201,14 @@ std::string integer_text(const targets::Bounds& bounds) {
 
 std::string list_text(const targets::ValueType& type) {
   const targets::ValueType& entry = type.parts[0];
-  const bool says_more = entry.is_numeric() || entry.kind == Kind::choice;
-  return type.form + (says_more ? ", each " + type_text(entry) : "");
+  const bool is_detailed = entry.is_numeric() || entry.kind == Kind::choice;
+  return type.form + (is_detailed ? ", each " + type_text(entry) : "");
 }
 
-std::string ways_text(const std::vector<targets::ValueType>& ways) {
+std::string alternatives_text(const std::vector<targets::ValueType>& alternatives) {
   std::string text;
-  for (const targets::ValueType& way : ways) {
-    const std::string more = type_text(way);
+  for (const targets::ValueType& alternative : alternatives) {
+    const std::string more = type_text(alternative);
     if (text.find(more) == std::string::npos) text += (text.empty() ? "" : ", or ") + more;
   }
   return text;
@@ -256,19 +257,21 @@ std::string type_text(const targets::ValueType& type) {
     case Kind::either:
       break;
   }
-  return ways_text(type.parts);
+  return alternatives_text(type.parts);
 }
 
-std::string default_text(const targets::Key& key, const targets::Alternatives& ways) {
-  const bool is_way = std::find(ways.names.begin(), ways.names.end(), key.name) != ways.names.end();
-  if (is_way && ways.chosen_by.empty()) return "needed: one of " + listed(ways.names, ", ");
+std::string default_text(const targets::Key& key, const targets::Alternatives& alternatives) {
+  const bool is_alternative_key =
+      std::find(alternatives.names.begin(), alternatives.names.end(), key.name) != alternatives.names.end();
+  if (is_alternative_key && alternatives.chosen_by.empty())
+    return "needed: one of " + listed(alternatives.names, ", ");
   std::string text = key.fallback.text;
   if (key.fallback.kind == targets::Default::Kind::needed) text = "needed";
   if (key.fallback.kind == targets::Default::Kind::literal) text = in_ticks(text);
   if (key.with.all()) return text;
   std::vector<std::string> with = key.with.names;
-  if (!ways.chosen_by.empty())
-    for (std::string& word : with) word = ways.chosen_by + ": " + word;
+  if (!alternatives.chosen_by.empty())
+    for (std::string& word : with) word = alternatives.chosen_by + ": " + word;
   return fmt::format("{}{}with {}", text, text.empty() ? "" : ", ", listed(with, " or "));
 }
 

@@ -23,7 +23,7 @@ std::vector<FileSchema> file_schemas();
 std::string type_text(const targets::ValueType& type);
 
 /// Describes the default of a key, or when the key is needed, in Markdown.
-std::string default_text(const targets::Key& key, const targets::Alternatives& ways);
+std::string default_text(const targets::Key& key, const targets::Alternatives& alternatives);
 
 /// Returns meaning, unit and rule of the default without Markdown, for an editor's hint.
 std::string plain_text(const targets::Key& key);

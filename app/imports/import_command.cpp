@@ -66,8 +66,8 @@ constexpr double looked_at = 60 * radians_per_degree;  // rad of a hinge: most s
 // Singular value of a closure Jacobian. Axes from meshes of floats are off by 1e-6 rad, and a mechanism's zeros are
 // about as large. Rigid structures have 1e-3 and more.
 constexpr double smallest = 1e-4;
-constexpr double least_turn = 2 * radians_per_degree;  // rad: a smaller turn is only clearance
-constexpr double most_strain = 1e-3;  // rad and cell edges per rad: faster opening is not a motion
+constexpr double min_turn = 2 * radians_per_degree;  // rad: a smaller turn is only clearance
+constexpr double max_strain = 1e-3;  // rad and cell edges per rad: faster opening is not a motion
 
 /// Turns the hinge that turns most in the first motion by up to 60 degrees. All hinges count as rigid revolute joints.
 AssemblyMobility examine(const model::Assembly& assembly) {
@@ -77,7 +77,7 @@ AssemblyMobility examine(const model::Assembly& assembly) {
   out.gruebler = model::gruebler_spatial(static_cast<int>(linkage.bodies.size()), hinges, hinges);
   out.at_rest = degrees_of_freedom(linkage, rest_state(linkage), linkage.hinges.size(), smallest);
   const model::FirstMotion first = first_motion(linkage);
-  if ((out.at_rest && *out.at_rest <= 0) || first.fastest < 0 || first.strain > most_strain) {
+  if ((out.at_rest && *out.at_rest <= 0) || first.fastest < 0 || first.strain > max_strain) {
     if (out.at_rest && *out.at_rest <= 0) out.broken = first_rigid_hinge(linkage, smallest);
     out.why = "rigid: no motion at rest keeps all hinges closed";
     if (out.broken >= 0)
@@ -87,21 +87,21 @@ AssemblyMobility examine(const model::Assembly& assembly) {
   }
   out.hinge = first.fastest;
   out.sense = first.rate < 0 ? -1 : 1;
-  const model::AssemblyMotion way = follow_turn(linkage, first, out.hinge, out.sense * looked_at);
-  out.turn = std::abs(way.turns.back());
-  out.broken = way.broken;
+  const model::AssemblyMotion motion = follow_turn(linkage, first, out.hinge, out.sense * looked_at);
+  out.turn = std::abs(motion.turns.back());
+  out.broken = motion.broken;
   const std::string count = out.at_rest ? fmt::format("{} first-order motion{} at rest; ", *out.at_rest,
                                                       *out.at_rest == 1 ? "" : "s")
                                         : "";
   const std::string& driven = assembly.hinges[out.hinge].name;
-  if (way.reached)
+  if (motion.reached)
     out.why = fmt::format(
         "{}`{}` turns by {:.0f} degrees and all hinges stay closed, within {:.1e} cell edges and {:.1e} rad",
-        count, driven, to_degrees(out.turn), way.gap, way.axis_gap);
+        count, driven, to_degrees(out.turn), motion.gap, motion.axis_gap);
   else
     out.why = fmt::format("{}`{}` turns by {:.0f} degrees{}; beyond, `{}` opens first", count, driven,
-                          to_degrees(out.turn), out.turn < least_turn ? ": hardly at all" : "",
-                          assembly.hinges[way.broken].name);
+                          to_degrees(out.turn), out.turn < min_turn ? ": hardly at all" : "",
+                          assembly.hinges[motion.broken].name);
   return out;
 }
 
@@ -114,10 +114,10 @@ nlohmann::ordered_json mobility_json(const AssemblyMobility& m, const model::Ass
   return out;
 }
 
-constexpr double usual_edge_mm = 20;      // mm: tiles that a hand can hold
+constexpr double default_edge_mm = 20;    // mm: tiles that a hand can hold
 constexpr double thickness_share = 0.05;  // of the median edge: 1 mm of board at the usual one
 constexpr double kerf_share = 0.03;       // of the median edge, a wide laser cut: above the contact tolerance
-constexpr double usual_expand = 3;        // times: no tiling opens that far, so tiles move as far as they can
+constexpr double default_expand = 3;      // times: no tiling opens that far, so tiles move as far as they can
 constexpr double no_motion = 1e-6;  // rad and cell edges: a closure's singular value of 0 in rounded files
 
 void refuse_options_of_models(const ImportRequest& r) {
@@ -142,7 +142,7 @@ double checked(const std::optional<double>& asked, double usual, double least, c
 model::TileMake make_of(const ImportRequest& request, const model::TileSheet& sheet) {
   constexpr double least = 1e-3;  // mm: nothing is manufactured finer
   const double edge = model::median_edge(sheet),
-               mm = checked(request.tile_mm, usual_edge_mm, least, "--tile-mm");
+               mm = checked(request.tile_mm, default_edge_mm, least, "--tile-mm");
   if (!(edge > 0)) throw InvalidInput("has tiles without a size");
   return {.scale_mm = mm / edge,
           .thickness_mm = checked(request.thickness_mm, thickness_share * mm, least, "--thickness-mm"),
@@ -158,7 +158,7 @@ struct TileImport {
   std::optional<int> motions = {};  ///< first-order motions at rest
 };
 
-TileImport made_of(const model::TileSheet& sheet, const ImportRequest& request) {
+TileImport import_of_tiles(const model::TileSheet& sheet, const ImportRequest& request) {
   TileImport out;
   out.make = make_of(request, sheet);
   out.design.name = import_name(request);
@@ -166,7 +166,7 @@ TileImport made_of(const model::TileSheet& sheet, const ImportRequest& request) 
   const model::Linkage linkage = out.design.structure;
   model::BodyPull pull;
   if (sheet.target.empty()) {
-    pull.expand = usual_expand;
+    pull.expand = default_expand;
   } else {
     const model::TileTarget target =
         target_of_tiles(sheet, *out.design.structure.assembly(), out.make.scale_mm);
@@ -181,7 +181,7 @@ TileImport made_of(const model::TileSheet& sheet, const ImportRequest& request) 
 TileImport located_import(const ImportRequest& request) {
   const model::TileSheet sheet = read_tiles(request.model);
   try {
-    return made_of(sheet, request);
+    return import_of_tiles(sheet, request);
   } catch (const InvalidInput& e) {
     if (!e.place().file.empty() || e.reason().starts_with("--")) throw;
     throw InvalidInput(e.reason(), {request.model});
@@ -209,7 +209,7 @@ std::string tiles_text(const TileImport& import) {
        import.target_off
            ? fmt::format("to its target, which rigid tiles miss by {:.1e} of an edge", *import.target_off)
            : fmt::format("apart, to {:.3g} times the distance from the middle: it has no target",
-                         usual_expand));
+                         default_expand));
   return out;
 }
 

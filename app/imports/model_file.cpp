@@ -11,7 +11,7 @@
 #include "targets/document/text_file.hpp"
 #include "targets/document/wording.hpp"
 #include "targets/mesh/mesh_file.hpp"
-#include "targets/mesh/mesh_text.hpp"
+#include "targets/mesh/mesh_tokens.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -49,11 +49,11 @@ ModelFile read_by_ending(const std::string& file) {
 /// Vertices and faces of an OBJ file by its objects, groups and materials.
 class ObjGroups {
  public:
-  ObjGroups(const std::string& bytes, const std::string& file) : words_(bytes, true), out_{file, {}} {}
+  ObjGroups(const std::string& bytes, const std::string& file) : tokens_(bytes, true), out_{file, {}} {}
 
   ModelFile read() {
-    while (words_.next_line()) {
-      const std::string key(words_.word());
+    while (tokens_.next_line()) {
+      const std::string key(tokens_.word());
       if (key == "v") read_vertex();
       if (key == "o" || key == "g") name_ = rest();
       if (key == "usemtl") material_ = rest();
@@ -65,14 +65,14 @@ class ObjGroups {
  private:
   std::string rest() {
     std::string out;
-    for (std::string_view word = words_.word(); !word.empty(); word = words_.word())
+    for (std::string_view word = tokens_.word(); !word.empty(); word = tokens_.word())
       out += (out.empty() ? "" : " ") + std::string(word);
     return out;
   }
 
   void read_vertex() {
     Eigen::Vector3d p;
-    for (double& x : p) x = words_.number("a coordinate of a vertex");
+    for (double& x : p) x = tokens_.number("a coordinate of a vertex");
     points_.push_back(p);
   }
 
@@ -83,16 +83,16 @@ class ObjGroups {
     const int count = static_cast<int>(points_.size());
     const int place = k > 0 ? k - 1 : count + k;
     if (error != std::errc() || end != digits.data() + digits.size() || k == 0 || place < 0 || place >= count)
-      throw words_.error("is not a vertex of the file");
+      throw tokens_.error("is not a vertex of the file");
     return place;
   }
 
   void read_face() {
     std::vector<int> corners;
-    for (std::string_view word = words_.word(); !word.empty(); word = words_.word())
+    for (std::string_view word = tokens_.word(); !word.empty(); word = tokens_.word())
       corners.push_back(index(word));
     if (corners.size() < 3) return;
-    if (corners.size() > targets::max_face_corners) throw words_.error("a face of too many corners");
+    if (corners.size() > targets::max_face_corners) throw tokens_.error("a face of too many corners");
     Indexed& mesh = mesh_of(name_, material_);
     for (int& c : corners) {
       const auto [found, is_new] =
@@ -114,7 +114,7 @@ class ObjGroups {
     return found->second;
   }
 
-  targets::MeshWords words_;
+  targets::MeshTokens tokens_;
   std::vector<Eigen::Vector3d> points_;
   std::string name_, material_;
   std::map<std::pair<std::string, std::string>, Indexed> meshes_;

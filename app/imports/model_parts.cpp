@@ -27,7 +27,7 @@ constexpr std::array<std::string_view, 11> soft_words = {
 // Share of the largest side. Nearer points are merged if a shell is not closed as written.
 constexpr double weld_share = 1e-6;
 // Largest sides of a model, in a file's own unit: below the first it cannot be in mm, below the second not in inches.
-constexpr double least_mm = 10, least_inches = 1;
+constexpr double min_mm = 10, min_inches = 1;
 
 struct Unit {
   std::string_view name;
@@ -57,7 +57,7 @@ const Unit& named_unit(const std::string& name) {
 }
 
 /// Describes the units that files state. Different units appear with the names of their files.
-std::string said_units(const std::vector<ModelFile>& files) {
+std::string stated_units(const std::vector<ModelFile>& files) {
   std::set<double> said;
   std::string each;
   for (const ModelFile& file : files) {
@@ -72,7 +72,7 @@ std::string said_units(const std::vector<ModelFile>& files) {
 /// state its unit, it has that of the other.
 std::string to_mm(const std::string& asked, std::vector<ModelFile>& files) {
   const double side = largest_side(files);
-  const Unit& guess = side >= least_mm ? units[0] : side >= least_inches ? units[3] : units[2];
+  const Unit& guess = side >= min_mm ? units[0] : side >= min_inches ? units[3] : units[2];
   std::optional<double> said;
   for (const ModelFile& file : files)
     if (file.unit_mm) said = file.unit_mm;
@@ -83,13 +83,13 @@ std::string to_mm(const std::string& asked, std::vector<ModelFile>& files) {
       for (Eigen::Vector3d& p : mesh.soup.points) p *= mm;
   }
   if (!asked.empty()) return std::string(named_unit(asked).words) + ", as asked";
-  if (said) return said_units(files);
+  if (said) return stated_units(files);
   return fmt::format(
       "{}, guessed: the file does not say, and the model is {:.4g} of them long; --unit says otherwise",
       guess.words, side);
 }
 
-bool says_soft(const std::string& text) {
+bool is_soft_name(const std::string& text) {
   const std::string low = targets::lower_case(text);
   return std::any_of(soft_words.begin(), soft_words.end(),
                      [&](std::string_view word) { return low.find(word) != std::string::npos; });
@@ -103,13 +103,13 @@ bool is_called(const FoundMesh& mesh, const std::string& name) {
 class Softness {
  public:
   Softness(const ImportRequest& request, const ModelFile& file)
-      : asked_(targets::lower_case(request.soft_material)) {
+      : requested_(targets::lower_case(request.soft_material)) {
     for (const FoundMesh& mesh : file.meshes) materials_.insert(mesh.material);
-    by_material_ = std::any_of(materials_.begin(), materials_.end(), says_soft);
+    by_material_ = std::any_of(materials_.begin(), materials_.end(), is_soft_name);
     const bool any =
         std::any_of(file.meshes.begin(), file.meshes.end(), [&](const FoundMesh& m) { return is_soft(m); });
     if (any) return;
-    if (!asked_.empty())
+    if (!requested_.empty())
       throw InvalidInput("--soft-material: no material, colour or part is called " +
                              targets::in_ticks(request.soft_material) + found(),
                          {file.file});
@@ -120,14 +120,14 @@ class Softness {
   }
 
   bool is_soft(const FoundMesh& mesh) const {
-    if (!asked_.empty()) return is_called(mesh, asked_);
-    return says_soft(by_material_ ? mesh.material : mesh.name);
+    if (!requested_.empty()) return is_called(mesh, requested_);
+    return is_soft_name(by_material_ ? mesh.material : mesh.name);
   }
 
   std::string words() const {
-    return !asked_.empty() ? "as asked"
-           : by_material_  ? "by the names of materials"
-                           : "by the names of parts";
+    return !requested_.empty() ? "as asked"
+           : by_material_      ? "by the names of materials"
+                               : "by the names of parts";
   }
 
  private:
@@ -138,7 +138,7 @@ class Softness {
     return names;
   }
 
-  std::string asked_;
+  std::string requested_;
   std::set<std::string> materials_;
   bool by_material_ = false;
 };
@@ -162,15 +162,15 @@ class Names {
   /// Returns an unused name. @param wanted may be empty or used before: then a number follows
   std::string next(const std::string& wanted, bool soft, bool many) {
     const std::string stem = many || wanted.empty() ? (soft ? "hinge" : "body") : wanted;
-    if (stem == wanted && taken_.insert(stem).second) return stem;
+    if (stem == wanted && used_names_.insert(stem).second) return stem;
     std::string name;
     do name = stem + "_" + std::to_string(++count_[stem]);
-    while (!taken_.insert(name).second);
+    while (!used_names_.insert(name).second);
     return name;
   }
 
  private:
-  std::set<std::string> taken_;
+  std::set<std::string> used_names_;
   std::map<std::string, int> count_;
 };
 

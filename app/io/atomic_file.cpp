@@ -383,9 +383,9 @@ FileRecord::FileRecord(std::string folder, std::string record)
 
 void FileRecord::add(const std::string& file, std::string_view content) { now_[file] = sha256(content); }
 
-void FileRecord::keep(const std::function<bool(const std::string& file)>& is_of_others) {
+void FileRecord::keep(const std::function<bool(const std::string& file)>& is_foreign) {
   for (const auto& [file, hash] : earlier_)
-    if (is_of_others(file)) now_.emplace(file, hash);
+    if (is_foreign(file)) now_.emplace(file, hash);
 }
 
 std::optional<std::string> FileRecord::changed(const std::string& file) const {

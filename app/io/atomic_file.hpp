@@ -133,7 +133,7 @@ class FileRecord {
 
   void add(const std::string& file, std::string_view content);
   /// Keeps files that earlier runs wrote for others, and their lines in the record.
-  void keep(const std::function<bool(const std::string& file)>& is_of_others);
+  void keep(const std::function<bool(const std::string& file)>& is_foreign);
   /// Returns the content of a file that was changed since the earlier run wrote it. Empty for other files.
   std::optional<std::string> changed(const std::string& file) const;
   /// Returns the record of this run's files: a line `HASH  NAME` for each.

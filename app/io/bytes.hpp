@@ -16,12 +16,12 @@ void put(std::string& bytes, const Value& value) {
 }
 
 template <class Value>
-void put_all(std::string& bytes, const Value* values, std::size_t count) {
+void append_all(std::string& bytes, const Value* values, std::size_t count) {
   put(bytes, count);
   bytes.append(reinterpret_cast<const char*>(values), count * sizeof(Value));
 }
 
-/// Reader of what put() and put_all() wrote. Lengths are checked before anything is allocated: the sender may have
+/// Reader of what put() and append_all() wrote. Lengths are checked before anything is allocated: the sender may have
 /// crashed.
 class ByteReader {
  public:
@@ -37,7 +37,7 @@ class ByteReader {
 
   /// Reads a vector or a string. @throws std::runtime_error if the message ends early
   template <class Container>
-  Container get_all() {
+  Container extract_all() {
     using Value = typename Container::value_type;
     const auto count = get<std::size_t>();
     if (count > bytes_.size() / sizeof(Value)) cut_short();

@@ -18,7 +18,7 @@ namespace kinetix::app {
 namespace {
 
 /// Largest side of an image, px: half of cairo's limit of 32767. A square image of this size takes a gigabyte.
-inline constexpr double most_picture_pixels = 16'000;
+inline constexpr double max_picture_pixels = 16'000;
 
 /// Part of the plane that a picture shows, mm.
 struct PictureFrame {
@@ -55,7 +55,7 @@ void check(cairo_status_t status) {
 }
 
 int pixels(double length) {
-  if (!(length <= most_picture_pixels)) throw std::runtime_error("the picture would have too many pixels");
+  if (!(length <= max_picture_pixels)) throw std::runtime_error("the picture would have too many pixels");
   return std::max(1, static_cast<int>(std::ceil(length)));
 }
 
@@ -196,7 +196,7 @@ std::string panel_picture(const model::Linkage& panel, const model::State& state
                           const PictureOptions& options) {
   const PictureFrame frame = picture_frame(state, panel.size.edge_mm / 2);
   if (options.format == PictureFormat::svg) return svg(panel, state, options.hinges, frame);
-  CairoImage image(frame, std::min(options.pixels_per_mm, options.most_pixels / frame.size().maxCoeff()));
+  CairoImage image(frame, std::min(options.pixels_per_mm, options.max_pixels / frame.size().maxCoeff()));
   draw(panel, state, options.hinges, image.pen());
   return image.png();
 }
@@ -212,7 +212,7 @@ constexpr double darkest = 0.02, brightest = 0.98;
 // Fractions of the blurred outline: it is a half at the panel's edge. Near 1, the boundary has no effect.
 constexpr double inside = 0.5, deep_inside = 0.98;
 // Least range of light to stretch, ratio: an eye does not see differences of a fiftieth.
-constexpr double least_range = 0.02;
+constexpr double min_range = 0.02;
 // Least width of white walls, px: avoids black seams between two openings.
 constexpr double seam = 2;
 
@@ -272,7 +272,7 @@ Grey stretched(const Grey& light, const Grey& outline) {
   const auto at = [&](double part) {
     return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
   };
-  const double low = at(darkest), range = std::max(at(brightest) - low, least_range);
+  const double low = at(darkest), range = std::max(at(brightest) - low, min_range);
   return ((light - low) / range).max(0).min(1);
 }
 

@@ -11,9 +11,9 @@ enum class PictureFormat { svg, png };
 
 struct PictureOptions {
   PictureFormat format = PictureFormat::svg;
-  double pixels_per_mm = 4;   ///< resolution of a PNG; an SVG is to scale in mm
-  double most_pixels = 4000;  ///< largest side of a PNG, px; larger images take seconds and show no more
-  bool hinges = false;        ///< hinge map: dots on the walls, coloured by distance from the middle
+  double pixels_per_mm = 4;  ///< resolution of a PNG; an SVG is to scale in mm
+  double max_pixels = 4000;  ///< largest side of a PNG, px; larger images take seconds and show no more
+  bool hinges = false;       ///< hinge map: dots on the walls, coloured by distance from the middle
 };
 
 /// Draws a panel as a photograph of the print from above. Walls are black on white and to scale, with the structure's y

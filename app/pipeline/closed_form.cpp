@@ -23,14 +23,14 @@ std::optional<Eigen::Vector3d> folded_size(const model::ExactMotion& motion, con
 
 }  // namespace
 
-NamedState exact_state(const Found& found, const std::string& name, double theta) {
+NamedState exact_state(const SearchResult& found, const std::string& name, double theta) {
   model::State own = found.motion ? found.motion(theta) : found.plan.exact.at(theta);
   const model::HingeGaps gaps = hinge_gaps(found.design.structure, own);
   if (found.to_shown) own = moved(std::move(own), *found.to_shown);
   return {name, to_string(Model::exact), theta, std::move(own), gaps};
 }
 
-std::vector<NamedState> exact_frames(const Found& found) {
+std::vector<NamedState> exact_frames(const SearchResult& found) {
   std::vector<NamedState> out;
   for (int k = 0; k < motion_states; ++k)
     out.push_back(exact_state(found, "frame", found.theta * k / (motion_states - 1)));

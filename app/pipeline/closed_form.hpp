@@ -17,10 +17,10 @@ inline constexpr int motion_states = 13;
 
 /// Returns the state of an exact family at theta, rad, in the place where results show it. @param name of the state
 /// @pre planned, exact
-NamedState exact_state(const Found& found, const std::string& name, double theta);
+NamedState exact_state(const SearchResult& found, const std::string& name, double theta);
 
 /// Returns motion_states states of the exact motion from flat to found.theta, rad.
-std::vector<NamedState> exact_frames(const Found& found);
+std::vector<NamedState> exact_frames(const SearchResult& found);
 
 /// Returns the table row of the exact model: time of one state, s, and as its error the largest joint separation,
 /// cell edges.

@@ -17,8 +17,8 @@ HingeLoads hinge_loads(const model::EquilibriumPath& path, const model::LinkageD
                        const std::map<int, HingeSection>& own) {
   HingeLoads loads;
   loads.reached = path.stop == model::EquilibriumPath::Stop::reached;
-  loads.by_lever = drive.acts_from_outside() && !drive.has_force();
-  if (drive.acts_from_outside())
+  loads.by_lever = drive.is_external() && !drive.has_force();
+  if (drive.is_external())
     loads.force_N = largest_load(path) / (drive.has_force() ? 1 : linkage.size.edge_mm);
   for (int h = 0; h < static_cast<int>(linkage.hinges.size()); ++h) {
     const auto& made = hinge_at(hinge, own, h).made;
@@ -27,7 +27,7 @@ HingeLoads hinge_loads(const model::EquilibriumPath& path, const model::LinkageD
   return loads;
 }
 
-double share_of(const HingeLimits& limits, const HingeLoads& loads) {
+double limit_use(const HingeLimits& limits, const HingeLoads& loads) {
   if (!loads.reached) return INFINITY;
   double share = 0;
   if (limits.force_N) share = std::max(share, loads.force_N / *limits.force_N);
@@ -37,12 +37,12 @@ double share_of(const HingeLimits& limits, const HingeLoads& loads) {
 
 LimitRange halve(LimitRange range, const Halvings& halvings,
                  const std::function<std::optional<bool>(double at, double share)>& keeps) {
-  for (int k = 0; k < halvings.most && range.too_much - range.kept > halvings.enough; ++k) {
-    const double at = k == 0 && halvings.first ? *halvings.first : (range.kept + range.too_much) / 2;
+  for (int k = 0; k < halvings.most && range.exceeded - range.kept > halvings.enough; ++k) {
+    const double at = k == 0 && halvings.first ? *halvings.first : (range.kept + range.exceeded) / 2;
     if (at < halvings.least) break;
     const std::optional<bool> kept = keeps(at, static_cast<double>(k) / halvings.most);
     if (!kept) break;
-    (*kept ? range.kept : range.too_much) = at;
+    (*kept ? range.kept : range.exceeded) = at;
   }
   return range;
 }
@@ -53,7 +53,7 @@ std::vector<std::string> violations(const HingeLimits& limits, const HingeLoads&
   if (limits.force_N && !(loads.force_N <= *limits.force_N))
     why.push_back(
         fmt::format("the drive takes {:.3g} N{}; at most {:g} N is allowed, and {} does not keep that",
-                    loads.force_N, lever_words(loads), *limits.force_N, instead));
+                    loads.force_N, describe_lever(loads), *limits.force_N, instead));
   if (limits.strain && !(loads.strain <= *limits.strain))
     why.push_back(
         fmt::format("a hinge is strained by {:.2f}; at most {:g} is allowed, and {} does not keep that: a "
@@ -70,7 +70,7 @@ model::LinkageDrive drive_of(const Design& design) {
 double exact_theta_of(const Design& design, const model::ExactMotion& exact) {
   if (!design.drive) return design.theta;
   const model::LinkageDrive drive = drive_of(design);
-  if (drive.acts_from_outside()) return exact.theta_of(drive);
+  if (drive.is_external()) return exact.theta_of(drive);
   return exact_theta({design.structure, drive, exact}, elasticity_of(design));
 }
 
@@ -90,9 +90,9 @@ constexpr double snap_loss = 0.05;  // ratio to the mean work of a step: error b
 /// Returns the work of a step, N mm: the energy that it stores. If that is less than the work of the lower load, a
 /// snap dissipated the rest, and the work is that of the mean load.
 double work_of(const model::EquilibriumStep& a, const model::EquilibriumStep& b, double travel) {
-  const double way = (b.drive - a.drive) * travel, stored = b.energy - a.energy,
-               mean = way * (a.load + b.load) / 2;
-  const double least = std::min(way * a.load, way * b.load);
+  const double distance = (b.drive - a.drive) * travel, stored = b.energy - a.energy,
+               mean = distance * (a.load + b.load) / 2;
+  const double least = std::min(distance * a.load, distance * b.load);
   return stored < least - snap_loss * std::abs(mean) ? mean : stored;
 }
 
@@ -104,14 +104,14 @@ double work_along(const model::EquilibriumPath& path, double travel) {
 }
 
 constexpr double same_theta = 5e-3;  // ratio to theta: work grows with its square, and is known to 1 %
-constexpr int most_rounds = 8;   // rounds per drive; each reduces the error by the square of the sheet's lag
+constexpr int max_rounds = 8;    // rounds per drive; each reduces the error by the square of the sheet's lag
 constexpr double widest = 1.55;  // rad: limit of a drive, just below a right angle
 
 /// Follows a drive. Repeats with its target scaled by theta over the reached theta, until the sheet reaches theta.
 void drive_to(double theta, const model::Linkage& linkage, const model::ExactMotion& exact,
               const model::Elasticity& elasticity, const model::EquilibriumPathOptions& path,
               DriveTrial& trial) {
-  for (int k = 0; k < most_rounds; ++k) {
+  for (int k = 0; k < max_rounds; ++k) {
     trial.path = trace_equilibrium({linkage, trial.drive, exact}, elasticity, path);
     trial.theta = mean_theta(linkage, trial.path.state);
     trial.at_goal = std::abs(trial.theta - theta) <= same_theta * std::abs(theta);

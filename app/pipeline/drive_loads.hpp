@@ -23,7 +23,7 @@ struct HingeLoads {
 };
 
 /// Returns the words that qualify force_N; empty if it is a true force, as of plates.
-inline std::string lever_words(const HingeLoads& loads) {
+inline std::string describe_lever(const HingeLoads& loads) {
   return loads.by_lever ? " at the lever of a cell edge" : "";
 }
 
@@ -34,12 +34,12 @@ HingeLoads hinge_loads(const model::EquilibriumPath& path, const model::LinkageD
                        const std::map<int, HingeSection>& own = {});
 
 /// Returns the largest ratio of a load to its limit; infinite without an equilibrium.
-double share_of(const HingeLimits& limits, const HingeLoads& loads);
+double limit_use(const HingeLimits& limits, const HingeLoads& loads);
 
 /// Range in which limits are kept at one end and not at the other.
 struct LimitRange {
   double kept = 0;      ///< end at which limits are kept, ratio or unit of the value
-  double too_much = 1;  ///< end at which limits are exceeded, ratio or unit of the value
+  double exceeded = 1;  ///< end at which limits are exceeded, ratio or unit of the value
 };
 
 /// Settings of a bisection for the largest load that keeps limits. Values are in the unit of the range.

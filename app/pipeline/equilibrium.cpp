@@ -77,11 +77,11 @@ std::string stiffness_sentence(const Design& design, const model::Elasticity& e)
 
 /// Returns the drive up to the end of the path.
 model::LinkageDrive reached_drive(const model::LinkageDrive& drive, const model::EquilibriumPath& path) {
-  return drive.as_far_as(path.steps.back().drive);
+  return drive.limited_to(path.steps.back().drive);
 }
 
 /// Adds the closed form's state of the same drive, and how far the equilibrium is from it.
-void add_exact(const Found& found, ElasticState& out) {
+void add_exact(const SearchResult& found, ElasticState& out) {
   Equilibrium& equilibrium = out.equilibrium;
   const model::Lattice& sheet = found.design.structure;
   try {
@@ -90,7 +90,7 @@ void add_exact(const Found& found, ElasticState& out) {
                     equilibrium.elasticity);
     model::State exact = found.plan.exact.at(theta);
     equilibrium.from_exact = aligned_distance(sheet, equilibrium.path.state, exact);
-    equilibrium.turned_off = turn_distance(sheet, equilibrium.path.state, exact);
+    equilibrium.turn_difference = turn_distance(sheet, equilibrium.path.state, exact);
     const model::HingeGaps gaps = hinge_gaps(sheet, exact);
     out.states.push_back({"target", to_string(Model::exact), theta, std::move(exact), gaps});
     out.fidelity.push_back(exact_fidelity(found.plan.exact, sheet, theta));
@@ -115,7 +115,7 @@ model::EquilibriumPathOptions path_of_run(bool planar) {
   return options;
 }
 
-ElasticState follow_drive(const Found& found, const model::LinkageDrive& drive,
+ElasticState follow_drive(const SearchResult& found, const model::LinkageDrive& drive,
                           const model::Elasticity& elasticity, int frames, const RunOptions& options,
                           std::shared_ptr<const model::ConvexBodies> bodies) {
   ElasticState out;
@@ -148,7 +148,7 @@ ElasticState follow_drive(const Found& found, const model::LinkageDrive& drive,
   const double last = path.theta;
   out.theta = reached_theta(sheet, found.plan.exact, drive, path, elasticity);
   out.states.push_back({"target", to_string(Model::equilibrium), out.theta, path.state, path.gaps});
-  follow_fall(driven, elasticity, path_options, turns);
+  follow_descent(driven, elasticity, path_options, turns);
   model::StableStates stable = stable_states(sheet, elasticity, {turns}, {.path = path_options});
   out.equilibrium = Equilibrium{elasticity, drive, std::move(path), std::move(stable), {}};
   if (found.plan.exact) add_exact(found, out);
@@ -174,7 +174,7 @@ double reached_theta(const model::Lattice& sheet, const model::ExactMotion& exac
                      const model::Elasticity& elasticity) {
   if (sheet.assembly()) return reached_drive(drive, path).theta();
   const double turned = model::mean_theta(sheet, path.state);
-  if (!exact || path.off_closed_form || !drive.tells_fold()) return turned;
+  if (!exact || path.off_closed_form || !drive.determines_fold()) return turned;
   try {
     return exact_theta({sheet, reached_drive(drive, path), exact}, elasticity);
   } catch (const InvalidInput&) {
@@ -201,7 +201,7 @@ double stiffest_turn(const model::Elasticity& elasticity, int hinges) {
 }
 
 /// Returns the drive for design.yaml; empty if the file need not name it.
-std::optional<model::Drive> springs_to(const Found& found, double theta) {
+std::optional<model::Drive> springs_to(const SearchResult& found, double theta) {
   if (!found.goal_drive) return std::nullopt;
   model::ShapeMemory springs = *found.goal_drive;
   springs.angle = 2 * theta;
@@ -212,7 +212,7 @@ double rms_mm(const Goal::Observed& observed) {
   return model::ObservedPoints(observed.points, true).rms_mm();
 }
 
-optim::ElasticGoal goal_of(const Found& found, const Goal& goal) {
+optim::ElasticGoal goal_of(const SearchResult& found, const Goal& goal) {
   optim::ElasticGoal out;
   out.observe = [&found, &goal](const model::Lattice& sheet, const model::State& state) {
     const auto observed = goal.observe(found, sheet, state);
@@ -229,12 +229,12 @@ optim::CompensationOptions bounded(const TurnBounds& bounds, bool by_springs) {
   options.ties = bounds.ties;
   options.tilt = bounds.tilt;
   if (by_springs) return options;
-  options.least_theta = bounds.theta.lower;
-  options.most_theta = bounds.theta.upper;
+  options.min_theta = bounds.theta.lower;
+  options.max_theta = bounds.theta.upper;
   return options;
 }
 
-model::EquilibriumPath path_to(const Found& found, const model::Lattice& sheet, double theta,
+model::EquilibriumPath path_to(const SearchResult& found, const model::Lattice& sheet, double theta,
                                const model::Elasticity& elasticity, const std::stop_token& stop) {
   model::EquilibriumPathOptions options;
   options.planar = found.plan.planar;
@@ -244,9 +244,9 @@ model::EquilibriumPath path_to(const Found& found, const model::Lattice& sheet, 
 }
 
 /// Compensates the exact design. @param path of that design, which reached its goal
-optim::Compensation made_up_for(const Found& found, const Goal& goal, const model::EquilibriumPath& path,
-                                const model::Elasticity& elasticity, double tolerance_mm,
-                                const std::stop_token& stop) {
+optim::Compensation compensate_goal(const SearchResult& found, const Goal& goal,
+                                    const model::EquilibriumPath& path, const model::Elasticity& elasticity,
+                                    double tolerance_mm, const std::stop_token& stop) {
   optim::CompensationOptions search = bounded(found.bounds, found.goal_drive.has_value());
   search.enough_mm = near_enough * tolerance_mm;
   search.stop = stop;
@@ -277,7 +277,7 @@ Run showing(Run run, const optim::ElasticFit& found, const model::Elasticity& el
   const model::LinkageDrive drive = goal_drive(run, run.design.structure, run.theta);
   ElasticState state = follow_drive(run, drive, elasticity, motion_states, options);
   const model::State exact_shown = run.to_shown ? moved(run.own, *run.to_shown) : run.own;
-  if (run.is_laid_over)
+  if (run.is_aligned)
     for (NamedState& one : state.states) one.poses = aligned(one.poses, exact_shown);
   return with_states(std::move(run), std::move(state));
 }
@@ -291,7 +291,7 @@ std::string advise_springs(const model::Elasticity& elasticity, int hinges) {
       spring_over_hinge * stiffest_turn(elasticity, hinges), spring_over_hinge);
 }
 
-ElasticResult result_of(const Goal::Observed& exact, const optim::Compensation& found) {
+CompensationResult result_of(const Goal::Observed& exact, const optim::Compensation& found) {
   return {.exact_mm = rms_mm(exact),
           .before_mm = found.before.rms_mm,
           .after_mm = found.after.rms_mm,
@@ -303,7 +303,7 @@ ElasticResult result_of(const Goal::Observed& exact, const optim::Compensation& 
 }
 
 Run missed(Run run, const std::string& why) {
-  run.matter->why = why;
+  run.compensation->why = why;
   run.violations.push_back("equilibrium of the elastic hinges: " + why);
   return run;
 }
@@ -328,25 +328,26 @@ Run elsewhere(Run run, const Goal& goal, double away) {
       "the path from flat ends in another equilibrium than the one near the goal, {:.3g} mm from it",
       away * run.design.structure.size().edge_mm);
   if (const auto observed = goal.observe(run, run.design.structure, run.equilibrium->path.state))
-    run.matter->after_mm = rms_mm(*observed);
+    run.compensation->after_mm = rms_mm(*observed);
   if (!run.met()) return missed(std::move(run), where);
-  run.matter->why = where + ", and within tolerance as well";
+  run.compensation->why = where + ", and within tolerance as well";
   return run;
 }
 
 }  // namespace
 
-model::LinkageDrive goal_drive(const Found& found, const model::Lattice& sheet, double theta) {
+model::LinkageDrive goal_drive(const SearchResult& found, const model::Lattice& sheet, double theta) {
   const auto springs = springs_to(found, theta);
   return springs ? drive_on(sheet, *springs) : drive_to(sheet, theta);
 }
 
-bool has_elastic_hinges(const Found& found) {
+bool has_elastic_hinges(const SearchResult& found) {
   return found.goal && found.design.hinge.model == HingeSection::Model::elastic &&
          found.plan.model != Model::equilibrium;
 }
 
-CompensatedPath path_in_matter(const Found& found, const Goal& goal, const std::stop_token& stop) {
+CompensatedPath trace_compensated_path(const SearchResult& found, const Goal& goal,
+                                       const std::stop_token& stop) {
   const model::Elasticity elasticity = elasticity_of(found.design);
   CompensatedPath out{found.design.structure, found.theta,
                       goal_drive(found, found.design.structure, found.theta),
@@ -354,7 +355,7 @@ CompensatedPath path_in_matter(const Found& found, const Goal& goal, const std::
   const auto exact = goal.observe(found, found.design.structure, found.own);
   if (!exact || out.path.stop != model::EquilibriumPath::Stop::reached) return out;
   const optim::ElasticFit after =
-      made_up_for(found, goal, out.path, elasticity, exact->tolerance_mm, stop).after;
+      compensate_goal(found, goal, out.path, elasticity, exact->tolerance_mm, stop).after;
   const model::LinkageDrive drive = goal_drive(found, after.sheet, after.theta);
   model::EquilibriumPathOptions options = path_of_run(found.plan.planar);
   options.stop = stop;
@@ -367,16 +368,16 @@ Run compensate_for_elasticity(Run run, const Goal& goal, const RunOptions& optio
   if (!exact) return run;
   options.progress("hinges in matter", 0);
   const model::Elasticity elasticity = elasticity_of(run.design);
-  run.matter = ElasticResult{.exact_mm = rms_mm(*exact),
-                             .before_mm = std::nan(""),
-                             .after_mm = std::nan(""),
-                             .tolerance_mm = exact->tolerance_mm,
-                             .why = ""};
+  run.compensation = CompensationResult{.exact_mm = rms_mm(*exact),
+                                        .before_mm = std::nan(""),
+                                        .after_mm = std::nan(""),
+                                        .tolerance_mm = exact->tolerance_mm,
+                                        .why = ""};
   const model::EquilibriumPath path = path_to(run, run.design.structure, run.theta, elasticity, options.stop);
   if (path.stop != model::EquilibriumPath::Stop::reached) return missed(std::move(run), path.why);
   const optim::Compensation found =
-      made_up_for(run, goal, path, elasticity, exact->tolerance_mm, options.stop);
-  run.matter = result_of(*exact, found);
+      compensate_goal(run, goal, path, elasticity, exact->tolerance_mm, options.stop);
+  run.compensation = result_of(*exact, found);
   run = showing(std::move(run), found.after, elasticity, options);
   if (!run.equilibrium->reached()) return missed(std::move(run), std::string(run.equilibrium->path.why));
   run = measured(std::move(run), goal, options);

@@ -24,7 +24,7 @@ struct ElasticState {
 /// path so far.
 /// @param frames approximate number of states of the motion to keep, flat and last included, >= 2   @pre planned
 /// @param bodies press on each other in place of walls; null: the walls
-ElasticState follow_drive(const Found& found, const model::LinkageDrive& drive,
+ElasticState follow_drive(const SearchResult& found, const model::LinkageDrive& drive,
                           const model::Elasticity& elasticity, int frames, const RunOptions& options,
                           std::shared_ptr<const model::ConvexBodies> bodies = {});
 
@@ -40,11 +40,11 @@ double reached_theta(const model::Lattice& sheet, const model::ExactMotion& exac
                      const model::Elasticity& elasticity);
 
 /// Whether the goal was searched for by closed form and its hinges are elastic.
-bool has_elastic_hinges(const Found& found);
+bool has_elastic_hinges(const SearchResult& found);
 
 /// Returns the drive that takes a sheet to theta, rad: the goal's springs, at rest there, or the usual drive without
 /// springs.
-model::LinkageDrive goal_drive(const Found& found, const model::Lattice& sheet, double theta);
+model::LinkageDrive goal_drive(const SearchResult& found, const model::Lattice& sheet, double theta);
 
 /// Design compensated for its elastic hinges, and its path from flat.
 struct CompensatedPath {
@@ -57,7 +57,8 @@ struct CompensatedPath {
 /// Compensates the exact design of a goal for its elastic hinges and follows the new design from flat. If the exact
 /// design does not reach an equilibrium, returns that design and its incomplete path.
 /// @pre planned, has_elastic_hinges
-CompensatedPath path_in_matter(const Found& found, const Goal& goal, const std::stop_token& stop);
+CompensatedPath trace_compensated_path(const SearchResult& found, const Goal& goal,
+                                       const std::stop_token& stop);
 
 /// Compensates a design that meets its goal exactly for its elastic hinges. Its drive folds it from flat to an
 /// equilibrium, and a search brings that onto the goal (optim/elastic/compensation.hpp). The run then shows the

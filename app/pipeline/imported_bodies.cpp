@@ -45,7 +45,7 @@ bool are_same(const sim::FilledBore& a, const sim::FilledBore& b) {
   return a.point == b.point && a.axis == b.axis && a.radius_mm == b.radius_mm && a.half_mm == b.half_mm;
 }
 
-bool have_one_shape(const model::AssemblyBody& a, const model::AssemblyBody& b) {
+bool have_same_shape(const model::AssemblyBody& a, const model::AssemblyBody& b) {
   if (a.solid.triangles != b.solid.triangles) return false;
   return std::equal(a.solid.points.begin(), a.solid.points.end(), b.solid.points.begin(),
                     b.solid.points.end(), [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
@@ -58,7 +58,7 @@ std::vector<int> first_of_shape(const model::Assembly& assembly) {
   std::vector<int> out, firsts;
   for (int b = 0; b < static_cast<int>(assembly.bodies.size()); ++b) {
     const auto known = std::find_if(firsts.begin(), firsts.end(), [&](int f) {
-      return have_one_shape(assembly.bodies[f], assembly.bodies[b]);
+      return have_same_shape(assembly.bodies[f], assembly.bodies[b]);
     });
     out.push_back(known == firsts.end() ? b : *known);
     if (known == firsts.end()) firsts.push_back(b);
@@ -136,18 +136,18 @@ namespace {
 
 // Fraction of the distance to the poses: bodies that move by less count as fixed. Rounding of files lets bodies move
 // by up to 3 % of the distance, mechanisms move by all of it.
-constexpr double least_way = 0.05;
+constexpr double min_moved_share = 0.05;
 
 /// States along the motion with their theta, and a summary of the motion.
-struct FollowedWay {
-  ClosedPath way;
+struct FollowedPath {
+  ClosedPath closed_path;
   std::vector<model::State> states = {};
   std::vector<double> thetas = {};  ///< rad
   double gap = 0;                   ///< largest mismatch of hinge points during the motion, cell edges
 };
 
-std::string turn_words(const model::AssemblyMotion& m, const std::vector<model::AssemblyHinge>& hinges,
-                       int driven) {
+std::string describe_turn(const model::AssemblyMotion& m, const std::vector<model::AssemblyHinge>& hinges,
+                          int driven) {
   const double last = to_degrees(m.turns.back()) + 0.0;  // no -0
   if (m.reached)
     return fmt::format(
@@ -158,22 +158,23 @@ std::string turn_words(const model::AssemblyMotion& m, const std::vector<model::
                      hinges[driven].name, last, to_degrees(m.broken_turn), hinges[m.broken].name);
 }
 
-FollowedWay turned_way(const Design& design, const model::Linkage& linkage, const model::LinkageDrive& drive,
-                       const RunOptions& options) {
+FollowedPath trace_turned_path(const Design& design, const model::Linkage& linkage,
+                               const model::LinkageDrive& drive, const RunOptions& options) {
   model::AssemblyMotionOptions how;
   how.stop = [&] { return options.stop.stop_requested(); };
   model::AssemblyMotion m = follow_turn(linkage, first_motion(linkage), drive.hinge, drive.angle, how);
-  FollowedWay out{.way = {.reached = m.reached,
-                          .last = m.states.back(),
-                          .words = turn_words(m, design.structure.assembly()->hinges, drive.hinge)},
-                  .states = std::move(m.states),
-                  .gap = m.gap};
+  FollowedPath out{
+      .closed_path = {.reached = m.reached,
+                      .last = m.states.back(),
+                      .description = describe_turn(m, design.structure.assembly()->hinges, drive.hinge)},
+      .states = std::move(m.states),
+      .gap = m.gap};
   for (const double turn : m.turns) out.thetas.push_back(model::theta_at_turn(drive.sense, turn));
-  if (!m.reached) out.way.missed = {out.way.words};
+  if (!m.reached) out.closed_path.missed = {out.closed_path.description};
   return out;
 }
 
-std::string pull_words(const model::Deployment& d, double seconds, bool is_stopped) {
+std::string describe_pull(const model::Deployment& d, double seconds, bool is_stopped) {
   if (!d.reached && is_stopped)
     return fmt::format("stopped after {:.0f} % of the way on which bodies are pulled", 100 * d.shares.back());
   if (!d.reached)
@@ -197,7 +198,7 @@ double moved_by(const std::vector<model::State>& states, double edge_mm) {
 
 /// Lists the reasons why the bodies do not end where they are pulled to.
 std::vector<std::string> pull_reasons(const model::BodyPull& pull, const model::Deployment& d, double moved) {
-  const bool stays = moved <= least_way * d.off_rms;
+  const bool stays = moved <= min_moved_share * d.off_rms;
   if (!pull.poses) {
     if (!stays) return {};
     return {"no body moves: the hinges hold the bodies where they are"};
@@ -212,19 +213,21 @@ std::vector<std::string> pull_reasons(const model::BodyPull& pull, const model::
                       d.off_rms, pull.tolerance)};
 }
 
-FollowedWay pulled_way(const Design& design, const model::Linkage& linkage, const RunOptions& options) {
+FollowedPath trace_pulled_path(const Design& design, const model::Linkage& linkage,
+                               const RunOptions& options) {
   Stopwatch watch;
   model::DeploymentOptions how;
   how.stop = [&] { return options.stop.stop_requested(); };
   model::Deployment d = deploy(linkage, *pull_of(design), how);
-  FollowedWay out{.way = {.reached = d.reached,
-                          .last = d.states.back(),
-                          .off = model::StateDistance{d.off_rms, d.off_max},
-                          .words = pull_words(d, watch.lap(), options.stop.stop_requested())},
-                  .gap = d.gap};
-  out.way.missed = d.reached
-                       ? pull_reasons(*body_pull_of(design), d, moved_by(d.states, linkage.size.edge_mm))
-                       : std::vector<std::string>{out.way.words};
+  FollowedPath out{
+      .closed_path = {.reached = d.reached,
+                      .last = d.states.back(),
+                      .off = model::StateDistance{d.off_rms, d.off_max},
+                      .description = describe_pull(d, watch.lap(), options.stop.stop_requested())},
+      .gap = d.gap};
+  out.closed_path.missed =
+      d.reached ? pull_reasons(*body_pull_of(design), d, moved_by(d.states, linkage.size.edge_mm))
+                : std::vector<std::string>{out.closed_path.description};
   for (const model::State& state : d.states) out.thetas.push_back(mean_half_turn(linkage, state));
   out.states = std::move(d.states);
   return out;
@@ -241,11 +244,13 @@ Run with_elastic_state(Run run, const model::LinkageDrive& drive, const RunOptio
   run = with_pieces(std::move(run), options);
   ElasticState state = follow_drive(run, drive, elasticity_of(run.design), motion_states, options,
                                     pressing_bodies(run, options));
-  if (run.way->reached && state.equilibrium.reached()) {
+  if (run.closed_path->reached && state.equilibrium.reached()) {
     const model::Linkage linkage = run.design.structure;
-    state.equilibrium.from_exact = aligned_distance(linkage, state.equilibrium.path.state, run.way->last);
-    state.states.insert(state.states.begin() + 1, {"target", to_string(Model::exact), drive.theta(),
-                                                   run.way->last, hinge_gaps(linkage, run.way->last)});
+    state.equilibrium.from_exact =
+        aligned_distance(linkage, state.equilibrium.path.state, run.closed_path->last);
+    state.states.insert(state.states.begin() + 1,
+                        {"target", to_string(Model::exact), drive.theta(), run.closed_path->last,
+                         hinge_gaps(linkage, run.closed_path->last)});
   }
   return with_states(std::move(run), std::move(state));
 }
@@ -276,7 +281,7 @@ std::optional<model::Pull> pull_of(const Design& design) {
   return aligned_pull(design.structure, std::move(out));
 }
 
-Run with_closed_way(Run run, const RunOptions& options) {
+Run with_closed_path(Run run, const RunOptions& options) {
   if (run.plan.model == Model::equilibrium)
     require_one_axis(*run.design.structure.assembly(), body_pull_of(run.design));
   const model::Linkage linkage = run.design.structure;
@@ -284,20 +289,20 @@ Run with_closed_way(Run run, const RunOptions& options) {
   const model::BodyPull* pull = body_pull_of(run.design);
   if (!pull) run.design.drive = model::HingeTurn{drive.hinge, drive.angle};
   Stopwatch watch;
-  FollowedWay followed =
-      pull ? pulled_way(run.design, linkage, options) : turned_way(run.design, linkage, drive, options);
+  FollowedPath followed = pull ? trace_pulled_path(run.design, linkage, options)
+                               : trace_turned_path(run.design, linkage, drive, options);
   run.fidelity.push_back({to_string(Model::exact), watch.lap(), followed.gap, "its own hinge closure"});
   run.theta = pull ? followed.thetas.back() : drive.theta();
   if (pull && pull->poses) run.tolerances = {{"pull", pull->tolerance}};
-  run.plan.why.push_back(followed.way.words);
-  run.way = std::move(followed.way);
+  run.plan.why.push_back(followed.closed_path.description);
+  run.closed_path = std::move(followed.closed_path);
   if (run.plan.model == Model::equilibrium) return with_elastic_state(std::move(run), drive, options);
   const auto add = [&](const char* name, std::size_t k) {
     const model::State& state = followed.states[k];
     run.states.push_back(
         {name, to_string(Model::exact), followed.thetas[k], state, hinge_gaps(linkage, state)});
   };
-  if (run.way->reached || run.plan.model == Model::exact) add("target", followed.states.size() - 1);
+  if (run.closed_path->reached || run.plan.model == Model::exact) add("target", followed.states.size() - 1);
   for (std::size_t k = 0; k < followed.states.size(); ++k) add("frame", k);
   return run;
 }

@@ -47,7 +47,7 @@ void require_one_axis(const model::Assembly& bodies, bool are_pulled);
 /// equilibrium of its elastic hinges. Its drive then names the hinge that is turned.
 /// @throws InvalidInput for a drive that turns a hinge which cannot turn at rest; in equilibrium for bodies that are
 /// pulled, and for hinges without an axis
-Run with_closed_way(Run run, const RunOptions& options);
+Run with_closed_path(Run run, const RunOptions& options);
 
 /// Adds the convex pieces by which the bodies of the run collide: those of the options if they fit. @pre imported
 /// bodies

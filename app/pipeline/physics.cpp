@@ -70,7 +70,7 @@ sim::PhysicsOptions rotary_physics(const HingeSection& hinge, const PhysicsSecti
 
 namespace {
 
-constexpr double most_overlap_mm = 0.1;  // mm: convex pieces may project from their bodies by this much
+constexpr double max_overlap_mm = 0.1;  // mm: convex pieces may project from their bodies by this much
 
 /// Returns the stiffness of each hinge of imported bodies. The contact stiffness follows from the stiffest hinge.
 model::Elasticity elasticity_of_bodies(const model::Assembly& bodies) {
@@ -85,7 +85,7 @@ model::Elasticity elasticity_of_bodies(const model::Assembly& bodies) {
 sim::PhysicsOptions physics_of_bodies(const Design& design) {
   const model::Assembly& bodies = *design.structure.assembly();
   sim::PhysicsOptions options;
-  options.overlap_limit = std::max(options.overlap_limit, most_overlap_mm / bodies.edge_mm);
+  options.overlap_limit = std::max(options.overlap_limit, max_overlap_mm / bodies.edge_mm);
   options.reach = 1;
   for (const model::AssemblyHinge& h : bodies.hinges)
     options.reach = std::min(options.reach, h.reach_mm / bodies.edge_mm);
@@ -128,7 +128,7 @@ constexpr double stiff_joints = 1e8;    // over the parts' masses: ten thousand 
 // near to the model's, in a tenth of the time.
 constexpr std::array tried_steps = {10.0, 4.0, 1.0};
 
-std::unique_lock<std::mutex> hold_engine(const RunOptions& options) {
+std::unique_lock<std::mutex> lock_engine(const RunOptions& options) {
   return options.engine ? std::unique_lock(*options.engine) : std::unique_lock<std::mutex>();
 }
 
@@ -140,7 +140,7 @@ sim::PhysicsOptions with_steps(sim::PhysicsOptions options, double factor) {
 /// Stiffens the joints of a sheet that moves exactly. It never strains and may be long, and compliant joints let its
 /// ends sway far behind.
 sim::PhysicsOptions suited_to(const Run& run, sim::PhysicsOptions options) {
-  const bool moves_exactly = run.way ? run.way->reached : static_cast<bool>(run.plan.exact);
+  const bool moves_exactly = run.closed_path ? run.closed_path->reached : static_cast<bool>(run.plan.exact);
   if (moves_exactly && !options.elastic) options.joint_stiffness = stiff_joints;
   return options;
 }
@@ -172,13 +172,13 @@ Fidelity row_of(const Run& run, const std::string& model, const sim::PhysicsResu
                 const model::State& reference) {
   const double rms = distance(run.design.structure, physics, reference).rms;
   return {model + " (" + to_string(physics.status) + ")", physics.seconds, rms,
-          to_string(run.way ? Model::exact : run.plan.model)};
+          to_string(run.closed_path ? Model::exact : run.plan.model)};
 }
 
 /// Whether larger steps may be tried first. A model's state must show whether such a run reached the right end, and
 /// no step may be requested. Imported bodies without a model's state count wherever they settle.
 bool may_be_coarser(const Run& run, const PhysicsTask& task, const RunOptions& options) {
-  return (run.way || !task.reference.empty()) && !run.design.physics.step_s && !options.fidelity &&
+  return (run.closed_path || !task.reference.empty()) && !run.design.physics.step_s && !options.fidelity &&
          task.options.disturbance == 0;
 }
 
@@ -204,11 +204,11 @@ bool is_settled(const Verification& verification) {
 }
 
 std::optional<Verification> verify(const Run& run, const PhysicsTask& task, const RunOptions& options,
-                                   bool usual_steps) {
-  const auto alone = hold_engine(options);
+                                   bool default_steps) {
+  const auto alone = lock_engine(options);
   const sim::PhysicsOptions usual = suited_to(run, task.options);
   std::span<const double> steps = tried_steps;
-  if (usual_steps || !may_be_coarser(run, task, options)) steps = steps.last(1);
+  if (default_steps || !may_be_coarser(run, task, options)) steps = steps.last(1);
   Verification v;
   double seconds = 0;
   for (const double factor : steps) {
@@ -228,7 +228,7 @@ std::vector<Fidelity> fidelity_of(const Run& run, const Verification& verificati
   if (!verification.compared) return {};
   std::vector<Fidelity> rows = {row_of(run, "bullet", verification.physics, task.reference)};
   if (!options.fidelity) return rows;
-  const auto alone = hold_engine(options);
+  const auto alone = lock_engine(options);
   options.progress("speed against error", -1);
   for (const double factor : {4.0, 16.0}) {
     const sim::PhysicsOptions coarser = with_steps(verification.options, factor);

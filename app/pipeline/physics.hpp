@@ -47,9 +47,9 @@ struct PhysicsTask {
 /// good if it settles in the reference; any other is repeated with smaller steps. physics.seconds is the sum of all
 /// runs. Joints of exact families are stiffer than in the options. Empty if a run was stopped before it settled, or
 /// before smaller steps could show whether it disagrees.
-/// @param usual_steps no larger steps first
+/// @param default_steps no larger steps first
 std::optional<Verification> verify(const Run& run, const PhysicsTask& task, const RunOptions& options,
-                                   bool usual_steps = false);
+                                   bool default_steps = false);
 
 /// Returns the rows of the speed-against-error table: the simulation and, if options.fidelity is set, runs with
 /// larger steps.

@@ -30,37 +30,37 @@ namespace kinetix::app {
 namespace {
 
 /// Results of the checks that run in parallel with the simulation.
-struct Judgement {
+struct CheckResults {
   std::optional<PrintedGoal> printed;     ///< only of goals that are judged by distances
   std::string prints_unknown;             ///< why such a goal has none, else empty
   std::optional<ProvenRanges> certified;  ///< if the options request it
   std::optional<PrintAnswer> print;       ///< answer of `export`, for goals if the options request it
-  double as_made_s = 0, certify_s = 0;
+  double print_tolerance_s = 0, certify_s = 0;
 };
 
 /// Checks of a run in parts: prints, contact of walls, answer of `export`. Threads take parts as they become free.
 /// The run is read only, so a simulation may run in parallel.
-class Judging {
+class ParallelChecks {
  public:
   /// @param run, options are kept by reference   @param goal null for a design
   /// @pre the run has its plan, its state and, of elastic hinges, its equilibrium
-  Judging(const Run& run, const Goal* goal, const RunOptions& options);
+  ParallelChecks(const Run& run, const Goal* goal, const RunOptions& options);
   /// Works on parts that no thread has begun, until none is left or the options request a stop. Any number of threads
   /// may call it.
   void work();
   /// @pre every work() has returned
-  const Judgement& judgement() const { return found_; }
+  const CheckResults& check_results() const { return found_; }
 
  private:
-  void judge_prints();
+  void check_prints();
   void prove_range();
-  void ask_export();
+  void check_export();
 
   const Run& run_;
   const Goal* goal_;
   const RunOptions& options_;
   std::atomic<int> begun_ = 0;
-  Judgement found_;  ///< each part writes different fields
+  CheckResults found_;  ///< each part writes different fields
 };
 
 /// Corrects one end of a sampled range if walls provably touch before it.
@@ -80,14 +80,14 @@ Plan corrected(Plan plan, const ProvenRanges& certified) {
 
 /// Describes walls that overlap during the motion to a goal, whatever states its search has checked. If no proof was
 /// requested, only walls that overlap as built are found, in the flat state. Empty if none are found.
-std::optional<std::string> why_walls_meet(const Run& run) {
+std::optional<std::string> describe_wall_overlap(const Run& run) {
   if (!run.goal || run.plan.model != Model::exact) return std::nullopt;
   if (run.certified) return run.certified->designed ? contact_reason(run) : std::nullopt;
   if (!run.plan.exact || run.theta == 0) return std::nullopt;
   const model::Linkage linkage = run.design.structure;
   const model::WallContact contact(linkage);
   const auto& overlap = contact.overlap_at_rest();
-  return overlap ? std::optional(overlap_words(*overlap, run.design.structure)) : std::nullopt;
+  return overlap ? std::optional(describe_overlap(*overlap, run.design.structure)) : std::nullopt;
 }
 
 /// Whether prints are free of contact in the states in which they are judged; empty if that is not known. Nothing is
@@ -100,36 +100,37 @@ std::optional<bool> are_prints_free(const Run& run) {
   return run.equilibrium && is_free ? std::nullopt : std::optional(is_free);
 }
 
-Judging::Judging(const Run& run, const Goal* goal, const RunOptions& options)
+ParallelChecks::ParallelChecks(const Run& run, const Goal* goal, const RunOptions& options)
     : run_(run), goal_(goal), options_(options) {}
 
-void Judging::work() {
-  constexpr std::array parts{&Judging::judge_prints, &Judging::prove_range, &Judging::ask_export};
+void ParallelChecks::work() {
+  constexpr std::array parts{&ParallelChecks::check_prints, &ParallelChecks::prove_range,
+                             &ParallelChecks::check_export};
   for (int k = begun_++; k < static_cast<int>(parts.size()); k = begun_++)
     if (!options_.stop.stop_requested()) (this->*parts[k])();
 }
 
-void Judging::judge_prints() {
+void ParallelChecks::check_prints() {
   if (!goal_ || run_.states.empty()) return;
-  if (run_.matter && !run_.equilibrium) {
-    found_.prints_unknown = "elastic hinges find no equilibrium near the design: " + run_.matter->why;
+  if (run_.compensation && !run_.equilibrium) {
+    found_.prints_unknown = "elastic hinges find no equilibrium near the design: " + run_.compensation->why;
     return;
   }
   Stopwatch watch;
-  const model::State& state = run_.matter ? run_.equilibrium->path.state : run_.own;
+  const model::State& state = run_.compensation ? run_.equilibrium->path.state : run_.own;
   const auto observed = goal_->observe(run_, run_.design.structure, state);
   if (!observed) return;
-  found_.printed =
-      as_made(run_, run_.matter ? run_.equilibrium->drive : drive_to(run_.design.structure, run_.theta),
-              state, observed->points, options_);
+  found_.printed = analyse_print_tolerance(
+      run_, run_.compensation ? run_.equilibrium->drive : drive_to(run_.design.structure, run_.theta), state,
+      observed->points, options_);
   if (found_.printed)
     found_.printed->tolerance_mm = observed->tolerance_mm;
   else
     found_.prints_unknown = "elastic hinges have no stable state near the design under its drive";
-  found_.as_made_s = watch.lap();
+  found_.print_tolerance_s = watch.lap();
 }
 
-void Judging::prove_range() {
+void ParallelChecks::prove_range() {
   if (!options_.certify) return;
   Stopwatch watch;
   found_.certified =
@@ -137,28 +138,28 @@ void Judging::prove_range() {
   found_.certify_s = watch.lap();
 }
 
-void Judging::ask_export() {
+void ParallelChecks::check_export() {
   if (run_.goal && !run_.states.empty() && options_.printable)
     found_.print = options_.printable(written_design(run_));
 }
 
 /// Adds the judgement to the run. A sampled range of theta ends where walls provably meet, and a goal beyond that is
 /// missed. A goal whose walls overlap as built is missed even if no proof was requested.
-Run with_judgement(Run run, Judgement judgement) {
-  run.timings.as_made = judgement.as_made_s;
-  run.timings.certify = judgement.certify_s;
-  if (judgement.printed) {
-    run.printed = std::move(judgement.printed);
-    if (judgement.print) run.printed->can_be_printed = judgement.print->is_taken;
+Run with_check_results(Run run, CheckResults check_results) {
+  run.timings.print_tolerance = check_results.print_tolerance_s;
+  run.timings.certify = check_results.certify_s;
+  if (check_results.printed) {
+    run.printed = std::move(check_results.printed);
+    if (check_results.print) run.printed->can_be_printed = check_results.print->is_accepted;
   }
-  run.print = std::move(judgement.print);
-  if (!judgement.prints_unknown.empty()) {
-    run.prints_unknown = std::move(judgement.prints_unknown);
+  run.print = std::move(check_results.print);
+  if (!check_results.prints_unknown.empty()) {
+    run.prints_unknown = std::move(check_results.prints_unknown);
     run.plan.why.push_back("what prints come to is not known: " + run.prints_unknown);
   }
-  run.certified = std::move(judgement.certified);
+  run.certified = std::move(check_results.certified);
   if (run.certified) run.plan = corrected(std::move(run.plan), *run.certified);
-  if (const auto why = why_walls_meet(run)) run.violations.push_back(*why);
+  if (const auto why = describe_wall_overlap(run)) run.violations.push_back(*why);
   if (const auto free = are_prints_free(run)) run.printed->free_of_contact = *free;
   return run;
 }
@@ -175,8 +176,9 @@ std::optional<PhysicsTask> elastic_task(const Run& run) {
 
 /// Returns the state that a design's simulation is compared with; empty if there is none for the whole drive.
 model::State reference_of(const Run& run) {
-  const bool on_the_way = (run.equilibrium && !run.equilibrium->reached()) || (run.way && !run.way->reached);
-  return run.states.empty() || on_the_way ? model::State{} : run.states.front().poses;
+  const bool is_incomplete =
+      (run.equilibrium && !run.equilibrium->reached()) || (run.closed_path && !run.closed_path->reached);
+  return run.states.empty() || is_incomplete ? model::State{} : run.states.front().poses;
 }
 
 /// Returns the simulation of a design, with the file's drive. Imported bodies collide by their pieces.
@@ -197,16 +199,16 @@ std::optional<PhysicsTask> physics_task(const Run& run) {
   if (wish.when == PhysicsRequest::When::if_met && !run.met()) return std::nullopt;
   sim::PhysicsOptions options =
       rotary_physics(run.design.hinge, run.design.physics, run.design.structure.size().edge_mm);
-  options.settle_seconds = std::max(options.settle_seconds, wish.least_settle_s);
+  options.settle_seconds = std::max(options.settle_seconds, wish.min_settle_s);
   return PhysicsTask{run.own, wish.drive ? *wish.drive : drive_to(run.design.structure, run.theta), options};
 }
 
 /// Starts the checks in a separate thread if the run and the system allow one. Otherwise get() of the result runs
 /// them.
-std::future<void> work_beside(Judging& judging, int threads) {
+std::future<void> work_beside(ParallelChecks& parallel_checks, int threads) {
   const auto policy =
       model::threads_of(threads) > 1 ? std::launch::async | std::launch::deferred : std::launch::deferred;
-  return std::async(policy, [&judging] { judging.work(); });
+  return std::async(policy, [&parallel_checks] { parallel_checks.work(); });
 }
 
 /// Measures the settled simulation against the goal. Null without a goal or if it did not settle.
@@ -248,14 +250,14 @@ Run with_physics(Run run, const Goal* goal, Verification verification, const Phy
 /// Returns why the drive of a goal stops before its end; empty if it does not. A goal counts only in the state at the
 /// end of its drive.
 std::optional<std::string> describe_drive_stop(const Run& run) {
-  if (!run.goal || run.matter || !run.equilibrium || run.equilibrium->reached()) return std::nullopt;
+  if (!run.goal || run.compensation || !run.equilibrium || run.equilibrium->reached()) return std::nullopt;
   return drive_stop_reason(run.equilibrium->path);
 }
 
 /// Adds a violation of the goal if a hinge is overstrained in the state shown, even if the shape is right.
 Run with_strain(Run run) {
-  const auto why =
-      run.goal && !run.states.empty() ? strained_too_far(run.design, run.states.front().poses) : std::nullopt;
+  const auto why = run.goal && !run.states.empty() ? describe_overstrain(run.design, run.states.front().poses)
+                                                   : std::nullopt;
   if (!why) return run;
   run.strained = run.met();
   run.violations.push_back(*why);
@@ -271,7 +273,7 @@ NamedState known_state(const Run& run) {
 
 /// Adds the states in which the model holds what was found, if it has any.
 Run with_model_states(Run run, const RunOptions& options) {
-  if (run.design.structure.assembly()) return with_closed_way(std::move(run), options);
+  if (run.design.structure.assembly()) return with_closed_path(std::move(run), options);
   if (run.plan.model == Model::equilibrium) {
     ElasticState state =
         follow_drive(run, drive_of(run.design), elasticity_of(run.design), motion_states, options);
@@ -295,40 +297,40 @@ Run with_model_states(Run run, const RunOptions& options) {
 }
 
 /// Runs all models and checks on what was found. @param goal null for a design
-Run run_found(Found found, const Goal* goal, const RunOptions& options) {
+Run run_found(SearchResult found, const Goal* goal, const RunOptions& options) {
   Run run = held(std::move(found), goal, options);
   if (goal) run = settled(std::move(run), *goal, options);
   const bool simulates = options.verify && !options.stop.stop_requested();
-  if (simulates && run.way) run = with_pieces(std::move(run), options);
+  if (simulates && run.closed_path) run = with_pieces(std::move(run), options);
   const std::optional<PhysicsTask> task = simulates ? physics_task(run) : std::nullopt;
 
-  Judging judging(run, goal, options);
-  std::future<void> beside = work_beside(judging, options.threads);
+  ParallelChecks parallel_checks(run, goal, options);
+  std::future<void> beside = work_beside(parallel_checks, options.threads);
   Stopwatch watch;
   std::optional<Verification> simulated;
   if (task) simulated = verify(run, *task, options);
   const double seconds = watch.lap();
   options.progress(run.goal ? "prints, contact" : "contact", -1);
-  judging.work();
+  parallel_checks.work();
   beside.get();
 
-  run = with_judgement(std::move(run), judging.judgement());
+  run = with_check_results(std::move(run), parallel_checks.check_results());
   if (task) run.timings.verify = seconds;
   if (simulated) run = with_physics(std::move(run), goal, std::move(*simulated), *task, options);
   run = with_strain(std::move(run));
   run.stopped = options.stop.stop_requested();
-  if (goal && !run.matter && run.plan.model != Model::equilibrium)
+  if (goal && !run.compensation && run.plan.model != Model::equilibrium)
     model::append(exact_frames(run), run.states);
   return run;
 }
 
 }  // namespace
 
-Run held(Found found, const Goal* goal, const RunOptions& options) {
+Run held(SearchResult found, const Goal* goal, const RunOptions& options) {
   Run run;
   run.seed = options.seed;
   Stopwatch watch;
-  static_cast<Found&>(run) = planned(std::move(found), options.brief);
+  static_cast<SearchResult&>(run) = planned(std::move(found), options.brief);
   run.timings.plan = watch.lap();
   run = with_model_states(std::move(run), options);
   run.timings.equilibrium = watch.lap();
@@ -343,13 +345,13 @@ Run settled(Run run, const Goal& goal, const RunOptions& options) {
   Stopwatch watch;
   if (has_elastic_hinges(run)) run = compensate_for_elasticity(std::move(run), goal, options);
   if (const auto why = describe_drive_stop(run)) run.violations.push_back(*why);
-  run.timings.matter = watch.lap();
+  run.timings.compensation = watch.lap();
   return run;
 }
 
 Run run_goal(const Goal& goal, const RunOptions& options) {
   Stopwatch watch;
-  Found found = goal.search(options);
+  SearchResult found = goal.search(options);
   found.design.name = goal.name;
   const double seconds = watch.lap();
   Run run = run_found(std::move(found), &goal, options);
@@ -361,7 +363,7 @@ Run run_design(Design design, Model model, RunOptions options) {
   const bool is_sheet = !design.structure.assembly();
   options.verify &= model == Model::bullet;
   options.certify &= is_sheet;
-  Found found;
+  SearchResult found;
   found.theta = design.theta;
   found.model = plan_model(design, model);
   if (model == Model::exact && is_sheet) found.plan.exact = exact_motion(design.structure);

@@ -20,7 +20,7 @@ Run run_goal(const Goal& goal, const RunOptions& options);
 Run run_design(Design design, Model model, RunOptions options);
 
 /// Computes the state of what was found by its model, and its distance from the goal. @param goal null for a design
-Run held(Found found, const Goal* goal, const RunOptions& options);
+Run held(SearchResult found, const Goal* goal, const RunOptions& options);
 /// Compensates the run for its elastic hinges, if the goal is of an exact family and has any. Adds a violation if the
 /// drive stops before its goal.
 Run settled(Run run, const Goal& goal, const RunOptions& options);

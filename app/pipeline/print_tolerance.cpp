@@ -14,18 +14,18 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int least_prints = 20;              // sample prints in any case
+constexpr int min_prints = 20;                // sample prints in any case
 constexpr int more_prints = 100;              // used if the first ones leave the first-order error uncertain
 constexpr double largest_ratio_error = 0.04;  // ratio: standard error, near the 0.05 of PrintedGoal
-constexpr int most_bodies_for_more = 150,
-              most_bodies_to_confirm = 400;  // above these, sample prints take longer than the search
+constexpr int max_bodies_for_more = 150,
+              max_bodies_to_confirm = 400;  // above these, sample prints take longer than the search
 // Cell edges, rms: an equilibrium further from the state of the design is a different one.
 constexpr double near_design = 2;
 constexpr double across_the_plane = 1e-9;  // of a unit normal: less is rounding
 constexpr double one_length = 1e-9;        // of a cell edge: walls of equal length differ by rounding
 
 /// @param wall_mm length of the wall
-model::HingeScatter hinge_scatter(const Design& design, const model::PlayScatter& play, double wall_mm) {
+model::HingeScatter hinge_scatter(const Design& design, const model::ClearanceScatter& play, double wall_mm) {
   model::HingeScatter scatter;
   scatter.t = std::hypot(design.process.sd.t_mm, play.place_mm) / wall_mm;
   scatter.alpha = play.tilt;  // a rod leans along its wall as far as across it
@@ -47,8 +47,9 @@ std::vector<double> wall_lengths_mm(const model::Lattice& sheet) {
 model::HingeScatter scatter_with(const Design& design, bool with_play) {
   const auto of = [&](const HingeSection& hinge, double wall_mm) {
     const bool plays = with_play && hinge.made;
-    return hinge_scatter(design, plays ? play_scatter(*hinge.made, design.process.sd) : model::PlayScatter{},
-                         wall_mm);
+    return hinge_scatter(
+        design, plays ? clearance_scatter(*hinge.made, design.process.sd) : model::ClearanceScatter{},
+        wall_mm);
   };
   const double edge_mm = design.structure.size().edge_mm;
   const std::vector<double> walls = wall_lengths_mm(design.structure);
@@ -64,7 +65,7 @@ model::HingeScatter scatter_with(const Design& design, bool with_play) {
 
 /// Whether prints are analysed in the plane alone. Errors tilt hinges that are upright in the design, so a flat print
 /// bends out of its plane. Goals that are read in the plane do not see that.
-bool stays_in_plane(const Found& found, const std::vector<model::ObservedPoint>& points) {
+bool stays_in_plane(const SearchResult& found, const std::vector<model::ObservedPoint>& points) {
   return found.plan.planar &&
          std::all_of(points.begin(), points.end(), [](const model::ObservedPoint& point) {
            return std::abs(point.normal.z()) <= across_the_plane;
@@ -77,14 +78,14 @@ struct PrintedDesign {
   bool planar;
   model::SettledDesign settled;
 
-  PrintedDesign(const Found& found, const model::LinkageDrive& drive, const model::State& state,
+  PrintedDesign(const SearchResult& found, const model::LinkageDrive& drive, const model::State& state,
                 const std::vector<model::ObservedPoint>& points)
       : hinges(print_hinges(found, drive, state)),
         planar(stays_in_plane(found, points)),
         settled(found.design.structure, {state, hinges.elasticity, hinges.drive}, planar) {}
 };
 
-std::optional<PrintedGoal> expected_with(const Found& found, const PrintedDesign& design,
+std::optional<PrintedGoal> expected_with(const SearchResult& found, const PrintedDesign& design,
                                          const model::State& state,
                                          const std::vector<model::ObservedPoint>& points) {
   const model::SettledDesign& settled = design.settled;
@@ -92,15 +93,16 @@ std::optional<PrintedGoal> expected_with(const Found& found, const PrintedDesign
   if (!(aligned_distance(found.design.structure, settled.state(), state).rms <= near_design))
     return std::nullopt;
   const auto with = [&](const model::HingeScatter& scatter) {
-    return as_made(settled.system(), settled.state(), settled.theta(), settled.tangent(), points, scatter);
+    return analyse_print_tolerance(settled.system(), settled.state(), settled.theta(), settled.tangent(),
+                                   points, scatter);
   };
   PrintedGoal out;
   out.can_be_printed = print_problems(found.design).empty();
-  out.taken = design.hinges.taken;
+  out.assumed = design.hinges.assumed;
   out.made = with(scatter_with(found.design, true));
   if (const auto pin = loosest_pin(found.design);
-      pin && play_scatter(*pin, found.design.process.sd).place_mm > 0)
-    out.without_play = with(scatter_with(found.design, false));
+      pin && clearance_scatter(*pin, found.design.process.sd).place_mm > 0)
+    out.without_clearance = with(scatter_with(found.design, false));
   return out;
 }
 
@@ -108,7 +110,8 @@ model::PrintedLinkage printed_of(const Design& design) {
   return [&design](const Eigen::Matrix4Xd& errors) { return printed_sheet(design.structure, errors); };
 }
 
-constexpr int states_on_the_way = 8;  // states of the motion in which walls of prints are checked for contact
+constexpr int states_during_motion =
+    8;  // states of the motion in which walls of prints are checked for contact
 
 /// Counts the sample prints whose walls touch. The folded state is held as its prints are. In earlier states each
 /// hinge rests at the turn that it has there, in the closed form or, for elastic hinges, on their path.
@@ -119,29 +122,29 @@ std::optional<model::TouchingPrints> count_touching(const Run& run, const Printe
   std::vector<const model::State*> frames;
   for (const NamedState& frame : run.states)
     if (frame.name == "frame") frames.push_back(&frame.poses);
-  const bool is_on_path = run.matter.has_value();
-  const model::MotionPath way{
-      is_on_path ? static_cast<int>(frames.size()) : states_on_the_way - 1,
+  const bool is_on_path = run.compensation.has_value();
+  const model::MotionPath motion{
+      is_on_path ? static_cast<int>(frames.size()) : states_during_motion - 1,
       [&](int k) -> std::optional<model::HeldState> {
         if (!is_on_path && !run.plan.exact) return std::nullopt;
         const model::State at =
-            is_on_path ? *frames[k] : run.plan.exact.at(run.theta * (k + 1) / states_on_the_way);
-        return model::HeldState{at, set_in(design.hinges.elasticity, linkage, at), none};
+            is_on_path ? *frames[k] : run.plan.exact.at(run.theta * (k + 1) / states_during_motion);
+        return model::HeldState{at, with_rest_at(design.hinges.elasticity, linkage, at), none};
       }};
-  return touching_prints(printed_of(run.design), design.settled, way, scatter_of(run.design),
+  return touching_prints(printed_of(run.design), design.settled, motion, scatter_of(run.design),
                          print_options(options, design.planar));
 }
 
-constexpr int most_bodies_to_press = 100;  // above this it takes too long: one path per side of each print
+constexpr int max_bodies_to_press = 100;  // above this it takes too long: one path per side of each print
 
 /// Presses sample prints from flat: elastic hinges between plates, if the design itself folds to the requested side.
 /// Empty otherwise.
 std::optional<model::FlatStarts> press_from_flat(const Run& run, const PrintedDesign& design,
                                                  const model::State& state, const RunOptions& options) {
   const model::LinkageDrive& drive = design.hinges.drive;
-  const bool is_pressed = run.matter && drive.has_plates();
+  const bool is_pressed = run.compensation && drive.has_plates();
   if (!is_pressed || !(mean_theta(run.design.structure, state) * drive.theta() > 0)) return std::nullopt;
-  if (options.prints == 0 && run.design.structure.bodies() > most_bodies_to_press) return std::nullopt;
+  if (options.prints == 0 && run.design.structure.bodies() > max_bodies_to_press) return std::nullopt;
   return flat_starts(printed_of(run.design), design.hinges.elasticity, drive, scatter_of(run.design),
                      prints_of(options), print_options(options, design.planar), path_of_run(design.planar));
 }
@@ -157,9 +160,10 @@ constexpr double part = 1e-4;  // rad of theta to either side, the step of diffe
 
 /// Returns a block that suits all hinges in a state. An exact motion stretches no hinge, so a stretch left by
 /// rounding counts as 0.
-model::MadeHinge soft_block(const Found& found, const model::Linkage& linkage, const model::State& design) {
+model::ManufacturedHinge soft_block(const SearchResult& found, const model::Linkage& linkage,
+                                    const model::State& design) {
   const model::CellSize size = linkage.size;
-  model::MadeHinge block = open_hinge(model::HingeKind::block, found.design.process, size);
+  model::ManufacturedHinge block = open_hinge(model::HingeKind::block, found.design.process, size);
   for (int h = 0; h < found.design.structure.hinges(); ++h) {
     const double stretch = found.plan.exact ? 0 : edge_stretch_mm(linkage, design, h, block.height_mm);
     block.gap_mm = std::max(block.gap_mm, open_gap_mm(block, size.thickness_mm,
@@ -170,7 +174,7 @@ model::MadeHinge soft_block(const Found& found, const model::Linkage& linkage, c
 }
 
 /// Computes the energy of all turns in the exact state at theta, N mm. @param k_turn of each hinge, N mm/rad
-double turning_energy(const Found& found, const model::Linkage& linkage, double k_turn, double theta) {
+double turning_energy(const SearchResult& found, const model::Linkage& linkage, double k_turn, double theta) {
   const model::State state = found.plan.exact.at(theta);
   double sum = 0;
   for (int h = 0; h < found.design.structure.hinges(); ++h) {
@@ -182,15 +186,15 @@ double turning_energy(const Found& found, const model::Linkage& linkage, double 
 
 /// Computes the load that holds the fold against the springs alone, N or N mm: the derivative of the energy by the
 /// travel of the drive. Plates approach as the sheet does, which need not follow the cosine of theta.
-double holding_load(const Found& found, const model::LinkageDrive& drive, const model::Linkage& linkage,
-                    const model::Elasticity& elasticity) {
+double holding_load(const SearchResult& found, const model::LinkageDrive& drive,
+                    const model::Linkage& linkage, const model::Elasticity& elasticity) {
   const auto energy = [&](double at) { return turning_energy(found, linkage, elasticity.k_turn, at); };
-  const auto way = [&](double at) { return way_of(drive, linkage, found.plan.exact.at(at)); };
+  const auto coordinate = [&](double at) { return work_coordinate(drive, linkage, found.plan.exact.at(at)); };
   const double more = found.theta + part, less = found.theta - part;
-  return (energy(more) - energy(less)) / (way(more) - way(less));
+  return (energy(more) - energy(less)) / (coordinate(more) - coordinate(less));
 }
 
-model::Elasticity set_at(const model::MadeHinge& made, double turn) {
+model::Elasticity set_at(const model::ManufacturedHinge& made, double turn) {
   model::Elasticity out = elasticity_of(made);
   out.law = std::make_shared<model::SetHinge>(turn);
   return out;
@@ -198,7 +202,7 @@ model::Elasticity set_at(const model::MadeHinge& made, double turn) {
 
 }  // namespace
 
-int prints_of(const RunOptions& options) { return std::max(options.prints, least_prints); }
+int prints_of(const RunOptions& options) { return std::max(options.prints, min_prints); }
 
 model::ToleranceOptions print_options(const RunOptions& options, bool planar) {
   model::ToleranceOptions out;
@@ -221,36 +225,39 @@ model::Lattice printed_sheet(model::Lattice sheet, const Eigen::Matrix4Xd& error
   return sheet;
 }
 
-std::optional<PrintedGoal> expected_of_prints(const Found& found, const model::LinkageDrive& drive,
-                                              const model::State& design,
-                                              const std::vector<model::ObservedPoint>& points) {
+std::optional<PrintedGoal> estimate_print_tolerance(const SearchResult& found,
+                                                    const model::LinkageDrive& drive,
+                                                    const model::State& design,
+                                                    const std::vector<model::ObservedPoint>& points) {
   if (points.empty()) return std::nullopt;
   return expected_with(found, {found, drive, design, points}, design, points);
 }
 
-std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& drive,
-                                   const model::State& state, const std::vector<model::ObservedPoint>& points,
-                                   const RunOptions& options) {
+std::optional<PrintedGoal> analyse_print_tolerance(const Run& run, const model::LinkageDrive& drive,
+                                                   const model::State& state,
+                                                   const std::vector<model::ObservedPoint>& points,
+                                                   const RunOptions& options) {
   if (points.empty()) return std::nullopt;
   const PrintedDesign design(run, drive, state, points);
   std::optional<PrintedGoal> out = expected_with(run, design, state, points);
   if (!out) return out;
   out->touching = count_touching(run, design, options);
   out->from_flat = press_from_flat(run, design, state, options);
-  if (options.prints == 0 && run.design.structure.bodies() > most_bodies_to_confirm) return out;
+  if (options.prints == 0 && run.design.structure.bodies() > max_bodies_to_confirm) return out;
   model::PrintRuns runs = runs_of(run, design, points, prints_of(options), options);
   if (options.prints == 0 && runs.ratio_error > largest_ratio_error &&
-      run.design.structure.bodies() <= most_bodies_for_more)
+      run.design.structure.bodies() <= max_bodies_for_more)
     runs = runs_of(run, design, points, more_prints, options);
   if (runs.prints + runs.failed > 0) out->runs = runs;
   return out;
 }
 
-PrintHinges print_hinges(const Found& found, const model::LinkageDrive& drive, const model::State& design) {
+PrintHinges print_hinges(const SearchResult& found, const model::LinkageDrive& drive,
+                         const model::State& design) {
   if (found.design.hinge.model == HingeSection::Model::elastic)
     return {elasticity_of(found.design), drive, std::nullopt};
   const model::Linkage linkage(found.design.structure);
-  const model::MadeHinge block = soft_block(found, linkage, design);
+  const model::ManufacturedHinge block = soft_block(found, linkage, design);
   PrintHinges out{elasticity_of(block), {}, std::nullopt};
   const model::Elasticity soft = out.elasticity;
   int open = 0;
@@ -265,15 +272,15 @@ PrintHinges print_hinges(const Found& found, const model::LinkageDrive& drive, c
     largest_strain = std::max(largest_strain, hinge_strain(block, linkage, design, h));
   }
   if (open == 0) return out;
-  out.taken = AssumedHinges{.made = block, .strain = largest_strain};
-  if (open == found.design.structure.hinges() && found.plan.exact && drive.acts_from_outside())
-    out.taken->load = holding_load(found, drive, linkage, soft);
-  out.taken->is_force = drive.has_force();
+  out.assumed = AssumedHinges{.made = block, .strain = largest_strain};
+  if (open == found.design.structure.hinges() && found.plan.exact && drive.is_external())
+    out.assumed->load = holding_load(found, drive, linkage, soft);
+  out.assumed->is_force = drive.has_force();
   return out;
 }
 
-model::Elasticity set_in(model::Elasticity elasticity, const model::Linkage& linkage,
-                         const model::State& state) {
+model::Elasticity with_rest_at(model::Elasticity elasticity, const model::Linkage& linkage,
+                               const model::State& state) {
   if (elasticity.each.empty()) elasticity.each.assign(linkage.hinges.size(), elasticity);
   for (std::size_t h = 0; h < linkage.hinges.size(); ++h)
     elasticity.each[h].law =

@@ -13,16 +13,17 @@ int prints_of(const RunOptions& options);
 model::ToleranceOptions print_options(const RunOptions& options, bool planar);
 
 /// Returns the scatter of each hinge: errors of the design's process, and the clearance of pins
-/// (model::play_scatter).
+/// (model::clearance_scatter).
 model::HingeScatter scatter_of(const Design& design);
 /// Returns the sheet with these errors added to its hinges (model::PrintedLinkage).
 model::Lattice printed_sheet(model::Lattice sheet, const Eigen::Matrix4Xd& errors);
 
 /// Computes the print tolerance to first order, as as_made() does, without sample prints. Empty without points, or if
 /// no stable equilibrium is near the design.
-std::optional<PrintedGoal> expected_of_prints(const Found& found, const model::LinkageDrive& drive,
-                                              const model::State& design,
-                                              const std::vector<model::ObservedPoint>& points);
+std::optional<PrintedGoal> estimate_print_tolerance(const SearchResult& found,
+                                                    const model::LinkageDrive& drive,
+                                                    const model::State& design,
+                                                    const std::vector<model::ObservedPoint>& points);
 
 /// Computes the print tolerance of a state of the run. Prints have hinges as print_hinges() gives them and the errors
 /// of scatter_of(): place of hinges, tilt of walls, and what a pin's clearance leaves open.
@@ -30,15 +31,16 @@ std::optional<PrintedGoal> expected_of_prints(const Found& found, const model::L
 /// @param options number of sample prints that are solved for equilibrium to confirm the result (prints_of). Large
 /// sheets have none unless requested. A stop request ends the analysis.
 /// @return empty without points, or if no stable equilibrium under that drive is near the state
-std::optional<PrintedGoal> as_made(const Run& run, const model::LinkageDrive& drive,
-                                   const model::State& state, const std::vector<model::ObservedPoint>& points,
-                                   const RunOptions& options);
+std::optional<PrintedGoal> analyse_print_tolerance(const Run& run, const model::LinkageDrive& drive,
+                                                   const model::State& state,
+                                                   const std::vector<model::ObservedPoint>& points,
+                                                   const RunOptions& options);
 
 /// Hinges and drive with which prints of a run are judged.
 struct PrintHinges {
   model::Elasticity elasticity;
-  model::LinkageDrive drive;           ///< holds the prints
-  std::optional<AssumedHinges> taken;  ///< assumed hinges, if the file leaves hinges open
+  model::LinkageDrive drive;             ///< holds the prints
+  std::optional<AssumedHinges> assumed;  ///< assumed hinges, if the file leaves hinges open
 };
 
 /// Returns the hinges of prints of a design. Elastic hinges are the file's, under the drive that holds the design.
@@ -46,10 +48,11 @@ struct PrintHinges {
 /// (model::SetHinge). It is manufactured as the file says. If the file leaves that open, it is
 /// an assumed soft block of the run's process, as long as the largest turn needs.
 /// @param drive holds the design   @param design its state, exact if hinges turn freely
-PrintHinges print_hinges(const Found& found, const model::LinkageDrive& drive, const model::State& design);
+PrintHinges print_hinges(const SearchResult& found, const model::LinkageDrive& drive,
+                         const model::State& design);
 
 /// Returns the hinges with each at rest at its turn in a state of the sheet, as if it had been set there.
-model::Elasticity set_in(model::Elasticity elasticity, const model::Linkage& linkage,
-                         const model::State& state);
+model::Elasticity with_rest_at(model::Elasticity elasticity, const model::Linkage& linkage,
+                               const model::State& state);
 
 }  // namespace kinetix::app

@@ -19,17 +19,18 @@ constexpr double gap_shares[] = {1, 0.7, 1.4};
 struct Expected {
   double tolerance_mm = 0;
   PrintedGoal printed;
-  bool hinges_bear = true;  ///< withstand their strain
+  bool hinges_withstand = true;  ///< withstand their strain
 };
 
 /// Returns the expected error of prints of a run that has been through its models; empty if it is not known.
 std::optional<Expected> expected(const Run& run, const Goal& goal) {
-  if (run.matter && !run.equilibrium) return std::nullopt;
-  const model::State& state = run.matter ? run.equilibrium->path.state : run.own;
+  if (run.compensation && !run.equilibrium) return std::nullopt;
+  const model::State& state = run.compensation ? run.equilibrium->path.state : run.own;
   const auto observed = goal.observe(run, run.design.structure, state);
   if (!observed) return std::nullopt;
-  const auto drive = run.matter ? run.equilibrium->drive : goal_drive(run, run.design.structure, run.theta);
-  const auto printed = expected_of_prints(run, drive, state, observed->points);
+  const auto drive =
+      run.compensation ? run.equilibrium->drive : goal_drive(run, run.design.structure, run.theta);
+  const auto printed = estimate_print_tolerance(run, drive, state, observed->points);
   if (!printed) return std::nullopt;
   return Expected{observed->tolerance_mm, *printed, withstands_strain(run.design, state)};
 }
@@ -54,29 +55,29 @@ std::vector<RobustTrial> trials(const std::optional<optim::AngleRange>& theta, c
   return out;
 }
 
-std::string missed_in_words(const Run& run) {
-  return run.matter ? "its elastic hinges miss the goal" : "it misses the goal";
+std::string describe_violation(const Run& run) {
+  return run.compensation ? "its elastic hinges miss the goal" : "it misses the goal";
 }
 
 /// Returns why a design is not allowed; empty if it is.
-std::string why_not_taken(const Run& run, const Expected& found, const RunOptions& options) {
-  if (!run.met()) return missed_in_words(run);
+std::string describe_rejection(const Run& run, const Expected& found, const RunOptions& options) {
+  if (!run.met()) return describe_violation(run);
   if (!(found.printed.made.designed_mm <= found.tolerance_mm)) return "it is too far off the goal";
   if (!found.printed.can_be_printed) return "the process cannot print it";
-  if (!found.hinges_bear) return "its hinges are strained by more than their material bears";
+  if (!found.hinges_withstand) return "its hinges are strained by more than their material bears";
   if (!options.printable) return "";
   const PrintAnswer print = options.printable(written_design(run));
-  return print.is_taken ? "" : "it cannot be printed: " + print.why;
+  return print.is_accepted ? "" : "it cannot be printed: " + print.why;
 }
 
 /// Evaluates a trial. @param plain result of the plain search
-RobustCandidate tried(const Found& plain, const Goal& goal, const RobustTrial& trial,
+RobustCandidate tried(const SearchResult& plain, const Goal& goal, const RobustTrial& trial,
                       const RobustSolve& solve, const RunOptions& options) {
   try {
     return robust_candidate(solve(trial, options), goal, options);
   } catch (const InvalidInput& e) {
-    RobustCandidate out = not_judged(trial.theta ? trial.theta->lower : plain.theta,
-                                     plain.design.structure.size().edge_mm, trial.hinge);
+    RobustCandidate out = unevaluated_candidate(trial.theta ? trial.theta->lower : plain.theta,
+                                                plain.design.structure.size().edge_mm, trial.hinge);
     out.why_not = "it cannot be made: " + e.reason();
     return out;
   }
@@ -86,37 +87,38 @@ RobustCandidate tried(const Found& plain, const Goal& goal, const RobustTrial& t
 
 bool has_gap(const HingeSection& hinge) { return hinge.made && hinge.made->gap_mm > 0; }
 
-RobustCandidate not_judged(double theta, double cell_mm, const HingeSection& hinge) {
+RobustCandidate unevaluated_candidate(double theta, double cell_mm, const HingeSection& hinge) {
   RobustCandidate out{.theta = theta,
                       .cell_mm = cell_mm,
                       .designed_mm = std::nan(""),
-                      .as_made_mm = std::nan(""),
-                      .as_made_p95 = std::nan("")};
+                      .printed_mm = std::nan(""),
+                      .printed_p95_mm = std::nan("")};
   if (has_gap(hinge)) out.gap_mm = hinge.made->gap_mm;
   return out;
 }
 
-RobustCandidate robust_candidate(Found found, const Goal& goal, const RunOptions& options) {
-  RobustCandidate out = not_judged(found.theta, found.design.structure.size().edge_mm, found.design.hinge);
+RobustCandidate robust_candidate(SearchResult found, const Goal& goal, const RunOptions& options) {
+  RobustCandidate out =
+      unevaluated_candidate(found.theta, found.design.structure.size().edge_mm, found.design.hinge);
   Run run = held(std::move(found), &goal, options);
-  out.why_not = missed_in_words(run);
+  out.why_not = describe_violation(run);
   if (!run.met()) return out;
   run = settled(std::move(run), goal, options);
   const auto prints = expected(run, goal);
-  out.why_not = run.met() ? "what its prints come to is not known" : missed_in_words(run);
+  out.why_not = run.met() ? "what its prints come to is not known" : describe_violation(run);
   if (!prints) return out;
   const model::ToleranceResult& made = prints->printed.made;
   out.designed_mm = made.designed_mm;
-  out.as_made_mm = made.rms_mm;
-  out.as_made_p95 = made.p95_mm;
-  out.why_not = why_not_taken(run, *prints, options);
+  out.printed_mm = made.rms_mm;
+  out.printed_p95_mm = made.p95_mm;
+  out.why_not = describe_rejection(run, *prints, options);
   out.is_allowed = out.why_not.empty();
   return out;
 }
 
-Found search_robustly(Found plain, const Goal& goal, double weight,
-                      const std::optional<optim::AngleRange>& theta, const RobustSolve& solve,
-                      const RunOptions& options) {
+SearchResult search_robustly(SearchResult plain, const Goal& goal, double weight,
+                             const std::optional<optim::AngleRange>& theta, const RobustSolve& solve,
+                             const RunOptions& options) {
   RunOptions quiet = options;
   quiet.progress = {};
   RobustChoice choice;
@@ -131,7 +133,7 @@ Found search_robustly(Found plain, const Goal& goal, double weight,
   }
   if (choice.tried.empty()) return plain;
   quiet.stop = {};  // solves the chosen design in full, even after a stop request
-  Found best = choice.chosen > 0 ? solve(all[choice.chosen], quiet) : std::move(plain);
+  SearchResult best = choice.chosen > 0 ? solve(all[choice.chosen], quiet) : std::move(plain);
   best.robust = std::move(choice);
   return best;
 }

@@ -16,7 +16,7 @@ inline constexpr double narrow_theta = 1e-3;
 bool has_gap(const HingeSection& hinge);
 
 /// Returns a candidate with nothing known but its theta, rad, its cell size and the gap of its hinges.
-RobustCandidate not_judged(double theta, double cell_mm, const HingeSection& hinge);
+RobustCandidate unevaluated_candidate(double theta, double cell_mm, const HingeSection& hinge);
 
 /// Variation that a robust search tries.
 struct RobustTrial {
@@ -24,10 +24,10 @@ struct RobustTrial {
   HingeSection hinge;                      ///< with the gap of its blocks or films varied
 };
 
-using RobustSolve = std::function<Found(const RobustTrial&, const RunOptions&)>;
+using RobustSolve = std::function<SearchResult(const RobustTrial&, const RunOptions&)>;
 
 /// Evaluates a design that was found as the pipeline would, without a simulation.
-RobustCandidate robust_candidate(Found found, const Goal& goal, const RunOptions& options);
+RobustCandidate robust_candidate(SearchResult found, const Goal& goal, const RunOptions& options);
 
 /// Searches for the design with the least robust_cost(), with prints taken to first order. Tries the plain design,
 /// and others at nine values of theta and three gaps of hinges. A candidate must meet the goal after compensation for
@@ -37,9 +37,9 @@ RobustCandidate robust_candidate(Found found, const Goal& goal, const RunOptions
 /// @param plain result of the plain search.   @param weight of prints, (0, 1].
 /// @param theta range to try, rad; empty: theta is given.
 /// @param solve solves a trial; throws InvalidInput if that design cannot be made
-Found search_robustly(Found plain, const Goal& goal, double weight,
-                      const std::optional<optim::AngleRange>& theta, const RobustSolve& solve,
-                      const RunOptions& options);
+SearchResult search_robustly(SearchResult plain, const Goal& goal, double weight,
+                             const std::optional<optim::AngleRange>& theta, const RobustSolve& solve,
+                             const RunOptions& options);
 
 /// Returns how many designs the robust search tries.
 int designs_of_robust_search(const std::optional<optim::AngleRange>& theta, const HingeSection& hinge);

@@ -127,9 +127,9 @@ std::optional<Eigen::Vector2d> bed_of(const PrintRequest& request) {
 
 /// Rejects the folded state of a sheet for which only the flat state is known.
 void check_state(const PrintRequest& request, const PrintSheet& sheet) {
-  if (request.folded && !sheet.is_path_exact && !sheet.why_no_path.empty())
+  if (request.folded && !sheet.is_path_exact && !sheet.no_path_reason.empty())
     throw InvalidInput("--state folded: how the design looks when it is folded is not known: " +
-                       sheet.why_no_path);
+                       sheet.no_path_reason);
 }
 
 /// Lists requested options that change nothing, a sentence each.
@@ -158,7 +158,7 @@ std::vector<std::string> idle_options(const PrintRequest& request, const Design&
 std::optional<std::string> size_note(const Design& design, const PrintSheet& sheet) {
   const double edge_mm = sheet.linkage.size.edge_mm;
   const double design_edge_mm = design.structure.size().edge_mm;
-  const auto resized = resized_words(design_edge_mm, edge_mm);
+  const auto resized = describe_resizing(design_edge_mm, edge_mm);
   if (!resized) return std::nullopt;
   return fmt::format(
       "made with cells of {:.3g} mm instead of {:.3g}: {}; for the size that its goal asked for search again "
@@ -175,7 +175,7 @@ std::optional<std::string> strain_note(const PrintSheet& sheet) {
     if (one && one->share() > (worst ? worst->share() : 1 + strain_report_threshold)) worst = one;
   }
   if (!worst) return std::nullopt;
-  return strained_words(*worst, sheet.linkage.wall_name(worst->hinge), " on the way to the fold");
+  return describe_strain(*worst, sheet.linkage.wall_name(worst->hinge), " on the way to the fold");
 }
 
 /// Describes how the elastic hinges' equilibrium, which result.json reports, differs from the fold of the closed form.
@@ -282,7 +282,7 @@ struct Source {
                        .caps = request.caps,
                        .bed_mm = bed_of(request),
                        .edge_mm = request.cell_mm};
-    if (!kind) return prepared_as_fits(*design, process, choice, request.folded);
+    if (!kind) return prepare_fitting_print(*design, process, choice, request.folded);
     choice.kind = *kind;
     return prepared(*design, process, choice, request.folded);
   }
@@ -308,7 +308,7 @@ std::string format_help() {
 
 namespace {
 
-void lay_as_asked(const PrintRequest& request, PrintJob& job) {
+void lay_as_requested(const PrintRequest& request, PrintJob& job) {
   if (request.orient == "flat") return;
   const std::vector<PrintOrientation> all = lies(job);
   std::vector<std::pair<std::string_view, const PrintOrientation*>> allowed{{"best", &best(all)}};
@@ -319,7 +319,7 @@ void lay_as_asked(const PrintRequest& request, PrintJob& job) {
 constexpr const char* record_of_prints = ".kinetix-prints";  // separate from runs' record
 
 /// Checks whether a file is written for some sheets only: soft parts, rods, tiles and strips.
-bool comes_with_some(const std::string& file) {
+bool is_auxiliary(const std::string& file) {
   const std::string stem = fs::path(file).stem().string();
   return stem == "soft" || stem.starts_with("tile_") || stem.find("_tile_") != std::string::npos ||
          stem.ends_with("rods") || stem.ends_with("_strips");
@@ -337,7 +337,7 @@ bool is_of_another_export(const std::string& file, const Exported& now, const st
 /// Checks whether a report next to the design may describe this print: flat, of the design's size, in one piece.
 bool can_describe_in_report(const Source& source, const PrintJob& job) {
   if (!source.design || source.file.empty() || job.folded || job.sheet.tiles.count() > 1) return false;
-  return !resized_words(source.design->structure.size().edge_mm, job.sheet.linkage.size.edge_mm);
+  return !describe_resizing(source.design->structure.size().edge_mm, job.sheet.linkage.size.edge_mm);
 }
 
 Exported exported(const Source& source, const PrintRequest& request, const std::string& where,
@@ -348,14 +348,14 @@ Exported exported(const Source& source, const PrintRequest& request, const std::
   OutputFolder folder(where);
   progress("building solids", -1);
   PreparedPrint print = source.prepared_for(request);
-  lay_as_asked(request, print.job);
+  lay_as_requested(request, print.job);
   for (auto& note :
        {always_flat_note(request, formats), flat_tiles_note(request, print.job.sheet),
         unlaid_note(request, formats, print.job.lie), unstretched_note(print.job.sheet, formats)})
     if (note) print.job.sheet.warnings.push_back(*note);
   if (request.slice) progress("slicing", -1);
   const std::optional<SlicerAnswer> slicer =
-      request.slice ? std::optional(ask_slicer(print.job)) : std::nullopt;
+      request.slice ? std::optional(estimate_by_slicer(print.job)) : std::nullopt;
   FileSet files(folder.path());
   FileRecord record(folder.path(), record_of_prints);
   Exported out{folder.path(),
@@ -365,7 +365,7 @@ Exported exported(const Source& source, const PrintRequest& request, const std::
   const auto add = [&](const std::string& name, const std::string& content) {
     files.add(name, content);
     out.files.push_back(name);
-    if (comes_with_some(name)) record.add(name, content);
+    if (is_auxiliary(name)) record.add(name, content);
   };
   for (std::size_t k = 0; k < formats.size(); ++k) {
     progress("writing files", static_cast<double>(k) / static_cast<double>(formats.size()),

@@ -25,14 +25,14 @@ std::string named(const PrintSheet& sheet, const LeastDistance& d) {
 
 /// Describes parts that come too near: from which theta on, and how near.
 std::string words(const PrintSheet& sheet, const PathClearance& clearance) {
-  const LeastDistance &first = *clearance.first_too_near, &least = clearance.least();
-  const std::string what = first.asked_mm > 0
-                               ? fmt::format("come nearer to each other than {:g} mm", first.asked_mm)
+  const LeastDistance &first = *clearance.first_violation, &least = clearance.least();
+  const std::string what = first.required_mm > 0
+                               ? fmt::format("come nearer to each other than {:g} mm", first.required_mm)
                                : "run into each other";
   const std::string deepest =
       least.mm > 0 ? fmt::format("; {} are within {:.3f} mm", named(sheet, least), least.mm)
-      : first.mm > 0 || first.asked_mm > 0 ? fmt::format("; {} run into each other", named(sheet, least))
-                                           : "; most of all " + named(sheet, least);
+      : first.mm > 0 || first.required_mm > 0 ? fmt::format("; {} run into each other", named(sheet, least))
+                                              : "; most of all " + named(sheet, least);
   return fmt::format("{} {} from theta {:.1f} deg on, near [{:.1f}, {:.1f}, {:.1f}] mm{} at theta {:.1f} deg",
                      named(sheet, first), what, to_degrees(first.theta), first.place.x(), first.place.y(),
                      first.place.z(), deepest, to_degrees(least.theta));
@@ -54,12 +54,13 @@ struct Order {
 };
 
 /// Makes a sheet and checks its path. @param look with `least` the reason names the parts that come too near
-Attempt attempt(const Order& order, const PrintChoice& choice, ClearanceLook look) {
+Attempt attempt(const Order& order, const PrintChoice& choice, ClearanceSearch search) {
   try {
     PrintSheet sheet = make_print_sheet(order.design, order.path, order.process, choice);
-    const PathClearance clearance = path_clearance(sheet, look);
-    if (is_kept(clearance)) return {PreparedPrint{{std::move(sheet), order.folded}, clearance}, ""};
-    return {std::nullopt, look == ClearanceLook::least ? words(sheet, clearance) : ""};
+    const PathClearance clearance = path_clearance(sheet, search);
+    if (has_required_clearance(clearance))
+      return {PreparedPrint{{std::move(sheet), order.folded}, clearance}, ""};
+    return {std::nullopt, search == ClearanceSearch::least ? words(sheet, clearance) : ""};
   } catch (const BedTooSmall& e) {
     return {std::nullopt, e.reason(), true};
   } catch (const InvalidInput& e) {
@@ -88,12 +89,12 @@ std::vector<PrintChoice> others(const Design& design, const PrintChoice& choice)
 
 /// Makes the sheet by the first choice that leaves clearance. On failure the reason is that of the choice itself.
 Attempt best_attempt(const Order& order, const PrintChoice& choice,
-                     ClearanceLook look = ClearanceLook::least) {
-  Attempt first = attempt(order, choice, look);
+                     ClearanceSearch search = ClearanceSearch::least) {
+  Attempt first = attempt(order, choice, search);
   if (first.print || first.is_bed_too_small) return first;
-  const bool is_verdict = look == ClearanceLook::verdict;
+  const bool is_verdict = search == ClearanceSearch::verdict;
   for (const PrintChoice& other : others(order.design, choice)) {
-    Attempt found = attempt(order, other, is_verdict ? look : ClearanceLook::until_near);
+    Attempt found = attempt(order, other, is_verdict ? search : ClearanceSearch::until_violation);
     if (found.print) return found;
   }
   return first;
@@ -107,7 +108,7 @@ std::optional<double> enough_mm(const Order& order, PrintChoice choice) {
   const double refused_mm = choice.edge_mm > 0 ? choice.edge_mm : size.edge_mm;
   const auto fits = [&](double steps) {
     choice.edge_mm = steps * step_mm;
-    return best_attempt(order, choice, ClearanceLook::verdict).print.has_value();
+    return best_attempt(order, choice, ClearanceSearch::verdict).print.has_value();
   };
   double low = std::floor(refused_mm / step_mm), high = low + 1;  // steps
   while (!fits(high)) {
@@ -141,14 +142,14 @@ std::string instead_of_pins(const Order& order, const PrintChoice& choice) {
 
 /// Suggests a cell edge: "; with walls of 0.8 x 6 mm a cell_mm of 12.5 would do (kinetix-opt export --cell-mm 12.5)".
 /// Empty if the bed is too small.
-std::string would_do(const Order& order, const Attempt& refused, PrintChoice choice) {
+std::string describe_alternative(const Order& order, const Attempt& refused, PrintChoice choice) {
   if (refused.is_bed_too_small) return "";
   const std::optional<double> edge = enough_mm(order, choice);
   if (!edge) return "; no larger cell would do either" + instead_of_pins(order, choice);
   choice.edge_mm = *edge;
   const model::CellSize size = resized(order.design.structure.size(), choice, order.process);
-  const bool is_on_bed = !choice.bed_mm || best_attempt(order, choice, ClearanceLook::verdict).print;
-  const auto larger = resized_words(order.design.structure.size().edge_mm, *edge);
+  const bool is_on_bed = !choice.bed_mm || best_attempt(order, choice, ClearanceSearch::verdict).print;
+  const auto larger = describe_resizing(order.design.structure.size().edge_mm, *edge);
   return fmt::format(
       "; with walls of {:.3g} x {:.3g} mm a cell_mm of {:g} would do (kinetix-opt export --cell-mm {:g}){}{}",
       size.thickness_mm, size.height_mm, *edge, *edge, is_on_bed ? "" : ", on a larger bed",
@@ -158,7 +159,7 @@ std::string would_do(const Order& order, const Attempt& refused, PrintChoice cho
 /// Refuses a print: by InvalidInput for a bed, an option of the command, and by NotPrintable for what the design sets.
 [[noreturn]] void refuse(const Order& order, const Attempt& refused, const PrintChoice& choice) {
   if (refused.is_bed_too_small) throw InvalidInput(refused.reason);
-  throw NotPrintable(refused.reason + would_do(order, refused, choice));
+  throw NotPrintable(refused.reason + describe_alternative(order, refused, choice));
 }
 
 /// First kind of hinge that fits, or the last that was tried.
@@ -169,18 +170,18 @@ struct Fitted {
 };
 
 /// Tries pins, then elastomer hinges. @param choice its kind does not count
-Fitted fitted(const Order& order, PrintChoice choice, ClearanceLook look) {
+Fitted fitted(const Order& order, PrintChoice choice, ClearanceSearch search) {
   choice.kind = model::HingeKind::pin;
-  Fitted out{choice, best_attempt(order, choice, look)};
+  Fitted out{choice, best_attempt(order, choice, search)};
   if (out.attempt.print || !leaves_hinges_open(order.design)) return out;
   choice.kind = model::HingeKind::block;
-  return {choice, best_attempt(order, choice, look), std::move(out.attempt.reason)};
+  return {choice, best_attempt(order, choice, search), std::move(out.attempt.reason)};
 }
 
 /// Explains why neither pins nor elastomer hinges fit, or why the design's own hinges do not. @param refused result of
 /// a verdict
 std::string reason_of(const Order& order, const Fitted& refused) {
-  const Attempt words = attempt(order, refused.choice, ClearanceLook::least);
+  const Attempt words = attempt(order, refused.choice, ClearanceSearch::least);
   return (leaves_hinges_open(order.design) ? "neither pins nor blocks fit: with blocks " : "") + words.reason;
 }
 
@@ -205,7 +206,7 @@ std::string named_kinds(const Design& design, model::HingeKind open) {
 
 }  // namespace
 
-std::optional<std::string> resized_words(double from_mm, double to_mm) {
+std::optional<std::string> describe_resizing(double from_mm, double to_mm) {
   const double times = to_mm / from_mm;
   if (std::abs(times - 1) < reported_size) return std::nullopt;
   return fmt::format("the sheet and what it folds to are {:.3g} times as large", times);
@@ -219,10 +220,10 @@ PreparedPrint prepared(const Design& design, const model::Process& process, cons
   refuse(order, found, choice);
 }
 
-PreparedPrint prepared_as_fits(const Design& design, const model::Process& process, PrintChoice choice,
-                               bool folded) {
+PreparedPrint prepare_fitting_print(const Design& design, const model::Process& process, PrintChoice choice,
+                                    bool folded) {
   const Order order{design, process, folded};
-  Fitted found = fitted(order, choice, ClearanceLook::least);
+  Fitted found = fitted(order, choice, ClearanceSearch::least);
   if (!found.attempt.print) {
     if (leaves_hinges_open(design))
       found.attempt.reason = "neither pins nor blocks fit: with blocks " + found.attempt.reason;
@@ -236,7 +237,7 @@ PreparedPrint prepared_as_fits(const Design& design, const model::Process& proce
 
 PrintAnswer answer_of_export(const Design& design) try {
   const Order order{design, design.process, false};
-  const Fitted found = fitted(order, {}, ClearanceLook::verdict);
+  const Fitted found = fitted(order, {}, ClearanceSearch::verdict);
   if (!found.attempt.print) return {false, named_kinds(design, found.choice.kind), reason_of(order, found)};
   return {true, named_kinds(found.attempt.print->job.sheet)};
 } catch (const InvalidInput& e) {

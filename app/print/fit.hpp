@@ -33,12 +33,12 @@ PreparedPrint prepared(const Design& design, const model::Process& process, cons
 /// @param choice its kind does not count
 /// @throws NotPrintable with the needs of elastomer hinges.
 /// @throws InvalidInput for a bed that does not hold each body
-PreparedPrint prepared_as_fits(const Design& design, const model::Process& process, PrintChoice choice,
-                               bool folded);
+PreparedPrint prepare_fitting_print(const Design& design, const model::Process& process, PrintChoice choice,
+                                    bool folded);
 
 /// Describes the effect of other cells on size: "the sheet and what it folds to are 3.11 times as large". Empty for a
 /// change within rounding.
-std::optional<std::string> resized_words(double from_mm, double to_mm);
+std::optional<std::string> describe_resizing(double from_mm, double to_mm);
 
 /// Returns the answer of `export` without options to a design: pins if they fit, else elastomer hinges, and the hinges
 /// that the design describes. It does not propose a larger cell edge, which takes long to find.

@@ -46,7 +46,7 @@ double knuckle_across_mm(const model::HingePrint& h) {
   return h.made.diameter_mm + 2 * (h.made.clearance_mm + h.knuckle_wall_mm + h.cap_across_mm);
 }
 
-std::string material_words(const HingeSort& sort) {
+std::string describe_material(const HingeSort& sort) {
   return sort.material.empty() ? "your material" : sort.material;
 }
 
@@ -67,7 +67,7 @@ std::vector<HingeSort> hinge_sorts(const PrintSheet& sheet) {
 }
 
 /// Describes the hinges of a sort: "films of pp: gap 2 to 2.5 mm, ...". @param sheet that has them
-std::string hinge_words(const HingeSort& sort, const PrintSheet& sheet) {
+std::string describe_hinge_sort(const HingeSort& sort, const PrintSheet& sheet) {
   const auto all = [&](const Size& size) { return sizes(sort, size); };
   if (sort.kind == model::HingeKind::pin)
     return fmt::format("pins: rod {} x {} mm, clearance {} mm a side, {} mm along the axis, {} {} mm",
@@ -77,7 +77,7 @@ std::string hinge_words(const HingeSort& sort, const PrintSheet& sheet) {
                        all([](const auto& h) { return h.axial_clearance_mm; }),
                        sheet.has_caps() ? "bores in round caps of" : "knuckle", all(knuckle_across_mm));
   return fmt::format("{} of {}: gap {} mm, thickness {} mm, height {} mm", plural(sort.kind),
-                     material_words(sort), all([](const auto& h) { return h.made.gap_mm; }),
+                     describe_material(sort), all([](const auto& h) { return h.made.gap_mm; }),
                      all([](const auto& h) { return h.made.thickness_mm; }),
                      all([](const auto& h) { return h.made.height_mm; }));
 }
@@ -88,14 +88,14 @@ std::vector<std::string> material_warnings(const PrintSheet& sheet) {
   std::vector<std::string> out, soft;
   for (const HingeSort& sort : hinge_sorts(sheet)) {
     if (sort.kind == model::HingeKind::pin) continue;
-    soft.push_back(fmt::format("{} of {}", plural(sort.kind), material_words(sort)));
+    soft.push_back(fmt::format("{} of {}", plural(sort.kind), describe_material(sort)));
     const std::string& printed = sheet.is_one_material() ? sheet.process.film : sheet.process.rubber;
-    const bool chosen = sheet.is_one_material() || sheet.process.joins_two;
+    const bool chosen = sheet.is_one_material() || sheet.process.is_multi_material;
     if (chosen && sort.material != printed)
       out.push_back(fmt::format(
           "{} prints {} of {}: {} of {} are as stiff as the design says only if they are printed of that",
           sheet.process.name, sheet.is_one_material() ? "walls and films in one," : "soft parts", printed,
-          plural(sort.kind), material_words(sort)));
+          plural(sort.kind), describe_material(sort)));
   }
   if (soft.size() > 1 && !sheet.is_one_material())
     out.push_back(
@@ -139,12 +139,12 @@ Json distance_json(const PrintSheet& sheet, const LeastDistance& d) {
   if (d.first < 0) return nullptr;
   return {{"mm", d.mm},
           {"theta_deg", to_degrees(d.theta)},
-          {"asked_mm", d.asked_mm},
+          {"asked_mm", d.required_mm},
           {"bodies", {part_name(sheet, d.first), part_name(sheet, d.second)}},
           {"place_mm", vector_json(d.place)}};
 }
 
-std::string bed_words(const PrintJob& job) {
+std::string describe_bed(const PrintJob& job) {
   const model::Process& process = job.sheet.process;
   const auto& [x, y] = process.bed_mm;
   const std::string bed =
@@ -160,10 +160,10 @@ std::vector<std::string> room_warnings(const PrintJob& job) {
   const Eigen::Vector3d size = bounds(hard_part(job));
   std::vector<std::string> out;
   if (!job.sheet.tiles.bed_mm && !fits_on_bed(size.head<2>(), {process.bed_mm[0], process.bed_mm[1]}))
-    out.push_back(bed_words(job));
-  if (size.z() > process.most_height_mm)
+    out.push_back(describe_bed(job));
+  if (size.z() > process.max_height_mm)
     out.push_back(fmt::format("{:.1f} mm high: a usual {} printer prints {:g} mm at most", size.z(),
-                              process.name, process.most_height_mm));
+                              process.name, process.max_height_mm));
   return out;
 }
 
@@ -177,7 +177,7 @@ std::optional<std::string> rods_warning(const PrintSheet& sheet) {
 }
 
 /// Describes what to do where two tiles meet.
-std::string joining_words(const PrintSheet& sheet) {
+std::string describe_joining(const PrintSheet& sheet) {
   bool pins = false, soft = false;
   for (std::size_t h = 0; h < sheet.hinges.size(); ++h) {
     const model::RestHinge& hinge = sheet.linkage.hinges[h];
@@ -191,24 +191,24 @@ std::string joining_words(const PrintSheet& sheet) {
                 : "no hinge is between two of them";
 }
 
-std::string tiles_words(const PrintSheet& sheet) {
+std::string describe_tiles(const PrintSheet& sheet) {
   const Tiles& tiles = sheet.tiles;
   const int places = tiles.columns * tiles.rows;
   return fmt::format("{} x {}{}, one bed each{}: {}", tiles.columns, tiles.rows,
                      tiles.count() < places ? fmt::format(", {} of them with bodies", tiles.count()) : "",
-                     tiles.turned ? ", turned on it by a quarter" : "", joining_words(sheet));
+                     tiles.turned ? ", turned on it by a quarter" : "", describe_joining(sheet));
 }
 
 Json slicer_json(const std::optional<SlicerAnswer>& slicer) {
   if (!slicer) return nullptr;
-  if (!slicer->estimate) return {{"why_none", slicer->why_none}};
+  if (!slicer->estimate) return {{"why_none", slicer->no_estimate_reason}};
   return {{"name", "PrusaSlicer"},
           {"seconds", slicer->estimate->seconds},
           {"material_mm3", slicer->estimate->material_mm3},
           {"prints", slicer->estimate->prints}};
 }
 
-Json lies_json(const std::vector<PrintOrientation>& all) {
+Json orientations_json(const std::vector<PrintOrientation>& all) {
   Json out = Json::object();
   for (const PrintOrientation& lie : all) out[std::string(lie.name)] = lie.overhang_mm2;
   return out;
@@ -221,7 +221,7 @@ Json swelling_json(const PrintSheet& sheet, const PathClearance& clearance) {
 }
 
 /// Returns the least clearance of all pins, mm; 0 without pins.
-double least_clearance_mm(const PrintSheet& sheet) {
+double min_clearance_mm(const PrintSheet& sheet) {
   std::optional<double> least;
   for (const model::HingePrint& hinge : sheet.hinges)
     if (hinge.made.kind == model::HingeKind::pin)
@@ -236,44 +236,44 @@ Json gaps_json(const std::optional<GapSettings>& gaps) {
           {"xy_compensation_mm", gaps->expansion_mm}};
 }
 
-std::string gap_words(const GapSettings& gaps) {
+std::string describe_gaps(const GapSettings& gaps) {
   return fmt::format(
       "slice gap closing radius {:g} mm, elephant foot compensation {:g} mm, XY size compensation {:g} mm: "
       "set in the 3MF file, to be set by hand for STL",
       gaps.closing_radius_mm, gaps.elephant_foot_mm, gaps.expansion_mm);
 }
 
-std::string time_words(double seconds) {
+std::string format_print_time(double seconds) {
   const long minutes = std::max(1L, std::lround(seconds / 60));
   return minutes < 60 ? fmt::format("{} min", minutes)
                       : fmt::format("{} h {} min", minutes / 60, minutes % 60);
 }
 
-std::string slicer_words(const SlicerAnswer& slicer, const Tiles& tiles) {
-  if (!slicer.estimate) return slicer.why_none;
+std::string describe_slicer_estimate(const SlicerAnswer& slicer, const Tiles& tiles) {
+  if (!slicer.estimate) return slicer.no_estimate_reason;
   const SliceEstimate& print = *slicer.estimate;
   return fmt::format(
       "{} and {:.2f} cm3 of material{}, {} supports, by PrusaSlicer with its own settings for speed{}",
-      time_words(print.seconds), print.material_mm3 / mm3_per_cm3,
+      format_print_time(print.seconds), print.material_mm3 / mm3_per_cm3,
       print.prints > 1 ? fmt::format(" in {} prints", print.prints) : "", print.supports ? "with" : "without",
       tiles.count() > 1 ? ", as if one bed held all tiles" : "");
 }
 
 /// Returns the orientation of the sheet in its files.
-const PrintOrientation& lie_now(const PrintJob& job, const std::vector<PrintOrientation>& all) {
+const PrintOrientation& current_orientation(const PrintJob& job, const std::vector<PrintOrientation>& all) {
   return *std::find_if(all.begin(), all.end(),
                        [&](const PrintOrientation& lie) { return lie.name == job.lie; });
 }
 
 /// Describes the orientation in the files, and whether another one has less overhang.
-std::string orientation_words(const PrintJob& job) {
+std::string describe_orientation(const PrintJob& job) {
   const std::vector<PrintOrientation> all = lies(job);
   const PrintOrientation& least = best(all);
   const char* const side = job.lie == "over" ? "turned over about x"
                            : job.folded      ? "as its motion leaves it"
                                              : "flat on the bed";
   const std::string here = fmt::format("{}{}, as it is in the files", job.folded ? "folded, " : "", side);
-  const PrintOrientation& now = lie_now(job, all);
+  const PrintOrientation& now = current_orientation(job, all);
   const std::string hangs = fmt::format("{}; {:.1f} mm2 lean more than {:g} degrees over the bed", here,
                                         now.overhang_mm2, steep_deg);
   if (!(least.overhang_mm2 < worth_turning * now.overhang_mm2)) return hangs + ", no less on the other side";
@@ -282,8 +282,8 @@ std::string orientation_words(const PrintJob& job) {
 }
 
 /// Describes the supports that the process needs under the overhang, as the sheet lies in its files.
-std::string support_words(const PrintJob& job) {
-  const double hangs = lie_now(job, lies(job)).overhang_mm2;
+std::string describe_supports(const PrintJob& job) {
+  const double hangs = current_orientation(job, lies(job)).overhang_mm2;
   if (hangs < shown_mm2) return "none";
   const std::string& carries = job.sheet.process.carries;
   if (!carries.empty())
@@ -300,8 +300,8 @@ constexpr double digits_of_reports = 1e-5;        // relative, or mm and rad: re
 
 std::vector<std::string> print_warnings(const PrintJob& job) {
   std::vector<std::string> out = job.sheet.warnings;
-  if (!job.sheet.why_no_path.empty())
-    out.push_back("the way to the fold was not checked: " + job.sheet.why_no_path);
+  if (!job.sheet.no_path_reason.empty())
+    out.push_back("the way to the fold was not checked: " + job.sheet.no_path_reason);
   if (!job.sheet.is_path_exact && job.sheet.path.size() > 1)
     out.push_back(
         "the way to the fold was checked along the equilibrium of the design's hinges: it has no exact "
@@ -311,7 +311,7 @@ std::vector<std::string> print_warnings(const PrintJob& job) {
         fmt::format("the sheet snaps at theta {:.1f} deg: on the way of the snap itself parts were checked "
                     "as if it were straight",
                     to_degrees(job.sheet.thetas[job.sheet.jumps.front() + 1])));
-  if (job.sheet.has_soft() && !job.sheet.process.joins_two && !job.sheet.is_one_material())
+  if (job.sheet.has_soft() && !job.sheet.process.is_multi_material && !job.sheet.is_one_material())
     out.push_back(job.sheet.process.name +
                   " prints one material: soft parts are a print of their own, to be glued to the walls");
   for (const auto& notes : {material_warnings(job.sheet), room_warnings(job)})
@@ -337,7 +337,7 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
                 const std::optional<SlicerAnswer>& slicer) {
   const PrintSheet& sheet = job.sheet;
   const model::Polyhedron hard = hard_part(job), soft = soft_part(job);
-  const int usual = sheet.usual_hinge();
+  const int usual = sheet.most_frequent_hinge();
   const model::HingeStiffness k =
       sheet.is_imported() ? sheet.imported_k[usual] : stiffness(sheet.hinges[usual].made);
   return {
@@ -349,12 +349,12 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
       {"bodies", count_bodies(sheet)},
       {"hinges", sheet.hinges.size()},
       {"volume_mm3", {{"hard", volume_mm3(hard)}, {"soft", soft.points.empty() ? 0.0 : volume_mm3(soft)}}},
-      {"clearance_mm", least_clearance_mm(sheet)},
+      {"clearance_mm", min_clearance_mm(sheet)},
       {"swelling_mm", swelling_json(sheet, clearance)},
       {"gap_settings", gaps_json(gap_settings(sheet))},
       {"bounds_mm", vector_json(bounds(joined(hard, soft)))},
       {"orientation", job.lie},
-      {"overhang_mm2", lies_json(lies(job))},
+      {"overhang_mm2", orientations_json(lies(job))},
       {"slicer", slicer_json(slicer)},
       {"loose_rods", sheet.loose_rods()},
       {"caps", sheet.has_caps()},
@@ -363,7 +363,7 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
       {"path",
        {{"states", sheet.path.size()},
         {"theta_deg", to_degrees(sheet.thetas.back())},
-        {"asked_mm", clearance.least().asked_mm},
+        {"asked_mm", clearance.least().required_mm},
         {"in_hinges", distance_json(sheet, clearance.in_hinges)},
         {"elsewhere", distance_json(sheet, clearance.elsewhere)}}},
       {"warnings", print_warnings(job)}};
@@ -383,18 +383,18 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
   const std::vector<HingeSort> sorts = sheet.is_imported() ? std::vector<HingeSort>{} : hinge_sorts(sheet);
   for (const HingeSort& sort : sorts)
     line("hinges",
-         (sorts.size() > 1 ? fmt::format("{} ", sort.hinges.size()) : "") + hinge_words(sort, sheet));
+         (sorts.size() > 1 ? fmt::format("{} ", sort.hinges.size()) : "") + describe_hinge_sort(sort, sheet));
   if (sheet.tiles.count() > 1)
-    line("tiles", tiles_words(sheet));
+    line("tiles", describe_tiles(sheet));
   else if (sheet.tiles.turned)
     line("bed", "holds the whole, turned on it by a quarter");
   if (sheet.loose_rods() > 0)
     line("rods",
          fmt::format("{} parts of their own, which hold by friction in the forks", sheet.loose_rods()));
-  line("orientation", orientation_words(job));
-  if (slicer) line("slicer", slicer_words(*slicer, sheet.tiles));
-  line("supports", support_words(job));
-  if (const auto gaps = gap_settings(sheet)) line("gaps", gap_words(*gaps));
+  line("orientation", describe_orientation(job));
+  if (slicer) line("slicer", describe_slicer_estimate(*slicer, sheet.tiles));
+  line("supports", describe_supports(job));
+  if (const auto gaps = gap_settings(sheet)) line("gaps", describe_gaps(*gaps));
   const LeastDistance& nearest = clearance.nearest;
   if (nearest.first >= 0 && sheet.path.size() > 1)
     line("fold",
@@ -412,7 +412,7 @@ std::string add_to_report(const std::string& design_file, const Design& design, 
   const std::string text = data_of_report(page);
   if (targets::find_too_deep(text)) return {};
   Json data = Json::parse(text, nullptr, false);
-  if (!is_of_sheet(data, design, digits_of_reports)) return {};
+  if (!matches_sheet(data, design, digits_of_reports)) return {};
   data["print"] = print;
   FileSet files(folder.string());
   files.add("report.html", report_with(page, data.dump()));

@@ -210,7 +210,7 @@ double seconds_of(std::string_view text) {
   return sum;
 }
 
-SlicerAnswer ask_slicer(const PrintJob& job, const std::string& program) {
+SlicerAnswer estimate_by_slicer(const PrintJob& job, const std::string& program) {
   const std::string& process = job.sheet.process.name;
   if (process != "fdm" && process != "sla") return {{}, "no slicer found for " + process};
   const WorkFolder folder;

@@ -19,14 +19,14 @@ struct SliceEstimate {
 /// Answer of a slicer.
 struct SlicerAnswer {
   std::optional<SliceEstimate> estimate;
-  std::string why_none = {};  ///< in words, if there is no estimate
+  std::string no_estimate_reason = {};  ///< in words, if there is no estimate
 };
 
 /// Asks PrusaSlicer, with settings of the process alone: layers of 0.2 mm and a nozzle of 0.4 mm for FDM, layers of
 /// 0.05 mm for SLA. No setting closes gaps. Supports are on if hinges lean more than FDM prints without. The printer's
 /// own profile will differ. There is no estimate for processes that it does not slice, and without PrusaSlicer.
 /// @param program its name, found on PATH, or its file
-SlicerAnswer ask_slicer(const PrintJob& job, const std::string& program = "prusa-slicer");
+SlicerAnswer estimate_by_slicer(const PrintJob& job, const std::string& program = "prusa-slicer");
 
 /// Reads a duration such as "1d 2h 3m 4s", any of the four missing. @return seconds; NaN for anything else
 double seconds_of(std::string_view text);

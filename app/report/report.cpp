@@ -105,7 +105,7 @@ std::vector<std::size_t> plotted(const Json& response) {
 
 }  // namespace
 
-Json light_result(Json result, bool has_scene) {
+Json compact_result(Json result, bool has_scene) {
   thin_frames(result["states"], has_scene && is_computed(result));
   for (Json& state : result["states"]) make_rows(state);
   Json states = std::move(result["states"]);
@@ -133,7 +133,7 @@ void round_numbers(nlohmann::ordered_json& value, int digits) {
     for (auto& child : value) round_numbers(child, digits);
 }
 
-Json light_sweep(Json sweep) {
+Json compact_sweep(Json sweep) {
   std::set<std::size_t> shown;
   for (Json& response : sweep["responses"]) {
     response["plotted"] = plotted(response);

@@ -11,7 +11,7 @@ namespace kinetix::app {
 /// Numbers have six digits. Poses become `rows` of seven numbers: x, y, z in mm to 0.0001, then the quaternion w, x, y,
 /// z to 1e-6. Frames are removed if the page computes them (`has_scene`, and an exact family). Otherwise as many frames
 /// remain as fit into 60 kB. Data that no page reads is removed.
-nlohmann::ordered_json light_result(nlohmann::ordered_json result, bool has_scene);
+nlohmann::ordered_json compact_result(nlohmann::ordered_json result, bool has_scene);
 
 /// Returns whole numbers as integers, which print without ".0". A script reads the same number.
 nlohmann::ordered_json short_number(double x);
@@ -24,7 +24,7 @@ inline constexpr int plotted_factors = 6;  // two rows of three
 
 /// Reduces a sweep for its page. Numbers have five digits. Each response gets `plotted`, the factors with the largest
 /// effect on it. Levels and dots of factors that are not plotted are removed.
-nlohmann::ordered_json light_sweep(nlohmann::ordered_json sweep);
+nlohmann::ordered_json compact_sweep(nlohmann::ordered_json sweep);
 
 /// Makes one self-contained HTML page that shows a result, without network or other files.
 /// The page accepts missing keys, empty lists and null. For text that is not JSON it shows an error.

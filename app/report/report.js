@@ -16,14 +16,14 @@ const GENERAL_SECTIONS = [
   ["layout", "Flat layout", layoutSection, hasLayout],
 ];
 const CLOSING_SECTIONS = [
-  ["prints", "Designs and their prints", madeChoiceSection, ({madeChoices}) => madeChoices.length > 0],
+  ["prints", "Designs and their prints", robustChoiceSection, ({robustChoices}) => robustChoices.length > 0],
   ["contact", "Free of contact, proven", certifiedSection, (data) => data.certified !== null && !isProvenOfOthers(data)],
   ["contact", "Free of contact: proven of the closed form, not of this state", certifiedSection, isProvenOfOthers],
   ["tilts", "Tilts per column", tiltSection, isTiltedDesign],
 ];
 /** Collapsed sections with the origin and accuracy of the result. */
 const DETAILS = [
-  ["words", "The verdict in numbers", wordsSection, always],
+  ["words", "The verdict in numbers", verdictSection, always],
   ["energy", "Where the energy is", energySection, hasHeat],
   ["search", "Convergence of the search", searchSection, ({runs}) => runs.length > 0],
   ["fidelity", "Speed against error", fidelitySection, hasFidelity],

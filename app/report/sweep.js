@@ -45,7 +45,7 @@ function factorTable(data) {
     return {
       cells: [
         said, String(factors.length), valuesOfFamily(data, factors),
-        ...shown.map((response) => shareWords(response.families[f]))
+        ...shown.map((response) => describeShare(response.families[f]))
       ]
     };
   });
@@ -86,7 +86,7 @@ function explained({r_squared: share, used, factors}) {
 function linearTable(data, response) {
   if (!response.linear || finite(response.linear.r_squared) === null) return null;
   const rows = response.plotted.map((k) => {
-    const e = response.linear.factors[k], {words: said, unit: own} = factorSaid(data.factors[k]),
+    const e = response.linear.factors[k], {words: said, unit: own} = factorWithUnit(data.factors[k]),
           of = named(response.name).unit, unit = own === TIMES ? "" : own, per = [of, unit].some(Boolean) ? `${of || "1"} per ${unit || "1"}` : "";
     return {
       cells: [
@@ -123,14 +123,14 @@ function layouts(data, response) {
 }
 
 /** Describes the lines in plots of single factors. */
-function lineWords({method}) {
+function describeLine({method}) {
   if (method === "one_at_a_time") return "Line: the response at each level of the factor, all else as in the first sample.";
   const mean = "Line: mean at each level of the factor, all else left to vary";
   return method === "saltelli" || method === "morris" ? `${mean}.` : `${mean}, with two standard errors.`;
 }
 
 /** Describes the samples in plots of single factors. */
-function dotsWords({scatter, samples}) {
+function describeDots({scatter, samples}) {
   return scatter.length < samples ? `${scatter.length} of ${samples} samples, drawn by lot` : "samples";
 }
 
@@ -151,7 +151,7 @@ function responseSection(data, r) {
         "details", {open: left > 0 ? null : ""}, html("summary", {}, "Single factors"),
         html(
             "p", {class: "note"},
-            `Dots: ${dotsWords(data)}. ${lineWords(data)}` +
+            `Dots: ${describeDots(data)}. ${describeLine(data)}` +
                 (left > 0 ? ` Of ${data.factors.length} factors those that seem to matter most; samples.csv has all.` : "")),
         html(
             "div", {class: several ? "groups" : ""},

@@ -12,7 +12,7 @@ namespace {
 
 struct Limit {
   double most;
-  const char* words;
+  const char* label;
 };
 
 // N: two fingers pinch with 40 to 100, a hand grips with 200 to 500, body weight on two arms gives 300 and more.
@@ -21,26 +21,26 @@ constexpr Limit forces[] = {{20, "fingers"}, {100, "a hand"}, {300, "both arms"}
 constexpr Limit moments[] = {{500, "fingers"}, {3000, "a hand"}, {10000, "both arms"}};
 
 template <std::size_t N>
-std::string words(const Limit (&limits)[N], double value) {
+std::string label(const Limit (&limits)[N], double value) {
   for (const Limit& limit : limits)
-    if (std::abs(value) <= limit.most) return limit.words;
+    if (std::abs(value) <= limit.most) return limit.label;
   return "a vice";
 }
 
 }  // namespace
 
-std::string effort_of_force(double newtons) { return words(forces, newtons); }
+std::string classify_force(double newtons) { return label(forces, newtons); }
 
-std::string effort_of_moment(double newton_mm) { return words(moments, newton_mm); }
+std::string classify_moment(double newton_mm) { return label(moments, newton_mm); }
 
-std::string effort_of(const Equilibrium& equilibrium) {
-  if (!equilibrium.drive.acts_from_outside()) return "its own springs";
+std::string classify_load(const Equilibrium& equilibrium) {
+  if (!equilibrium.drive.is_external()) return "its own springs";
   const double load = largest_load(equilibrium.path);
-  return equilibrium.drive.has_force() ? effort_of_force(load) : effort_of_moment(load);
+  return equilibrium.drive.has_force() ? classify_force(load) : classify_moment(load);
 }
 
-std::string effort_of(const AssumedHinges& taken) {
-  return taken.is_force ? effort_of_force(*taken.load) : effort_of_moment(*taken.load);
+std::string classify_load(const AssumedHinges& assumed) {
+  return assumed.is_force ? classify_force(*assumed.load) : classify_moment(*assumed.load);
 }
 
 namespace {
@@ -74,10 +74,10 @@ void add_directions(const model::Elasticity& e, Json& stiffness) {
   if (e.play_mm > 0) stiffness["play_mm"] = e.play_mm;
 }
 
-std::string change_text(const ElasticResult& matter) {
+std::string change_text(const CompensationResult& compensation) {
   return fmt::format("tilts changed by up to {:.2f} deg, theta by {:.2f} deg, in {} steps: {}",
-                     to_degrees(matter.largest_change), to_degrees(matter.theta_change), matter.rounds,
-                     matter.why);
+                     to_degrees(compensation.largest_change), to_degrees(compensation.theta_change),
+                     compensation.rounds, compensation.why);
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ Json equilibrium_json(const Equilibrium& equilibrium) {
     energies.push_back({{"stretch", energy.stretch}, {"turn", energy.turn}});
   Json json = {{"stop", to_string(path.stop)},
                {"why", path.why},
-               {"effort", effort_of(equilibrium)},
+               {"effort", classify_load(equilibrium)},
                {"planar", path.planar},
                {"goal_rad", equilibrium.drive.theta()},
                {"iterations", path.iterations},
@@ -107,7 +107,7 @@ Json equilibrium_json(const Equilibrium& equilibrium) {
                {"path", steps},
                {"events", events},
                {"hinge_energy_Nmm", energies}};
-  if (!equilibrium.drive.acts_from_outside())
+  if (!equilibrium.drive.is_external())
     json["shape_memory"] = {{"springs", equilibrium.drive.springs.size()},
                             {"k_turn", equilibrium.drive.k_spring},
                             {"energy_Nmm", path.steps.back().springs},
@@ -129,32 +129,31 @@ void add_equilibrium_metrics(const Equilibrium& equilibrium, Json& metrics) {
   metrics["exact_max"] = equilibrium.from_exact->max;
 }
 
-Json matter_json(const ElasticResult& matter) {
-  return {{"exact_mm", matter.exact_mm},
-          {"before_mm", matter.before_mm},
-          {"after_mm", matter.after_mm},
-          {"tolerance_mm", matter.tolerance_mm},
-          {"largest_change_rad", matter.largest_change},
-          {"theta_change_rad", matter.theta_change},
-          {"rounds", matter.rounds},
-          {"why", matter.why}};
+Json compensation_json(const CompensationResult& compensation) {
+  return {{"exact_mm", compensation.exact_mm},
+          {"before_mm", compensation.before_mm},
+          {"after_mm", compensation.after_mm},
+          {"tolerance_mm", compensation.tolerance_mm},
+          {"largest_change_rad", compensation.largest_change},
+          {"theta_change_rad", compensation.theta_change},
+          {"rounds", compensation.rounds},
+          {"why", compensation.why}};
 }
 
-std::vector<SummaryLine> matter_lines(const Run& run) {
-  if (!run.matter) return {};
-  const ElasticResult& matter = *run.matter;
-  if (!std::isfinite(matter.after_mm)) return {{"matter", "NO EQUILIBRIUM: " + matter.why}};
-  return {
-      {"matter",
-       fmt::format("with its hinges as made, points of the sheet are {:.3g} mm off {} (rms), where those of "
-                   "the exact design would be {:.3g} mm off; its prints are allowed {:.3g} mm",
-                   matter.after_mm, run.judged_against, matter.before_mm, matter.tolerance_mm)},
-      {"", change_text(matter)}};
+std::vector<SummaryLine> compensation_lines(const Run& run) {
+  if (!run.compensation) return {};
+  const CompensationResult& compensation = *run.compensation;
+  if (!std::isfinite(compensation.after_mm)) return {{"matter", "NO EQUILIBRIUM: " + compensation.why}};
+  return {{"matter",
+           fmt::format(
+               "with its hinges as made, points of the sheet are {:.3g} mm off {} (rms), where those of "
+               "the exact design would be {:.3g} mm off; its prints are allowed {:.3g} mm",
+               compensation.after_mm, run.compared_with, compensation.before_mm, compensation.tolerance_mm)},
+          {"", change_text(compensation)}};
 }
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using model::ContactLimit;
 using model::ContactRange;
 
@@ -180,7 +179,7 @@ std::string between(const ContactRange& range) {
                      to_degrees(range.positive.theta));
 }
 
-std::string end_words(const ContactLimit& limit, const model::Lattice& sheet) {
+std::string describe_motion_end(const ContactLimit& limit, const model::Lattice& sheet) {
   if (!limit.touches) return "where the search ends";
   const auto [first, second] = wall_names(limit.walls, sheet);
   return fmt::format("limited by walls {} and {}", first, second);
@@ -192,46 +191,47 @@ std::vector<SummaryLine> left_lines(const ProvenRanges& certified, const model::
   return {{"NOT PROVEN",
            "free of contact: the equilibrium has left the closed form, and of its states nothing is proven"},
           {"", fmt::format("the closed form, which these states are not, is free of it for theta {}, {}",
-                           between(certified.designed), end_words(certified.designed.to(theta), sheet))},
+                           between(certified.designed),
+                           describe_motion_end(certified.designed.to(theta), sheet))},
           {"", fmt::format("that form printed, with walls up to {:.2f} mm out of place: {}",
                            certified.printed.growth_mm, between(certified.printed))}};
 }
 
 }  // namespace
 
-NearExact near_exact(const Run& run) {
-  if (!run.equilibrium) return NearExact::same;
+ClosedFormRelation closed_form_relation(const Run& run) {
+  if (!run.equilibrium) return ClosedFormRelation::same;
   const Equilibrium& found = *run.equilibrium;
-  const bool is_near = found.turned_off && *found.turned_off <= model::ClosedForm::far;
-  return is_near && !found.path.off_closed_form ? NearExact::near : NearExact::left;
+  const bool is_near = found.turn_difference && *found.turn_difference <= model::ClosedForm::far;
+  return is_near && !found.path.off_closed_form ? ClosedFormRelation::near : ClosedFormRelation::left;
 }
 
 Json certified_json(const ProvenRanges& certified, const model::Lattice& sheet, double theta,
-                    NearExact states) {
+                    ClosedFormRelation states) {
   if (!certified.designed) return {{"why_not", certified.designed.why_not}};
   return {{"design", range_json(certified.designed, sheet)},
           {"printed", range_json(certified.printed, sheet)},
-          {"states_are_exact", states == NearExact::same},
-          {"states_have_left", states == NearExact::left},
+          {"states_are_exact", states == ClosedFormRelation::same},
+          {"states_have_left", states == ClosedFormRelation::left},
           {"covers_theta", certified.designed.covers(theta)},
           {"covers_theta_printed", certified.printed.covers(theta)}};
 }
 
 std::vector<SummaryLine> certified_lines(const ProvenRanges& certified, const model::Lattice& sheet,
-                                         double theta, NearExact states) {
+                                         double theta, ClosedFormRelation states) {
   if (!certified.designed)
     return {{"contact", "no range of theta is proven free of it: " + certified.designed.why_not}};
   if (certified.designed.overlaps_as_built())
-    return {{"NOT PROVEN", "free of contact: " + overlap_words(certified.designed.positive.walls, sheet)}};
-  if (states == NearExact::left) return left_lines(certified, sheet, theta);
+    return {{"NOT PROVEN", "free of contact: " + describe_overlap(certified.designed.positive.walls, sheet)}};
+  if (states == ClosedFormRelation::left) return left_lines(certified, sheet, theta);
   const std::string range = fmt::format("theta {}, {}", between(certified.designed),
-                                        end_words(certified.designed.to(theta), sheet));
+                                        describe_motion_end(certified.designed.to(theta), sheet));
   std::vector<SummaryLine> lines = {
       certified.designed.covers(theta)
           ? SummaryLine{"proven", "free of contact for " + range}
           : SummaryLine{"NOT PROVEN", fmt::format("free of contact at theta {:.2f} deg: proven for {}",
                                                   to_degrees(theta), range)}};
-  if (states == NearExact::near)
+  if (states == ClosedFormRelation::near)
     lines.push_back({"", "of the closed form: equilibria of elastic hinges come near it"});
   lines.push_back({"", fmt::format("printed, with walls up to {:.2f} mm out of place: {}",
                                    certified.printed.growth_mm, between(certified.printed))});

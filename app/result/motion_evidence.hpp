@@ -10,13 +10,13 @@ namespace kinetix::app {
 
 /// Classifies a force on plates, N: "fingers", "a hand", "both arms", "a vice". The limits are from ergonomics
 /// handbooks, rounded down to what most adults can do without strain.
-std::string effort_of_force(double newtons);
+std::string classify_force(double newtons);
 /// Classifies the moment of a driven hinge, N mm, by the same words.
-std::string effort_of_moment(double newton_mm);
+std::string classify_moment(double newton_mm);
 /// Describes the peak actuation load. Shape-memory drives need none: "its own springs".
-std::string effort_of(const Equilibrium& equilibrium);
+std::string classify_load(const Equilibrium& equilibrium);
 /// Classifies the load that holds assumed hinges at the design. @pre taken.load
-std::string effort_of(const AssumedHinges& taken);
+std::string classify_load(const AssumedHinges& assumed);
 
 /// Returns the section `equilibrium` of result.json.
 nlohmann::ordered_json equilibrium_json(const Equilibrium& equilibrium);
@@ -28,26 +28,26 @@ double mean_moment(const Equilibrium& equilibrium);
 void add_equilibrium_metrics(const Equilibrium& equilibrium, nlohmann::ordered_json& metrics);
 
 /// Returns the section `matter` of result.json.
-nlohmann::ordered_json matter_json(const ElasticResult& matter);
+nlohmann::ordered_json compensation_json(const CompensationResult& compensation);
 
 /// Returns the summary lines of the compensation for elastic hinges: distance from the goal before and after it. Empty
 /// without run.matter.
-std::vector<SummaryLine> matter_lines(const Run& run);
+std::vector<SummaryLine> compensation_lines(const Run& run);
 
 /// Relation of a run's states to the closed form that the certified range applies to.
 /// same: there is no equilibrium, so states are exact. near: the last equilibrium is close to the closed form.
 /// left: the equilibrium path left the closed form, or no closed form fits the drive.
-enum class NearExact { same, near, left };
+enum class ClosedFormRelation { same, near, left };
 
 /// Determines this relation for a run.
-NearExact near_exact(const Run& run);
+ClosedFormRelation closed_form_relation(const Run& run);
 
 /// Returns the section `certified` of result.json. @param theta of the reported state, rad
 nlohmann::ordered_json certified_json(const ProvenRanges& certified, const model::Lattice& sheet,
-                                      double theta, NearExact states);
+                                      double theta, ClosedFormRelation states);
 
 /// Returns the lines for the summary and for `check`. @param theta of the reported state, rad
 std::vector<SummaryLine> certified_lines(const ProvenRanges& certified, const model::Lattice& sheet,
-                                         double theta, NearExact states);
+                                         double theta, ClosedFormRelation states);
 
 }  // namespace kinetix::app

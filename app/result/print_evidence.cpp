@@ -19,7 +19,7 @@ namespace {
 /// Elastomer or living hinge in the reported state.
 struct Turned {
   int hinge;
-  const model::MadeHinge* made;
+  const model::ManufacturedHinge* made;
   double turn;    ///< absolute value, rad
   double strain;  ///< strain by bending and stretching, ratio
 };
@@ -94,17 +94,17 @@ std::vector<std::string> unprintable(const Run& run) {
   std::vector<std::string> all;
   if (!run.goal) return all;
   for (const model::PrintProblem& problem : print_problems(run.design)) all.push_back(problem_text(problem));
-  if (all.empty() && run.print && !run.print->is_taken) all.push_back(run.print->why);
+  if (all.empty() && run.print && !run.print->is_accepted) all.push_back(run.print->why);
   return all;
 }
 
-std::vector<std::pair<std::string, std::string>> made_hinge_lines(const Run& run) {
+std::vector<std::pair<std::string, std::string>> hinge_problem_lines(const Run& run) {
   std::vector<std::pair<std::string, std::string>> lines;
   for (const std::string& what : unprintable(run)) lines.emplace_back("PRINT", what);
   const std::vector<Turned> all = turned_hinges(run);
   if (const Turned* t = worst(all, strain_share))
-    lines.emplace_back("STRAINED", strained_words({t->hinge, t->strain, t->made->material.strain_max},
-                                                  wall_name(run.design.structure, t->hinge)));
+    lines.emplace_back("STRAINED", describe_strain({t->hinge, t->strain, t->made->material.strain_max},
+                                                   wall_name(run.design.structure, t->hinge)));
   const auto corners = [&](const Turned& t) { return t.turn / corner_turn(run, t); };
   if (const Turned* t = worst(all, corners))
     lines.emplace_back(
@@ -116,9 +116,9 @@ std::vector<std::pair<std::string, std::string>> made_hinge_lines(const Run& run
   return lines;
 }
 
-nlohmann::ordered_json made_problems_json(const Run& run) {
+nlohmann::ordered_json hinge_problems_json(const Run& run) {
   nlohmann::ordered_json out = nlohmann::ordered_json::array();
-  for (const auto& [label, words] : made_hinge_lines(run))
+  for (const auto& [label, words] : hinge_problem_lines(run))
     out.push_back({{"kind", lower_case(label)}, {"what", words}});
   return out;
 }
@@ -127,18 +127,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t most_sources = 10;  // length of lists: enough for a reader
+constexpr std::size_t max_sources = 10;  // length of lists: enough for a reader
 constexpr const char* parameters[] = {"t", "alpha", "beta", "offset"};
-constexpr const char* parameter_words[] = {"the place", "the direction", "the tilt", "the offset"};
+constexpr const char* parameter_names[] = {"the place", "the direction", "the tilt", "the offset"};
 
-constexpr const char* plural_words[] = {"places", "directions", "tilts", "offsets"};
+constexpr const char* plural_parameter_names[] = {"places", "directions", "tilts", "offsets"};
 
-std::string share_words(double share) {
+std::string format_share(double share) {
   return share < 0.01 ? "under 1 %" : fmt::format("{:.0f} %", 100 * share);
 }
 
 /// Describes the sampled prints. @param goal reference of the distances, in words
-std::string prints_words(const PrintedGoal& printed, const std::string& goal) {
+std::string describe_sample_prints(const PrintedGoal& printed, const std::string& goal) {
   const model::PrintRuns& runs = *printed.runs;
   if (runs.prints == 0)
     return fmt::format(
@@ -153,39 +153,40 @@ std::string prints_words(const PrintedGoal& printed, const std::string& goal) {
 }
 
 /// Describes collisions of walls, for prints that keep the goal.
-std::string holding_words(const PrintedGoal& printed) {
+std::string describe_kept_tolerance(const PrintedGoal& printed) {
   if (printed.touches_too_often())
     return fmt::format("holds, but in {:.0f} % of prints walls touch", 100 * printed.touching->share());
   if (!printed.free_of_contact) return "holds, but that walls stay apart is not proven";
   return *printed.free_of_contact ? "holds" : "holds, but walls may meet";
 }
 
-std::string verdict_words(const Run& run) {
+std::string describe_print_verdict(const Run& run) {
   const PrintedGoal& printed = *run.printed;
   if (!printed.can_be_printed) return "cannot be printed";
   if (printed.holds() && !run.met()) return "prints keep that, but the design itself misses the goal";
-  if (printed.holds()) return holding_words(printed);
+  if (printed.holds()) return describe_kept_tolerance(printed);
   if (printed.runs && printed.runs->prints == 0)
     return "NOT EVERY PRINT HOLDS, and none settles in the elastic model";
   return printed.p95_mm() <= printed.tolerance_mm ? "NOT EVERY PRINT HOLDS, of those in the elastic model"
                                                   : "NOT EVERY PRINT HOLDS";
 }
 
-Json taken_json(const AssumedHinges& taken) {
-  Json out = {{"kind", to_string(taken.made.kind)},
-              {"material", taken.made.material.name},
-              {"gap_mm", taken.made.gap_mm},
-              {"thickness_mm", taken.made.thickness_mm},
-              {"height_mm", taken.made.height_mm},
-              {"strain", taken.strain},
-              {"strain_allowed", taken.made.material.strain_max}};
-  if (taken.load)
-    out["load"] = {{"value", *taken.load}, {"unit", taken.load_unit()}, {"effort", effort_of(taken)}};
+Json assumed_hinges_json(const AssumedHinges& assumed) {
+  Json out = {{"kind", to_string(assumed.made.kind)},
+              {"material", assumed.made.material.name},
+              {"gap_mm", assumed.made.gap_mm},
+              {"thickness_mm", assumed.made.thickness_mm},
+              {"height_mm", assumed.made.height_mm},
+              {"strain", assumed.strain},
+              {"strain_allowed", assumed.made.material.strain_max}};
+  if (assumed.load)
+    out["load"] = {
+        {"value", *assumed.load}, {"unit", assumed.load_unit()}, {"effort", classify_load(assumed)}};
   return out;
 }
 
 /// Warns if the fold is outside the collision-free range of prints; nullopt if it is inside, or no range is proven.
-std::optional<std::string> contact_words(const Run& run) {
+std::optional<std::string> describe_contact(const Run& run) {
   if (run.printed->free_of_contact.value_or(true) || run.certified->printed.covers(run.theta))
     return std::nullopt;
   return fmt::format(
@@ -196,7 +197,7 @@ std::optional<std::string> contact_words(const Run& run) {
 }
 
 /// Describes the share of simulated prints whose walls touch during the motion; nullopt if it is zero or unknown.
-std::optional<std::string> touching_words(const PrintedGoal& printed) {
+std::optional<std::string> describe_touching(const PrintedGoal& printed) {
   if (!printed.touching || printed.touching->share() == 0) return std::nullopt;
   return fmt::format("in {:.0f} +- {:.0f} % of {} simulated prints walls touch on the way to the fold{}",
                      100 * printed.touching->share(), 100 * printed.touching->error(),
@@ -207,8 +208,8 @@ std::optional<std::string> touching_words(const PrintedGoal& printed) {
 }
 
 /// Describes prints that plates may fold to the other side, with advice; nullopt if there are none.
-std::optional<std::string> flat_start_words(const PrintedGoal& printed) {
-  if (!printed.from_flat || !printed.from_flat->need_help()) return std::nullopt;
+std::optional<std::string> describe_flat_starts(const PrintedGoal& printed) {
+  if (!printed.from_flat || !printed.from_flat->need_guidance()) return std::nullopt;
   const model::FlatStarts& starts = *printed.from_flat;
   std::string text = fmt::format("of {} sample prints that plates press from flat ", starts.prints);
   if (starts.other_side > 0) text += fmt::format("{} fold to the other side", starts.other_side);
@@ -222,17 +223,17 @@ std::string held_load_text(double load) {
   return load < 100 ? fmt::format("{:.3g}", load) : fmt::format("{:.0f}", load);
 }
 
-std::string taken_words(const AssumedHinges& taken) {
-  const model::MadeHinge& block = taken.made;
+std::string describe_assumed_hinges(const AssumedHinges& assumed) {
+  const model::ManufacturedHinge& block = assumed.made;
   const std::string held =
-      !taken.load ? ""
-                  : fmt::format(", held there by {} {} ({})", held_load_text(std::abs(*taken.load)),
-                                taken.load_unit(), effort_of(taken));
+      !assumed.load ? ""
+                    : fmt::format(", held there by {} {} ({})", held_load_text(std::abs(*assumed.load)),
+                                  assumed.load_unit(), classify_load(assumed));
   return fmt::format(
       "hinges, left open, are taken for {} blocks {:.1f} mm long that keep their turns: strained by {:.2f} "
       "of "
       "{:g}{}",
-      block.material.name, block.gap_mm, taken.strain, block.material.strain_max, held);
+      block.material.name, block.gap_mm, assumed.strain, block.material.strain_max, held);
 }
 
 /// Returns the reasons why prints leave the goal, one sentence each. Empty if they keep it.
@@ -241,7 +242,7 @@ std::vector<std::string> scatter_reasons(const Run& run) {
   std::vector<std::string> why;
   if (printed.p95_mm() > printed.tolerance_mm)
     why.push_back(fmt::format("95 of 100 prints stay within {:.2f} mm of {}, and {:.2f} mm are allowed",
-                              printed.p95_mm(), run.judged_against, printed.tolerance_mm));
+                              printed.p95_mm(), run.compared_with, printed.tolerance_mm));
   if (!printed.runs) return why;
   const model::PrintRuns& runs = *printed.runs;
   if (runs.failed > 0)
@@ -251,13 +252,13 @@ std::vector<std::string> scatter_reasons(const Run& run) {
     why.push_back(
         fmt::format("of {} prints in the elastic model {} came within {:.2f} mm of {}, and "
                     "{:.2f} mm are allowed",
-                    runs.prints, runs.kept(), runs.p95_mm, run.judged_against, printed.tolerance_mm));
+                    runs.prints, runs.kept(), runs.p95_mm, run.compared_with, printed.tolerance_mm));
   return why;
 }
 
 }  // namespace
 
-std::vector<PlaceSource> sources_by_place(const Run& run) {
+std::vector<ScatterShare> sources_by_place(const Run& run) {
   const model::Structure* squares = run.design.structure.squares();
   if (!squares || !run.printed) return {};
   std::map<std::pair<std::string, int>, double> shares;
@@ -265,23 +266,23 @@ std::vector<PlaceSource> sources_by_place(const Run& run) {
     const model::Wall& wall = squares->hinges[static_cast<std::size_t>(source.hinge)].wall;
     shares[{line_name(wall, run.is_strip), source.parameter}] += source.share;
   }
-  std::vector<PlaceSource> out;
+  std::vector<ScatterShare> out;
   for (const auto& [at, share] : shares) out.push_back({at.first, at.second, share});
   std::stable_sort(out.begin(), out.end(),
-                   [](const PlaceSource& a, const PlaceSource& b) { return a.share > b.share; });
+                   [](const ScatterShare& a, const ScatterShare& b) { return a.share > b.share; });
   return out;
 }
 
-Json as_made_json(const Run& run) {
+Json print_tolerance_json(const Run& run) {
   const model::ToleranceResult& made = run.printed->made;
   Json sources = Json::array();
-  for (std::size_t k = 0; k < std::min(made.sources.size(), most_sources); ++k)
+  for (std::size_t k = 0; k < std::min(made.sources.size(), max_sources); ++k)
     sources.push_back({{"hinge", made.sources[k].hinge},
                        {"parameter", parameters[made.sources[k].parameter]},
                        {"share", made.sources[k].share}});
   Json places = Json::array();
-  const std::vector<PlaceSource> all = sources_by_place(run);
-  for (std::size_t k = 0; k < std::min(all.size(), most_sources); ++k)
+  const std::vector<ScatterShare> all = sources_by_place(run);
+  for (std::size_t k = 0; k < std::min(all.size(), max_sources); ++k)
     places.push_back(
         {{"place", all[k].place}, {"parameter", parameters[all[k].parameter]}, {"share", all[k].share}});
   Json out = {{"process", run.design.process.name},
@@ -296,7 +297,7 @@ Json as_made_json(const Run& run) {
               {"tolerance_mm", run.printed->tolerance_mm},
               {"can_be_printed", run.printed->can_be_printed},
               {"holds", run.printed->holds()},
-              {"why", as_made_reasons(run)},
+              {"why", print_failure_reasons(run)},
               {"free_of_contact", nullptr},
               {"confirmed", run.printed->is_confirmed()},
               {"sources", sources},
@@ -314,10 +315,10 @@ Json as_made_json(const Run& run) {
                         {"other_side", starts->other_side},
                         {"either_side", starts->either_side},
                         {"failed", starts->failed}};
-  if (run.printed->taken) out["taken"] = taken_json(*run.printed->taken);
-  if (const auto& tight = run.printed->without_play)
+  if (run.printed->assumed) out["taken"] = assumed_hinges_json(*run.printed->assumed);
+  if (const auto& tight = run.printed->without_clearance)
     out["play"] = {{"clearance_mm", loosest_pin(run.design)->clearance_mm},
-                   {"tilt_deg", to_degrees(tilt_play(*loosest_pin(run.design)))},
+                   {"tilt_deg", to_degrees(clearance_tilt(*loosest_pin(run.design)))},
                    {"rms_without_mm", tight->rms_mm},
                    {"p95_without_mm", tight->p95_mm}};
   if (const auto& runs = run.printed->runs)
@@ -329,7 +330,7 @@ Json as_made_json(const Run& run) {
   return out;
 }
 
-std::vector<std::string> as_made_reasons(const Run& run) {
+std::vector<std::string> print_failure_reasons(const Run& run) {
   std::vector<std::string> why = unprintable(run);
   for (std::string& reason : scatter_reasons(run)) why.push_back(std::move(reason));
   return why;
@@ -337,45 +338,46 @@ std::vector<std::string> as_made_reasons(const Run& run) {
 
 std::vector<std::string> scatter_warnings(const Run& run) {
   std::vector<std::string> all = scatter_reasons(run);
-  if (auto contact = contact_words(run)) all.push_back(std::move(*contact));
-  if (run.printed->touches_too_often()) all.push_back(*touching_words(*run.printed));
-  if (auto starts = flat_start_words(*run.printed)) all.push_back(std::move(*starts));
+  if (auto contact = describe_contact(run)) all.push_back(std::move(*contact));
+  if (run.printed->touches_too_often()) all.push_back(*describe_touching(*run.printed));
+  if (auto starts = describe_flat_starts(*run.printed)) all.push_back(std::move(*starts));
   if (run.printed->runs && !run.printed->is_confirmed())
-    all.push_back(prints_words(*run.printed, run.judged_against));
+    all.push_back(describe_sample_prints(*run.printed, run.compared_with));
   return all;
 }
 
-std::vector<SummaryLine> as_made_lines(const Run& run) {
+std::vector<SummaryLine> print_tolerance_lines(const Run& run) {
   if (!run.printed) return {};
   const model::ToleranceResult& made = run.printed->made;
   std::vector<SummaryLine> lines = {
       {"as made",
        fmt::format("printed by {}: {:.2f} mm off {} (rms over points of the sheet; {:.2f} "
                    "mm as designed), 95 of 100 prints within {:.2f} mm; {:.2f} mm are allowed: {}",
-                   run.design.process.name, run.printed->rms_mm(), run.judged_against, made.designed_mm,
-                   run.printed->p95_mm(), run.printed->tolerance_mm, verdict_words(run))}};
-  if (const auto touching = touching_words(*run.printed); touching && !run.printed->touches_too_often())
+                   run.design.process.name, run.printed->rms_mm(), run.compared_with, made.designed_mm,
+                   run.printed->p95_mm(), run.printed->tolerance_mm, describe_print_verdict(run))}};
+  if (const auto touching = describe_touching(*run.printed); touching && !run.printed->touches_too_often())
     lines.push_back({"", *touching});  // a larger share is reported as a warning
   if (const auto places = sources_by_place(run); !places.empty())
-    lines.push_back({"", fmt::format("{} of {}: {} of what errors do", plural_words[places[0].parameter],
-                                     places[0].place, share_words(places[0].share))});
+    lines.push_back(
+        {"", fmt::format("{} of {}: {} of what errors do", plural_parameter_names[places[0].parameter],
+                         places[0].place, format_share(places[0].share))});
   if (!made.sources.empty()) {
     const model::ScatterSource& most = made.sources.front();
     lines.push_back(
         {"", fmt::format("largest single source: {} of the hinge on wall {}, {} of what errors do",
-                         parameter_words[most.parameter], wall_name(run.design.structure, most.hinge),
-                         share_words(most.share))});
+                         parameter_names[most.parameter], wall_name(run.design.structure, most.hinge),
+                         format_share(most.share))});
   }
-  if (const auto& tight = run.printed->without_play)
+  if (const auto& tight = run.printed->without_clearance)
     lines.push_back(
-        {"",
-         fmt::format("of which play of {:g} mm a side, {:.2f} deg: without it {:.2f} mm off {}, 95 of 100 "
-                     "within {:.2f} mm",
-                     loosest_pin(run.design)->clearance_mm, to_degrees(tilt_play(*loosest_pin(run.design))),
-                     tight->rms_mm, run.judged_against, tight->p95_mm)});
-  if (run.printed->runs) lines.push_back({"", prints_words(*run.printed, run.judged_against)});
-  if (run.printed->taken) {
-    lines.push_back({"", taken_words(*run.printed->taken)});
+        {"", fmt::format(
+                 "of which play of {:g} mm a side, {:.2f} deg: without it {:.2f} mm off {}, 95 of 100 "
+                 "within {:.2f} mm",
+                 loosest_pin(run.design)->clearance_mm, to_degrees(clearance_tilt(*loosest_pin(run.design))),
+                 tight->rms_mm, run.compared_with, tight->p95_mm)});
+  if (run.printed->runs) lines.push_back({"", describe_sample_prints(*run.printed, run.compared_with)});
+  if (run.printed->assumed) {
+    lines.push_back({"", describe_assumed_hinges(*run.printed->assumed)});
     lines.push_back({"", "`hinge:` and `drive:` in the file say what other hinges come to"});
   }
   return lines;

@@ -30,32 +30,32 @@ std::vector<std::string> unprintable(const Run& run);
 /// CORNERS: the two halves of a wall collide over the gap before the state is reached.
 /// OFFSET: a hinge is farther from the middle of its wall than its kind allows.
 /// For all but PRINT, only the worst case is listed.
-std::vector<std::pair<std::string, std::string>> made_hinge_lines(const Run& run);
+std::vector<std::pair<std::string, std::string>> hinge_problem_lines(const Run& run);
 
 /// Returns these problems for result.json, with labels in lower case.
-nlohmann::ordered_json made_problems_json(const Run& run);
+nlohmann::ordered_json hinge_problems_json(const Run& run);
 
 /// Returns the section `as_made` of result.json. @pre run.printed
-nlohmann::ordered_json as_made_json(const Run& run);
+nlohmann::ordered_json print_tolerance_json(const Run& run);
 
 /// Variance share of one hinge parameter for all hinges in one column or row.
-struct PlaceSource {
+struct ScatterShare {
   std::string place;  ///< "column 12": walls along x there, or all walls in a strip; "row 3": walls along y
   int parameter = 0;  ///< parameter index of model::ScatterSource
   double share = 0;   ///< share of the variance, [0, 1]
 };
 /// Returns variance shares by place, largest first. Empty for lattices other than squares, which have no columns.
-std::vector<PlaceSource> sources_by_place(const Run& run);
+std::vector<ScatterShare> sources_by_place(const Run& run);
 
 /// Returns the reasons why prints miss the goal or cannot be made, one sentence each. Empty if prints keep it.
 /// @pre run.printed
-std::vector<std::string> as_made_reasons(const Run& run);
+std::vector<std::string> print_failure_reasons(const Run& run);
 
 /// Returns warnings about prints, except that they cannot be made. Prints may leave the goal, collide during motion, or
 /// fold to the other side. The first-order estimate may disagree with sampled prints. @pre run.printed
 std::vector<std::string> scatter_warnings(const Run& run);
 
 /// Returns the summary lines of the print tolerance analysis and its largest sources. Empty without an analysis.
-std::vector<SummaryLine> as_made_lines(const Run& run);
+std::vector<SummaryLine> print_tolerance_lines(const Run& run);
 
 }  // namespace kinetix::app

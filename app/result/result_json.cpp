@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 std::string words(const RobustCandidate& one) {
   std::string text = fmt::format("theta {:.1f} deg", one.theta / radians_per_degree);
   if (one.gap_mm) text += fmt::format(" and gaps of {:.2g} mm", *one.gap_mm);
-  return text + (std::isfinite(one.as_made_mm) ? fmt::format(", {:.3g} mm", one.as_made_mm) : ", not known") +
+  return text + (std::isfinite(one.printed_mm) ? fmt::format(", {:.3g} mm", one.printed_mm) : ", not known") +
          (one.is_allowed ? "" : " (not to be taken: " + one.why_not + ")");
 }
 
@@ -84,8 +84,8 @@ Json robust_json(const Run& run) {
                    {"cell_mm", one.cell_mm},
                    {"gap_mm", one.gap_mm ? Json(*one.gap_mm) : Json(nullptr)},
                    {"designed_mm", one.designed_mm},
-                   {"as_made_rms_mm", one.as_made_mm},
-                   {"as_made_p95_mm", one.as_made_p95},
+                   {"as_made_rms_mm", one.printed_mm},
+                   {"as_made_p95_mm", one.printed_p95_mm},
                    {"allowed", one.is_allowed},
                    {"chosen", k == run.robust->chosen}});
     if (!one.is_allowed) out.back()["why_not"] = one.why_not;
@@ -109,8 +109,6 @@ std::vector<SummaryLine> robust_lines(const Run& run) {
 }
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Adds stable_states, energy_barriers and unresolved_releases to the section `equilibrium` of result.json.
 /// @pre run.equilibrium
@@ -248,12 +246,12 @@ Json metrics_json(const Run& run) {
     const model::ContactLimit& limit = run.plan.free_range->to(run.theta);
     if (limit.touches) metrics["theta_limit_rad"] = limit.theta;
   }
-  if (run.way && run.way->off) {
-    metrics["pull_rms"] = run.way->off->rms;
-    metrics["pull_max"] = run.way->off->max;
+  if (run.closed_path && run.closed_path->off) {
+    metrics["pull_rms"] = run.closed_path->off->rms;
+    metrics["pull_max"] = run.closed_path->off->max;
   }
   if (run.goal) run.goal->add_metrics(run, metrics);
-  if (run.way && run.equilibrium) {
+  if (run.closed_path && run.equilibrium) {
     metrics["load"] = run.equilibrium->path.steps.back().load;
     metrics["contacts"] = run.equilibrium->path.steps.back().contacts;
   }
@@ -312,21 +310,22 @@ Json result_json(const Run& run) {
     add_stable_states(run, out["equilibrium"]);
     out["timing_s"]["balance"] = run.timings.equilibrium;
   }
-  if (run.matter) {
-    out["matter"] = matter_json(*run.matter);
-    out["timing_s"]["matter"] = run.timings.matter;
+  if (run.compensation) {
+    out["matter"] = compensation_json(*run.compensation);
+    out["timing_s"]["matter"] = run.timings.compensation;
   }
   if (run.certified) {
-    out["certified"] = certified_json(*run.certified, run.design.structure, run.theta, near_exact(run));
+    out["certified"] =
+        certified_json(*run.certified, run.design.structure, run.theta, closed_form_relation(run));
     out["timing_s"]["certify"] = run.timings.certify;
   }
   if (run.robust) out["robust"] = robust_json(run);
   if (run.printed) {
-    out["as_made"] = as_made_json(run);
-    out["timing_s"]["as_made"] = run.timings.as_made;
+    out["as_made"] = print_tolerance_json(run);
+    out["timing_s"]["as_made"] = run.timings.print_tolerance;
   }
   if (run.goal && !run.prints_unknown.empty()) out["as_made_unknown"] = run.prints_unknown;
-  if (auto problems = made_problems_json(run); !problems.empty()) out["made_problems"] = std::move(problems);
+  if (auto problems = hinge_problems_json(run); !problems.empty()) out["made_problems"] = std::move(problems);
   if (run.stopped) out["stopped"] = true;
   if (run.verification) out["physics"] = physics_json(*run.verification);
   return out;

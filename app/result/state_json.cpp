@@ -129,7 +129,7 @@ Json sheet_json(const Design& design) {
   return structure_json(design, design.hinge.reach_mm.value_or(sim::PhysicsOptions{}.reach * edge));
 }
 
-bool is_of_sheet(const Json& result, const Design& design, double rounding) {
+bool matches_sheet(const Json& result, const Design& design, double rounding) {
   if (!result.is_object() || !result.contains("structure")) return false;
   const Json &known = result["structure"], sheet = sheet_json(design);
   const auto is_kept = [&](const char* part) {

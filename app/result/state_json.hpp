@@ -37,6 +37,6 @@ nlohmann::ordered_json sheet_json(const Design& design);
 
 /// Returns whether a result belongs to this sheet. All values (mm, rad) of its cells, walls, bodies and
 /// hinges may differ by `rounding`, relative above 1 and absolute below.
-bool is_of_sheet(const nlohmann::ordered_json& result, const Design& design, double rounding);
+bool matches_sheet(const nlohmann::ordered_json& result, const Design& design, double rounding);
 
 }  // namespace kinetix::app

@@ -32,10 +32,10 @@ std::string physics_lines(const Run& run) {
     return line("physics", fmt::format("FAILED, {}: {}", to_string(v.physics.status), v.physics.why));
   if (!v.compared)
     return line("physics", fmt::format("settled in {:.2f} s; no {} to compare with", v.physics.seconds,
-                                       model_words(run)));
+                                       reference_name(run)));
   std::string text =
       line("physics", fmt::format("rms {:.1e} cell edges from the {}, hinge gap {:.1e}, {:.2f} s: {}",
-                                  v.distance.rms, model_words(run), v.physics.gaps.max, v.physics.seconds,
+                                  v.distance.rms, reference_name(run), v.physics.gaps.max, v.physics.seconds,
                                   v.agrees ? "agrees" : "DISAGREES"));
   if (v.equilibrium && !v.agrees) text += line("compared", v.equilibrium->why);
   return text;
@@ -43,9 +43,9 @@ std::string physics_lines(const Run& run) {
 
 std::string structure_lines(const Run& run) {
   const model::Lattice& structure = run.design.structure;
-  if (run.way)
+  if (run.closed_path)
     return line("bodies", fmt::format("{}, {} hinges", structure.bodies(), structure.hinges())) +
-           line(run.way->off ? "pull" : "closure", run.way->words);
+           line(run.closed_path->off ? "pull" : "closure", run.closed_path->description);
   return line("sheet", fmt::format("{} bodies, {} hinges", structure.bodies(), structure.hinges())) +
          line("plan", run.plan.exact.why) +
          line("fold", fmt::format("theta {:.2f} deg, tilts up to {:.2f} deg", to_degrees(run.theta),
@@ -53,7 +53,7 @@ std::string structure_lines(const Run& run) {
 }
 
 // Limits of the lists in a summary: enough for a reader in a terminal. result.json has complete lists.
-constexpr std::size_t most_events = 12, most_states = 6;
+constexpr std::size_t max_events = 12, max_states = 6;
 
 std::string load_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
   return fmt::format("{:.4g} {}", step.load, equilibrium.drive.load_unit());
@@ -61,27 +61,28 @@ std::string load_text(const Equilibrium& equilibrium, const model::EquilibriumSt
 
 std::string theta_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
   return fmt::format("theta {:.2f} deg{}", to_degrees(step.theta),
-                     equilibrium.drive.tells_fold() ? "" : " of the drive");
+                     equilibrium.drive.determines_fold() ? "" : " of the drive");
 }
 
-std::string effort_text(const Equilibrium& equilibrium) {
+std::string peak_load_text(const Equilibrium& equilibrium) {
   const char* gripped = equilibrium.path.let_go > 0 ? " (by plates that grip until the end)" : "";
   return fmt::format("{:.4g} {}{}: a matter for {}", largest_load(equilibrium.path),
-                     equilibrium.drive.load_unit(), gripped, effort_of(equilibrium));
+                     equilibrium.drive.load_unit(), gripped, classify_load(equilibrium));
 }
 
 std::string drive_text(const Equilibrium& equilibrium, const model::EquilibriumStep& step) {
-  const std::string words = equilibrium.drive.coordinate_words(), unit = equilibrium.drive.coordinate_unit();
+  const std::string words = equilibrium.drive.describe_coordinate(),
+                    unit = equilibrium.drive.coordinate_unit();
   if (unit == "rad") return fmt::format("{} {:.4g} deg", words, to_degrees(step.drive));
   return fmt::format("{} {:.4g}{}", words, step.drive, unit == "mm" ? " mm" : "");
 }
 
 /// Returns words before the load of tendons and springs; "" for loads that their unit describes.
-std::string load_words(const Equilibrium& equilibrium) {
+std::string describe_load_point(const Equilibrium& equilibrium) {
   if (equilibrium.drive.only_pulls())
     return equilibrium.path.steps.back().load < 0 ? "the cord is slack, it would have to push: tension "
                                                   : "tension ";
-  if (equilibrium.drive.acts_from_outside()) return "";
+  if (equilibrium.drive.is_external()) return "";
   return fmt::format("{:.4g} N mm from each of {} springs, together ", mean_moment(equilibrium),
                      equilibrium.drive.springs.size());
 }
@@ -119,11 +120,11 @@ std::string stretch_text(const Run& run) {
 
 std::string stable_text(const model::StableStates& stable) {
   std::string text = fmt::format("{} states: flat", stable.states.size());
-  for (std::size_t k = 1; k < std::min(most_states, stable.states.size()); ++k)
+  for (std::size_t k = 1; k < std::min(max_states, stable.states.size()); ++k)
     text += fmt::format(", theta {:.2f} deg ({:.3g} N mm)", to_degrees(stable.states[k].theta),
                         stable.states[k].energy);
-  if (stable.states.size() > most_states) text += ", and more in result.json";
-  for (std::size_t k = 0; k < std::min(most_states, stable.barriers.size()); ++k)
+  if (stable.states.size() > max_states) text += ", and more in result.json";
+  for (std::size_t k = 0; k < std::min(max_states, stable.barriers.size()); ++k)
     text += fmt::format("; barrier {:.4g} N mm at theta {:.2f} deg", stable.barriers[k].energy,
                         to_degrees(stable.barriers[k].theta));
   return text;
@@ -138,7 +139,7 @@ std::string path_text(const DriveTrial& trial) {
   const std::string snaps = trial.snaps == 0   ? "no snap"
                             : trial.snaps == 1 ? "1 snap"
                                                : fmt::format("{} snaps", trial.snaps);
-  if (!trial.reached()) return app::in_words(trial.path.stop) + ", " + snaps;
+  if (!trial.reached()) return app::describe(trial.path.stop) + ", " + snaps;
   return snaps + (trial.path.steps.back().stable ? ", stable" : ", UNSTABLE") +
          (trial.path.off_closed_form ? ", off the closed form" : "") +
          (trial.at_goal ? "" : ", NOT at that theta");
@@ -212,16 +213,16 @@ std::string summary(const Run& run) {
   text += structure_lines(run);
   if (run.certified)
     for (const auto& [label, words] :
-         certified_lines(*run.certified, run.design.structure, run.theta, near_exact(run)))
+         certified_lines(*run.certified, run.design.structure, run.theta, closed_form_relation(run)))
       text += line(label, words);
   if (const auto worst = worst_strain(run))
     text += line("strained", fmt::format("by {:.3g} of {:g} that its material bears, the most of its hinges",
                                          worst->strain, worst->allowed));
   if (run.goal)
     for (const auto& [label, words] : run.goal->summary_lines(run)) text += line(label, words);
-  for (const auto& [label, words] : matter_lines(run)) text += line(label, words);
+  for (const auto& [label, words] : compensation_lines(run)) text += line(label, words);
   for (const auto& [label, words] : robust_lines(run)) text += line(label, words);
-  for (const auto& [label, words] : as_made_lines(run)) text += line(label, words);
+  for (const auto& [label, words] : print_tolerance_lines(run)) text += line(label, words);
   if (run.equilibrium)
     for (const auto& [label, words] : equilibrium_lines(run)) text += line(label, words);
   if (run.verification) text += physics_lines(run);
@@ -236,26 +237,25 @@ std::vector<std::array<std::string, 2>> equilibrium_lines(const Run& run) {
   const model::EquilibriumPath& path = equilibrium.path;
   const model::EquilibriumStep& last = path.steps.back();
   std::vector<std::array<std::string, 2>> lines;
-  if (!equilibrium.reached()) lines.push_back({"STOPPED", in_words(path.stop) + ": " + path.why});
-  lines.push_back({"load", load_words(equilibrium) + load_text(equilibrium, last) + " at " +
+  if (!equilibrium.reached()) lines.push_back({"STOPPED", describe(path.stop) + ": " + path.why});
+  lines.push_back({"load", describe_load_point(equilibrium) + load_text(equilibrium, last) + " at " +
                                drive_text(equilibrium, last) +
                                (equilibrium.reached() ? ": the drive reached its goal" : "")});
   if (equilibrium.is_on_the_other_side(run.theta))
     lines.push_back({"OTHER SIDE", describe_other_side(equilibrium, run.theta)});
-  if (equilibrium.drive.acts_from_outside())
-    lines.push_back({"effort", "at most " + effort_text(equilibrium)});
+  if (equilibrium.drive.is_external()) lines.push_back({"effort", "at most " + peak_load_text(equilibrium)});
   if (equilibrium.drive.press && equilibrium.reached()) lines.push_back({"plates", press_text(equilibrium)});
   lines.push_back({"energy", energy_text(path)});
   lines.push_back({"stretch", stretch_text(run)});
-  for (std::size_t k = 0; k < std::min(most_events, path.events.size()); ++k) {
+  for (std::size_t k = 0; k < std::min(max_events, path.events.size()); ++k) {
     const model::PathEvent& event = path.events[k];
     lines.push_back(
         {"event",
          fmt::format("{} at {}, {}, load {}: {}", to_string(event.kind), drive_text(equilibrium, event.at),
                      theta_text(equilibrium, event.at), load_text(equilibrium, event.at), event.what)});
   }
-  if (path.events.size() > most_events)
-    lines.push_back({"", fmt::format("and {} more events in result.json", path.events.size() - most_events)});
+  if (path.events.size() > max_events)
+    lines.push_back({"", fmt::format("and {} more events in result.json", path.events.size() - max_events)});
   if (equilibrium.stable.states.size() > 1) lines.push_back({"stable", stable_text(equilibrium.stable)});
   for (const std::string& why : equilibrium.stable.unresolved) lines.push_back({"release", why});
   if (equilibrium.from_exact)

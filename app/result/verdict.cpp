@@ -43,7 +43,7 @@ std::string kinds_of(const model::Assembly& bodies) {
 std::string hinges_of_model(const Run& run) {
   if (const model::Assembly* bodies = run.design.structure.assembly()) return kinds_of(*bodies);
   std::vector<std::string> kinds;
-  for (const model::MadeHinge& made : made_hinges(run.design))
+  for (const model::ManufacturedHinge& made : manufactured_hinges(run.design))
     if (std::find(kinds.begin(), kinds.end(), to_string(made.kind)) == kinds.end())
       kinds.push_back(to_string(made.kind));
   if (!kinds.empty()) return fmt::format("{}", fmt::join(kinds, ", "));
@@ -58,14 +58,14 @@ Reasons agreement_reasons(const Run& run) {
   if (v.compared && !(v.distance.rms <= run.verify_tolerance)) {
     const double edge_mm = run.design.structure.size().edge_mm;
     why.push_back(fmt::format("the simulation ends {:.3g} mm (rms) from the {}; {:.3g} mm are allowed{}",
-                              v.distance.rms * edge_mm, model_words(run), run.verify_tolerance * edge_mm,
+                              v.distance.rms * edge_mm, reference_name(run), run.verify_tolerance * edge_mm,
                               v.equilibrium ? ": " + v.equilibrium->why : ""));
   }
   return why;
 }
 
 Reasons print_reasons(const Run& run) {
-  if (run.print->is_taken) return {};
+  if (run.print->is_accepted) return {};
   const Reasons why = unprintable(run);
   return why.empty() ? Reasons{run.print->why} : why;
 }
@@ -73,22 +73,22 @@ Reasons print_reasons(const Run& run) {
 /// Returns the reasons why the drive does not reach the reported state; nullopt if the run has no model of the drive.
 std::optional<Reasons> drive_reasons(const Run& run) {
   Reasons why;
-  if (run.matter && !run.equilibrium)
-    return Reasons{"elastic hinges find no equilibrium: " + run.matter->why};
+  if (run.compensation && !run.equilibrium)
+    return Reasons{"elastic hinges find no equilibrium: " + run.compensation->why};
   if (run.equilibrium) {
     if (!run.goal)
       why = drive_reasons(*run.equilibrium, run.theta);
     else if (!run.equilibrium->reached())
       why.push_back(drive_stop_reason(run.equilibrium->path));
-  } else if (run.way) {
-    return run.way->missed;
+  } else if (run.closed_path) {
+    return run.closed_path->missed;
   } else if (run.plan.model != Model::exact || run.states.empty()) {
     return std::nullopt;
   } else if (auto contact = contact_reason(run)) {
     why.push_back(std::move(*contact));
   }
   if (!run.states.empty())
-    if (auto strained = strained_too_far(run.design, run.states.front().poses))
+    if (auto strained = describe_overstrain(run.design, run.states.front().poses))
       why.push_back(std::move(*strained));
   return why;
 }
@@ -104,7 +104,7 @@ void add_warnings(const Run& run, RunVerdict& verdict) {
   if (run.plan.is_floppy())
     verdict.warn(fmt::format("the sheet has {} degrees of freedom: one drive does not hold it",
                              run.plan.mobility->dofs_along));
-  for (const auto& [label, words] : made_hinge_lines(run))
+  for (const auto& [label, words] : hinge_problem_lines(run))
     if (label != "STRAINED") verdict.warn(words);  // STRAINED is an error of `reaches`
   if (!run.goal) return;
   if (!run.met()) warn_all(verdict, run.physics_violations());
@@ -117,7 +117,7 @@ nlohmann::ordered_json flag_json(const std::optional<bool>& flag) {
   return flag ? nlohmann::ordered_json(*flag) : nlohmann::ordered_json(nullptr);
 }
 
-const char* level_word(Problem::Level level) { return level == Problem::Level::error ? "error" : "warning"; }
+const char* level_name(Problem::Level level) { return level == Problem::Level::error ? "error" : "warning"; }
 
 }  // namespace
 
@@ -154,7 +154,7 @@ std::string RunVerdict::reasons() const {
 Reasons drive_reasons(const Equilibrium& equilibrium, double theta) {
   Reasons why;
   if (!equilibrium.reached()) why.push_back(drive_stop_reason(equilibrium.path));
-  if (equilibrium.is_on_the_other_side(theta)) why.push_back(missed_words(equilibrium, theta));
+  if (equilibrium.is_on_the_other_side(theta)) why.push_back(describe_missed_drive(equilibrium, theta));
   return why;
 }
 
@@ -167,7 +167,7 @@ RunVerdict verdict_of(const Run& run) {
   const std::string hinges = hinges_of_model(run);
   if (run.goal) out.set(&RunVerdict::met, run.violations, hinges);
   if (const model::BodyPull* pull = body_pull_of(run.design); pull && pull->poses)
-    out.set(&RunVerdict::met, run.way->missed, hinges);
+    out.set(&RunVerdict::met, run.closed_path->missed, hinges);
   if (run.verification) out.set(&RunVerdict::agrees, agreement_reasons(run), hinges);
   if (run.print) out.set(&RunVerdict::printable, print_reasons(run), run.print->hinges);
   if (const auto why = drive_reasons(run)) out.set(&RunVerdict::reaches, *why, hinges);
@@ -188,7 +188,7 @@ nlohmann::ordered_json verdict_json(const RunVerdict& verdict) {
   for (const NamedFlag& f : flags) out[f.name] = flag_json(verdict.*f.flag);
   for (const auto& [flag, kind] : verdict.hinges) hinges[flag] = kind;
   for (const Problem& p : verdict.problems)
-    problems.push_back({{"level", level_word(p.level)}, {"text", p.text}});
+    problems.push_back({{"level", level_name(p.level)}, {"text", p.text}});
   out["hinges"] = std::move(hinges);
   out["problems"] = std::move(problems);
   return out;
@@ -212,7 +212,7 @@ std::string headline(const RunVerdict& verdict) {
 
 std::vector<SummaryLine> problem_lines(const RunVerdict& verdict) {
   std::vector<SummaryLine> lines;
-  for (const Problem& p : verdict.problems) lines.push_back({level_word(p.level), p.text});
+  for (const Problem& p : verdict.problems) lines.push_back({level_name(p.level), p.text});
   return lines;
 }
 

@@ -11,8 +11,8 @@ const HingeSection& hinge_section(const Design& design, int hinge) {
   return hinge_at(design.hinge, design.hinge_overrides, hinge);
 }
 
-std::vector<model::MadeHinge> made_hinges(const Design& design) {
-  std::vector<model::MadeHinge> all;
+std::vector<model::ManufacturedHinge> manufactured_hinges(const Design& design) {
+  std::vector<model::ManufacturedHinge> all;
   const auto add = [&](const HingeSection& hinge) {
     if (hinge.made && std::find(all.begin(), all.end(), *hinge.made) == all.end()) all.push_back(*hinge.made);
   };
@@ -21,9 +21,9 @@ std::vector<model::MadeHinge> made_hinges(const Design& design) {
   return all;
 }
 
-std::optional<model::MadeHinge> loosest_pin(const Design& design) {
-  std::optional<model::MadeHinge> loosest;
-  for (const model::MadeHinge& made : made_hinges(design))
+std::optional<model::ManufacturedHinge> loosest_pin(const Design& design) {
+  std::optional<model::ManufacturedHinge> loosest;
+  for (const model::ManufacturedHinge& made : manufactured_hinges(design))
     if (made.kind == model::HingeKind::pin && !made.with_play &&
         (!loosest || made.clearance_mm > loosest->clearance_mm))
       loosest = made;
@@ -34,27 +34,27 @@ model::PrintError wall_error(const Design& design) {
   model::PrintError error = design.process.sd;
   const auto pin = loosest_pin(design);
   if (!pin) return error;
-  const model::PlayScatter play = play_scatter(*pin, design.process.sd);
+  const model::ClearanceScatter play = clearance_scatter(*pin, design.process.sd);
   error.t_mm = std::hypot(error.t_mm, play.place_mm);
   error.tilt_deg = std::hypot(error.tilt_deg, to_degrees(play.tilt));
   return error;
 }
 
 bool withstands_strain(const Design& design, const model::State& state) {
-  return !strained_too_far(design, state);
+  return !describe_overstrain(design, state);
 }
 
-std::optional<std::string> strained_too_far(const Design& design, const model::State& state) {
+std::optional<std::string> describe_overstrain(const Design& design, const model::State& state) {
   const auto worst =
-      most_strained(model::Linkage(design.structure), state, [&](int h) -> const model::MadeHinge* {
+      most_strained(model::Linkage(design.structure), state, [&](int h) -> const model::ManufacturedHinge* {
         const auto& made = hinge_section(design, h).made;
         return made ? &*made : nullptr;
       });
   if (!worst) return std::nullopt;
-  return strained_words(*worst, wall_name(design.structure, worst->hinge));
+  return describe_strain(*worst, wall_name(design.structure, worst->hinge));
 }
 
-std::string strained_words(const model::StrainedHinge& worst, const std::string& wall, const char* when) {
+std::string describe_strain(const model::StrainedHinge& worst, const std::string& wall, const char* when) {
   return fmt::format(
       "the hinge of wall {} is strained by {:.3g}{}; its material bears {:g}: a longer gap or a thinner "
       "hinge "
@@ -65,7 +65,7 @@ std::string strained_words(const model::StrainedHinge& worst, const std::string&
 std::vector<model::PrintProblem> print_problems(const Design& design) {
   const model::CellSize size = design.structure.size();
   std::vector<model::PrintProblem> all = print_problems(design.process, size, std::nullopt);
-  for (const model::MadeHinge& made : made_hinges(design))
+  for (const model::ManufacturedHinge& made : manufactured_hinges(design))
     for (const model::PrintProblem& problem : print_problems(design.process, size, made))
       if (std::none_of(all.begin(), all.end(), [&](const auto& p) { return p.what == problem.what; }))
         all.push_back(problem);

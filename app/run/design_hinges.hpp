@@ -13,10 +13,10 @@ namespace kinetix::app {
 const HingeSection& hinge_section(const Design& design, int hinge);
 
 /// Lists how hinges are made, each kind once. Empty if the design does not say.
-std::vector<model::MadeHinge> made_hinges(const Design& design);
+std::vector<model::ManufacturedHinge> manufactured_hinges(const Design& design);
 
 /// Returns the pin with the largest clearance among those that do not move freely within it.
-std::optional<model::MadeHinge> loosest_pin(const Design& design);
+std::optional<model::ManufacturedHinge> loosest_pin(const Design& design);
 
 /// Returns by how much walls of prints are out of place and lean: errors of the process and clearance of the loosest pin.
 model::PrintError wall_error(const Design& design);
@@ -25,10 +25,11 @@ model::PrintError wall_error(const Design& design);
 bool withstands_strain(const Design& design, const model::State& state);
 
 /// Describes the hinge that is strained farthest beyond the limit of its material in a state. Empty if none is.
-std::optional<std::string> strained_too_far(const Design& design, const model::State& state);
+std::optional<std::string> describe_overstrain(const Design& design, const model::State& state);
 /// Describes the strain of a hinge against the limit of its material. @param wall its name   @param when "" or what
 /// follows the strain, such as " on the way to the fold"
-std::string strained_words(const model::StrainedHinge& worst, const std::string& wall, const char* when = "");
+std::string describe_strain(const model::StrainedHinge& worst, const std::string& wall,
+                            const char* when = "");
 
 /// Lists what the process of the design cannot print, each problem once.
 std::vector<model::PrintProblem> print_problems(const Design& design);

@@ -28,7 +28,7 @@ class Goal {
   /// Returns estimates that need no search.
   virtual Forecast forecast() const = 0;
   /// Searches for a design. @throws InvalidInput for a target that leaves nothing to search
-  virtual Found search(const RunOptions& options) const = 0;
+  virtual SearchResult search(const RunOptions& options) const = 0;
   /// Measures how far a state is from the goal. Null for states that the kind does not judge.
   /// @param run as far as it is computed   @param state anywhere in space; of the model: Found::own
   virtual std::shared_ptr<const Measure> measure(const Run& run, StateOf of, const model::State& state,
@@ -42,7 +42,7 @@ class Goal {
   /// Returns how far points of a state are from the goal. Empty for goals that are not judged by distances.
   /// @param found planned   @param sheet that the state belongs to: the design's, or one with other hinges
   /// @param state anywhere in space; points are in its own frame
-  virtual std::optional<Observed> observe(const Found& /*found*/, const model::Lattice& /*sheet*/,
+  virtual std::optional<Observed> observe(const SearchResult& /*found*/, const model::Lattice& /*sheet*/,
                                           const model::State& /*state*/) const {
     return std::nullopt;
   }

@@ -29,8 +29,8 @@ class GoalOutcome {
   /// Adds the metrics that the kind names (GoalKind::metrics) to `metrics`.
   virtual void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const = 0;
   virtual std::vector<SummaryLine> summary_lines(const Run& run) const = 0;
-  /// Returns PNG pictures. @param of_report only those that the report itself shows
-  virtual std::vector<NamedContent> pictures(const Run& /*run*/, bool /*of_report*/) const { return {}; }
+  /// Returns PNG pictures. @param for_report only those that the report itself shows
+  virtual std::vector<NamedContent> pictures(const Run& /*run*/, bool /*for_report*/) const { return {}; }
 
  protected:
   GoalOutcome() = default;

@@ -15,7 +15,7 @@ namespace {
 
 /// Bodies: above this the numeric rank costs more than a search. The exact families have one degree of freedom by
 /// their closed form.
-constexpr std::size_t most_bodies_for_rank = 500;
+constexpr std::size_t max_bodies_for_rank = 500;
 
 std::string wall_sentence(const model::ContactRange& range) {
   const double degrees = range.positive.theta / radians_per_degree;
@@ -88,13 +88,13 @@ Plan make_plan(const model::Lattice& sheet, std::optional<Model> model, model::E
   plan.why.push_back(plan.exact.why);
   if (plan.planar && (sheet.planar() || !plan.exact))
     plan.why.push_back(designs_sentence(planar_structure(sheet), static_cast<bool>(plan.exact)));
-  if (structure.bodies.size() <= most_bodies_for_rank) {
+  if (structure.bodies.size() <= max_bodies_for_rank) {
     plan.mobility = mobility(structure, plan.exact);
     plan.why.push_back("mobility: " + plan.mobility->why);
     if (plan.is_floppy()) plan.why.push_back(floppy_sentence(plan));
   } else {
     plan.why.push_back(
-        fmt::format("mobility: numeric rank not computed above {} bodies", most_bodies_for_rank));
+        fmt::format("mobility: numeric rank not computed above {} bodies", max_bodies_for_rank));
   }
   if (plan.exact) {
     plan.free_range = theta_range(structure, plan.exact);
@@ -124,7 +124,7 @@ double one_digit(double x) {
 
 }  // namespace
 
-double matter_seconds(const GoalSettings& settings, const model::Lattice& sheet) {
+double compensation_seconds(const GoalSettings& settings, const model::Lattice& sheet) {
   return settings.hinge.model == HingeSection::Model::elastic
              ? elastic_seconds_of_175 * std::pow(sheet.bodies() / 175.0, 1.25)
              : 0;
@@ -132,7 +132,7 @@ double matter_seconds(const GoalSettings& settings, const model::Lattice& sheet)
 
 void add_settings(const GoalSettings& settings, Forecast& forecast) {
   note_process(settings, forecast.sheet.size(), forecast.notes);
-  forecast.search_s += matter_seconds(settings, forecast.sheet);
+  forecast.search_s += compensation_seconds(settings, forecast.sheet);
 }
 
 Eigen::Vector3d flat_size(const model::Linkage& linkage) { return size_of(linkage, rest_state(linkage)); }

@@ -53,9 +53,9 @@ struct Forecast {
 
 /// Estimates the time of compensation for elastic hinges, s, measured on folds of 30 to 170 bodies; 0 for other
 /// hinges.
-double matter_seconds(const GoalSettings& settings, const model::Lattice& sheet);
+double compensation_seconds(const GoalSettings& settings, const model::Lattice& sheet);
 
-/// Adds time and risks of the settings that every goal has: matter_seconds(), and what the process cannot print.
+/// Adds time and risks of the settings that every goal has: compensation_seconds(), and what the process cannot print.
 void add_settings(const GoalSettings& settings, Forecast& forecast);
 
 /// Returns the edges of the box around all half walls of the flat sheet, mm. Walls that lean reach beyond its cells.

@@ -12,7 +12,7 @@ namespace {
 
 /// Returns the requested theta, rad, which the equilibrium need not have reached. Plates on lattices other than
 /// squares need not approach each other by the cosine of theta. Files have no drive for such lattices.
-double asked_theta(const Run& run) {
+double requested_theta(const Run& run) {
   if (!run.equilibrium) return run.theta;
   const model::LinkageDrive& drive = run.equilibrium->drive;
   const bool is_by_cosine = run.design.drive || run.design.structure.squares() || !drive.has_plates();
@@ -26,18 +26,18 @@ double asked_theta(const Run& run) {
 
 }  // namespace
 
-std::string in_words(StateOf of) {
+std::string describe(StateOf of) {
   constexpr std::array words = {"model", "equilibrium", "physics run"};
   return words[static_cast<std::size_t>(of)];
 }
 
-Design asked_design(const Found& found) {
+Design requested_design(const SearchResult& found) {
   Design design = found.design;
   design.theta = found.theta;
   return design;
 }
 
-Found planned(Found found, bool brief) {
+SearchResult planned(SearchResult found, bool brief) {
   if (found.goal)
     found.design.hinge_overrides = hinge_overrides_of(found.design.structure, found.hinge_parts);
   found.plan =
@@ -49,7 +49,7 @@ Found planned(Found found, bool brief) {
   return found;
 }
 
-const char* tolerance_words(const Run& run, bool is_within) {
+const char* describe_tolerance(const Run& run, bool is_within) {
   if (run.met()) return "within tolerance";
   if (run.strained) return "WITHIN TOLERANCE, BUT HINGES ARE STRAINED TOO FAR";
   return is_within ? "WITHIN TOLERANCE, BUT NOT AS REQUIRED" : "MISSES THE TOLERANCE";
@@ -57,7 +57,7 @@ const char* tolerance_words(const Run& run, bool is_within) {
 
 Design written_design(const Run& run) {
   Design design = run.design;
-  design.theta = asked_theta(run);
+  design.theta = requested_theta(run);
   return design;
 }
 
@@ -65,7 +65,7 @@ std::array<std::string, 2> wall_names(const model::WallPair& walls, const model:
   return {wall_name(sheet, walls.first / 2), wall_name(sheet, walls.second / 2)};
 }
 
-std::string overlap_words(const model::WallPair& walls, const model::Lattice& sheet) {
+std::string describe_overlap(const model::WallPair& walls, const model::Lattice& sheet) {
   const auto [first, second] = wall_names(walls, sheet);
   return fmt::format(
       "walls {} and {} overlap as built, before anything turns, so that no sheet of rigid walls can be made "
@@ -73,7 +73,7 @@ std::string overlap_words(const model::WallPair& walls, const model::Lattice& sh
       first, second);
 }
 
-std::string overlap_words(const model::ContactLimit& limit, double theta, const model::Lattice& sheet) {
+std::string describe_overlap(const model::ContactLimit& limit, double theta, const model::Lattice& sheet) {
   const auto [first, second] = wall_names(limit.walls, sheet);
   return fmt::format("walls {} and {} overlap at theta {:.3f} deg, on the way to {:.3f} deg", first, second,
                      to_degrees(*limit.contact), to_degrees(theta));
@@ -85,11 +85,11 @@ std::optional<std::string> contact_reason(const Run& run) {
   const model::ContactRange& range = is_proven ? run.certified->designed : *run.plan.free_range;
   const model::ContactLimit& limit = range.to(run.theta);
   if (!limit.contact || std::abs(*limit.contact) >= std::abs(run.theta)) return std::nullopt;
-  if (range.overlaps_as_built()) return overlap_words(limit.walls, run.design.structure);
-  return overlap_words(limit, run.theta, run.design.structure);
+  if (range.overlaps_as_built()) return describe_overlap(limit.walls, run.design.structure);
+  return describe_overlap(limit, run.theta, run.design.structure);
 }
 
-std::vector<std::string> collisions_on_the_way(const Run& run, const std::string& instead) {
+std::vector<std::string> collisions_during_motion(const Run& run, const std::string& instead) {
   const auto reason = contact_reason(run);
   return reason ? std::vector{*reason + ": " + instead} : std::vector<std::string>{};
 }
@@ -99,17 +99,17 @@ std::string describe_other_side(const Equilibrium& equilibrium, double theta) {
                      to_degrees(equilibrium.drive.theta()));
 }
 
-std::string in_words(model::EquilibriumPath::Stop stop) {
+std::string describe(model::EquilibriumPath::Stop stop) {
   return stop == model::EquilibriumPath::Stop::overstretched ? "hinge overstretched" : to_string(stop);
 }
 
-std::string missed_words(const Equilibrium& equilibrium, double theta) {
+std::string describe_missed_drive(const Equilibrium& equilibrium, double theta) {
   if (equilibrium.reached()) return "other side: " + describe_other_side(equilibrium, theta);
-  return in_words(equilibrium.path.stop) + ": " + equilibrium.path.why;
+  return describe(equilibrium.path.stop) + ": " + equilibrium.path.why;
 }
 
 std::string drive_stop_reason(const model::EquilibriumPath& path) {
-  return "the drive stops on its way, " + in_words(path.stop) + ": " + path.why;
+  return "the drive stops on its way, " + describe(path.stop) + ": " + path.why;
 }
 
 }  // namespace kinetix::app

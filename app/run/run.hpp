@@ -56,7 +56,8 @@ struct Equilibrium {
   model::EquilibriumPath path;
   model::StableStates stable;                      ///< states that a release on the path leads to
   std::optional<model::StateDistance> from_exact;  ///< of the last state, if a closed form fits the drive
-  std::optional<double> turned_off = {};  ///< largest difference of a hinge turn from that closed form, rad
+  std::optional<double> turn_difference =
+      {};  ///< largest difference of a hinge turn from that closed form, rad
 
   bool reached() const { return path.stop == model::EquilibriumPath::Stop::reached; }
   /// Whether the drive is complete with the sheet folded to the opposite side. Plates and tendons do not select
@@ -70,7 +71,7 @@ struct Equilibrium {
 };
 
 /// Compensation of a goal that was met exactly, for its elastic hinges.
-struct ElasticResult {
+struct CompensationResult {
   double exact_mm = 0;   ///< rms error of the exact state
   double before_mm = 0;  ///< rms error of that design's equilibrium; NaN if none was found
   double after_mm = 0;   ///< rms error of the compensated design, which the run shows; NaN if none was found
@@ -83,7 +84,7 @@ struct ElasticResult {
 
 /// Hinges assumed if the file leaves them open: soft blocks of the process, at rest at the turns of the design.
 struct AssumedHinges {
-  model::MadeHinge made;
+  model::ManufacturedHinge made;
   double strain = 0;                ///< largest strain of these hinges, ratio
   std::optional<double> load = {};  ///< load that folds the design if only turns of hinges resist, N or N mm
   bool is_force = true;  ///< whether `load` is a force, N, of plates; else a moment, N mm, of a driven hinge
@@ -94,15 +95,16 @@ struct AssumedHinges {
 /// Print tolerance of a result.
 struct PrintedGoal {
   model::ToleranceResult made;
-  std::optional<model::ToleranceResult> without_play = {};  ///< of pins: the same prints without clearance
-  double tolerance_mm = 0;                                  ///< of the goal
-  std::optional<model::PrintRuns> runs = {};                ///< sample prints that confirm it or not
-  bool can_be_printed = true;  ///< whether it is printable: Run::print, else by the process.
+  std::optional<model::ToleranceResult> without_clearance =
+      {};                                     ///< of pins: the same prints without clearance
+  double tolerance_mm = 0;                    ///< of the goal
+  std::optional<model::PrintRuns> runs = {};  ///< sample prints that confirm it or not
+  bool can_be_printed = true;                 ///< whether it is printable: Run::print, else by the process.
   /// Whether prints are free of contact during the motion to the fold. It is proven for walls as far out of place as
   /// the process leaves them (ProvenRanges::printed). In addition, at most the share most_touching of sample prints
   /// touches. Empty if nothing is proven of these states, such as equilibria of elastic hinges.
   std::optional<bool> free_of_contact = {};
-  std::optional<AssumedHinges> taken = {};
+  std::optional<AssumedHinges> assumed = {};
   /// Sample prints whose walls touch during the motion to the fold; empty if none could be checked.
   std::optional<model::TouchingPrints> touching = {};
   /// Sample prints pressed from flat, for elastic hinges between plates; empty if none were checked.
@@ -148,12 +150,13 @@ struct ClosedPath {
   model::State last;     ///< mm
   /// Distance of the last state from where bodies are pulled to, cell edges; empty if a hinge is turned.
   std::optional<model::StateDistance> off = {};
-  std::string words;                     ///< one sentence on how far the bodies moved
+  std::string description;               ///< one sentence on how far the bodies moved
   std::vector<std::string> missed = {};  ///< why the motion misses the goal of the drive
 };
 
 struct Timings {
-  double load = 0, plan = 0, optimise = 0, equilibrium = 0, matter = 0, as_made = 0, certify = 0,
+  double load = 0, plan = 0, optimise = 0, equilibrium = 0, compensation = 0, print_tolerance = 0,
+         certify = 0,
          verify = 0;  ///< seconds
 };
 
@@ -166,14 +169,14 @@ struct ProvenRanges {
 
 /// Results of one call of the program, as in result.json and the report: what was found, and the results of each
 /// model.
-struct Run : Found {
+struct Run : SearchResult {
   std::uint64_t seed = 0;
   std::vector<NamedState> states;
-  std::optional<ClosedPath> way;             ///< of imported bodies
+  std::optional<ClosedPath> closed_path;     ///< of imported bodies
   std::shared_ptr<const BodyPieces> pieces;  ///< by which these collide; null if not requested
   std::optional<Equilibrium> equilibrium;
   std::optional<Verification> verification;
-  std::optional<ElasticResult> matter;  ///< of goals of exact families whose hinges are elastic
+  std::optional<CompensationResult> compensation;  ///< of goals of exact families whose hinges are elastic
 
   /// Distances from a goal: of the model's state, of the equilibrium that replaces it if hinges are elastic, and of
   /// the settled simulation. Null if there is no such state.
@@ -210,10 +213,10 @@ const Kind* physics_measure_of(const Run& run) {
 }
 
 /// Returns what the simulation is compared with, in words: "model", or "closed state" of imported bodies.
-inline const char* model_words(const Run& run) { return run.way ? "closed state" : "model"; }
+inline const char* reference_name(const Run& run) { return run.closed_path ? "closed state" : "model"; }
 
 /// Returns the end of a line of the summary. @param is_within whether the value of the line keeps its tolerance
-const char* tolerance_words(const Run& run, bool is_within);
+const char* describe_tolerance(const Run& run, bool is_within);
 
 /// Returns the design as design.yaml has it, with the requested theta.
 Design written_design(const Run& run);
@@ -222,28 +225,28 @@ Design written_design(const Run& run);
 std::array<std::string, 2> wall_names(const model::WallPair& walls, const model::Lattice& sheet);
 
 /// Returns "walls A and B overlap as built" with advice.
-std::string overlap_words(const model::WallPair& walls, const model::Lattice& sheet);
+std::string describe_overlap(const model::WallPair& walls, const model::Lattice& sheet);
 
 /// Returns "walls A and B overlap at theta 25.126 deg, on the way to 28.000 deg". @param theta end of the motion, rad
 /// @pre limit.contact
-std::string overlap_words(const model::ContactLimit& limit, double theta, const model::Lattice& sheet);
+std::string describe_overlap(const model::ContactLimit& limit, double theta, const model::Lattice& sheet);
 
 /// Describes why walls keep an exact motion from reaching the run's theta, one sentence. They overlap as built or
 /// during the motion, by the certified range if there is one, otherwise by samples. Empty if no contact is known.
 std::optional<std::string> contact_reason(const Run& run);
 
 /// Returns contact_reason() with advice, as a list of at most one entry. @param instead advice, in words
-std::vector<std::string> collisions_on_the_way(const Run& run, const std::string& instead);
+std::vector<std::string> collisions_during_motion(const Run& run, const std::string& instead);
 
 /// Describes how a path stopped, for people. result.json has `torn` for an overstretched hinge.
-std::string in_words(model::EquilibriumPath::Stop stop);
+std::string describe(model::EquilibriumPath::Stop stop);
 
 /// Describes that a sheet folded to the opposite side. @param theta that it reached, rad
 std::string describe_other_side(const Equilibrium& equilibrium, double theta);
 
 /// Describes why an equilibrium is not the goal of its drive. @param theta that it reached, rad
 /// @pre its path stopped early, or the sheet is on the opposite side
-std::string missed_words(const Equilibrium& equilibrium, double theta);
+std::string describe_missed_drive(const Equilibrium& equilibrium, double theta);
 
 /// Describes where and why the drive stops before its goal, one sentence. @pre it did
 std::string drive_stop_reason(const model::EquilibriumPath& path);

@@ -7,7 +7,8 @@ namespace kinetix::app {
 
 void follow(const RunOptions& run, double mm, optim::SolverOptions& search) {
   search.stop = run.stop;
-  search.heard = [progress = run.progress, mm, most = search.max_evaluations](int evaluations, double least) {
+  search.on_progress = [progress = run.progress, mm, most = search.max_evaluations](int evaluations,
+                                                                                    double least) {
     if (!std::isfinite(least)) return;
     progress("search", -1,
              fmt::format("step {} of at most {}, best {:.2g} mm off", evaluations, most, least * mm));
@@ -15,14 +16,14 @@ void follow(const RunOptions& run, double mm, optim::SolverOptions& search) {
 }
 
 optim::MultiStartOptions followed(optim::MultiStartOptions search, const RunOptions& run,
-                                  std::function<std::string(double least)> in_words) {
+                                  std::function<std::string(double least)> describe) {
   search.threads = run.threads;
   search.seed = run.seed;
   search.solver.stop = run.stop;
-  search.ended = [progress = run.progress, starts = search.starts, in_words = std::move(in_words)](
+  search.ended = [progress = run.progress, starts = search.starts, describe = std::move(describe)](
                      int ended, double least) {
     progress("search", static_cast<double>(ended) / starts,
-             fmt::format("start {} of {}, {}", ended, starts, in_words(least)));
+             fmt::format("start {} of {}, {}", ended, starts, describe(least)));
   };
   return search;
 }

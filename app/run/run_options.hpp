@@ -20,7 +20,7 @@ struct Design;
 
 /// Answer of `export` without options to a design.
 struct PrintAnswer {
-  bool is_taken = false;
+  bool is_accepted = false;
   std::string hinges;    ///< kinds of hinges that it would print, or tried last
   std::string why = {};  ///< why it rejects the design, one sentence
 };
@@ -60,9 +60,9 @@ class Interrupted : public std::runtime_error {
 void follow(const RunOptions& run, double mm, optim::SolverOptions& search);
 
 /// Returns a search from many starts with the seed and threads of the run, its stop and its progress.
-/// @param in_words of the least |r| so far
+/// @param describe of the least |r| so far
 optim::MultiStartOptions followed(optim::MultiStartOptions search, const RunOptions& run,
-                                  std::function<std::string(double least)> in_words);
+                                  std::function<std::string(double least)> describe);
 
 /// Stopwatch of wall-clock seconds since the last lap.
 class Stopwatch {

@@ -18,14 +18,14 @@ namespace kinetix::app {
 
 /// Returns the cost that a robust search minimises, mm. @param weight of prints, (0, 1]; the design itself has the
 /// rest to 1
-inline double robust_cost(double weight, double designed_mm, double as_made_mm) {
-  return (1 - weight) * designed_mm + weight * as_made_mm;
+inline double robust_cost(double weight, double designed_mm, double printed_mm) {
+  return (1 - weight) * designed_mm + weight * printed_mm;
 }
 
-/// Whether a search prefers a candidate (designed_mm, as_made_mm, is_allowed) to the best so far.
+/// Whether a search prefers a candidate (designed_mm, printed_mm, is_allowed) to the best so far.
 template <class Candidate>
 bool is_more_robust(double weight, const Candidate& next, const Candidate& best) {
-  const auto cost = [&](const Candidate& c) { return robust_cost(weight, c.designed_mm, c.as_made_mm); };
+  const auto cost = [&](const Candidate& c) { return robust_cost(weight, c.designed_mm, c.printed_mm); };
   return next.is_allowed && (!best.is_allowed || cost(next) < cost(best));
 }
 
@@ -35,8 +35,8 @@ struct RobustCandidate {
   double cell_mm = 0;
   std::optional<double> gap_mm = {};  ///< of blocks and films
   double designed_mm = 0;             ///< rms error of the design itself; NaN if not known
-  double as_made_mm = 0;              ///< expected rms error of prints; NaN if not known
-  double as_made_p95 = 0;             ///< mm, error that 95 of 100 prints stay within; NaN if not known
+  double printed_mm = 0;              ///< expected rms error of prints; NaN if not known
+  double printed_p95_mm = 0;          ///< mm, error that 95 of 100 prints stay within; NaN if not known
 
   /// Whether it meets the goal, also in the equilibrium of its hinges, can be printed, and its hinges withstand the
   /// strain.
@@ -63,24 +63,25 @@ struct PhysicsRequest {
   enum class When { always, if_met, never };
   When when = When::always;
   std::optional<model::LinkageDrive> drive = {};  ///< replaces the drive that folds the sheet to theta
-  double least_settle_s = 0;                      ///< least simulated time for settling, s
+  double min_settle_s = 0;                        ///< least simulated time for settling, s
 };
 
 /// Result of a search, or a design that was given.
-struct Found {
+struct SearchResult {
   /// Its theta is replaced by `theta` below when it is written.
   Design design;
   double theta = 0;                         ///< rad, of the state shown
   std::shared_ptr<const GoalOutcome> goal;  ///< null for a design, which was not searched for
   Tolerances tolerances;                    ///< of a goal
-  std::string judged_against = "the goal";  ///< what points of the sheet are compared with, in words
+  std::string compared_with = "the goal";   ///< what points of the sheet are compared with, in words
   bool is_strip = false;                    ///< whether a column is enough to locate a place in the sheet
   std::optional<model::ShapeMemory>
       goal_drive;                      ///< springs in place of the usual drive, for goals of exact families
   std::vector<HingePart> hinge_parts;  ///< from a goal's file
   /// Choice of a robust search. Empty for curves, whose choice includes columns.
   std::optional<RobustChoice> robust;
-  double verify_tolerance = GoalSettings::usual_verify;  ///< limit of Verification::distance.rms, cell edges
+  double verify_tolerance =
+      GoalSettings::default_verify_tolerance;  ///< limit of Verification::distance.rms, cell edges
 
   /// Model that computes the states. Empty: exact if a family fits, otherwise bullet.
   std::optional<Model> model = {};
@@ -89,7 +90,7 @@ struct Found {
   /// Pose to which results move states of the model. Empty: they stay where they are.
   std::optional<model::Pose> to_shown = {};
   /// Whether results show equilibria after rigid alignment with the model's state.
-  bool is_laid_over = false;
+  bool is_aligned = false;
   /// State of the search, shown if the path to the equilibrium is stopped early.
   struct Known {
     Model model = Model::exact;
@@ -108,14 +109,14 @@ struct Found {
 };
 
 /// Returns the design with the theta that was found or given.
-Design asked_design(const Found& found);
+Design requested_design(const SearchResult& found);
 
 /// Adds the plan and the per-hinge overrides of the file to what was found. Adds its state if its family has a closed
 /// form.
 /// @param brief RunOptions::brief   @throws InvalidInput if the state of a goal needs a closed form that is missing
-Found planned(Found found, bool brief = false);
+SearchResult planned(SearchResult found, bool brief = false);
 
-inline void take_settings(Found& found, const GoalSettings& asked) {
+inline void copy_settings(SearchResult& found, const GoalSettings& asked) {
   found.design.physics = asked.physics;
   found.design.hinge = asked.hinge;
   found.hinge_parts = asked.hinge_parts;
@@ -126,7 +127,7 @@ inline void take_settings(Found& found, const GoalSettings& asked) {
 
 /// Returns the outcome of a goal as the caller's type. @pre found.goal has that type
 template <class Outcome>
-const Outcome& outcome_of(const Found& found) {
+const Outcome& outcome_of(const SearchResult& found) {
   return dynamic_cast<const Outcome&>(*found.goal);
 }
 
@@ -135,7 +136,7 @@ enum class StateOf { model, equilibrium, physics };
 
 /// Returns "model", "equilibrium" or "physics run". The second is that of elastic hinges of a goal of an exact
 /// family.
-std::string in_words(StateOf of);
+std::string describe(StateOf of);
 
 /// Distance of one state from a goal; each kind of goal has its own.
 class Measure {

@@ -26,16 +26,16 @@
 namespace kinetix::app::studio {
 namespace {
 
-constexpr int most_clients = 8;                      // pages: more than one person opens
-constexpr std::size_t most_connections = 64;         // a browser needs several while it loads
-constexpr std::size_t largest_message = 768 << 10;   // bytes: a picture or a scan in base64
-constexpr std::size_t largest_request = 8 << 10;     // bytes of an HTTP header
-constexpr std::size_t longest_ack = 100;             // bytes of a text that may be an acknowledgement
-constexpr int most_in_flight = 2;                    // frames not yet acknowledged by a page
-constexpr std::size_t most_bytes_waiting = 1 << 20;  // answers to a page that does not read
-constexpr std::size_t most_commands = 64;            // waiting; a page at this limit is not read
-constexpr std::size_t most_command_bytes = 2 << 20;  // bytes of those commands
-constexpr std::chrono::seconds patience{5};          // for a request, and for a first message
+constexpr int max_clients = 8;                      // pages: more than one person opens
+constexpr std::size_t max_connections = 64;         // a browser needs several while it loads
+constexpr std::size_t largest_message = 768 << 10;  // bytes: a picture or a scan in base64
+constexpr std::size_t largest_request = 8 << 10;    // bytes of an HTTP header
+constexpr std::size_t longest_ack = 100;            // bytes of a text that may be an acknowledgement
+constexpr int max_in_flight = 2;                    // frames not yet acknowledged by a page
+constexpr std::size_t max_bytes_waiting = 1 << 20;  // answers to a page that does not read
+constexpr std::size_t max_commands = 64;            // waiting; a page at this limit is not read
+constexpr std::size_t max_command_bytes = 2 << 20;  // bytes of those commands
+constexpr std::chrono::seconds patience{5};         // for a request, and for a first message
 
 constexpr std::string_view policy =
     "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src 'self' data: "
@@ -43,7 +43,7 @@ constexpr std::string_view policy =
     "media-src blob:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 /// Compares in constant time.
-bool same_secret(std::string_view a, std::string_view b) {
+bool is_equal_constant_time(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   unsigned char differs = 0;
   for (std::size_t k = 0; k < a.size(); ++k) differs |= static_cast<unsigned char>(a[k] ^ b[k]);
@@ -70,7 +70,7 @@ class Connection;
 struct Server::Engine {
   std::span<const WebFile> files;
   std::string token;
-  ConnectionHandlers visitors;
+  ConnectionHandlers handlers;
   std::list<Connection*>
       connections;  ///< without a page yet; oldest first. Must outlive the connections in io.
   asio::io_context io{1};
@@ -85,7 +85,7 @@ struct Server::Engine {
   void accept();
   void take(tcp::socket socket);
   bool has_room() const;
-  void make_room_for_stranger();
+  void close_oldest_unknown();
   /// Calls `work` for a page, or for all of them (-1).
   void with_pages(int client, const std::function<void(Page&)>& work);
   bool knows_host(std::string_view host) const { return hosts.count(std::string(host)) > 0; }
@@ -134,10 +134,10 @@ class Page : public std::enable_shared_from_this<Page> {
     }
   }
 
-  void tell(Text text) {
+  void send_message(Text text) {
     if (!known_) return;
     texts_.add(std::move(text));
-    if (texts_.counted_bytes() > most_bytes_waiting) return close();
+    if (texts_.counted_bytes() > max_bytes_waiting) return close();
     write();
   }
 
@@ -172,31 +172,31 @@ class Page : public std::enable_shared_from_this<Page> {
   void welcome() {
     known_ = invited_ = true;
     timer_.cancel();
-    engine_.visitors.come(client_);
+    engine_.handlers.on_open(client_);
     if (engine_.newest) show();
   }
 
-  bool is_full() const { return commands_ >= most_commands || command_bytes_ >= most_command_bytes; }
+  bool is_full() const { return commands_ >= max_commands || command_bytes_ >= max_command_bytes; }
 
   void read() {
     rests_ = false;
     socket_.async_read(buffer_, [self = shared_from_this()](error_code error, std::size_t) {
       self->attempt([&] {
         if (error) return self->leave();
-        self->hear();
+        self->receive_next();
       });
     });
   }
 
-  void hear() {
+  void receive_next() {
     const std::string text = beast::buffers_to_string(buffer_.data());
     buffer_.consume(buffer_.size());
-    if (!known_ && !(same_secret(text, engine_.token) && engine_.has_room())) return close();
+    if (!known_ && !(is_equal_constant_time(text, engine_.token) && engine_.has_room())) return close();
     if (!known_)
       welcome();
     else if (!socket_.got_text())
-      tell({"error",
-            std::make_shared<const std::string>(R"({"type": "error", "message": "commands are texts"})")});
+      send_message({"error", std::make_shared<const std::string>(
+                                 R"({"type": "error", "message": "commands are texts"})")});
     else if (!acknowledges(text))
       pass_on(text);
     rests_ = !closed_ && is_full();
@@ -206,7 +206,7 @@ class Page : public std::enable_shared_from_this<Page> {
   void pass_on(const std::string& text) {
     ++commands_;
     command_bytes_ += text.size();
-    engine_.visitors.say(client_, text);
+    engine_.handlers.on_message(client_, text);
   }
 
   /// Handles acknowledgements of frames here, since they are frequent. @return whether the text is one
@@ -227,7 +227,7 @@ class Page : public std::enable_shared_from_this<Page> {
     if (!texts_.empty()) {
       out_ = texts_.take().bytes;
       socket_.text(true);
-    } else if (unseen_ && flying_.size() < most_in_flight) {
+    } else if (unseen_ && flying_.size() < max_in_flight) {
       out_ = std::make_shared<const std::string>(frame_bytes(*engine_.newest, engine_.next_frame, client_));
       unseen_ = false;
       flying_.push_back(engine_.next_frame++);
@@ -249,7 +249,7 @@ class Page : public std::enable_shared_from_this<Page> {
   void leave() {
     closed_ = true;
     timer_.cancel();
-    if (std::exchange(known_, false)) engine_.visitors.go(client_);
+    if (std::exchange(known_, false)) engine_.handlers.on_close(client_);
     engine_.pages.erase(client_);
   }
 
@@ -325,13 +325,14 @@ class Connection : public std::enable_shared_from_this<Connection> {
     if (given.substr(0, 1) == "/") given.remove_prefix(1);
     if (given.substr(0, 7) == "?token=") given.remove_prefix(7);
     const std::string protocol(view(request[http::field::sec_websocket_protocol]));
-    const bool by_protocol = same_secret(protocol, token), by_address = same_secret(given, token);
+    const bool by_protocol = is_equal_constant_time(protocol, token),
+               by_address = is_equal_constant_time(given, token);
     if (!by_protocol && !by_address && !(given.empty() && protocol.empty()))
       return respond(request, http::status::forbidden, "the token is another one\n");
     const bool invited = by_protocol || by_address;
     if (!engine_.has_room())
       return respond(request, http::status::service_unavailable, "eight pages are open already\n");
-    if (!invited) engine_.make_room_for_stranger();
+    if (!invited) engine_.close_oldest_unknown();
     stream_.expires_never();
     const int client = engine_.next_client++;
     const auto page = std::make_shared<Page>(engine_, stream_.release_socket(), client, invited);
@@ -393,7 +394,7 @@ void Server::Engine::accept() {
 }
 
 void Server::Engine::take(tcp::socket socket) {
-  if (connections.size() >= most_connections) connections.front()->close();
+  if (connections.size() >= max_connections) connections.front()->close();
   error_code ignored;
   socket.set_option(tcp::no_delay(true), ignored);
   std::make_shared<Connection>(*this, std::move(socket))->read();
@@ -402,14 +403,14 @@ void Server::Engine::take(tcp::socket socket) {
 /// Returns whether one more page with the token may connect.
 bool Server::Engine::has_room() const {
   return std::count_if(pages.begin(), pages.end(), [](const auto& page) { return page.second->invited(); }) <
-         most_clients;
+         max_clients;
 }
 
-void Server::Engine::make_room_for_stranger() {
+void Server::Engine::close_oldest_unknown() {
   std::vector<std::shared_ptr<Page>> strangers;
   for (const auto& [client, page] : pages)
     if (!page->invited()) strangers.push_back(page);
-  if (std::ssize(strangers) >= most_clients) strangers.front()->close();
+  if (std::ssize(strangers) >= max_clients) strangers.front()->close();
 }
 
 void Server::Engine::with_pages(int client, const std::function<void(Page&)>& work) {
@@ -426,11 +427,11 @@ std::set<std::string> host_names(std::uint16_t port) {
 }
 
 Server::Server(std::span<const WebFile> files, std::string token, std::uint16_t port,
-               ConnectionHandlers visitors)
+               ConnectionHandlers handlers)
     : engine_(std::make_unique<Engine>()) {
   engine_->files = files;
   engine_->token = std::move(token);
-  engine_->visitors = std::move(visitors);
+  engine_->handlers = std::move(handlers);
   engine_->listen(port);
 }
 
@@ -455,9 +456,9 @@ void Server::run() {
 
 void Server::stop() { engine_->io.stop(); }
 
-void Server::tell(int client, Text text) {
+void Server::send_message(int client, Text text) {
   asio::post(engine_->io, [this, client, text = std::move(text)] {
-    engine_->with_pages(client, [&](Page& page) { page.tell(text); });
+    engine_->with_pages(client, [&](Page& page) { page.send_message(text); });
   });
 }
 

@@ -22,9 +22,9 @@ struct WebFile {
 /// Callbacks for the server's clients, called on the thread of run(). The receiver of a text must call took()
 /// later.
 struct ConnectionHandlers {
-  std::function<void(int client)> come;
-  std::function<void(int client, std::string text)> say;
-  std::function<void(int client)> go;
+  std::function<void(int client)> on_open;
+  std::function<void(int client, std::string text)> on_message;
+  std::function<void(int client)> on_close;
 };
 
 /// Returns the names that requests may give a server at this port of 127.0.0.1. Browsers omit port 80.
@@ -44,7 +44,7 @@ std::set<std::string> host_names(std::uint16_t port);
 class Server {
  public:
   /// Opens a port. @param port 0: any   @throws InvalidInput on failure
-  Server(std::span<const WebFile> files, std::string token, std::uint16_t port, ConnectionHandlers visitors);
+  Server(std::span<const WebFile> files, std::string token, std::uint16_t port, ConnectionHandlers handlers);
   ~Server();
 
   std::uint16_t port() const;
@@ -55,7 +55,7 @@ class Server {
   void stop();  ///< from any thread
 
   /// Sends a text to a client, or to all of them (-1); from any thread.
-  void tell(int client, Text text);
+  void send_message(int client, Text text);
   /// Reports that a text of the client, with this size, no longer waits; from any thread.
   void took(int client, std::size_t bytes);
   /// Sends the newest frame to all clients, from any thread. A client with two unacknowledged frames gets the

@@ -22,7 +22,7 @@ namespace kinetix::app {
 namespace {
 
 namespace fs = std::filesystem;
-using studio::Opened;
+using studio::SessionInput;
 
 constexpr std::chrono::milliseconds patience{500};  // at the end, for work that still runs
 
@@ -33,24 +33,24 @@ std::string absolute(const std::string& file) {
   return failure ? file : path.lexically_normal().string();
 }
 
-Opened opened_file(const std::string& file) {
+SessionInput input_of_file(const std::string& file) {
   const targets::Node root = targets::read_document(file, max_design_bytes);
   if (root.optional("target")) {
     read_target(root);  // rejects a broken target before the page opens
-    return Opened{studio::template_design("panel"), "", absolute(file), 0, 0};
+    return SessionInput{studio::template_design("panel"), "", absolute(file), 0, 0};
   }
   Design design = read_design(root);
   studio::require_showable(design);
-  return Opened{std::move(design), absolute(file), "", 0, 0};
+  return SessionInput{std::move(design), absolute(file), "", 0, 0};
 }
 
-Opened opened_source(const std::string& source) {
-  if (source.empty()) return Opened{studio::template_design("panel"), "", "", 0, 0};
-  return opened_file(design_at(source));
+SessionInput input_of_source(const std::string& source) {
+  if (source.empty()) return SessionInput{studio::template_design("panel"), "", "", 0, 0};
+  return input_of_file(design_at(source));
 }
 
 /// Returns the store of unsaved designs; null if nothing can be kept.
-std::shared_ptr<studio::Autosave> autosave_of(const Opened& opened) {
+std::shared_ptr<studio::Autosave> autosave_of(const SessionInput& opened) {
   const fs::path place = studio::autosave_place();
   if (place.empty()) return nullptr;
   const std::string& file = opened.target_file.empty() ? opened.save_file : opened.target_file;
@@ -62,7 +62,7 @@ std::shared_ptr<studio::Autosave> autosave_of(const Opened& opened) {
   }
 }
 
-std::unique_ptr<studio::Session> session_of(Opened opened, const CommandOptions& options,
+std::unique_ptr<studio::Session> session_of(SessionInput opened, const CommandOptions& options,
                                             std::shared_ptr<studio::Autosave> autosave,
                                             studio::MessageSink outlet) {
   opened.threads = options.threads;
@@ -118,24 +118,24 @@ void put_aside(studio::Autosave* autosave) {
 
 int view_command(const CommandOptions& options, const ViewRequest& request) {
   const std::vector<studio::WebFile> files = web_files();
-  Opened opened = opened_source(request.source);
+  SessionInput opened = input_of_source(request.source);
   const std::string token = random_token();
   studio::Session* to = nullptr;
   studio::Server server(files, token, static_cast<std::uint16_t>(request.port),
-                        {[&](int client) { to->greet(client); },
+                        {[&](int client) { to->add_client(client); },
                          [&](int client, std::string text) { to->post(client, std::move(text)); },
-                         [&](int client) { to->dismiss(client); }});
+                         [&](int client) { to->remove_client(client); }});
   const std::shared_ptr<studio::Autosave> autosave = autosave_of(opened);
   std::unique_ptr<studio::Session> session =
       session_of(std::move(opened), options, autosave,
-                 {[&](int client, studio::Text text) { server.tell(client, std::move(text)); },
+                 {[&](int client, studio::Text text) { server.send_message(client, std::move(text)); },
                   [&](std::shared_ptr<const studio::Frame> frame) { server.show(std::move(frame)); },
                   [&](int client, std::size_t bytes) { server.took(client, bytes); }});
   to = session.get();
   std::jthread worker([to](const std::stop_token& stop) { to->run(stop); });
   const std::string address = "http://127.0.0.1:" + std::to_string(server.port()) + "/#" + token;
   std::cout << address << std::endl;
-  if (request.opens_page) open_report(address);
+  if (request.opens_browser) open_report(address);
   server.run();
   const bool in_time = ends_in_time(std::move(worker), std::move(session));
   put_aside(autosave.get());

@@ -6,9 +6,9 @@ namespace kinetix::app {
 
 /// Options of `kinetix-opt view`, in addition to those of all commands.
 struct ViewRequest {
-  std::string source;      ///< a design, a target, or the folder of a result; empty: a template
-  bool opens_page = true;  ///< in the browser
-  int port = 0;            ///< 0: any free port
+  std::string source;         ///< a design, a target, or the folder of a result; empty: a template
+  bool opens_browser = true;  ///< in the browser
+  int port = 0;               ///< 0: any free port
 };
 
 /// Runs the studio (`kinetix-opt view DIR

@@ -24,7 +24,7 @@ namespace kinetix::app {
 namespace {
 
 /// Marks the samples that are done already, or belong to other shares.
-std::vector<bool> done_or_others(const SweepTable& table, const Share& share) {
+std::vector<bool> finished_or_foreign(const SweepTable& table, const Share& share) {
   std::vector<bool> done = table.done();
   for (std::size_t k = 0; k < done.size(); ++k)
     if (!share.has(static_cast<std::int64_t>(k))) done[k] = true;
@@ -35,7 +35,7 @@ std::vector<bool> done_or_others(const SweepTable& table, const Share& share) {
 class Office {
  public:
   Office(SweepTable& table, const Share& share, const std::function<void()>& added)
-      : table_(table), queue_(done_or_others(table, share)), added_(added) {}
+      : table_(table), queue_(finished_or_foreign(table, share)), added_(added) {}
 
   WorkSource source() {
     return {[this](std::size_t count) { return take(count); },
@@ -152,7 +152,7 @@ void SweepProgress::show(std::int64_t count) {
   const double rate = static_cast<double>(count - before_) / seconds_;
   const double done = static_cast<double>(count) / static_cast<double>(total_);
   left_.update(seconds_, done);
-  const std::string left = left_.words(seconds_);
+  const std::string left = left_.text(seconds_);
   console_.stage(
       "sweep", done,
       fmt::format("{} of {}, {:.3g} a second{}{}", count, total_, rate, left.empty() ? "" : ", ", left));
@@ -266,7 +266,7 @@ class Lead {
         shares_(share.empty() ? shares_in(folder_.path(), plan_, identity_) : std::vector<ShareTable>()),
         table_(folder_.path(), plan_, identity_, options.resume) {
     folder_.keep();
-    for (const ShareTable& other : shares_) take_over(other.folder, table_, plan_, identity_);
+    for (const ShareTable& other : shares_) merge_share(other.folder, table_, plan_, identity_);
   }
 
   std::string fingerprint() const { return app::fingerprint(identity_); }
@@ -287,7 +287,7 @@ class Lead {
     if (share_.empty()) write_files();
     const Tally counts = tally(table_);
     if (options_.open) open_report(folder_.path() + "/report.html");
-    say(counts, work);
+    print_summary(counts, work);
     return done;
   }
 
@@ -312,11 +312,11 @@ class Lead {
   void write_files() const {
     write_csv(folder_.path(), table_, plan_, identity_);
     const Json analysed = sweep_json(plan_, identity_, table_);
-    write_file(folder_.path() + "/report.html", sweep_html(light_sweep(analysed).dump()));
+    write_file(folder_.path() + "/report.html", sweep_html(compact_sweep(analysed).dump()));
     write_file(folder_.path() + "/sweep.json", analysed.dump(1) + "\n");
   }
 
-  void say(const Tally& counts, const Work& work) const {
+  void print_summary(const Tally& counts, const Work& work) const {
     const std::string& folder = folder_.path();
     if (!options_.json) {
       const char* written = share_.empty()

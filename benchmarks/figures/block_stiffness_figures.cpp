@@ -36,7 +36,7 @@ std::vector<Figure> block_stiffness_figures() {
   for (const double length : lengths)
     for (const double height : heights)
       for (const double nu : nus) {
-        const model::MadeHinge block = testing::block_of(length, height, nu);
+        const model::ManufacturedHinge block = testing::block_of(length, height, nu);
         const auto measured = testing::calculix_stiffness(block);
         if (!measured) return {{what + "stiffness", "within 10 %", "CalculiX failed", false}};
         const std::array<double, 6> ratio = ratios(stiffness(block), *measured);

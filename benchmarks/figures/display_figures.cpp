@@ -57,7 +57,7 @@ const app::DisplayReading& physics_of(const app::Run& run) {
 }
 double auc(const app::Run& run) { return settled(run) ? physics_of(run).score.auc : 0; }
 
-std::string in_words(const targets::DisplayScore& score) {
+std::string describe(const targets::DisplayScore& score) {
   return fmt::format("auc {:.3f}, contrast {:.1f}, {:.3f} apart", score.auc, score.contrast,
                      score.separation());
 }
@@ -70,13 +70,13 @@ std::vector<Figure> letter_t() {
   const targets::DisplayScore physics = settled(run) ? physics_of(run).score : targets::DisplayScore{};
   const std::string scene = "letter T, 10 x 10 cells, 12 % compression";
   return {{scene + ": model", "auc 1, contrast >= 6, 0.075 apart, stretch <= 0.12",
-           fmt::format("{}, stretch {:.3f}", in_words(model), d.stretch),
+           fmt::format("{}, stretch {:.3f}", describe(model), d.stretch),
            model.auc == 1 && model.contrast >= 6 && model.separation() >= 0.075 && d.stretch <= 0.12},
-          {scene + ": physics run", "auc >= 0.99, contrast >= 4, 0.065 apart", in_words(physics),
+          {scene + ": physics run", "auc >= 0.99, contrast >= 4, 0.065 apart", describe(physics),
            physics.auc >= 0.99 && physics.contrast >= 4 && physics.separation() >= 0.065},
           {scene + ": before compression", "contrast 0", fmt::format("{:g}", d.before.score.contrast),
            d.before.score.contrast == 0},
-          {scene + ": the paper's rule alone, k = 0.15", "", in_words(rule), true},
+          {scene + ": the paper's rule alone, k = 0.15", "", describe(rule), true},
           {scene + ": time of the search", "<= 10 s", fmt::format("{:.2g} s", run.timings.optimise),
            run.timings.optimise <= 10}};
 }
@@ -152,7 +152,7 @@ std::vector<Figure> capitals() {
 
 Figure picture(const std::string& name, targets::DisplayGoal goal) {
   const app::Run run = shown(std::move(goal));
-  const std::string status = settled(run) ? in_words(physics_of(run).score) : "not settled";
+  const std::string status = settled(run) ? describe(physics_of(run).score) : "not settled";
   return {name + ", in the physics run", "auc >= 0.97", status, auc(run) >= 0.97};
 }
 
@@ -166,7 +166,7 @@ Figure grey() {
 Figure large() {
   const app::Run run = shown(letter("T", 20, 20), false);
   return {"letter T, 20 x 20 cells: time of the search", "<= 60 s",
-          fmt::format("{:.3g} s, {}", run.timings.optimise, in_words(shown_by(run).reading.score)),
+          fmt::format("{:.3g} s, {}", run.timings.optimise, describe(shown_by(run).reading.score)),
           run.timings.optimise <= 60};
 }
 

@@ -10,11 +10,11 @@ namespace {
 /// Soft blocks between the half walls of the scenes, 6 mm high and 1 mm long: along the wall several times as stiff as
 /// across it.
 model::Elasticity rubber_blocks(double thickness_mm) {
-  return elasticity_of(model::MadeHinge{.kind = model::HingeKind::block,
-                                        .material = *model::find_material("tango"),
-                                        .gap_mm = 1,
-                                        .thickness_mm = thickness_mm,
-                                        .height_mm = 6});
+  return elasticity_of(model::ManufacturedHinge{.kind = model::HingeKind::block,
+                                                .material = *model::find_material("tango"),
+                                                .gap_mm = 1,
+                                                .thickness_mm = thickness_mm,
+                                                .height_mm = 6});
 }
 
 }  // namespace

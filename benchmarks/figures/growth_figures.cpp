@@ -17,9 +17,10 @@ namespace {
 
 constexpr double closed = 1e-11;              // cell edges: that of small scenes is rounding, and less
 constexpr double closure_per_column = 1e-15;  // cell edges: places far from the first body round by so much
-constexpr double telling = 32 << 20;  // bytes: of less, most is no scene, and says nothing of what GiB hold
-constexpr int most_seconds = 60;      // of a run: eight scenes of it stay within a quarter of an hour
-constexpr double short_way = 0.02;    // rad of theta, in few steps: large sheets take a minute for each
+constexpr double min_scene_bytes =
+    32 << 20;                         // bytes: of less, most is no scene, and says nothing of what GiB hold
+constexpr int max_seconds = 60;       // of a run: eight scenes of it stay within a quarter of an hour
+constexpr double small_theta = 0.02;  // rad of theta, in few steps: large sheets take a minute for each
 
 /// Scene of growing size, with the cost of one run per size, each in a separate process.
 struct Growth {
@@ -56,10 +57,10 @@ Figure grown(const std::string& what, const Growth& growth) {
       "s, {:.3g} GiB",
       slope(growth, growth.seconds), slope(growth, growth.bytes), growth.cells.front(),
       1e3 * growth.seconds.front(), growth.cells.back(), growth.seconds.back(), growth.bytes.back() / gib);
-  if (growth.bytes.back() >= telling)
+  if (growth.bytes.back() >= min_scene_bytes)
     measured += fmt::format("; 24 GiB hold {:.1g} cells", most_cells(growth, 24 * gib));
   if (growth.given_up > 0)
-    measured += fmt::format("; {:.1g} cells given up after {} s", growth.given_up, most_seconds);
+    measured += fmt::format("; {:.1g} cells given up after {} s", growth.given_up, max_seconds);
   return {what, "-", measured, growth.right};
 }
 
@@ -67,7 +68,7 @@ Figure grown(const std::string& what, const Growth& growth) {
 Growth over(const std::vector<int>& cells, const std::function<Cost(int)>& run) {
   Growth growth;
   for (const int n : cells) {
-    const auto cost = cost_alone([&] { return run(n); }, most_seconds);
+    const auto cost = cost_alone([&] { return run(n); }, max_seconds);
     if (!cost) {
       growth.given_up = n;
       break;
@@ -134,7 +135,7 @@ Cost physics_run(const Shape& shape) {
   bool right = true;
   for (int k = 0; k < repeats(shape.first * shape.second); ++k) {
     const sim::PhysicsResult run =
-        run_compression(structure, drive_on(structure, drive_to(structure, short_way)), options);
+        run_compression(structure, drive_on(structure, drive_to(structure, small_theta)), options);
     times.push_back(run.seconds / run.steps);
     right = right && run.gaps.max < 2e-3;
   }

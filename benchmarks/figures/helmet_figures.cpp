@@ -15,7 +15,7 @@ app::HelmetFile headform() {
   return app::read_helmet_file(targets::read_document(std::string(KINETIX_SHAPES) + "/headform.yaml"));
 }
 
-std::string in_words(double rms_mm, double max_mm) {
+std::string describe(double rms_mm, double max_mm) {
   return fmt::format("rms {:.3f} mm, max {:.3f} mm", rms_mm, max_mm);
 }
 
@@ -26,7 +26,7 @@ std::vector<Figure> headform_figures() {
                worst = metrics["rib_rms_mm"];
   const double apart = run.verification->distance.rms;
   const std::string scene = "headform, 8 ribs, 6 mm cells";
-  return {{scene + ": distance from head plus clearance", "rms <= 0.8 mm, max <= 3 mm", in_words(rms, max),
+  return {{scene + ": distance from head plus clearance", "rms <= 0.8 mm, max <= 3 mm", describe(rms, max),
            rms <= 0.8 && max <= 3},
           {scene + ": worst rib from its section curve", "<= 0.2 mm rms", fmt::format("{:.3f} mm", worst),
            worst <= 0.2},
@@ -39,7 +39,7 @@ std::vector<Figure> headform_figures() {
            "verify_rms <= 2e-2 cell edges",
            run.by_physics
                ? fmt::format("rms {:.1e} cell edges, {} from the head, {:.3g} s", apart,
-                             in_words(metrics["distance_rms_mm_physics"], metrics["distance_max_mm_physics"]),
+                             describe(metrics["distance_rms_mm_physics"], metrics["distance_max_mm_physics"]),
                              run.verification->physics.seconds)
                : to_string(run.verification->physics.status) + ": " + run.verification->physics.why,
            run.by_physics && apart <= 2e-2}};
@@ -59,7 +59,7 @@ Figure large() {
     most = std::max(most, rib.cells[0] + rib.cells[1] + 1);
   return {"headform, 16 ribs of 4.2 mm cells: design time", "<= 5 s for ribs of 40 cells",
           fmt::format("{:.2g} s, ribs of up to {} cells, {} bodies, {}", time, most,
-                      design.fishbone.structure.bodies.size(), in_words(design.error.rms, design.error.max)),
+                      design.fishbone.structure.bodies.size(), describe(design.error.rms, design.error.max)),
           time <= 5 && most >= 40};
 }
 

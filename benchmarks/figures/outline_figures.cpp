@@ -106,14 +106,14 @@ Figure disc(double offset_mm, double most) {
 /// Reports the best of all lattices, each cut to shape.
 Figure shape(const std::string& name, const Points& goal) {
   std::string all;
-  constexpr double least_iou = 0.95;
+  constexpr double min_iou = 0.95;
   double best_rms = INFINITY;
   const auto try_lattice = [&](const model::PlanarLattice* lattice, int cells) {
     app::OutlineFile file;
     file.name = "outline";
     file.folded = targets::Outline(goal);
     file.lattice.lattice = lattice;
-    file.lattice.closed_rim = lattice != nullptr;
+    file.lattice.closed_boundary = lattice != nullptr;
     file.columns = file.rows = cells;
     const app::Run run = found(file, false);
     const optim::OutlineDesign& design = outline_of(run).design;
@@ -121,7 +121,7 @@ Figure shape(const std::string& name, const Points& goal) {
         fmt::format("{}{} {:.4f} / {:.3f} ({:.0f} % at the offset's bound, {:.0f} % at that of t, {:.1f} s)",
                     all.empty() ? "" : "; ", file.lattice.name(), design.error.rms, design.error.iou,
                     100 * design.at_bounds_offset, 100 * design.at_bounds_shift, run.timings.optimise);
-    const bool fits = design.clear && design.error.iou >= least_iou;
+    const bool fits = design.clear && design.error.iou >= min_iou;
     if (!fits || !(design.error.rms < best_rms)) return;
     best_rms = design.error.rms;
   };
@@ -132,10 +132,10 @@ Figure shape(const std::string& name, const Points& goal) {
           best_rms <= 0.015};
 }
 
-Figure timed(int cells, double most_seconds) {
+Figure timed(int cells, double max_seconds) {
   const app::Run run = found(whole_panel(ring(60, 60), cells), false);
   return {fmt::format("outline search, disc from {0} x {0} squares", cells),
-          fmt::format("<= {} s", most_seconds), words(run), run.timings.optimise <= most_seconds};
+          fmt::format("<= {} s", max_seconds), words(run), run.timings.optimise <= max_seconds};
 }
 
 Figure both(const std::string& name, const Points& flat, const Points& folded) {

@@ -14,9 +14,9 @@ namespace kinetix::bench {
 namespace {
 
 using Eigen::Vector2d;
+using model::ParallelDrawing;
 using model::PlanarGraph;
 using model::PlanarStructure;
-using model::Redrawing;
 
 constexpr double spread = 0.5;  // of s and 2 o: hinges anywhere about the middle of their walls
 constexpr unsigned seed = 1;    // any: another gives the same orders of magnitude
@@ -68,7 +68,7 @@ std::vector<Figure> time_figures() {
       model::make_planar_structure(model::lattice_graph(model::honeycomb_lattice, 100, 100), {});
   place_hinges(testing::random_redrawing(s, spread, seed), s);
   const double check = median_seconds(5, 1, [&] { exact_motion(s); });
-  const Redrawing y = redrawing_of(s).y;
+  const ParallelDrawing y = parallel_drawing_of(s).y;
   const double state = median_seconds(9, 3, [&] { fold(s, y, 0.5); });
   int numbers = 0;
   const double null_space = median_seconds(5, 1, [&] { numbers = model::ExactDesigns(s).dimension(); });
@@ -92,7 +92,7 @@ double level(const std::string& kind, double x, double y, std::mt19937& random) 
   return std::clamp(0.5 * (x + y) + 0.3 * std::sin(15 * x) * std::sin(15 * y), 0.0, 1.0);
 }
 
-Figure picture_figure(const std::string& kind, int cells, double most_seconds) {
+Figure picture_figure(const std::string& kind, int cells, double max_seconds) {
   const PlanarStructure s = model::make_planar_structure(model::square_graph(cells, cells), {});
   std::mt19937 random(seed);
   std::vector<double> levels;
@@ -102,14 +102,14 @@ Figure picture_figure(const std::string& kind, int cells, double most_seconds) {
     levels.push_back(level(kind, middle.x(), middle.y(), random));
   }
   const optim::WallScales scales{.wanted = optim::wanted_scales(levels, s, 0.08),
-                                 .straight = testing::rim_rows(s.graph)};
+                                 .straight = testing::boundary_rows(s.graph)};
   optim::ScaledWalls found;
   const double time = median_seconds(3, 1, [&] { found = scale_walls(s, scales); });
   return {fmt::format("planar, {} of {} x {} cells, rows straight: search", kind, cells, cells),
-          fmt::format("<= {} s", most_seconds),
+          fmt::format("<= {} s", max_seconds),
           fmt::format("{:.3f} s, {} iterations{}", time, found.iterations,
                       found.converged ? "" : ", not converged"),
-          time <= most_seconds && found.converged};
+          time <= max_seconds && found.converged};
 }
 
 }  // namespace

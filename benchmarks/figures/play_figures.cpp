@@ -28,11 +28,11 @@ std::string numbers(const auto& values, const char* format) {
 
 // px: where the axes of the plot are.
 constexpr double left = 60, right = 620, top = 30, bottom = 330;
-constexpr double most_energy = 20, most_play = 0.35;  // N mm, mm: the highest barrier, and the largest play
-constexpr double play_step = 0.01;                    // mm between points of a curve
+constexpr double max_energy = 20, max_play = 0.35;  // N mm, mm: the highest barrier, and the largest play
+constexpr double play_step = 0.01;                  // mm between points of a curve
 
-double plot_x(double play) { return left + play / most_play * (right - left); }
-double plot_y(double energy) { return bottom - energy / most_energy * (bottom - top); }
+double plot_x(double play) { return left + play / max_play * (right - left); }
+double plot_y(double energy) { return bottom - energy / max_energy * (bottom - top); }
 
 std::string label(double x, double y, const char* anchor, const std::string& text) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor, text);
@@ -44,7 +44,7 @@ std::string line(double x1, double y1, double x2, double y2, const char* style) 
 
 std::string axes() {
   std::string svg;
-  for (int energy = 0; energy <= most_energy; energy += 5) {
+  for (int energy = 0; energy <= max_energy; energy += 5) {
     svg += line(left, plot_y(energy), right, plot_y(energy),
                 energy == 0 ? "stroke=\"#57606a\"" : "stroke=\"#d8dde2\"");
     svg += label(left - 8, plot_y(energy) + 4, "end", fmt::format("{}", energy));

@@ -44,7 +44,7 @@ void try_all(const Design& design, Tally& tally) {
         ++tally.exported;
         for (const model::Polyhedron& mesh : print.job.sheet.meshes) tally.crossing += !is_closed(mesh);
         tally.least_left =
-            std::min(tally.least_left, print.clearance.least().mm - print.clearance.least().asked_mm);
+            std::min(tally.least_left, print.clearance.least().mm - print.clearance.least().required_mm);
       } catch (const InvalidInput& e) {
         ++tally.refused;
         const std::string why = e.what();
@@ -54,11 +54,11 @@ void try_all(const Design& design, Tally& tally) {
 }
 
 Figure timed(const std::string& what, const app::PrintJob& job, const std::vector<const char*>& formats,
-             double asked_s) {
+             double required_s) {
   const double took = seconds([&] {
     for (const char* format : formats) app::print_format(format).write(job);
   });
-  return {what, fmt::format("{:g} s", asked_s), fmt::format("{:.2f} s", took), took <= asked_s};
+  return {what, fmt::format("{:g} s", required_s), fmt::format("{:.2f} s", took), took <= required_s};
 }
 
 /// Prepares a print with the least cells that can be made, from an edge on in whole mm.

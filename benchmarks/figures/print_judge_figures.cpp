@@ -22,13 +22,13 @@ namespace fs = std::filesystem;
 const char* const shapes = KINETIX_SHAPES;
 
 /// Output of a command, both streams, and its exit code.
-struct Said {
+struct CommandText {
   int code = 0;
   std::string text;
 };
 
-Said said_by(const std::string& command) {
-  Said said;
+CommandText command_output(const std::string& command) {
+  CommandText said;
   FILE* pipe = popen((command + " 2>&1").c_str(), "r");
   char text[4096];
   while (const std::size_t n = std::fread(text, 1, sizeof text, pipe)) said.text.append(text, n);
@@ -80,13 +80,13 @@ void judge(const fs::path& folder, const std::string& name, Verdicts& verdicts) 
   for (const char* part : {"hard.stl", "soft.stl"}) {
     const std::string file = folder / part;
     if (!fs::exists(file)) continue;
-    if (!is_clean(said_by("admesh " + file).text)) verdicts.fault(verdicts.unclean, name + ": admesh");
-    if (said_by(std::string(KINETIX_SELF_CROSSING) + " " + file)
+    if (!is_clean(command_output("admesh " + file).text)) verdicts.fault(verdicts.unclean, name + ": admesh");
+    if (command_output(std::string(KINETIX_SELF_CROSSING) + " " + file)
             .text.find("manifold 1\nclosed 1\ncrossing 0") == std::string::npos)
       verdicts.fault(verdicts.crossing, name + ": CGAL");
   }
-  const auto json = nlohmann::json::parse(said_by("cat " + std::string(folder / "print.json")).text);
-  const std::string info = said_by("prusa-slicer --info " + std::string(folder / "all.stl")).text;
+  const auto json = nlohmann::json::parse(command_output("cat " + std::string(folder / "print.json")).text);
+  const std::string info = command_output("prusa-slicer --info " + std::string(folder / "all.stl")).text;
   const int parts = int(json["bodies"]) + (json["hinge"] == "pin" ? 0 : int(json["hinges"]));
   if (info.find("manifold = yes") == std::string::npos || number_after(info, "number_of_parts =") != parts)
     verdicts.fault(verdicts.misread, name + ": PrusaSlicer");
@@ -98,12 +98,12 @@ void judge(const fs::path& folder, const std::string& name, Verdicts& verdicts) 
 
 /// Whether a design exports at its size, or at the one that the refusal names.
 bool exports(const std::string& command, Verdicts& verdicts) {
-  Said run = said_by(command);
+  CommandText run = command_output(command);
   if (run.code == 0) return true;
   std::smatch edge;
   if (!std::regex_search(run.text, edge, std::regex(R"(--cell-mm ([0-9.]+))"))) return false;
   ++verdicts.larger;
-  return said_by(command + " --cell-mm " + edge.str(1)).code == 0;
+  return command_output(command + " --cell-mm " + edge.str(1)).code == 0;
 }
 
 Verdicts verdicts_on(const fs::path& target, const fs::path& scratch) {
@@ -111,7 +111,7 @@ Verdicts verdicts_on(const fs::path& target, const fs::path& scratch) {
   const std::string name = target.stem(), found = scratch / name;
   const std::string program = KINETIX_OPT;
   const bool is_design =
-      said_by(program + " " + std::string(target) + " --no-verify --quiet -o " + found).code == 2;
+      command_output(program + " " + std::string(target) + " --no-verify --quiet -o " + found).code == 2;
   const std::string source = is_design ? std::string(target) : found;
   for (const char* hinge : {"pin", "block"})
     for (const char* process : {"polyjet", "fdm", "sla"}) {

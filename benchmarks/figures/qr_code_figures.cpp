@@ -40,7 +40,7 @@ Reading read(const std::string& text, int cells_per_module, bool in_equilibrium)
   if (in_equilibrium)
     run = run_goal(*goal, options);
   else
-    static_cast<app::Found&>(run) = goal->search(options);
+    static_cast<app::SearchResult&>(run) = goal->search(options);
   const app::FarViewOptions view =
       testing::as_ink_on_paper(app::far_view_options(file.goal), !file.goal.inverted);
   const auto seen = [&](const model::State& state) {

@@ -244,7 +244,7 @@ Figure bits() {
           run.timings.optimise <= 1};
 }
 
-Figure greys(const std::string& name, int cells, double most_seconds, double least_rank,
+Figure greys(const std::string& name, int cells, double max_seconds, double min_rank,
              double (*level)(double x, double y)) {
   std::vector<double> levels;
   for (int j = 0; j < cells; ++j)
@@ -256,9 +256,9 @@ Figure greys(const std::string& name, int cells, double most_seconds, double lea
     found = fit_scaled_display(panel, levels_of(goal, panel), optim::Channel::light, {model::Axis::y}, {});
   });
   return {fmt::format("{}, {} x {} cells", name, cells, cells),
-          fmt::format("rank correlation of light >= {}, <= {} s", least_rank, most_seconds),
+          fmt::format("rank correlation of light >= {}, <= {} s", min_rank, max_seconds),
           fmt::format("{:.3f}, {:.2f} s", found.view.rank, time),
-          found.view.rank >= least_rank && time <= most_seconds};
+          found.view.rank >= min_rank && time <= max_seconds};
 }
 
 /// Returns a smooth level with detail of a tenth of the picture, as a photograph has.

@@ -54,10 +54,10 @@ std::vector<BarrierPoint> barriers() {
 // px: where the axes of the plot are; outside is room for labels, to the left for energies of three digits.
 constexpr double left = 70, right = 620, top = 30, bottom = 330;
 // N mm, the upper end of the axis: room for the highest barrier, at 30 deg.
-constexpr double most_energy = 800;
+constexpr double max_energy = 800;
 
 double plot_x(double alpha) { return left + (alpha - first_alpha) / (90.0 - first_alpha) * (right - left); }
-double plot_y(double energy) { return bottom - energy / most_energy * (bottom - top); }
+double plot_y(double energy) { return bottom - energy / max_energy * (bottom - top); }
 
 std::string label(double x, double y, const char* anchor, const std::string& text) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor, text);
@@ -70,7 +70,7 @@ std::string line(double x1, double y1, double x2, double y2, const char* colour)
 
 std::string axes() {
   std::string svg;
-  for (int energy = 0; energy <= most_energy; energy += 200) {
+  for (int energy = 0; energy <= max_energy; energy += 200) {
     svg += line(left, plot_y(energy), right, plot_y(energy), energy == 0 ? "#57606a" : "#d8dde2");
     svg += label(left - 8, plot_y(energy) + 4, "end", fmt::format("{}", energy));
   }

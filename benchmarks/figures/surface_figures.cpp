@@ -47,7 +47,7 @@ SurfaceOptions steep(SurfaceOptions options) {
 }
 
 Figure fit(const std::string& name, const targets::SurfacePatch& patch, SurfaceOptions options, double most,
-           double most_seconds, int shakes = 4) {
+           double max_seconds, int shakes = 4) {
   options.shakes = shakes;
   options.enough = most;
   const auto [design, seconds] = fitted(patch, options);
@@ -55,12 +55,12 @@ Figure fit(const std::string& name, const targets::SurfacePatch& patch, SurfaceO
       fmt::format("{}, {} x {} facets, edges {:g} to {:g} of the mean", name, options.columns, options.rows,
                   options.bounds.edge[0], options.bounds.edge[1]),
       fmt::format("rms of all vertices from the two layers over the diagonal <= {}, theta <= 0.5; <= {} s",
-                  most, most_seconds),
+                  most, max_seconds),
       fmt::format("{:.2e}, largest {:.2e}, {:.0f} % of the area shared, sectors {:.0f} to {:.0f} deg, tilts "
                   "to {:.0f} deg, {:.1f} s",
                   design.error.rms, design.error.max, 100 * design.error.cover, to_degrees(design.sector[0]),
                   to_degrees(design.sector[1]), to_degrees(design.tilt), seconds),
-      design.within && design.error.rms <= most && seconds <= most_seconds};
+      design.within && design.error.rms <= most && seconds <= max_seconds};
 }
 
 Figure real(const std::string& name, const targets::SurfacePatch& patch, SurfaceOptions options,

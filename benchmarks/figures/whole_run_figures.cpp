@@ -27,19 +27,19 @@ double run_seconds(const std::string& target, const Scratch& folder) {
 }
 
 /// Times a whole run, from the command to the last file.
-Figure whole_run(const std::string& name, double asked_s) {
+Figure whole_run(const std::string& name, double required_s) {
   const Scratch folder;
   std::vector<double> times;
   for (int k = 0; k < repeats; ++k) times.push_back(run_seconds(KINETIX_SHAPES "/" + name + ".yaml", folder));
   const double time = median(std::move(times));
-  return {name + ".yaml, whole run of `kinetix-opt`", fmt::format("<= {:.3g} s", asked_s),
-          fmt::format("{:.2f} s", time), time <= asked_s};
+  return {name + ".yaml, whole run of `kinetix-opt`", fmt::format("<= {:.3g} s", required_s),
+          fmt::format("{:.2f} s", time), time <= required_s};
 }
 
 /// Reports a part of a run as its result times it. @param target text of the file except its name.   @param stage of
 /// timing_s
 Figure stage_of_run(const std::string& what, const std::string& target, const std::string& stage,
-                    double asked_s) {
+                    double required_s) {
   const Scratch folder;
   const std::string file = folder.write("target.yaml", "kinetix: 1\nname: timed\n" + target);
   std::vector<double> times;
@@ -51,11 +51,11 @@ Figure stage_of_run(const std::string& what, const std::string& target, const st
                         .get<double>());
   }
   const double time = median(std::move(times));
-  return {what, fmt::format("<= {:.3g} s", asked_s), fmt::format("{:.2f} s", time), time <= asked_s};
+  return {what, fmt::format("<= {:.3g} s", required_s), fmt::format("{:.2f} s", time), time <= required_s};
 }
 
 /// Measures `check` of squares of cells, in a separate process.
-Figure check_of(int cells, double asked_s, double asked_bytes) {
+Figure check_of(int cells, double required_s, double required_bytes) {
   const Scratch folder;
   const std::string file = folder.write(
       "sheet.yaml",
@@ -68,9 +68,9 @@ Figure check_of(int cells, double asked_s, double asked_bytes) {
       },
       60);
   return {fmt::format("`check` of {0} x {0} cells", cells),
-          fmt::format("<= {:.3g} s, {:.3g} GiB", asked_s, asked_bytes / gib),
+          fmt::format("<= {:.3g} s, {:.3g} GiB", required_s, required_bytes / gib),
           alone ? fmt::format("{:.2f} s, {:.2f} GiB", alone->cost.seconds, alone->bytes / gib) : "none",
-          alone && alone->cost.right && alone->cost.seconds <= asked_s && alone->bytes <= asked_bytes};
+          alone && alone->cost.right && alone->cost.seconds <= required_s && alone->bytes <= required_bytes};
 }
 
 /// Returns the shipped half circle of 40 columns by 9 mm in other cells, its walls in the same proportions.

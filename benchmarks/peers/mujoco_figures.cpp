@@ -136,7 +136,7 @@ void add_mujoco_runs(const PeerScene& scene, MujocoSettings::Bodies bodies, std:
         }
 }
 
-std::string in_words(const std::optional<PeerRun>& run) {
+std::string describe(const std::optional<PeerRun>& run) {
   return run ? fmt::format("{:.3g} ms ({})", 1e3 * run->seconds, run->settings) : "does not get there";
 }
 
@@ -150,7 +150,7 @@ Figure at_level(const PeerScene& scene, const std::vector<PeerRun>& bullet,
                 ours && (!theirs || ours->seconds <= theirs->seconds)};
   if (ours && theirs)
     figure.measured = fmt::format("{:.2g} times the time: ", ours->seconds / theirs->seconds);
-  figure.measured += fmt::format("Bullet {}, MuJoCo {}", in_words(ours), in_words(theirs));
+  figure.measured += fmt::format("Bullet {}, MuJoCo {}", describe(ours), describe(theirs));
   return figure;
 }
 

@@ -52,7 +52,7 @@ std::string grid(const Panel& p) {
   return svg;
 }
 
-std::string asked_errors(const Panel& p) {
+std::string required_error_lines(const Panel& p) {
   std::string svg;
   for (const auto& [error, words] : {std::pair{1e-2, "1 %"}, {1e-3, "0.1 %"}, {1e-4, "0.01 %"}}) {
     const double y = p.y.place(error);
@@ -119,7 +119,7 @@ std::string exact_time(const Panel& p, const MeasuredPoints& points) {
 
 std::string drawn_panel(const MeasuredScene& scene, int k, int count) {
   const Panel p(k / panels_per_row, k % panels_per_row);
-  std::string svg = grid(p) + asked_errors(p);
+  std::string svg = grid(p) + required_error_lines(p);
   svg += fmt::format(
       "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#8c959f\"/>\n", p.x0,
       p.y0, panel_width, panel_height);

@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 
 constexpr double crossing_mm = 0.02;  // mm: below it is rounding of a drawing, invisible to printers.
 // Ratio to the largest patch of a soft part: a smaller one is an edge that grazes a wall
-constexpr double least_patch = 0.02;
+constexpr double min_patch = 0.02;
 // Sine of the angle between a requested axis and the part's length: a smaller one has no meaning
 constexpr double near_axis = 0.1;
 constexpr double stocky = 0.5;    // length over thickness, below which the formulas of blocks are not fitted
@@ -117,7 +117,7 @@ class Builder {
       largest = std::max(largest, touch.patch.area_mm2);
       out.push_back(std::move(touch));
     }
-    std::erase_if(out, [&](const Touch& t) { return !(t.patch.area_mm2 > least_patch * largest); });
+    std::erase_if(out, [&](const Touch& t) { return !(t.patch.area_mm2 > min_patch * largest); });
     return out;
   }
 
@@ -243,11 +243,11 @@ class Builder {
   void add_pin(int a, int b, const PinFit& fit) {
     AssemblyHinge hinge{"pin_" + std::to_string(++pins_), a, b, HingeKind::pin, fit.point, fit.axis};
     hinge.along = direction_across(out_.bodies[b].position - out_.bodies[a].position, fit.axis);
-    const MadeHinge made{.kind = HingeKind::pin,
-                         .material = {.E_mpa = rod_mpa, .nu = rod_nu},
-                         .height_mm = fit.length_mm,
-                         .diameter_mm = fit.rod_mm,
-                         .clearance_mm = fit.clearance_mm};
+    const ManufacturedHinge made{.kind = HingeKind::pin,
+                                 .material = {.E_mpa = rod_mpa, .nu = rod_nu},
+                                 .height_mm = fit.length_mm,
+                                 .diameter_mm = fit.rod_mm,
+                                 .clearance_mm = fit.clearance_mm};
     hinge.k = model::stiffness(made);
     hinge.reach_mm = model::reach_mm(made);
     hinge.rod_mm = fit.rod_mm;

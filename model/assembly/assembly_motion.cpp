@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 // Squared singular value at which the wanted turns and closure have equal weight. It is far below the proper ones of
 // structures (1e-4), and far above those that rounding to float leaves of a mechanism's zero (1e-11).
 constexpr double wanted_weight = 1e-8;
-constexpr int most_bodies = 150;  // bodies, for a dense decomposition: about a second
+constexpr int max_bodies = 150;  // bodies, for a dense decomposition: about a second
 
 double turn_rate(const Linkage& s, const VectorXd& twists, std::size_t k) {
   const RestHinge& h = s.hinges[k];
@@ -42,16 +42,16 @@ Linkage with_first_hinges(const Linkage& linkage, std::size_t count) {
 }
 
 /// Returns the last state if there is one after rest, otherwise a step along the first motion.
-State start_of(const Linkage& linkage, const AssemblyMotion& way, const FirstMotion& first, int hinge,
+State start_of(const Linkage& linkage, const AssemblyMotion& motion, const FirstMotion& first, int hinge,
                double step) {
-  const std::size_t n = way.states.size();
-  if (n > 1) return way.states.back();
+  const std::size_t n = motion.states.size();
+  if (n > 1) return motion.states.back();
   VectorXd twists(6 * linkage.bodies.size());
   for (std::size_t b = 0; b < linkage.bodies.size(); ++b)
     twists.segment<6>(6 * b) << first.twists[b].omega, first.twists[b].v;
   const double rate = turn_rate(linkage, twists, hinge);
-  if (!(std::abs(rate) > 1e-6)) return way.states.back();
-  return retract_straight(linkage, way.states.back(), step / rate * twists);
+  if (!(std::abs(rate) > 1e-6)) return motion.states.back();
+  return retract_straight(linkage, motion.states.back(), step / rate * twists);
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ FirstMotion first_motion(const Linkage& linkage) {
 
 std::optional<int> degrees_of_freedom(const Linkage& linkage, const State& state, std::size_t hinges,
                                       double smallest) {
-  if (static_cast<int>(linkage.bodies.size()) > most_bodies) return std::nullopt;
+  if (static_cast<int>(linkage.bodies.size()) > max_bodies) return std::nullopt;
   const Eigen::SparseMatrix<double> J = closure_jacobian(with_first_hinges(linkage, hinges), state);
   const Eigen::MatrixXd normal = Eigen::MatrixXd(J.transpose() * J);
   const VectorXd squares = symmetric_eigenvalues(normal);
@@ -102,26 +102,26 @@ int first_rigid_hinge(const Linkage& linkage, double smallest) {
 
 AssemblyMotion follow_turn(const Linkage& linkage, const FirstMotion& first, int hinge, double turn,
                            const AssemblyMotionOptions& options) {
-  AssemblyMotion way{{rest_state(linkage)}, {0}};
+  AssemblyMotion motion{{rest_state(linkage)}, {0}};
   const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(turn) / options.step)));
   for (int k = 1; k <= steps; ++k) {
-    if (options.stop && options.stop()) return way;
+    if (options.stop && options.stop()) return motion;
     const double at = turn * k / steps;
     const Closure closed =
-        solve_closure(linkage, start_of(linkage, way, first, hinge, turn / steps), {HingeTurn{hinge, at}});
+        solve_closure(linkage, start_of(linkage, motion, first, hinge, turn / steps), {HingeTurn{hinge, at}});
     const HingeGaps gaps = hinge_gaps(linkage, closed.state);
     if (!(gaps.max <= options.limit && gaps.axis_max <= options.limit)) {
-      way.broken = gaps.max >= gaps.axis_max ? gaps.worst_hinge : gaps.worst_axis;
-      way.broken_turn = at;
-      return way;
+      motion.broken = gaps.max >= gaps.axis_max ? gaps.worst_hinge : gaps.worst_axis;
+      motion.broken_turn = at;
+      return motion;
     }
-    way.gap = std::max(way.gap, gaps.max);
-    way.axis_gap = std::max(way.axis_gap, gaps.axis_max);
-    way.states.push_back(closed.state);
-    way.turns.push_back(at);
+    motion.gap = std::max(motion.gap, gaps.max);
+    motion.axis_gap = std::max(motion.axis_gap, gaps.axis_max);
+    motion.states.push_back(closed.state);
+    motion.turns.push_back(at);
   }
-  way.reached = true;
-  return way;
+  motion.reached = true;
+  return motion;
 }
 
 }  // namespace kinetix::model

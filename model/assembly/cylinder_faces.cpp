@@ -19,22 +19,22 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 // Rad: a circle of twelve sides bends by 30 degrees per edge
-constexpr double most_bend = 35 * radians_per_degree;
+constexpr double max_bend = 35 * radians_per_degree;
 // Rad: two triangles below it are one facet; float rounding bends 1 mm by less
 constexpr double flat = 0.2 * radians_per_degree;
 // Rad: a bore of little more than half a turn does not retain a rod
-constexpr double least_turn = 200 * radians_per_degree;
-constexpr int least_facets = 6;  // facets in 200 degrees of twelve sides, minus one
-constexpr double round = 2e-3;   // tolerance of corners on the circle, ratio to the radius
-constexpr int fits = 4;          // repetitions of the fit until only corners remain: two are usual
+constexpr double min_turn = 200 * radians_per_degree;
+constexpr int min_facets = 6;   // facets in 200 degrees of twelve sides, minus one
+constexpr double round = 2e-3;  // tolerance of corners on the circle, ratio to the radius
+constexpr int fits = 4;         // repetitions of the fit until only corners remain: two are usual
 // Ratio to the radius, below cos(pi / 12) = 0.966 of facets of twelve sides
 constexpr double flattest = 0.95;
 // Rad, between two axes of one hinge: a larger angle jams
 constexpr double parallel = 1 * radians_per_degree;
 // Largest clearance, ratio to the rod's radius: looser pairs are not a bearing
-constexpr double most_play = 0.5;
+constexpr double max_play = 0.5;
 // Ratio to the rod's diameter along the axis: a shorter overlap is only a touch
-constexpr double least_overlap = 0.25;
+constexpr double min_overlap = 0.25;
 
 struct Facets {
   std::vector<Vector3d> normals;  // unit vectors; zero for triangles without area
@@ -82,7 +82,7 @@ std::vector<std::vector<int>> bent_regions(const Polyhedron& solid, const Facets
   std::vector<char> is_bent(solid.triangles.size(), 0);
   for (const Edge& e : inner_edges(solid)) {
     const double turn = sign * bend(solid, facets, e);
-    if (!(turn > -flat && turn < most_bend)) continue;
+    if (!(turn > -flat && turn < max_bend)) continue;
     sets.unite(e.left, e.right);
     if (turn > flat) is_bent[e.left] = is_bent[e.right] = 1;
   }
@@ -148,7 +148,7 @@ double covered(const std::vector<Vector2d>& points, const Vector2d& center) {
   std::sort(angles.begin(), angles.end());
   double gap = angles.front() + 2 * pi - angles.back();
   for (std::size_t k = 1; k < angles.size(); ++k) gap = std::max(gap, angles[k] - angles[k - 1]);
-  return gap < most_bend + flat ? 2 * pi : 2 * pi - gap;
+  return gap < max_bend + flat ? 2 * pi : 2 * pi - gap;
 }
 
 std::optional<CylinderFace> fitted(const std::vector<int>& region, const Polyhedron& solid,
@@ -179,7 +179,7 @@ std::optional<CylinderFace> fitted(const std::vector<int>& region, const Polyhed
   face.turn = covered(flatly, center);
   face.point = origin + center.x() * u + center.y() * v;
   face.point += (0.5 * (face.from + face.to) - d.dot(face.point)) * d;
-  if (!(face.turn > least_turn) || static_cast<int>(flatly.size()) < 2 * least_facets) return std::nullopt;
+  if (!(face.turn > min_turn) || static_cast<int>(flatly.size()) < 2 * min_facets) return std::nullopt;
   face.inner_mm = face.radius_mm;
   for (const int t : region) {
     const double away = facets.normals[t].dot(facets.centers[t] - face.point);
@@ -209,14 +209,14 @@ std::vector<CylinderFace> cylinder_faces(const Polyhedron& solid) {
 std::optional<PinFit> pin_fit(const CylinderFace& rod, const CylinderFace& bore) {
   if (rod.hollow || !bore.hollow) return std::nullopt;
   const double clearance = bore.inner_mm - rod.radius_mm;
-  if (!(clearance >= 0) || !(clearance <= most_play * rod.radius_mm)) return std::nullopt;
+  if (!(clearance >= 0) || !(clearance <= max_play * rod.radius_mm)) return std::nullopt;
   if (!(std::abs(rod.axis.dot(bore.axis)) > std::cos(parallel))) return std::nullopt;
   const Vector3d between = bore.point - rod.point;
   if (!((between - between.dot(rod.axis) * rod.axis).norm() <= std::max(clearance, round * rod.radius_mm)))
     return std::nullopt;
   const double middle = rod.axis.dot(bore.point), half = (bore.to - bore.from) / 2;
   const double from = std::max(rod.from, middle - half), to = std::min(rod.to, middle + half);
-  if (!(to - from >= least_overlap * 2 * rod.radius_mm)) return std::nullopt;
+  if (!(to - from >= min_overlap * 2 * rod.radius_mm)) return std::nullopt;
   Vector3d point = (rod.point + bore.point) / 2;
   const Vector3d axis = (rod.axis + (rod.axis.dot(bore.axis) > 0 ? 1 : -1) * bore.axis).normalized();
   point += (0.5 * (from + to) - rod.axis.dot(point)) / rod.axis.dot(axis) * axis;

@@ -21,8 +21,8 @@ constexpr double pull_weight = 1e-6;
 // Times pull_weight: weight of turns without a pull, which keeps them in place
 constexpr double rest_weight = 1e-3;
 constexpr double longest_step = 0.3;  // rad, cell edges, of a body: beyond it the linearisation is not valid
-constexpr double least_step = 1e-11;  // rad, cell edges, of a body: no better state is near
-constexpr double most_damping = 1e3;  // times pull_weight: steps with more damping make no progress
+constexpr double min_step = 1e-11;    // rad, cell edges, of a body: no better state is near
+constexpr double max_damping = 1e3;   // times pull_weight: steps with more damping make no progress
 
 /// Mean square arm of the tetrahedron's four points about an axis, cell edges^2: weight of a turn squared relative to
 /// a shift squared.
@@ -57,7 +57,7 @@ class NearestClosed {
       VectorXd step;
       State next;
       for (;; damping = std::max(4 * damping, 1.0)) {
-        if (damping > most_damping) return close(state);
+        if (damping > max_damping) return close(state);
         step = solve(damping);
         if (!step.allFinite()) continue;
         if (const double longest = step.lpNorm<Eigen::Infinity>(); longest > longest_step)
@@ -69,7 +69,7 @@ class NearestClosed {
       state = std::move(next);
       const VectorXd now = closure_residual(s_, state);
       multipliers_ += now;
-      if (step.lpNorm<Eigen::Infinity>() < least_step || (is_closed(now) && still(step))) break;
+      if (step.lpNorm<Eigen::Infinity>() < min_step || (is_closed(now) && still(step))) break;
     }
     return close(state);
   }
@@ -131,9 +131,9 @@ class NearestClosed {
 int steps_of(const Linkage& linkage, const Pull& pull, const DeploymentOptions& options) {
   double steps = 1;
   for (std::size_t b = 0; b < pull.to.size(); ++b) {
-    const Vector3d way = (pull.to[b].p - linkage.rest_position(static_cast<int>(b))) / linkage.size.edge_mm;
+    const Vector3d shift = (pull.to[b].p - linkage.rest_position(static_cast<int>(b))) / linkage.size.edge_mm;
     if (pull.turns) steps = std::max(steps, Eigen::AngleAxisd(pull.to[b].R).angle() / options.turn);
-    if (!pull.turns) steps = std::max(steps, way.norm() / options.shift);
+    if (!pull.turns) steps = std::max(steps, shift.norm() / options.shift);
   }
   return static_cast<int>(std::ceil(steps));
 }

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector3d;
 
 // Volume relative to the cube of a shell's extent: a smaller one is a folded sheet of paper, not a solid.
-constexpr double least_filling = 1e-9;
+constexpr double min_filling = 1e-9;
 
 struct PointKey {
   std::array<double, 3> at;
@@ -71,13 +71,13 @@ void for_each_edge(const std::vector<HalfEdge>& edges, const F& f) {
 
 /// Pairs the half edges of one edge in the list's order, each with the next free one of the opposite direction.
 void unite_in_pairs(const std::vector<HalfEdge>& edges, std::size_t first, std::size_t end, UnionFind& sets) {
-  std::vector<bool> taken(end - first);
+  std::vector<bool> is_paired(end - first);
   for (std::size_t a = first; a < end; ++a) {
-    if (taken[a - first]) continue;
+    if (is_paired[a - first]) continue;
     for (std::size_t b = a + 1; b < end; ++b) {
-      if (taken[b - first] || edges[b].forward == edges[a].forward) continue;
+      if (is_paired[b - first] || edges[b].forward == edges[a].forward) continue;
       sets.unite(edges[a].triangle, edges[b].triangle);
-      taken[b - first] = true;
+      is_paired[b - first] = true;
       break;
     }
   }
@@ -154,7 +154,7 @@ std::string shell_defect(const Polyhedron& shell) {
   const double volume = volume_mm3(shell);
   double extent = 0;
   for (const Vector3d& p : shell.points) extent = std::max(extent, (p - shell.points.front()).norm());
-  if (std::abs(volume) <= least_filling * extent * extent * extent) return "encloses no volume";
+  if (std::abs(volume) <= min_filling * extent * extent * extent) return "encloses no volume";
   if (volume < 0)
     return "is inside out, or a sealed void: its triangles face inwards at " +
            place_text(shell.points.front());
@@ -162,8 +162,6 @@ std::string shell_defect(const Polyhedron& shell) {
 }
 
 namespace {
-
-using Eigen::Vector3d;
 
 struct Tile {
   std::array<int, 3> corners;  // indices

@@ -120,7 +120,6 @@ namespace {
 
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 
 struct Segment {
   Vector2d from, to;
@@ -187,10 +186,6 @@ CrossSection cross_section(const Polyhedron& solid, const PlaneFrame& frame, dou
 }
 
 namespace {
-
-using Eigen::Matrix2d;
-using Eigen::Vector2d;
-using Eigen::Vector3d;
 
 // Sections on the path, each in the middle of its share: this resolves a fillet or a waist to a hundredth of the
 // path.
@@ -321,7 +316,7 @@ SoftHinge about(const Beam& beam, const Polyhedron& soft, const Vector2d& axis) 
 
 }  // namespace
 
-bool SoftHinge::is_ambiguous() const { return !(confidence >= least_confidence); }
+bool SoftHinge::is_ambiguous() const { return !(confidence >= min_confidence); }
 
 std::optional<SoftHinge> soft_hinge(const Polyhedron& soft, const ContactPatch& first,
                                     const ContactPatch& second) {
@@ -345,11 +340,11 @@ SoftHinge turned_to(const SoftHinge& hinge, const Polyhedron& soft, const Contac
 }
 
 HingeStiffness stiffness(const SoftHinge& hinge, const Material& material) {
-  MadeHinge block{.kind = HingeKind::block,
-                  .material = material,
-                  .gap_mm = hinge.length_mm,
-                  .thickness_mm = hinge.bending_mm,
-                  .height_mm = hinge.height_mm};
+  ManufacturedHinge block{.kind = HingeKind::block,
+                          .material = material,
+                          .gap_mm = hinge.length_mm,
+                          .thickness_mm = hinge.bending_mm,
+                          .height_mm = hinge.height_mm};
   const HingeStiffness bent = stiffness(block);
   block.thickness_mm = hinge.pulling_mm;
   HingeStiffness out = stiffness(block);

@@ -77,13 +77,13 @@ struct SoftHinge {
   double bending_mm = 0;  ///< thickness of the uniform block of equal bending compliance, mm
   double pulling_mm = 0;  ///< thickness of the uniform block of equal pull compliance, mm
 
-  /// Returns true if the confidence is below least_confidence.
+  /// Returns true if the confidence is below min_confidence.
   bool is_ambiguous() const;
 };
 
 /// Confidence of a section less than 1.15 times as long as wide. Below it, errors of a print or a drawing decide the
 /// axis.
-inline constexpr double least_confidence = 0.25;
+inline constexpr double min_confidence = 0.25;
 
 /// Computes the hinge of a soft part.
 /// @param first, second contact patches with the two rigid parts, normals out of the soft one.

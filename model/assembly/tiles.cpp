@@ -43,7 +43,7 @@ std::string short_text(double x) {
   return out;
 }
 
-std::string joint_words(std::size_t joint) { return "joint " + std::to_string(joint + 1) + ": "; }
+std::string joint_label(std::size_t joint) { return "joint " + std::to_string(joint + 1) + ": "; }
 
 [[noreturn]] void refuse_tile(std::size_t tile, const std::string& why) {
   throw InvalidInput("tile " + std::to_string(tile + 1) + " " + why);
@@ -162,7 +162,7 @@ class TileBuilder {
   }
 
   Vector3d corner(std::size_t joint, int tile, int corner) const {
-    const std::string what = joint_words(joint);
+    const std::string what = joint_label(joint);
     const int tiles = static_cast<int>(sheet_.tiles.size());
     if (tile < 0 || tile >= tiles)
       throw InvalidInput(what + "there is no tile " + std::to_string(tile) + "; they go from 0 to " +
@@ -179,9 +179,9 @@ class TileBuilder {
     const Vector3d a = corner(number, joint.first, joint.first_corner),
                    b = corner(number, joint.second, joint.second_corner);
     if (joint.first == joint.second)
-      throw InvalidInput(joint_words(number) + "joins tile " + std::to_string(joint.first) + " with itself");
+      throw InvalidInput(joint_label(number) + "joins tile " + std::to_string(joint.first) + " with itself");
     if (!((a - b).norm() <= joined_share * edge_))
-      throw InvalidInput(joint_words(number) + "corners that it joins are " +
+      throw InvalidInput(joint_label(number) + "corners that it joins are " +
                          short_text((a - b).norm() / edge_) + " of an edge apart");
     AssemblyHinge hinge{"joint_" + std::to_string(number + 1), std::min(joint.first, joint.second),
                         std::max(joint.first, joint.second), HingeKind::pin, make_.scale_mm * (a + b) / 2};

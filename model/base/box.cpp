@@ -13,7 +13,7 @@ namespace {
 // and the face normals cover that direction.
 constexpr double parallel_squared = 1e-12;
 // Ratio of lengths. A smaller slant is rounding of a right angle, whose cotangent is not exactly 0.
-constexpr double least_slant = 1e-12;
+constexpr double min_slant = 1e-12;
 
 /// Projections of two boxes in the frame of the first one.
 struct Projections {
@@ -77,7 +77,7 @@ double gap_along_edges(const Projections& p, const OrientedBox& a, const Oriente
   return gap;
 }
 
-bool is_slanted(const OrientedBox& box) { return std::abs(box.slant) > least_slant; }
+bool is_slanted(const OrientedBox& box) { return std::abs(box.slant) > min_slant; }
 
 /// Unit vectors of a box: three, or four for a slanted box.
 struct Directions {

@@ -50,9 +50,7 @@ SymmetricFactor::SymmetricFactor(const MatrixXd& A)
     : factor_(std::make_unique<Factor>(Factor{Eigen::LDLT<MatrixXd>(A)})) {}
 SymmetricFactor::~SymmetricFactor() = default;
 
-double SymmetricFactor::least_pivot() const {
-  return factor_->ldlt.vectorD().minCoeff<Eigen::PropagateNaN>();
-}
+double SymmetricFactor::min_pivot() const { return factor_->ldlt.vectorD().minCoeff<Eigen::PropagateNaN>(); }
 VectorXd SymmetricFactor::solve(const VectorXd& b) const { return factor_->ldlt.solve(b); }
 
 VectorXd SymmetricFactor::inverse_diagonal() const {
@@ -60,8 +58,6 @@ VectorXd SymmetricFactor::inverse_diagonal() const {
   return factor_->ldlt.solve(MatrixXd::Identity(n, n)).diagonal();
 }
 
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
 struct SparseFactor::Factor {

@@ -51,7 +51,7 @@ class SymmetricFactor {
   ~SymmetricFactor();
 
   /// Returns the smallest pivot, in the unit of A; NaN if A is not finite.
-  double least_pivot() const;
+  double min_pivot() const;
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
   Eigen::VectorXd inverse_diagonal() const;
 

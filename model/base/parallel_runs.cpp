@@ -12,7 +12,7 @@
 namespace kinetix::model {
 namespace {
 
-constexpr int most_threads = 1024;  // more exhaust the memory for stacks, and OpenMP then ends the program
+constexpr int max_threads = 1024;  // more exhaust the memory for stacks, and OpenMP then ends the program
 
 // OpenMP orders what runs before, in and after a parallel region. The thread sanitizer cannot see that,
 // because the OpenMP runtime is not instrumented. These counters repeat the ordering as C++ atomics, so that
@@ -62,7 +62,7 @@ class Thrown {
 }  // namespace
 
 int threads_of(int requested) {
-  require("threads", requested, requested >= 0 && requested <= most_threads, "0 (all cores) to 1024");
+  require("threads", requested, requested >= 0 && requested <= max_threads, "0 (all cores) to 1024");
   return requested > 0 ? requested : omp_get_max_threads();
 }
 

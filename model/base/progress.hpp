@@ -12,19 +12,20 @@ namespace kinetix {
 /// function, reports are dropped.
 class Progress {
  public:
-  using Hearer = std::function<void(const std::string& stage, double done, const std::string& so_far)>;
+  using ProgressCallback =
+      std::function<void(const std::string& stage, double done, const std::string& so_far)>;
 
   Progress() = default;
-  template <std::convertible_to<Hearer> Function>
-  requires(!std::same_as<Function, Progress>) Progress(Function hearer)
-      : hearer_(std::move(hearer)) {}  // NOLINT: lambdas are given as they are
+  template <std::convertible_to<ProgressCallback> Function>
+  requires(!std::same_as<Function, Progress>) Progress(Function callback)
+      : callback_(std::move(callback)) {}  // NOLINT: lambdas are given as they are
 
   void operator()(const std::string& stage, double done, const std::string& so_far = {}) const {
-    if (hearer_) hearer_(stage, done, so_far);
+    if (callback_) callback_(stage, done, so_far);
   }
 
  private:
-  Hearer hearer_;
+  ProgressCallback callback_;
 };
 
 }  // namespace kinetix

@@ -78,8 +78,6 @@ State retract_straight(const Linkage& structure, const State& state, const Vecto
 
 namespace {
 
-using Eigen::Vector3d;
-
 // Rad: below, the next term of the series is less than 2e-15, and the formulas lose half their digits.
 constexpr double small_angle = 1e-3;
 
@@ -106,9 +104,6 @@ State retract(const Linkage& structure, const State& state, const Eigen::VectorX
 }
 
 namespace {
-
-using Eigen::Vector3d;
-using Entries = std::vector<Eigen::Triplet<double>>;
 
 void append_row(Entries& entries, int row, int column, const Vector3d& gradient) {
   for (int c = 0; c < 3; ++c) entries.emplace_back(row, column + c, gradient[c]);
@@ -201,7 +196,6 @@ void append_drive_gradient(const ClosureDrive& drive, const Linkage& structure, 
 
 namespace {
 
-using Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
 // Weight of a drive as a multiple of a hinge's: hinges that cannot close give way and the drive does not. The
@@ -209,10 +203,10 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 constexpr double drive_weight = 1000;
 // Added to each diagonal entry of the normal equations, where entries are about 1. Without it they are
 // singular if the structure moves freely apart from its drive. A larger value would slow the last steps.
-constexpr double least_damping = 1e-13;
+constexpr double min_damping = 1e-13;
 // Largest value added to the diagonal entries of about 1. Steps with more damping make no progress, and the
 // search ends.
-constexpr double most_damping = 1e6;
+constexpr double max_damping = 1e6;
 // Largest step of a body, rad or cell edges. Beyond it the linearisation is not valid.
 constexpr double longest_step = 0.5;
 
@@ -283,7 +277,7 @@ class Search {
       if (reached_.iterations++ >= options_.max_iterations) return finish(false, "the iterations ran out");
       linearise();
       while (!step()) {
-        if (damping_ > most_damping) return finish(true, "no step lowers the misfit");
+        if (damping_ > max_damping) return finish(true, "no step lowers the misfit");
         damping_ = std::max(10 * damping_, 1e-8);
       }
       if (last_step_ <= options_.step_tolerance) return finish(true, "no better state is near");
@@ -301,7 +295,7 @@ class Search {
   /// Returns false if the damping must grow.
   bool step() {
     SparseMatrix damped = normal_;
-    damped.diagonal().array() += damping_ + least_damping;
+    damped.diagonal().array() += damping_ + min_damping;
     if (!factor_.compute(damped)) return false;
     const VectorXd step = -factor_.solve(gradient_);
     if (!step.allFinite() || largest(step) > longest_step) return false;

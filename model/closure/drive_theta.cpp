@@ -46,7 +46,7 @@ constexpr double growth = 1.01;  // ratio of theta from sample to sample beyond
 constexpr int golden_cuts = 60;  // cuts of a dip, down to the last bits of theta
 // Ratio to theta: this far past the target, a straight tendon is certainly shorter
 constexpr double beyond = 1e-6;
-constexpr int most_secants = 100;  // steps in a bracket: bisection alone needs 50
+constexpr int max_secants = 100;  // steps in a bracket: bisection alone needs 50
 
 /// Excess length of a tendon over its target, cell edges, on one side of flat.
 class CordMiss {
@@ -71,7 +71,7 @@ class CordMiss {
 /// Returns the root between a (miss > 0) and b (miss <= 0) by regula falsi with the Illinois rule.
 double root_between(const CordMiss& miss, double a, double b) {
   double at_a = miss(a), at_b = miss(b);
-  for (int k = 0; k < most_secants && at_b != 0; ++k) {
+  for (int k = 0; k < max_secants && at_b != 0; ++k) {
     const double middle = (a * at_b - b * at_a) / (at_b - at_a);
     if (!(middle > std::min(a, b) && middle < std::max(a, b))) break;
     const double now = miss(middle);
@@ -181,7 +181,7 @@ double coordinate_of(const LinkageDrive& drive, const Linkage& linkage, const St
   return hinge_turn(linkage, state, drive.hinge);
 }
 
-double way_of(const LinkageDrive& drive, const Linkage& linkage, const State& state) {
+double work_coordinate(const LinkageDrive& drive, const Linkage& linkage, const State& state) {
   if (drive.kind == Kind::hinge) return hinge_turn(linkage, state, drive.hinge);
   if (drive.kind == Kind::cord) return -cord_length(linkage, drive.through, state);
   const int first = drive.gripped[0].front(), last = drive.gripped[1].front(), d = component(drive.axis);
@@ -191,7 +191,7 @@ double way_of(const LinkageDrive& drive, const Linkage& linkage, const State& st
 double theta_in(const LinkageDrive& drive, const Linkage& linkage, const State& state) {
   if (!drive.holds_coordinate()) return mean_theta(linkage, state);
   const double at = coordinate_of(drive, linkage, state);
-  return drive.as_far_as(drive.only_pulls() ? std::max(0.0, at) : at).theta();
+  return drive.limited_to(drive.only_pulls() ? std::max(0.0, at) : at).theta();
 }
 
 double mean_theta(const Linkage& linkage, const State& state) {
@@ -261,7 +261,7 @@ double minimum_between(const FoldEnergy& energy, double a, double b) {
 }  // namespace
 
 double exact_theta(const DrivenLinkage& driven, const Elasticity& elasticity) {
-  if (driven.drive.acts_from_outside()) return driven.exact.theta_of(driven.drive);
+  if (driven.drive.is_external()) return driven.exact.theta_of(driven.drive);
   const FoldEnergy energy(driven, elasticity);
   const double goal = driven.drive.theta(), step = goal / energy_scan_steps;
   if (goal == 0) return 0;

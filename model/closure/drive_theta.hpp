@@ -32,7 +32,7 @@ std::optional<double> folded_theta(const LinkageDrive& drive, double theta, cons
 double coordinate_of(const LinkageDrive& drive, const Linkage& linkage, const State& state);
 /// Returns the coordinate along which the load does work, up to a constant. Plates: minus the distance of the
 /// first bodies that they grip, mm. Tendon: minus its length, mm. Hinge: its turn, rad. @pre not springs
-double way_of(const LinkageDrive& drive, const Linkage& linkage, const State& state);
+double work_coordinate(const LinkageDrive& drive, const Linkage& linkage, const State& state);
 /// Returns the LinkageDrive::theta(), rad, that corresponds to a state. A hinge uses its turn and a tendon
 /// its length, plates and springs use mean_theta. The sign for a tendon is that of the drive's branch; a
 /// slack tendon gives 0.

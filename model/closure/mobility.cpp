@@ -42,7 +42,7 @@ constexpr int iterations = 6;  // leave 1e-12 of a direction of singular value 1
 // Singular value: directions below it are separated only in a block that contains all of them
 constexpr double slow = 1e-5;
 // Bodies: about 15 ms; the dense method's time grows with their cube
-constexpr std::size_t most_bodies_for_dense = 20;
+constexpr std::size_t max_bodies_for_dense = 20;
 
 MatrixXd random_block(Eigen::Index rows, Eigen::Index columns) {
   std::mt19937 random(1);
@@ -86,7 +86,7 @@ SingularVectors small_spectrum(const SparseMatrix& jacobian) {
 NullSpace null_space(const Linkage& structure, const State& state, NullSpaceMethod method) {
   const SparseMatrix jacobian = closure_jacobian(structure, state).rightCols(6 * (state.size() - 1));
   const bool dense = method == NullSpaceMethod::dense ||
-                     (method == NullSpaceMethod::automatic && state.size() <= most_bodies_for_dense);
+                     (method == NullSpaceMethod::automatic && state.size() <= max_bodies_for_dense);
   const SingularVectors spectrum =
       dense ? right_singular_vectors(jacobian.toDense()) : small_spectrum(jacobian);
 
@@ -103,7 +103,6 @@ NullSpace null_space(const Linkage& structure, const State& state, NullSpaceMeth
 namespace {
 
 using Eigen::Vector3d;
-using Eigen::VectorXd;
 
 double largest_entry(const VectorXd& v) {
   return v.allFinite() ? v.lpNorm<Eigen::Infinity>() : std::numeric_limits<double>::infinity();
@@ -199,7 +198,7 @@ class Examination {
     found_.dofs_flat = flat.dofs();
     if (found_.dofs_flat == 0) return conclude(Verdict::not_mobile, "flat has no first-order motion");
     found_.misfit = std::numeric_limits<double>::infinity();
-    if (exact_ && goes_on_in_closed_form()) return std::move(found_);
+    if (exact_ && continues_in_closed_form()) return std::move(found_);
     bool all_converged = true;
     for (const VectorXd& direction : directions(flat.basis, options_)) {
       const Motion motion = follow(s_, direction, options_);
@@ -216,7 +215,7 @@ class Examination {
     found_.gruebler_spatial = gruebler_spatial(bodies, hinges, hinges);
   }
 
-  bool goes_on_in_closed_form() {
+  bool continues_in_closed_form() {
     return goes_on(follow_closed_form(s_, exact_, options_),
                    "the closed form of " + exact_.name + " closes all hinges");
   }

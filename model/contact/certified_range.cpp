@@ -157,7 +157,7 @@ SweptPair::SweptPair(const LinkagePlates& plates, const ThetaInterval& interval,
 
 bool SweptPair::is_apart() const {
   const double reach = plates_.reach[pair_.first] + plates_.reach[pair_.second];
-  return second_.p.norm() - reach - there_.way(second_.p, plates_.reach[pair_.second]) > margin_mm_;
+  return second_.p.norm() - reach - there_.travel(second_.p, plates_.reach[pair_.second]) > margin_mm_;
 }
 
 bool SweptPair::is_apart(const WallPair& walls) {
@@ -166,7 +166,7 @@ bool SweptPair::is_apart(const WallPair& walls) {
   const HalfWall& other = plates_.walls[in_order ? walls.second : walls.first];
   const Eigen::Vector3d center = second_.p + second_.R * other.box.center;
   const double around = radius(other.box);
-  if ((center - own.center).norm() - radius(own) - around - there_.way(center, around) > margin_mm_)
+  if ((center - own.center).norm() - radius(own) - around - there_.travel(center, around) > margin_mm_)
     return true;
   const OrientedBox moving = placed(other, second_);
   const SweptBoxes forth{own, moving, there_, interval_.half_width(), margin_mm_};
@@ -198,7 +198,7 @@ class CertifiedSide {
   ContactLimit run() {
     double free = 0;
     double width = widest_interval;
-    while (free < options_.limit && states_ < options_.most_states) {
+    while (free < options_.limit && states_ < options_.max_states) {
       const double next = std::min(free + width, options_.limit);
       const ThetaInterval interval = at(free, next);
       if (!is_finite(interval.state()) || !is_finite(exact_.at(sign_ * next)) || !is_lawful(interval)) break;
@@ -244,28 +244,29 @@ class CertifiedSide {
   }
 
   /// Returns a bound of the displacement of each body's plates over the interval, mm.
-  std::vector<double> ways(const ThetaInterval& interval) const {
+  std::vector<double> travel_of_bodies(const ThetaInterval& interval) const {
     std::vector<double> out;
     const std::vector<SweptMotion> motions = interval.motions();
     for (std::size_t b = 0; b < motions.size(); ++b)
-      out.push_back(motions[b].way(interval.state()[b].p, plates_.reach[b]));
+      out.push_back(motions[b].travel(interval.state()[b].p, plates_.reach[b]));
     return out;
   }
 
   /// Returns the pairs that may meet within the interval; empty if bodies move too far to find neighbours.
   std::optional<std::vector<PlatesOfPair>> near_pairs(const ThetaInterval& interval) {
-    const std::vector<double> way = ways(interval);
-    const double most = *std::max_element(way.begin(), way.end());
+    const std::vector<double> travel = travel_of_bodies(interval);
+    const double most = *std::max_element(travel.begin(), travel.end());
     if (!(most <= wander * plates_.edge()) && interval.half_width() > options_.precision) return std::nullopt;
     Eigen::Matrix3Xd places(3, interval.state().size());
     double far = 0;
     for (std::size_t b = 0; b < interval.state().size(); ++b) {
       places.col(b) = interval.state()[b].p;
-      far = std::max(far, 2 * (plates_.reach[b] + way[b]));
+      far = std::max(far, 2 * (plates_.reach[b] + travel[b]));
     }
     std::vector<std::vector<int>> partners(interval.state().size());
     for (const auto& [a, b] : near_.find(places, far + rounding * plates_.edge()))
-      if ((places.col(a) - places.col(b)).norm() <= plates_.reach[a] + plates_.reach[b] + way[a] + way[b])
+      if ((places.col(a) - places.col(b)).norm() <=
+          plates_.reach[a] + plates_.reach[b] + travel[a] + travel[b])
         partners[a].push_back(b);
     std::vector<PlatesOfPair> all;
     for (int a = 0; a < static_cast<int>(partners.size()) && !is_stopped(); ++a)
@@ -298,7 +299,7 @@ class CertifiedSide {
   /// @param suspects pairs that are unproven over the whole interval
   std::optional<ContactLimit> split(double low, double high, const std::vector<PlatesOfPair>& suspects) {
     if (suspects.empty()) return std::nullopt;
-    if (high - low <= options_.precision || states_ >= options_.most_states) return end_at(low, suspects);
+    if (high - low <= options_.precision || states_ >= options_.max_states) return end_at(low, suspects);
     const double middle = (low + high) / 2;
     if (auto end = look(low, middle, suspects)) return end;
     return look(middle, high, suspects);
@@ -366,7 +367,7 @@ void CertifiedOptions::validate() const {
   if (!(limit > 0) || !(limit <= pi / 2)) throw InvalidInput("the limit of theta must lie in (0, 90] deg");
   if (!(precision >= 1e-12)) throw InvalidInput("the precision of theta must be at least 1e-12 rad");
   if (!(growth_mm >= 0)) throw InvalidInput("the growth of walls must be at least 0 mm");
-  if (!(most_states > 0)) throw InvalidInput("the number of states must be above 0");
+  if (!(max_states > 0)) throw InvalidInput("the number of states must be above 0");
 }
 
 ContactRange certified_range(const Linkage& structure, const ExactMotion& exact,
@@ -380,7 +381,7 @@ ContactRange certified_range(const Linkage& structure, const ExactMotion& exact,
   }
   LinkagePlates plates(structure, turns, options.growth_mm);
   out.touching_at_rest = plates.at_rest.touching_at_rest();
-  if (const int loose = plates.loose_body(); loose >= 0) {
+  if (const int loose = plates.unconnected_body(); loose >= 0) {
     out.why_not = "no hinges join the body at " + structure.vertex_name(loose) + " to the others";
     return out;
   }

@@ -14,7 +14,7 @@ struct CertifiedOptions {
   double growth_mm = 0;       ///< growth of every plate on all sides relative to the design, >= 0
   std::stop_token stop = {};  ///< if it requests a stop, nothing is certified
   /// Per side of flat, > 0: reached by plates that slide along each other within rounding
-  int most_states = 200000;
+  int max_states = 200000;
 
   /// @throws InvalidInput
   void validate() const;

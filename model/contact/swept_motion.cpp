@@ -16,11 +16,11 @@ HingeChain reversed(HingeChain chain) {
 }
 
 HingeChains::HingeChains(const Linkage& linkage)
-    : ways_(linkage.bodies.size()), link_of_(linkage.bodies.size()), round_of_(linkage.bodies.size()) {
+    : neighbours_(linkage.bodies.size()), link_of_(linkage.bodies.size()), round_of_(linkage.bodies.size()) {
   for (int h = 0; h < static_cast<int>(linkage.hinges.size()); ++h) {
     const auto& [lower, upper] = std::pair(linkage.hinges[h].lower, linkage.hinges[h].upper);
-    ways_[lower].push_back({upper, {h, 1}});
-    ways_[upper].push_back({lower, {h, -1}});
+    neighbours_[lower].push_back({upper, {h, 1}});
+    neighbours_[upper].push_back({lower, {h, -1}});
   }
 }
 
@@ -40,11 +40,11 @@ const std::vector<HingeChain>& HingeChains::find(int from, const std::vector<int
   };
   int body = from;
   for (std::size_t next = 0; !is_done(); body = found_[next++].body) {
-    for (const Way& way : ways_[body]) {
-      if (is_met(way.to)) continue;
-      round_of_[way.to] = round_;
-      link_of_[way.to] = static_cast<int>(found_.size());
-      found_.push_back({way.to, body, way.step});
+    for (const Neighbour& neighbour : neighbours_[body]) {
+      if (is_met(neighbour.to)) continue;
+      round_of_[neighbour.to] = round_;
+      link_of_[neighbour.to] = static_cast<int>(found_.size());
+      found_.push_back({neighbour.to, body, neighbour.step});
     }
     if (next >= found_.size()) break;
   }
@@ -65,7 +65,7 @@ HingeChain HingeChains::chain_to(int body, int from) const {
 }
 
 std::vector<HingeChains::Link> HingeChains::tree(int root) {
-  std::vector<int> all(ways_.size());
+  std::vector<int> all(neighbours_.size());
   for (std::size_t b = 0; b < all.size(); ++b) all[b] = static_cast<int>(b);
   find(root, all);
   return found_;
@@ -99,7 +99,7 @@ LinkageMotion::LinkageMotion(const Linkage& structure, const std::vector<TurnLaw
   }
 }
 
-int LinkageMotion::loose_body() const {
+int LinkageMotion::unconnected_body() const {
   std::vector<bool> is_joined(structure.bodies.size());
   is_joined[middle] = true;
   for (const HingeChains::Link& link : links) is_joined[link.body] = true;
@@ -121,7 +121,7 @@ constexpr double still = 1e-12;  // rad per rad: below it a screw's axis is unde
 void SweptMotion::turn_about(const Eigen::Vector3d& point, const Eigen::Vector3d& spin) {
   omega_ = spin;
   v_ = point.cross(spin);
-  most_omega_ = spin.norm();
+  max_omega_ = spin.norm();
   anchor_ = point;
   turns_ = 1;
   axis_ = spin.normalized();
@@ -130,37 +130,37 @@ void SweptMotion::turn_about(const Eigen::Vector3d& point, const Eigen::Vector3d
 void SweptMotion::screw(const Eigen::Vector3d& omega, const Eigen::Vector3d& v) {
   omega_ = omega;
   v_ = v;
-  most_omega_ = omega.norm();
+  max_omega_ = omega.norm();
   turns_ = 1;
-  if (!(most_omega_ > still)) return;
+  if (!(max_omega_ > still)) return;
   anchor_ = omega.cross(v) / omega.squaredNorm();
-  axis_ = omega / most_omega_;
+  axis_ = omega / max_omega_;
 }
 
 void SweptMotion::pass(const Eigen::Vector3d& point, const Eigen::Vector3d& axis, double rate,
                        const RateBounds& bounds) {
   anchor_change_ = change(point, 0);
   anchor_ = point;
-  const double room = 1 - h_ * most_omega_;
+  const double room = 1 - h_ * max_omega_;
   const double across =
-      room > 0 ? std::min(most_omega_, (omega_.cross(axis).norm() + h_ * omega_change_) / room) : most_omega_;
+      room > 0 ? std::min(max_omega_, (omega_.cross(axis).norm() + h_ * omega_change_) / room) : max_omega_;
   omega_change_ += bounds.change + bounds.rate * across;
   omega_ += rate * axis;
   v_ += rate * point.cross(axis);
-  most_omega_ = omega_.norm() + h_ * omega_change_;
+  max_omega_ = omega_.norm() + h_ * omega_change_;
   ++turns_;
   axis_ = axis;
 }
 
 double SweptMotion::change(const Eigen::Vector3d& r, double reach) const {
-  return anchor_change_ + (omega_change_ + most_omega_ * most_omega_) * ((r - anchor_).norm() + reach);
+  return anchor_change_ + (omega_change_ + max_omega_ * max_omega_) * ((r - anchor_).norm() + reach);
 }
 
 double SweptMotion::change_along(const Eigen::Vector3d& n, const Eigen::Vector3d& r, double reach) const {
   return change(r, reach) * (turns_ == 1 ? n.cross(axis_).norm() : 1);
 }
 
-double SweptMotion::way(const Eigen::Vector3d& r, double reach) const {
+double SweptMotion::travel(const Eigen::Vector3d& r, double reach) const {
   return h_ * (speed(r).norm() + omega_.norm() * reach + h_ / 2 * change(r, reach));
 }
 
@@ -188,15 +188,15 @@ double lowest(const SweptHull& part, const Vector3d& n, double tau) {
 
 }  // namespace
 
-double least_gap(const SweptHull& a, const SweptHull& b, const Vector3d& n, double half_width) {
+double min_gap(const SweptHull& a, const SweptHull& b, const Vector3d& n, double half_width) {
   const auto gap = [&](double tau) { return lowest(b, n, tau) + lowest(a, -n, tau); };
   return half_width > 0 ? std::min(gap(half_width), gap(-half_width)) : gap(0);
 }
 
-double way(const SweptHull& part) {
+double travel(const SweptHull& part) {
   double most = 0;
   for (const SweptPoints& p : part)
-    if (p.motion) most = std::max(most, p.motion->way(p.center, p.radius));
+    if (p.motion) most = std::max(most, p.motion->travel(p.center, p.radius));
   return most;
 }
 
@@ -206,8 +206,6 @@ namespace {
 constexpr double lawful = 1e-6;
 
 }  // namespace
-
-using Eigen::Vector3d;
 
 ThetaInterval::ThetaInterval(const LinkageMotion& linkage, const ExactMotion& exact, double sign, double low,
                              double high)

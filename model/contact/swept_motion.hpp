@@ -35,7 +35,7 @@ class HingeChains {
   std::vector<Link> tree(int root);
 
  private:
-  struct Way {
+  struct Neighbour {
     int to = 0;
     ChainStep step;
   };
@@ -43,10 +43,10 @@ class HingeChains {
   bool is_met(int body) const { return round_of_[body] == round_; }
   HingeChain chain_to(int body, int from) const;
 
-  std::vector<std::vector<Way>> ways_;  ///< neighbours of each body
-  std::vector<Link> found_;             ///< in the order of the search
-  std::vector<int> link_of_;            ///< index in found_ of each body; -1 of the first
-  std::vector<int> round_of_;           ///< round in which each body was last reached
+  std::vector<std::vector<Neighbour>> neighbours_;  ///< neighbours of each body
+  std::vector<Link> found_;                         ///< in the order of the search
+  std::vector<int> link_of_;                        ///< index in found_ of each body; -1 of the first
+  std::vector<int> round_of_;                       ///< round in which each body was last reached
   int round_ = 0;
   std::vector<HingeChain> chains_;
 };
@@ -58,7 +58,7 @@ struct LinkageMotion {
 
   double edge() const { return structure.size.edge_mm; }
   /// Returns a body that no chain of hinges joins to the others, or -1.
-  int loose_body() const;
+  int unconnected_body() const;
   /// Returns a bound of the deviation of a body from the position given by its hinges, relative to another body, mm.
   /// @param hinges number of hinges between them   @param gap cell edges, @param off rad: see LawDeviation
   double margin_mm(std::size_t hinges, double gap, double off) const;
@@ -105,14 +105,14 @@ class SweptMotion {
   /// . r'' = (n x a) . (s' l + s^2 a x l), which vanishes along the axis.
   double change_along(const Eigen::Vector3d& n, const Eigen::Vector3d& r, double reach) const;
   /// Returns a bound of the displacement of these points from the middle of the interval, mm.
-  double way(const Eigen::Vector3d& r, double reach) const;
+  double travel(const Eigen::Vector3d& r, double reach) const;
 
  private:
   double h_;                                         ///< rad
   Eigen::Vector3d omega_ = Eigen::Vector3d::Zero();  ///< rad per rad
   Eigen::Vector3d v_ = Eigen::Vector3d::Zero();  ///< velocity of the body's point at the origin, mm per rad
   Eigen::Vector3d anchor_ = Eigen::Vector3d::Zero();  ///< position of the last hinge, mm
-  double most_omega_ = 0;                             ///< W, rad per rad
+  double max_omega_ = 0;                              ///< W, rad per rad
   double omega_change_ = 0;                           ///< A, rad per rad^2
   double anchor_change_ = 0;                          ///< bound for the last hinge, mm per rad^2
   int turns_ = 0;                                     ///< number of hinges passed, or 1 for a screw
@@ -137,10 +137,10 @@ using SweptHull = std::vector<SweptPoints>;
 ///   gap(tau) >= min over b of (n . (r + tau r') - tau^2/2 |n . r''|) - max over a of (n . (r + tau r') + tau^2/2 |n . r''|),
 /// which is concave in tau, so its minimum is at an end.
 /// @param half_width h, rad; 0: only in the middle
-double least_gap(const SweptHull& a, const SweptHull& b, const Eigen::Vector3d& n, double half_width);
+double min_gap(const SweptHull& a, const SweptHull& b, const Eigen::Vector3d& n, double half_width);
 
 /// Returns a bound of the displacement of any point of a part from the middle of the interval, mm.
-double way(const SweptHull& part);
+double travel(const SweptHull& part);
 
 /// Deviation of a state from its hinges and their laws.
 struct LawDeviation {

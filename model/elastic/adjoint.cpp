@@ -49,7 +49,7 @@ class Adjoint {
     energy_ = energy;
     if (system_.holds_coordinate())
       solve_driven(by_state, load);
-    else if (!system_.drive().acts_from_outside())
+    else if (!system_.drive().is_external())
       solve_springs(by_state, load);
     else
       solve_plates(by_state, load);

@@ -66,7 +66,7 @@ int ElasticSystem::touching(const State& state) const {
   return static_cast<int>(contacts(state).size() + touches(state).size());
 }
 
-std::string ElasticSystem::touching_words(const State& state) const {
+std::string ElasticSystem::describe_touching(const State& state) const {
   if (const std::vector<Contact> found = contacts(state); !found.empty())
     return "walls " + structure_.wall_name(ContactModel::hinge(found.front().plate)) + " and " +
            structure_.wall_name(ContactModel::hinge(found.front().other)) + " touch";
@@ -280,7 +280,7 @@ bool ElasticSystem::update_multiplier(const State& state, double theta, double t
 
 double ElasticSystem::load(const State& state, double theta) const {
   if (holds_coordinate()) return -(multiplier_ + grip * drive_miss(state, theta));
-  if (!drive_.acts_from_outside()) return spring_load(state, theta);
+  if (!drive_.is_external()) return spring_load(state, theta);
   const Eigen::VectorXd g = gradient(state, theta);
   const int coordinate = 3 + axis();
   double force = 0;

@@ -47,7 +47,7 @@ class ElasticSystem {
   /// Returns the number of points of walls or bodies that are pressed into others.
   int touching(const State& state) const;
   /// Describes the first two that touch: "walls A and B touch"; empty if none do.
-  std::string touching_words(const State& state) const;
+  std::string describe_touching(const State& state) const;
   /// Returns the kind of object in contact: "walls" or "bodies".
   std::string touching_kind() const { return pieces_ ? "bodies" : "walls"; }
   /// Returns whether walls or bodies passed through each other between two states

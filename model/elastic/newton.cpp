@@ -57,18 +57,16 @@ TruncatedStep conjugate_gradients(TangentStiffness& tangent, const VectorXd& gra
   return {x, size <= good_enough * good_enough * first ? Outcome::solved : Outcome::slow};
 }
 
-using Eigen::VectorXd;
-
 constexpr double first_shift = 1e-2;  // k_point edge^2: high, since a step that is too short is stretched
 // k_point edge^2: smallest initial shift. A smaller one has no effect next to the turning stiffness of a
 // usual hinge, 1e-6.
-constexpr double least_shift = 1e-8;
+constexpr double min_shift = 1e-8;
 // Divisor of the last shift, for the initial shift of the next step. An unnecessary shift vanishes within a
 // few steps.
 constexpr double shift_decay = 20;
 constexpr double tiny_step = 1e-5;  // rad, cell edges: a factor from before such a step is accurate after it
-constexpr double most_shift = 1e6;  // k_point edge^2: with larger shifts, steps have practically no length
-constexpr int most_shortened = 6;   // cuts of a step, at least to half each: a shift is better after that
+constexpr double max_shift = 1e6;   // k_point edge^2: with larger shifts, steps have practically no length
+constexpr int max_shortened = 6;    // cuts of a step, at least to half each: a shift is better after that
 // Rad, cell edges: energy differences of shorter steps are rounding; forces are still accurate.
 constexpr double too_short = 1e-4;
 constexpr double chord_gain = 0.4;  // ratio of a step to the one before; above it, a new factor is cheaper
@@ -126,17 +124,17 @@ class Newton {
       const TruncatedStep truncated = conjugate_gradients(tangent_, gradient_);
       const bool negative = truncated.outcome == TruncatedStep::Outcome::negative;
       if (negative && only_convex) return false;
-      result_.met_negative = result_.met_negative || negative;
+      result_.was_indefinite = result_.was_indefinite || negative;
       if (truncated.outcome != TruncatedStep::Outcome::slow && try_step(truncated.step, negative, false))
         return true;
     }
     if (attempt(0)) return true;
     if (only_convex && !tangent_.is_factorised()) return false;
-    const double start = shift_ == 0 ? first_shift : std::max(shift_ / shift_decay, least_shift);
-    for (double shift = start; shift <= most_shift; shift *= 10) {
+    const double start = shift_ == 0 ? first_shift : std::max(shift_ / shift_decay, min_shift);
+    for (double shift = start; shift <= max_shift; shift *= 10) {
       if (!attempt(shift)) continue;
       shift_ = shift;
-      result_.met_negative = true;
+      result_.was_indefinite = true;
       return true;
     }
     return false;
@@ -182,7 +180,7 @@ class Newton {
   /// @param slope of the energy along the step, times the step
   /// @return whether the energy is lower
   bool shorten(VectorXd& step, double& length, double slope, State& candidate, double& energy) const {
-    for (int tries = 0; tries < most_shortened && length > too_short; ++tries) {
+    for (int tries = 0; tries < max_shortened && length > too_short; ++tries) {
       const double parabola = -slope / (2 * (energy - energy_ - slope));
       const double by = std::isfinite(parabola) ? std::clamp(parabola, 0.1, 0.5) : 0.25;
       step *= by;

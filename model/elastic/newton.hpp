@@ -25,9 +25,9 @@ struct NewtonOptions {
 
 struct NewtonResult {
   bool converged = false;
-  bool stable = false;        ///< whether the tangent of the last state is positive definite
-  bool met_negative = false;  ///< whether the tangent of an intermediate state was not
-  double force = 0;           ///< largest entry of the gradient by the unknowns, k_point edge^2
+  bool stable = false;          ///< whether the tangent of the last state is positive definite
+  bool was_indefinite = false;  ///< whether the tangent of an intermediate state was not
+  double force = 0;             ///< largest entry of the gradient by the unknowns, k_point edge^2
   double moved = 0;    ///< sum of the steps' lengths, without those by an old factor, rad or cell edges
   int iterations = 0;  ///< each with a new tangent
 };

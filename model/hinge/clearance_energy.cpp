@@ -20,7 +20,7 @@ struct SquareResponse {
 
 SquareResponse by_square(double square, double play) {
   const double d = std::sqrt(std::max(square, 0.0));
-  const PlayResponse r = play_response(d, play);
+  const ClearanceResponse r = clearance_response(d, play);
   if (!(r.force > 0)) return {r.energy, 0, 0};
   return {r.energy, r.force / (2 * d), (r.stiffness - r.force / d) / (4 * d * d)};
 }
@@ -40,7 +40,7 @@ class PlayedPoint {
   PlayedPoint& operator=(const PlayedPoint&) = delete;
 
   double across_square() const { return gap_.gap.squaredNorm() - along_.value(); }
-  double across_energy() const { return across_.energy + 0.5 * played_loose * gap_.gap.squaredNorm(); }
+  double across_energy() const { return across_.energy + 0.5 * loose_stiffness * gap_.gap.squaredNorm(); }
   double along_energy() const { return beyond_.energy; }
   double energy() const { return across_weight_ * across_energy() + along_weight_ * along_energy(); }
 
@@ -51,11 +51,11 @@ class PlayedPoint {
     along_.add_to(part, 1, true);
     const Vector12 across = whole.gradient - part.gradient;
     e.energy += energy();
-    e.gradient += across_weight_ * (across_.first * across + 0.5 * played_loose * whole.gradient) +
+    e.gradient += across_weight_ * (across_.first * across + 0.5 * loose_stiffness * whole.gradient) +
                   along_weight_ * beyond_.first * part.gradient;
     e.hessian += across_weight_ *
                  (across_.second * across * across.transpose() +
-                  across_.first * (whole.hessian - part.hessian) + 0.5 * played_loose * whole.hessian);
+                  across_.first * (whole.hessian - part.hessian) + 0.5 * loose_stiffness * whole.hessian);
     e.hessian += along_weight_ *
                  (beyond_.second * part.gradient * part.gradient.transpose() + beyond_.first * part.hessian);
   }
@@ -69,18 +69,18 @@ class PlayedPoint {
     const double whole_both = 2 * (by.gap.dot(along.gap) + gap_.gap.dot(mixed.gap)),
                  part_both = along_.rate(along, by, mixed);
     const double part_along = along_.rate(along), whole_along = 2 * gap_.gap.dot(along.gap);
-    by_energy += across_weight_ * (across_.first * (whole - part) + 0.5 * played_loose * whole) +
+    by_energy += across_weight_ * (across_.first * (whole - part) + 0.5 * loose_stiffness * whole) +
                  along_weight_ * beyond_.first * part;
     by_along +=
         across_weight_ * (across_.second * (whole - part) * (whole_along - part_along) +
-                          across_.first * (whole_both - part_both) + 0.5 * played_loose * whole_both) +
+                          across_.first * (whole_both - part_both) + 0.5 * loose_stiffness * whole_both) +
         along_weight_ * (beyond_.second * part * part_along + beyond_.first * part_both);
   }
 
   /// Returns the derivative of across_energy() along the twists.
   double across_rate(const DirectedChange& along) const {
     const double whole = 2 * gap_.gap.dot(along.gap);
-    return across_.first * (whole - along_.rate(along)) + 0.5 * played_loose * whole;
+    return across_.first * (whole - along_.rate(along)) + 0.5 * loose_stiffness * whole;
   }
   double along_rate(const DirectedChange& along) const { return beyond_.first * along_.rate(along); }
 
@@ -124,40 +124,41 @@ void add_point_gradients(const PlayedPoint& point, const RestHinge& h, double sh
 
 }  // namespace
 
-PlayResponse play_response(double distance, double play) {
-  const double width = played_width * play, beyond = distance - play, into = beyond + width / 2;
+ClearanceResponse clearance_response(double distance, double play) {
+  const double width = corner_width * play, beyond = distance - play, into = beyond + width / 2;
   if (!(into > 0)) return {};
   if (into < width) return {into * into * into / (6 * width), into * into / (2 * width), into / width};
   return {0.5 * beyond * beyond + width * width / 24, beyond, 1};
 }
 
-double play_energy(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
-                   double edge_mm) {
+double clearance_energy(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
+                        double edge_mm) {
   return PlayedPoint(hinge, k, lower, upper, edge_mm, -1).energy() +
          PlayedPoint(hinge, k, lower, upper, edge_mm, 1).energy();
 }
 
-void add_play(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
-              double edge_mm, Element& element) {
+void add_clearance(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
+                   double edge_mm, Element& element) {
   for (const double side : {-1.0, 1.0}) PlayedPoint(hinge, k, lower, upper, edge_mm, side).add_to(element);
 }
 
-void add_play_gradients(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
-                        double edge_mm, const Vector12& along, HingeGradients& derivatives) {
+void add_clearance_gradients(const RestHinge& hinge, const Stiffness& k, const Pose& lower, const Pose& upper,
+                             double edge_mm, const Vector12& along, HingeGradients& derivatives) {
   const HingeChanges changes(lower, upper, along);
   for (const double side : {-1.0, 1.0})
     add_point_gradients(PlayedPoint(hinge, k, lower, upper, edge_mm, side), hinge, side * k.reach, side,
                         changes, derivatives);
 }
 
-std::array<PlayedDistance, 2> played_distances(const RestHinge& hinge, const Stiffness& k, const Pose& lower,
-                                               const Pose& upper, double edge_mm, double side) {
+std::array<ResistingDistance, 2> resisting_distances(const RestHinge& hinge, const Stiffness& k,
+                                                     const Pose& lower, const Pose& upper, double edge_mm,
+                                                     double side) {
   const PlayedPoint point(hinge, k, lower, upper, edge_mm, side);
   Element whole;
   add_turning(point.gap(), 1, whole);
   add_shifts(point.gap(), 1, whole);
   const Vector12 along = point.along().gradient(true);
-  const auto distance = [](double square, double weight, const Vector12& gradient) -> PlayedDistance {
+  const auto distance = [](double square, double weight, const Vector12& gradient) -> ResistingDistance {
     const double d = std::sqrt(std::max(square, 0.0));
     if (!(d > 0)) return {0, weight, Vector12::Zero()};
     return {d, weight, gradient / (2 * d)};

@@ -26,7 +26,7 @@ void check_positive(const char* field, double value) {
   require(field, value, value >= least && value <= most, "positive, from 1e-30 to 1e+30");
 }
 
-void check_play(const Elasticity& e) {
+void check_clearance(const Elasticity& e) {
   require("play_mm", e.play_mm, e.play_mm >= 0 && e.play_mm <= e.reach_mm,
           "from 0 to the reach, which is " + std::to_string(e.reach_mm) + " mm");
   if (e.play_mm > 0 && !(e.ratios.axial == e.ratios.shear && e.tilt.are_by_reach()))
@@ -47,11 +47,11 @@ void Elasticity::validate() const {
   check_positive("ratios.along", ratios.along);
   if (tilt.rock) check_positive("tilt.rock", *tilt.rock);
   if (tilt.twist) check_positive("tilt.twist", *tilt.twist);
-  check_play(*this);
+  check_clearance(*this);
   for (const Elasticity& hinge : each) hinge.validate();
 }
 
-double Stiffness::least_turn() const {
+double Stiffness::min_turn() const {
   double least = each.empty() ? turn : each.front().turn;
   for (const Stiffness& hinge : each) least = std::min(least, hinge.turn);
   return least;

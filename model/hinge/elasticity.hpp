@@ -152,7 +152,7 @@ struct Stiffness {
   /// Returns the stiffness of a hinge. Its contact is that of the whole.
   const Stiffness& of(std::size_t hinge) const { return each.empty() ? *this : each[hinge]; }
   /// Returns the least turning stiffness of all hinges.
-  double least_turn() const;
+  double min_turn() const;
   /// @throws InvalidInput unless there is one for all hinges, or one each
   void check_count(std::size_t hinges) const;
 };

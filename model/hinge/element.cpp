@@ -39,7 +39,6 @@ void add_shifts(const Mismatch& m, double weight, Element& e) {
   }
 }
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 Vector3d wall_direction(const RestHinge& h) { return (h.edge - h.edge.dot(h.axis) * h.axis).normalized(); }

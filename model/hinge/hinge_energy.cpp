@@ -67,7 +67,7 @@ HingeEnergy hinge_energy(const RestHinge& hinge, const Stiffness& k, const Pose&
   const Mismatch point = point_mismatch(hinge, lower, upper, edge_mm);
   const double angle = RelativeTurn(hinge, lower, upper).angle();
   const double turn = k.law->at(angle, k.turn).energy;
-  if (k.play > 0) return {play_energy(hinge, k, lower, upper, edge_mm), turn};
+  if (k.play > 0) return {clearance_energy(hinge, k, lower, upper, edge_mm), turn};
   if (!k.framed() && !k.tilts()) return {point.gap.squaredNorm(), turn};
   const Mismatch axis = axis_mismatch(hinge, lower, upper);
   const double stretch = k.ratios.shear * point.gap.squaredNorm() + k.twist_weight() * axis.gap.squaredNorm();
@@ -95,7 +95,7 @@ Element hinge_element(const RestHinge& hinge, const Stiffness& k, const Pose& lo
                       double edge_mm) {
   Element e;
   if (k.play > 0)
-    add_play(hinge, k, lower, upper, edge_mm, e);
+    add_clearance(hinge, k, lower, upper, edge_mm, e);
   else
     add_stretch(hinge, k, lower, upper, edge_mm, e);
   const Element turn = RelativeTurn(hinge, lower, upper).element();
@@ -259,7 +259,7 @@ HingeGradients hinge_gradients(const RestHinge& hinge, const Stiffness& k, const
                                const Pose& upper, double edge_mm, const Vector12& along) {
   HingeGradients derivatives = spring_gradients(hinge, k, lower, upper, along);
   if (k.play > 0)
-    add_play_gradients(hinge, k, lower, upper, edge_mm, along, derivatives);
+    add_clearance_gradients(hinge, k, lower, upper, edge_mm, along, derivatives);
   else
     add_stretch_gradients(hinge, k, lower, upper, edge_mm, along, derivatives);
   return derivatives;

@@ -122,7 +122,7 @@ PlanarStructure planar_structure(const Lattice& sheet) {
   return *sheet.planar();
 }
 
-void place_hinges(const Redrawing& y, Lattice& sheet) {
+void place_hinges(const ParallelDrawing& y, Lattice& sheet) {
   if (Structure* squares = sheet.squares()) return place_hinges(y, *squares);
   place_hinges(y, *sheet.planar());
 }
@@ -138,7 +138,7 @@ LinkageDrive drive_on(const Lattice& sheet, const Drive& drive, double theta) {
   return std::visit(OnSheet{sheet, theta < 0 ? -1 : 1}, drive);
 }
 
-Drive as_far_as(const LinkageDrive& shown, Drive drive) {
+Drive limited_to(const LinkageDrive& shown, Drive drive) {
   std::visit(EndAt{shown}, drive);
   return drive;
 }
@@ -248,7 +248,9 @@ class Trials {
     Plates drive{.axis = axis, .branch = theta_ < 0 ? -1 : 1};
     const LinkageDrive still = drive_on(sheet_, drive);
     drive.compression = 2 * std::pow(std::sin(theta_ / 2), 2);  // 1 - cos(theta) without its rounding
-    if (exact_) drive.compression = 1 - way_of(still, linkage_, folded_) / way_of(still, linkage_, rest_);
+    if (exact_)
+      drive.compression =
+          1 - work_coordinate(still, linkage_, folded_) / work_coordinate(still, linkage_, rest_);
     if (!(drive.compression > 0)) throw InvalidInput("its rows go apart as the sheet folds");
     const LinkageDrive made = drive_on(sheet_, drive);
     if (exact_) exact_.theta_of(made);

@@ -27,7 +27,7 @@ ExactMotion exact_motion(const Lattice& sheet);
 LinkageDrive drive_on(const Lattice& sheet, const Drive& drive, double theta = 0);
 
 /// Returns the drive with its end point at that of `shown`, which was created from it.
-Drive as_far_as(const LinkageDrive& shown, Drive drive);
+Drive limited_to(const LinkageDrive& shown, Drive drive);
 /// Returns the drive of a sheet scaled by `factor`.
 Drive scaled(Drive drive, double factor);
 /// Returns true if only elastic hinges resist the drive: springs, and plates that press.

@@ -19,16 +19,16 @@ namespace {
 using Eigen::Vector3d;
 using Place = std::array<int, 3>;
 
-constexpr int most_bodies = 100'000;           // bodies: a simulation of more takes over an hour
+constexpr int max_bodies = 100'000;            // bodies: a simulation of more takes over an hour
 constexpr double fixed_axis_tolerance = 1e-9;  // rad: tolerance of the angles that a file may not change
 
 /// Rotors of a cubic cell, in eighths of it, with their turns. Each has a copy in the middle of the cell. Of the five
 /// choices of signs that close all rings, this one shrinks isotropically.
 constexpr SodaliteRotor base[] = {{{2, 4, 0}, 0, 1},  {{6, 4, 0}, 0, -1}, {{0, 2, 4}, 1, 1},
                                   {{0, 6, 4}, 1, -1}, {{4, 0, 2}, 2, 1},  {{4, 0, 6}, 2, -1}};
-constexpr int middle = 4;  // eighths: shift of the copies along each direction
-constexpr int step = 2;    // eighths: distance of neighbours along two directions; it is 0 along the third
-constexpr int least_walls = 3;  // walls per rotor: with fewer it would dangle
+constexpr int middle = 4;     // eighths: shift of the copies along each direction
+constexpr int step = 2;       // eighths: distance of neighbours along two directions; it is 0 along the third
+constexpr int min_walls = 3;  // walls per rotor: with fewer it would dangle
 
 Place operator+(const Place& a, const Place& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 
@@ -62,7 +62,7 @@ std::map<Place, SodaliteRotor> rotors_of(const Place& cells) {
   const std::vector<Place> ways = steps();
   const auto dangles = [&](const auto& entry) {
     return std::count_if(ways.begin(), ways.end(),
-                         [&](const Place& way) { return all.count(entry.first + way) > 0; }) < least_walls;
+                         [&](const Place& way) { return all.count(entry.first + way) > 0; }) < min_walls;
   };
   while (std::erase_if(all, dangles) > 0) {
   }
@@ -152,9 +152,9 @@ SodaliteStructure make_sodalite(Place cells, double gusset, const CellSize& size
     if (count < 1) throw InvalidInput("a sodalite lattice needs at least one cell along each direction");
     bodies *= count;
   }
-  if (bodies > most_bodies)
+  if (bodies > max_bodies)
     throw InvalidInput("a sodalite lattice of " + words(cells) + " cells has more than " +
-                       std::to_string(most_bodies) + " bodies");
+                       std::to_string(max_bodies) + " bodies");
   SodaliteStructure s;
   s.size = size;
   s.cells = cells;
@@ -248,7 +248,6 @@ SodaliteStructure::operator Linkage() const {
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::Vector3d;
 
 constexpr double closed = 1e-9;     // cell edges: rings that do not close exceed it by far at some probe
 constexpr double same_axis = 1e-9;  // rad: tolerance as in validate_hinges

@@ -97,14 +97,14 @@ double LinkageDrive::theta() const {
 
 LinkageDrive LinkageDrive::to(double theta) const {
   const double closer = 2 * std::pow(std::sin(theta / 2), 2);  // 1 - cos(theta) without its rounding
-  LinkageDrive out = as_far_as(kind == Kind::plates ? closer
-                               : kind == Kind::cord ? closer * rest_mm
-                                                    : coordinate_at(theta));
+  LinkageDrive out = limited_to(kind == Kind::plates ? closer
+                                : kind == Kind::cord ? closer * rest_mm
+                                                     : coordinate_at(theta));
   out.branch = theta < 0 ? -1 : 1;
   return out;
 }
 
-LinkageDrive LinkageDrive::as_far_as(double coordinate) const {
+LinkageDrive LinkageDrive::limited_to(double coordinate) const {
   LinkageDrive out = *this;
   (kind == Kind::plates ? out.compression : kind == Kind::cord ? out.shorten_mm : out.angle) = coordinate;
   return out;
@@ -140,13 +140,13 @@ std::string LinkageDrive::coordinate_name() const {
   return kind == Kind::cord ? "shortened_mm" : "drive_rad";
 }
 
-std::string LinkageDrive::coordinate_words() const {
+std::string LinkageDrive::describe_coordinate() const {
   if (kind == Kind::plates) return "compression";
   if (kind == Kind::hinge) return "hinge angle";
   return kind == Kind::cord ? "cord shortened by" : "springs' rest angle";
 }
 
-bool LinkageDrive::tells_fold() const { return kind != Kind::cord && kind != Kind::shape_memory; }
+bool LinkageDrive::determines_fold() const { return kind != Kind::cord && kind != Kind::shape_memory; }
 
 bool LinkageDrive::has_branch() const { return kind == Kind::plates || kind == Kind::cord; }
 
@@ -154,7 +154,7 @@ bool LinkageDrive::has_plates() const { return kind == Kind::plates; }
 
 bool LinkageDrive::only_pulls() const { return kind == Kind::cord; }
 
-bool LinkageDrive::acts_from_outside() const { return kind != Kind::shape_memory; }
+bool LinkageDrive::is_external() const { return kind != Kind::shape_memory; }
 
 bool LinkageDrive::holds_coordinate() const { return kind == Kind::hinge || kind == Kind::cord; }
 

@@ -79,7 +79,7 @@ struct LinkageDrive {
   /// of plates and tendon.
   LinkageDrive to(double theta) const;
   /// Returns a copy of the drive with its target at this value of the coordinate.
-  LinkageDrive as_far_as(double coordinate) const;
+  LinkageDrive limited_to(double coordinate) const;
   /// Returns the coordinate at theta: compression of the plates, shortening of the tendon in mm, or turn of
   /// the hinge in rad. For springs it is the rest angle, rad, of a hinge whose lower body has sense -1.
   double coordinate_at(double theta) const;
@@ -93,10 +93,10 @@ struct LinkageDrive {
   /// Returns the name of the coordinate in results: "compression", "shortened_mm" or "drive_rad".
   std::string coordinate_name() const;
   /// Returns the words before its value in a sentence, for example "cord shortened by".
-  std::string coordinate_words() const;
+  std::string describe_coordinate() const;
 
   /// Returns true if theta() is the fold parameter of the sheet; otherwise it describes the drive alone.
-  bool tells_fold() const;
+  bool determines_fold() const;
   /// Returns true if its coordinate grows with the square of theta to both sides of flat, so that `branch`
   /// selects the side.
   bool has_branch() const;
@@ -105,7 +105,7 @@ struct LinkageDrive {
   /// Returns true if the drive becomes slack instead of pushing.
   bool only_pulls() const;
   /// Returns true if its work is external; springs store theirs in the structure.
-  bool acts_from_outside() const;
+  bool is_external() const;
   /// Returns true if it prescribes one coordinate of the state: the turn of a hinge, or the length of a
   /// tendon.
   bool holds_coordinate() const;

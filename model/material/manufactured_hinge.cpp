@@ -46,10 +46,10 @@ const Material* find_material(std::string_view name) {
 
 namespace {
 
-constexpr double pin_turn = 0.1;    // N mm/rad: friction 0.3 at a radius of 1.5 mm under 0.2 N
-constexpr double least_wall = 0.8;  // mm: for FDM, SLA and SLS (docs/hinges.md section 3)
+constexpr double pin_turn = 0.1;  // N mm/rad: friction 0.3 at a radius of 1.5 mm under 0.2 N
+constexpr double min_wall = 0.8;  // mm: for FDM, SLA and SLS (docs/hinges.md section 3)
 // Ratio of gap to thickness. Shorter elastomer hinges bulge sideways, which the formulas here neglect.
-constexpr double least_slenderness = 0.5;
+constexpr double min_slenderness = 0.5;
 constexpr double rod_shear =
     0.9;  // fraction of a round section that counts in shear (Cowper 1966, nu 0.3 to 0.5)
 
@@ -57,12 +57,12 @@ double in_series(double a, double b) { return 1 / (1 / a + 1 / b); }
 
 /// Returns the factor on E' because of the free edges at the top and bottom. @param by factor on L / h,
 /// fitted
-double between_edges(const MadeHinge& b, double by) {
+double between_edges(const ManufacturedHinge& b, double by) {
   return 1 - b.material.nu * b.material.nu * (1 - std::exp(-by * b.gap_mm / b.height_mm));
 }
 
 /// Returns E' over the length that the held ends leave, MPa/mm. @param by factor on nu^3 t, fitted
-double over_length(const MadeHinge& b, double by) {
+double over_length(const ManufacturedHinge& b, double by) {
   const double nu = b.material.nu;
   const double length = b.gap_mm / b.thickness_mm - by * nu * nu * nu;
   return b.material.E_mpa / (1 - nu * nu) / (length * b.thickness_mm);
@@ -70,7 +70,7 @@ double over_length(const MadeHinge& b, double by) {
 
 /// Returns the stiffness of shear and bending in series, for bending stiffness k_turn with parallel ends.
 /// @param section fraction of the section that counts in shear
-double beam_shear(const MadeHinge& b, double section, double k_turn) {
+double beam_shear(const ManufacturedHinge& b, double section, double k_turn) {
   const double area = b.thickness_mm * b.height_mm;
   return in_series(section * shear_modulus(b.material) * area / b.gap_mm,
                    12 * k_turn / (b.gap_mm * b.gap_mm));
@@ -78,13 +78,13 @@ double beam_shear(const MadeHinge& b, double section, double k_turn) {
 
 /// Returns the stiffness in torsion of a thin rectangular section whose ends are held flat, N mm/rad. It adds
 /// to the twist by shear over the height.
-double torsion(const MadeHinge& b) {
+double torsion(const ManufacturedHinge& b) {
   const double t = b.thickness_mm, h = b.height_mm;
   const double section = h * t * t * t / 3 * (1 - 0.63 * t / h);
   return 1.2 * (1 - std::exp(-0.4 * b.gap_mm / t)) * shear_modulus(b.material) * section / b.gap_mm;
 }
 
-HingeStiffness beam(const MadeHinge& b) {
+HingeStiffness beam(const ManufacturedHinge& b) {
   const double t = b.thickness_mm, h = b.height_mm, nu = b.material.nu;
   HingeStiffness k;
   k.axial = t * h * over_length(b, 2) * between_edges(b, 1.7);
@@ -96,7 +96,7 @@ HingeStiffness beam(const MadeHinge& b) {
   return k;
 }
 
-HingeStiffness rod(const MadeHinge& p) {
+HingeStiffness rod(const ManufacturedHinge& p) {
   const double d = p.diameter_mm, h = p.height_mm, area = pi / 4 * d * d, I = pi / 64 * d * d * d * d;
   const double bending = 192 * p.material.E_mpa * I / (h * h * h),
                shear = 4 * rod_shear * shear_modulus(p.material) * area / h;
@@ -114,11 +114,11 @@ void check(const Material& m) {
   require("strain_max", m.strain_max, m.strain_max > 0 && m.strain_max <= 10, "above 0 and at most 10");
 }
 
-void check_beam(const MadeHinge& b, const CellSize& size) {
+void check_beam(const ManufacturedHinge& b, const CellSize& size) {
   require("gap_mm", b.gap_mm, b.gap_mm > 0 && b.gap_mm < size.edge_mm,
           "above 0 and below the cell edge, " + number_text(size.edge_mm) + " mm");
   check_up_to("thickness_mm", b.thickness_mm, size.thickness_mm, "the thickness of the wall");
-  const double least = least_slenderness * b.thickness_mm;
+  const double least = min_slenderness * b.thickness_mm;
   require("gap_mm", b.gap_mm, b.gap_mm >= least,
           "at least half of the hinge's thickness, " + number_text(least) + " mm");
 }
@@ -126,7 +126,7 @@ void check_beam(const MadeHinge& b, const CellSize& size) {
 /// Returns the diameter at which two knuckles in the middle of walls at a right angle meet, mm.
 double room_for_knuckles(const CellSize& size) { return size.edge_mm / std::sqrt(2.0); }
 
-void check_pin(const MadeHinge& p, const CellSize& size) {
+void check_pin(const ManufacturedHinge& p, const CellSize& size) {
   require("clearance_mm", p.clearance_mm, p.clearance_mm >= 0 && p.clearance_mm < size.edge_mm,
           "at least 0 and below the cell edge");
   require("clearance_mm", p.clearance_mm, !p.with_play || p.clearance_mm <= p.height_mm / 2,
@@ -152,47 +152,51 @@ std::string to_string(HingeKind kind) {
   return kind == HingeKind::pin ? "pin" : kind == HingeKind::block ? "block" : "film";
 }
 
-HingeStiffness stiffness(const MadeHinge& hinge) {
+HingeStiffness stiffness(const ManufacturedHinge& hinge) {
   return hinge.kind == HingeKind::pin ? rod(hinge) : beam(hinge);
 }
 
-double reach_mm(const MadeHinge& hinge) {
+double reach_mm(const ManufacturedHinge& hinge) {
   return hinge.with_play ? hinge.height_mm / 2 : hinge.height_mm / std::sqrt(12.0);
 }
 
-double strain(const MadeHinge& b, double turn) {
+double strain(const ManufacturedHinge& b, double turn) {
   return b.kind == HingeKind::pin ? 0 : std::abs(turn) * b.thickness_mm / (2 * b.gap_mm);
 }
 
-double largest_turn(const MadeHinge& b) {
+double largest_turn(const ManufacturedHinge& b) {
   if (b.kind == HingeKind::pin) return pi;
   return std::min(pi, 2 * b.gap_mm * b.material.strain_max / b.thickness_mm);
 }
 
-double contact_turn(const MadeHinge& b, double wall_thickness_mm, double offset_mm) {
+double contact_turn(const ManufacturedHinge& b, double wall_thickness_mm, double offset_mm) {
   if (b.kind == HingeKind::pin) return pi;
   return 2 * std::atan2(b.gap_mm, wall_thickness_mm + 2 * std::abs(offset_mm));
 }
 
-double play_mm(const MadeHinge& hinge) { return hinge.kind == HingeKind::pin ? hinge.clearance_mm : 0; }
+double play_mm(const ManufacturedHinge& hinge) {
+  return hinge.kind == HingeKind::pin ? hinge.clearance_mm : 0;
+}
 
-double tilt_play(const MadeHinge& hinge) { return std::atan2(2 * play_mm(hinge), hinge.height_mm); }
+double clearance_tilt(const ManufacturedHinge& hinge) {
+  return std::atan2(2 * play_mm(hinge), hinge.height_mm);
+}
 
-double largest_offset_mm(const MadeHinge& hinge, const CellSize& size) {
+double largest_offset_mm(const ManufacturedHinge& hinge, const CellSize& size) {
   const double needs = hinge.kind == HingeKind::pin ? knuckle_mm(hinge) : hinge.thickness_mm,
                room = hinge.caps ? room_for_knuckles(size) : size.thickness_mm;
   return std::max(0.0, (room - needs) / 2);
 }
 
-double knuckle_mm(const MadeHinge& p) { return p.diameter_mm + 2 * (p.clearance_mm + least_wall); }
+double knuckle_mm(const ManufacturedHinge& p) { return p.diameter_mm + 2 * (p.clearance_mm + min_wall); }
 
-Elasticity elasticity_of(const MadeHinge& hinge) {
+Elasticity elasticity_of(const ManufacturedHinge& hinge) {
   Elasticity e = elasticity_of(stiffness(hinge), reach_mm(hinge));
   if (hinge.with_play) e.play_mm = play_mm(hinge);
   return e;
 }
 
-MadeHinge fitted(MadeHinge hinge, const CellSize& before, const CellSize& now) {
+ManufacturedHinge fitted(ManufacturedHinge hinge, const CellSize& before, const CellSize& now) {
   const auto fit = [](double& own, double wall, double new_wall) {
     own = own == wall ? new_wall : std::min(own, new_wall);
   };
@@ -201,7 +205,7 @@ MadeHinge fitted(MadeHinge hinge, const CellSize& before, const CellSize& now) {
   return hinge;
 }
 
-void validate(const MadeHinge& hinge, const CellSize& size) {
+void validate(const ManufacturedHinge& hinge, const CellSize& size) {
   check(hinge.material);
   check_up_to("height_mm", hinge.height_mm, size.height_mm, "the height of the wall");
   if (hinge.kind == HingeKind::pin)
@@ -219,17 +223,17 @@ double edge_stretch_mm(const Linkage& linkage, const State& state, int hinge, do
   return std::max((pulled_mm + leant_mm).norm(), (pulled_mm - leant_mm).norm());
 }
 
-double hinge_strain(const MadeHinge& made, const Linkage& linkage, const State& state, int hinge) {
+double hinge_strain(const ManufacturedHinge& made, const Linkage& linkage, const State& state, int hinge) {
   if (made.kind == HingeKind::pin) return 0;
   return strain(made, std::abs(hinge_turn(linkage, state, hinge))) +
          edge_stretch_mm(linkage, state, hinge, made.height_mm) / made.gap_mm;
 }
 
 std::optional<StrainedHinge> most_strained(const Linkage& linkage, const State& state,
-                                           const std::function<const MadeHinge*(int)>& made) {
+                                           const std::function<const ManufacturedHinge*(int)>& made) {
   std::optional<StrainedHinge> worst;
   for (int h = 0; h < static_cast<int>(linkage.hinges.size()); ++h) {
-    const MadeHinge* const hinge = made(h);
+    const ManufacturedHinge* const hinge = made(h);
     if (!hinge) continue;
     const StrainedHinge one{h, hinge_strain(*hinge, linkage, state, h), hinge->material.strain_max};
     if (one.strain <= one.borne) continue;

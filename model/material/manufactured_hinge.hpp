@@ -46,7 +46,7 @@ std::string to_string(HingeKind kind);
 
 /// Dimensions and material of a manufactured hinge. Elastomer and living hinges span the gap L along the
 /// wall, with thickness t across it and height h along the hinge axis. A pin is a rod as high as the wall.
-struct MadeHinge {
+struct ManufacturedHinge {
   HingeKind kind = HingeKind::block;
   Material material = {};
   double gap_mm = 0;        ///< block, film: L, > 0
@@ -59,7 +59,7 @@ struct MadeHinge {
   /// needs.
   bool caps = false;
 
-  bool operator==(const MadeHinge&) const = default;
+  bool operator==(const ManufacturedHinge&) const = default;
 };
 
 /// Returns the stiffness of a hinge in its frame.
@@ -91,48 +91,48 @@ struct MadeHinge {
 /// Its shoulders are assumed to be equally stiff along the axis. About the axis it has friction only: 0.1 N
 /// mm/rad, for a rod of 3 mm under 0.2 N. Clearance is not included: elasticity_of() adds it if the hinge is
 /// with_play.
-HingeStiffness stiffness(const MadeHinge& hinge);
+HingeStiffness stiffness(const ManufacturedHinge& hinge);
 
 /// Returns half the distance of two points on the axis that resist tilting as the whole height does: h /
 /// sqrt(12). For a pin with clearance it is h / 2, where the rod leaves the bore. The rod touches the bore
-/// there when it tilts by tilt_play(). mm
-double reach_mm(const MadeHinge& hinge);
+/// there when it tilts by clearance_tilt(). mm
+double reach_mm(const ManufacturedHinge& hinge);
 
 /// Returns the strain of an elastomer or living hinge of even curvature, t |turn| / (2 L); 0 for a pin.
 /// @param turn rad
-double strain(const MadeHinge& hinge, double turn);
+double strain(const ManufacturedHinge& hinge, double turn);
 /// Returns the turn at which strain() reaches the limit of the material, rad, at most pi.
-double largest_turn(const MadeHinge& hinge);
+double largest_turn(const ManufacturedHinge& hinge);
 
 /// Returns the turn, rad, at which the corners of the two halves of a wall of thickness T touch across the
 /// gap: tan(phi / 2) = L / (T + 2 |offset|). pi for a pin, whose walls have round ends.
-double contact_turn(const MadeHinge& hinge, double wall_thickness_mm, double offset_mm);
+double contact_turn(const ManufacturedHinge& hinge, double wall_thickness_mm, double offset_mm);
 
 /// Returns the clearance of a pin per side, mm; 0 for other hinges.
-double play_mm(const MadeHinge& hinge);
+double play_mm(const ManufacturedHinge& hinge);
 /// Returns the tilt that the clearance of a pin allows: atan(2 clearance / height), rad.
-double tilt_play(const MadeHinge& hinge);
+double clearance_tilt(const ManufacturedHinge& hinge);
 
 /// Returns the largest offset of a hinge from the middle of its wall, mm. An elastomer or living hinge may
 /// reach the wall's face. A pin may have an eccentric bore in the round end of a wall that is thicker than
 /// its knuckle, or in a cap. Two caps in the middle of walls at a right angle must not meet.
-double largest_offset_mm(const MadeHinge& hinge, const CellSize& size);
+double largest_offset_mm(const ManufacturedHinge& hinge, const CellSize& size);
 
 /// Returns the diameter of the knuckle around a pin, mm: rod, clearance and the least wall of all processes.
-double knuckle_mm(const MadeHinge& pin);
+double knuckle_mm(const ManufacturedHinge& pin);
 
 /// Returns the hinge for walls of another size. Dimensions equal to the old wall's follow the new wall;
 /// others are limited to it.
-MadeHinge fitted(MadeHinge hinge, const CellSize& before, const CellSize& now);
+ManufacturedHinge fitted(ManufacturedHinge hinge, const CellSize& before, const CellSize& now);
 
 /// Returns the elasticity of the hinge, for the elastic model and the simulation.
-Elasticity elasticity_of(const MadeHinge& hinge);
+Elasticity elasticity_of(const ManufacturedHinge& hinge);
 
 /// Checks a hinge against its cell. The gap must be below the cell edge and at least half the hinge's
 /// thickness. The hinge must not be thicker or higher than its wall. A knuckle must not be wider than edge /
 /// sqrt(2), where two in the middle of walls at a right angle meet.
 /// @throws InvalidInput, naming the field as in files, its value and its range
-void validate(const MadeHinge& hinge, const CellSize& size);
+void validate(const ManufacturedHinge& hinge, const CellSize& size);
 
 /// Returns the stretch of an elastomer or living hinge at its upper or lower edge, half its height from the
 /// middle, in mm. The larger of the two counts, in tension or compression.
@@ -140,7 +140,7 @@ double edge_stretch_mm(const Linkage& linkage, const State& state, int hinge, do
 
 /// Returns the largest strain of an elastomer or living hinge in a state: that of its bending, strain(), plus
 /// edge_stretch_mm() / gap. 0 for a pin.
-double hinge_strain(const MadeHinge& made, const Linkage& linkage, const State& state, int hinge);
+double hinge_strain(const ManufacturedHinge& made, const Linkage& linkage, const State& state, int hinge);
 
 /// Hinge whose strain exceeds the limit of its material.
 struct StrainedHinge {
@@ -153,6 +153,6 @@ struct StrainedHinge {
 /// Returns the hinge with the largest ratio of strain to material limit, if any exceeds its limit.
 /// @param made returns the dimensions of a hinge; nullptr: unknown, the hinge is skipped
 std::optional<StrainedHinge> most_strained(const Linkage& linkage, const State& state,
-                                           const std::function<const MadeHinge*(int)>& made);
+                                           const std::function<const ManufacturedHinge*(int)>& made);
 
 }  // namespace kinetix::model

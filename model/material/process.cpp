@@ -122,25 +122,26 @@ void validate(const PrintError& sd) {
   check("clearance_mm", sd.clearance_mm, 10);
 }
 
-PlayScatter play_scatter(const MadeHinge& hinge, const PrintError& sd) {
+ClearanceScatter clearance_scatter(const ManufacturedHinge& hinge, const PrintError& sd) {
   if (hinge.kind != HingeKind::pin || hinge.with_play) return {};
-  MadeHinge loose = hinge;
+  ManufacturedHinge loose = hinge;
   loose.clearance_mm = std::hypot(hinge.clearance_mm, sd.clearance_mm);
   const double even = std::sqrt(3.0);
-  return {play_mm(loose) / even, tilt_play(loose) / even};
+  return {play_mm(loose) / even, clearance_tilt(loose) / even};
 }
 
 std::vector<PrintProblem> print_problems(const Process& p, const CellSize& size,
-                                         const std::optional<MadeHinge>& hinge) {
+                                         const std::optional<ManufacturedHinge>& hinge) {
   Problems problems(p, size.edge_mm);
-  problems.compare("a wall", size.thickness_mm, p.least_wall_mm);
+  problems.compare("a wall", size.thickness_mm, p.min_wall_mm);
   if (!hinge || hinge->kind != HingeKind::pin) return std::move(problems).all();
-  problems.compare("a rod", hinge->diameter_mm, p.least_pin_mm);
+  problems.compare("a rod", hinge->diameter_mm, p.min_pin_mm);
   problems.compare("a clearance", hinge->clearance_mm, p.clearance_mm);
   return std::move(problems).all();
 }
 
-double least_cell_mm(const Process& process, const CellSize& size, const std::optional<MadeHinge>& hinge) {
+double min_cell_mm(const Process& process, const CellSize& size,
+                   const std::optional<ManufacturedHinge>& hinge) {
   double least = size.edge_mm;
   for (const PrintProblem& problem : print_problems(process, size, hinge))
     least = std::max(least, problem.cell_mm);

@@ -33,23 +33,23 @@ struct Process {
   std::string name;                 ///< as in files
   double clearance_mm = 0;          ///< in the plane of the layers; smaller ones fuse
   double upright_clearance_mm = 0;  ///< across the layers
-  double least_wall_mm = 0;
-  double least_pin_mm = 0;  ///< diameter
+  double min_wall_mm = 0;
+  double min_pin_mm = 0;  ///< diameter
   PrintError sd = {};
   std::string source = {};
   std::string rubber = {};            ///< name of the material of soft parts
   std::array<double, 2> bed_mm = {};  ///< of a common printer, x and y
-  double most_height_mm = 0;          ///< largest height of a print on that printer
-  bool joins_two = false;       ///< hard and soft material in one print; else soft parts are printed apart
-  std::string film = {};        ///< material of walls printed with living hinges; empty: separate strips
-  bool spreads_on_bed = false;  ///< first layers spread: plastic is pressed, resin is overcured
+  double max_height_mm = 0;           ///< largest height of a print on that printer
+  bool is_multi_material = false;  ///< hard and soft material in one print; else soft parts are printed apart
+  std::string film = {};           ///< material of walls printed with living hinges; empty: separate strips
+  bool spreads_on_bed = false;     ///< first layers spread: plastic is pressed, resin is overcured
   std::optional<Filament> filament = {};  ///< of extrusion processes, whose overhangs sag
   std::string carries = {};               ///< support of overhangs that needs no planning; empty: none
 
   bool operator==(const Process& other) const {
     return name == other.name && clearance_mm == other.clearance_mm &&
-           upright_clearance_mm == other.upright_clearance_mm && least_wall_mm == other.least_wall_mm &&
-           least_pin_mm == other.least_pin_mm && sd == other.sd;
+           upright_clearance_mm == other.upright_clearance_mm && min_wall_mm == other.min_wall_mm &&
+           min_pin_mm == other.min_pin_mm && sd == other.sd;
   }
 };
 
@@ -62,7 +62,7 @@ const Process* find_process(std::string_view name);
 void validate(const PrintError& sd);
 
 /// Standard deviations of a hinge's position and tilt because of a pin's clearance.
-struct PlayScatter {
+struct ClearanceScatter {
   double place_mm = 0;  ///< along the wall, and across it
   double tilt = 0;      ///< rad
 };
@@ -71,7 +71,7 @@ struct PlayScatter {
 /// which itself prints with the standard deviation s of the process. With the root mean square c' = sqrt(c^2
 /// + s^2), the deviations are c' / sqrt(3) in position and atan(2 c' / h) / sqrt(3) in tilt. Both use the
 /// whole clearance. Zero for other hinges, and for pins whose energy includes the clearance.
-PlayScatter play_scatter(const MadeHinge& hinge, const PrintError& sd);
+ClearanceScatter clearance_scatter(const ManufacturedHinge& hinge, const PrintError& sd);
 
 /// Feature of a sheet that a process cannot print.
 struct PrintProblem {
@@ -84,10 +84,11 @@ struct PrintProblem {
 /// least thickness depends on the line or droplet of the printer.
 /// @param hinge empty: for a sheet whose hinges have no dimensions yet
 std::vector<PrintProblem> print_problems(const Process& process, const CellSize& size,
-                                         const std::optional<MadeHinge>& hinge);
+                                         const std::optional<ManufacturedHinge>& hinge);
 
 /// Returns the least cell edge at which the sheet could be printed if all of it were scaled up, mm. It is the
 /// present edge if there is no problem.
-double least_cell_mm(const Process& process, const CellSize& size, const std::optional<MadeHinge>& hinge);
+double min_cell_mm(const Process& process, const CellSize& size,
+                   const std::optional<ManufacturedHinge>& hinge);
 
 }  // namespace kinetix::model

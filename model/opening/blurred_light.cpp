@@ -48,12 +48,12 @@ namespace {
 using Eigen::Vector2d;
 
 // Cut-off in standard deviations: the tail beyond is 2e-9.
-constexpr double most_deviations = 6;
-constexpr double far = most_deviations * BlurredLight::deviation;
+constexpr double max_deviations = 6;
+constexpr double far = max_deviations * BlurredLight::deviation;
 // Position of a part of a cell's area, as a fraction of the distance from the cell's middle to a body. It is
 // for cells of more than four walls. Hexagons, bricks and octagons then cover their middles by 1.00, 1.03 and
 // 1.03, squares between octagons by 0.99.
-constexpr double way_out = 0.57;
+constexpr double outward_share = 0.57;
 
 /// Returns the density at x of a Gaussian of deviation 1 about 0.
 double bell(double x) { return std::exp(-x * x / 2) / std::sqrt(2 * pi); }
@@ -186,8 +186,8 @@ void BlurredLight::add_parts(int cell) {
     return;
   }
   for (const int b : members.bodies) {
-    const Vector2d at = (1 - way_out) * middle + way_out * state_[b].p.head<2>() / L;
-    parts_.push_back({cell, b, way_out, share, {at, share * whole}});
+    const Vector2d at = (1 - outward_share) * middle + outward_share * state_[b].p.head<2>() / L;
+    parts_.push_back({cell, b, outward_share, share, {at, share * whole}});
   }
 }
 

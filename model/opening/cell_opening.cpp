@@ -51,7 +51,7 @@ struct Square {
 /// Returns an upper bound of the clearance in a square. It is the mean distance from the line nearest to the
 /// middle and from another line, which is convex and so largest at a corner. Between parallel walls the bound
 /// equals the clearance. A bound by the size of the square alone would subdivide the whole middle line there.
-double most_between(const std::vector<Line>& lines, const Square& square) {
+double max_between(const std::vector<Line>& lines, const Square& square) {
   Eigen::Array<double, Eigen::Dynamic, 4> far(static_cast<Eigen::Index>(lines.size()), 4);
   std::size_t nearest = 0;
   for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -139,7 +139,7 @@ double aperture(const Opening& opening, double precision) {
       for (const double y : {-half, half}) {
         Square part(opening, square.middle + Vector2d(x, y), half);
         best = std::max(best, part.clearance);
-        if (part.most > best + precision / 2) part.most = std::min(part.most, most_between(lines, part));
+        if (part.most > best + precision / 2) part.most = std::min(part.most, max_between(lines, part));
         if (part.most > best + precision / 2) open.push(part);
       }
   }
@@ -151,9 +151,8 @@ double area(const Opening& opening) { return signed_area(opening.outline()); }
 namespace {
 
 using Eigen::Matrix2d;
-using Eigen::Vector2d;
 
-constexpr int most_steps = 40;         // Newton's method needs a few at the end; the rest climb uphill before
+constexpr int max_steps = 40;          // Newton's method needs a few at the end; the rest climb uphill before
 constexpr double settled = 1e-12;      // slope of the clearance, and cell edges of a step: rounding
 constexpr double longest_climb = 0.1;  // cell edges: a longer step may leave the pocket that it climbs
 
@@ -247,7 +246,7 @@ Vector2d step_from(const Clearance& c) {
 
 Pocket climb(const Pieces& pieces, const Vector2d& start, double sharpness) {
   Pocket pocket{start, Clearance(pieces, start, sharpness)};
-  for (int k = 0; k < most_steps && pocket.clearance.gradient.norm() > settled; ++k) {
+  for (int k = 0; k < max_steps && pocket.clearance.gradient.norm() > settled; ++k) {
     Vector2d step = step_from(pocket.clearance);
     Pocket next{pocket.middle + step, Clearance(pieces, pocket.middle + step, sharpness)};
     while (!(next.clearance.value > pocket.clearance.value) && step.norm() > settled) {

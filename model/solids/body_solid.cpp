@@ -19,8 +19,8 @@ constexpr double rounding_mm = 1e-9;  // mm: rounding of corners that are meant 
 constexpr double touching_mm = 1e-6;
 // Ratio to a wall's thickness: distance of sections without shared corners
 constexpr double free_share = 0.05;
-constexpr double least_plate = 0.1;  // ratio to a wall's thickness: shorter plates are rejected
-constexpr int rounds = 60;           // most iterations that place sections: each halves the remaining motion
+constexpr double min_plate = 0.1;  // ratio to a wall's thickness: shorter plates are rejected
+constexpr int rounds = 60;         // most iterations that place sections: each halves the remaining motion
 
 ArmSolid arm_of(const Linkage& linkage, const Plate& plate, const HingePrint& print) {
   const RestHinge& hinge = linkage.hinges[plate.hinge];
@@ -96,7 +96,7 @@ double nearest_end(const ArmSolid& arm) {
 }
 
 void check_room(const Linkage& linkage, int body, const ArmSolid& arm) {
-  const double room = nearest_end(arm) - arm.start, least = least_plate * arm.size.thickness_mm;
+  const double room = nearest_end(arm) - arm.start, least = min_plate * arm.size.thickness_mm;
   if (room >= least) return;
   std::ostringstream message;
   message << "the hinge of wall " << linkage.wall_name(arm.hinge) << " overlaps the junction at vertex "
@@ -180,7 +180,6 @@ Polyhedron rod_solid(const Linkage& linkage, int hinge, const HingePrint& print)
 namespace {
 
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 using Points = std::vector<Vector3d>;
 
 Points prism(const ArmSolid& arm, const std::vector<Vector2d>& section, double from, double to) {

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector2d;
 using Outline = std::vector<Vector2d>;
 
-constexpr int least_sides = 12;         // sides of a circle: fewer do not look round
+constexpr int min_sides = 12;           // sides of a circle: fewer do not look round
 constexpr double one_corner_mm = 1e-6;  // mm: corners nearer than that are one
 constexpr double step_mm = 1e-3;  // mm: lower steps are ignored, because files store positions as floats.
 // Share of the eye in a pin's height. The fork's two knuckles share the rest, so that each end of the rod
@@ -109,7 +109,7 @@ void add_cones(const HingePrint& hinge, bool fork, double eye, HingeEnd& end) {
 int circle_sides(double radius_mm, double tolerance_mm) {
   const double half = std::acos(std::max(0.0, 1 - tolerance_mm / radius_mm));
   const int fours = static_cast<int>(std::ceil(pi / half / 4));
-  return std::max(least_sides, 4 * fours);
+  return std::max(min_sides, 4 * fours);
 }
 
 double corner_room(double half_wall, double axis_across, double turn) {
@@ -118,7 +118,7 @@ double corner_room(double half_wall, double axis_across, double turn) {
 }
 
 HingeEnd pin_end(const HingePrint& hinge, const CellSize& size, double axis_across, bool fork) {
-  const MadeHinge& p = hinge.made;
+  const ManufacturedHinge& p = hinge.made;
   const bool is_cap = hinge.cap_across_mm > 0;
   const double beside = is_cap ? std::max(hinge.cap_across_mm, std::abs(axis_across)) : 0,
                widest = is_cap ? std::copysign(beside, -hinge.turn) : axis_across;
@@ -197,13 +197,13 @@ constexpr const char* strip_material = "pp";  // material of films that are sepa
 
 }  // namespace
 
-MadeHinge open_hinge(HingeKind kind, const Process& process, const CellSize& size) {
-  MadeHinge hinge;
+ManufacturedHinge open_hinge(HingeKind kind, const Process& process, const CellSize& size) {
+  ManufacturedHinge hinge;
   hinge.kind = kind;
   hinge.height_mm = size.height_mm;
   if (kind == HingeKind::pin) {
     hinge.material = *find_material(rod_material);
-    hinge.diameter_mm = process.least_pin_mm;
+    hinge.diameter_mm = process.min_pin_mm;
     hinge.clearance_mm = process.clearance_mm;
     return hinge;
   }
@@ -215,7 +215,8 @@ MadeHinge open_hinge(HingeKind kind, const Process& process, const CellSize& siz
   return hinge;
 }
 
-double open_gap_mm(const MadeHinge& hinge, double wall_mm, double offset_mm, double turn, double stretch_mm) {
+double open_gap_mm(const ManufacturedHinge& hinge, double wall_mm, double offset_mm, double turn,
+                   double stretch_mm) {
   const double bounded = std::clamp(turn, -widest_turn, widest_turn),
                half = std::max(corner_room(wall_mm / 2, offset_mm, bounded),
                                corner_room(hinge.thickness_mm / 2, 0, bounded)),

@@ -42,7 +42,7 @@ struct HingeEnd {
 
 /// Parameters of a hinge in a process.
 struct HingePrint {
-  MadeHinge made;
+  ManufacturedHinge made;
   double axial_clearance_mm = 0;  ///< between a pin's knuckles along the axis, mm, >= 0
   double knuckle_wall_mm = 0.8;   ///< around a pin's bore, mm, > 0
   double turn = 0;  ///< largest turn of the upper half relative to the lower about the axis, rad, (-pi, pi)
@@ -92,13 +92,13 @@ int circle_sides(double radius_mm, double tolerance_mm);
 /// smallest clearance of the process. An elastomer block is of the process's rubber, as thick as the wall. A living
 /// hinge has the thickness of one line. It is of the process's film material, or a strip of polypropylene if the
 /// process has none. All are as high as the wall. Hinges that span a gap have none yet (open_gap_mm).
-MadeHinge open_hinge(HingeKind kind, const Process& process, const CellSize& size);
+ManufacturedHinge open_hinge(HingeKind kind, const Process& process, const CellSize& size);
 
 /// Returns the gap of a block or film that withstands its turn and stretch, mm, rounded up to whole tenths.
 /// At this gap neither the corners of its wall nor those of the block meet.
 /// @param offset_mm of the axis from the middle of the wall   @param turn largest, rad
 /// @param stretch_mm by which its halves separate or approach
-double open_gap_mm(const MadeHinge& hinge, double wall_mm, double offset_mm, double turn,
+double open_gap_mm(const ManufacturedHinge& hinge, double wall_mm, double offset_mm, double turn,
                    double stretch_mm = 0);
 
 }  // namespace kinetix::model

@@ -68,8 +68,6 @@ double volume_mm3(const Polyhedron& solid) { return mass_properties(solid).volum
 
 namespace {
 
-using Eigen::Vector3d;
-
 constexpr double same_mm = 1e-7;  // mm: far above rounding of sheets of metres, far below any printer
 
 std::vector<Vector3d> distinct(const std::vector<Vector3d>& points) {

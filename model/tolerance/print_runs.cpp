@@ -51,7 +51,7 @@ class Distance {
   double rms(const Shift& shift) const {
     VectorXd moved(observed_.size());
     for (Eigen::Index k = 0; k < moved.size(); ++k) moved[k] = shift(points_[k]);
-    return (designed_ + observed_.without_motion(moved)).norm() / std::sqrt(observed_.count());
+    return (designed_ + observed_.without_rigid_motion(moved)).norm() / std::sqrt(observed_.count());
   }
 
   const std::vector<ObservedPoint>& points_;

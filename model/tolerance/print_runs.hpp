@@ -50,7 +50,7 @@ struct FlatStarts {
   int failed = 0;       ///< all others
 
   /// Returns whether some prints do not fold to the requested side without help.
-  bool need_help() const { return other_side + either_side > 0; }
+  bool need_guidance() const { return other_side + either_side > 0; }
 };
 
 /// Traces the path of each print to both sides. If errors push a print, both paths end on one side, that of

@@ -35,7 +35,7 @@ VectorXd ObservedPoints::deviations() const {
 double ObservedPoints::rms_mm() const { return deviations().norm() / std::sqrt(count_); }
 
 VectorXd ObservedPoints::by_state(const VectorXd& mixture, std::size_t bodies, double edge_mm) const {
-  const VectorXd weights = without_motion(mixture);
+  const VectorXd weights = without_rigid_motion(mixture);
   VectorXd out = VectorXd::Zero(6 * static_cast<Eigen::Index>(bodies));
   for (Eigen::Index k = 0; k < size(); ++k)
     for (const int body : points_[k].bodies)
@@ -44,15 +44,12 @@ VectorXd ObservedPoints::by_state(const VectorXd& mixture, std::size_t bodies, d
   return out;
 }
 
-VectorXd ObservedPoints::without_motion(const VectorXd& deviations) const {
+VectorXd ObservedPoints::without_rigid_motion(const VectorXd& deviations) const {
   if (rigid_.cols() == 0) return deviations;
   return deviations - rigid_ * (rigid_.transpose() * deviations);
 }
 
 namespace {
-
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 /// Returns the unit vectors of all points, or random mixtures of the points with entries +-1.
 std::vector<VectorXd> mixtures(Eigen::Index points, const ToleranceOptions& options) {
@@ -115,9 +112,10 @@ Eigen::Matrix4Xd HingeScatter::by_hinge(Eigen::Index hinges) const {
   return out;
 }
 
-ToleranceResult as_made(const ElasticSystem& system, const State& state, double theta,
-                        const TangentStiffness& tangent, const std::vector<ObservedPoint>& observed,
-                        const HingeScatter& scatter, const ToleranceOptions& options) {
+ToleranceResult analyse_print_tolerance(const ElasticSystem& system, const State& state, double theta,
+                                        const TangentStiffness& tangent,
+                                        const std::vector<ObservedPoint>& observed,
+                                        const HingeScatter& scatter, const ToleranceOptions& options) {
   const ObservedPoints points(observed, options.aligned);
   const Eigen::Index hinges = static_cast<Eigen::Index>(system.hinges().size());
   const double edge_mm = system.structure().size.edge_mm;

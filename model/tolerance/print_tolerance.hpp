@@ -33,8 +33,8 @@ class ObservedPoints {
   /// Returns the deviations without alignment, mm.
   Eigen::VectorXd deviations() const;
   /// Returns deviations after alignment; unchanged if alignment is off. mm
-  Eigen::VectorXd without_motion(const Eigen::VectorXd& deviations) const;
-  Eigen::VectorXd aligned_deviations() const { return without_motion(deviations()); }
+  Eigen::VectorXd without_rigid_motion(const Eigen::VectorXd& deviations) const;
+  Eigen::VectorXd aligned_deviations() const { return without_rigid_motion(deviations()); }
   /// Returns the root mean square distance over points without alignment, mm.
   double rms_mm() const;
   /// Returns the derivatives of a mixture of deviations, after alignment, by all coordinates of the state:
@@ -100,8 +100,9 @@ struct ToleranceOptions {
 ///
 /// @param tangent linearised at state and factorised without a shift, as for sensitivity()
 /// @pre at least one point; one normal and one or more bodies per point
-ToleranceResult as_made(const ElasticSystem& system, const State& state, double theta,
-                        const TangentStiffness& tangent, const std::vector<ObservedPoint>& points,
-                        const HingeScatter& scatter, const ToleranceOptions& options = {});
+ToleranceResult analyse_print_tolerance(const ElasticSystem& system, const State& state, double theta,
+                                        const TangentStiffness& tangent,
+                                        const std::vector<ObservedPoint>& points, const HingeScatter& scatter,
+                                        const ToleranceOptions& options = {});
 
 }  // namespace kinetix::model

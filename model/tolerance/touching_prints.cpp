@@ -98,16 +98,16 @@ double plate_scatter(const CellSize& size, const Eigen::Vector4d& sd) {
 /// Calls `look` with the boxes of those pairs that are closer than `within` of the pair, until it returns
 /// true.
 /// @return whether it did
-template <class Within, class Look>
+template <class Within, class Test>
 bool any_pair(const State& print, const std::vector<HalfWall>& walls,
-              const std::vector<SuspectPair>& suspects, const Within& within, const Look& look) {
+              const std::vector<SuspectPair>& suspects, const Within& within, const Test& test) {
   return std::any_of(suspects.begin(), suspects.end(), [&](const SuspectPair& pair) {
     const HalfWall &first = walls[pair.walls.first], &second = walls[pair.walls.second];
     const Pose &a = print[first.body], &b = print[second.body];
     const Vector3d apart = b.p + b.R * second.box.center - a.p - a.R * first.box.center;
     const double near = within(pair);
     if (apart.norm() > radius(first.box) + radius(second.box) + near) return false;
-    return look(pair, placed(first, a), placed(second, b));
+    return test(pair, placed(first, a), placed(second, b));
   });
 }
 
@@ -221,12 +221,12 @@ constexpr double less_near = 0.5;
 // equilibrium of a print decides. In 700 prints of a ring and a disc the equilibrium decided from 0 to -0.06.
 constexpr double unsure = 0.1;
 constexpr double worth_checking = 0.2;  // the same, with the design's walls, which move with errors
-constexpr int prints_at_once = 50, most_prints = 1000;
+constexpr int prints_at_once = 50, max_prints = 1000;
 constexpr double largest_share_error = 0.016;
 constexpr double largest_relative_error = 0.05, of_large_sheets = 0.1;  // relative, of the share
 // Total of hinges over all prints that are brought to equilibrium: each takes about 0.05 ms.
-constexpr Eigen::Index most_hinges = 15000;
-constexpr Eigen::Index least_equilibria = 20;  // fewer mean little: large sheets use first order only
+constexpr Eigen::Index max_hinges = 15000;
+constexpr Eigen::Index min_equilibria = 20;  // fewer mean little: large sheets use first order only
 
 /// State of the design in equilibrium, with its prints.
 class PrintedStage {
@@ -283,12 +283,12 @@ struct Closest {
 };
 
 /// States of the path whose prints may touch, the fold first.
-class WayOfPrints {
+class PrintMotionCheck {
  public:
   /// Keeps all parameters but `scatter` by reference.
-  WayOfPrints(const PrintedLinkage& printed, const SettledDesign& fold, const MotionPath& way,
-              const HingeScatter& scatter, const ToleranceOptions& options)
-      : printed_(printed), fold_(fold), way_(way), options_(options) {
+  PrintMotionCheck(const PrintedLinkage& printed, const SettledDesign& fold, const MotionPath& motion,
+                   const HingeScatter& scatter, const ToleranceOptions& options)
+      : printed_(printed), fold_(fold), motion_(motion), options_(options) {
     PrintErrors first(scatter, hinges(), options.seed);
     std::vector<VectorXd> changes;
     for (int k = 0; k < scatter_prints; ++k) changes.push_back(fold.change(first.next()));
@@ -303,17 +303,17 @@ class WayOfPrints {
 
   /// Counts prints that touch. @param most limit of equilibria to search: the first prints have them
   void count(const std::vector<Matrix4Xd>& errors, int most, TouchingPrints& counted) {
-    std::vector<Look> looks;
-    for (const Matrix4Xd& of_print : errors) looks.push_back(first_order(of_print));
-    const std::vector<bool> settled = settle(errors, most, looks);
+    std::vector<FirstOrderResult> first_order_results;
+    for (const Matrix4Xd& of_print : errors) first_order_results.push_back(first_order(of_print));
+    const std::vector<bool> settled = settle(errors, most, first_order_results);
     if (stops()) return;
-    for (std::size_t k = 0; k < looks.size(); ++k) {
+    for (std::size_t k = 0; k < first_order_results.size(); ++k) {
       counted.prints += 1;
-      counted.touching += looks[k].touches;
+      counted.touching += first_order_results[k].touches;
       if (k >= settled.size()) continue;
       counted.settled += 1;
-      counted.gained += settled[k] && !looks[k].touches;
-      counted.lost += !settled[k] && looks[k].touches;
+      counted.gained += settled[k] && !first_order_results[k].touches;
+      counted.lost += !settled[k] && first_order_results[k].touches;
     }
   }
 
@@ -322,17 +322,17 @@ class WayOfPrints {
 
  private:
   /// First-order result of a print.
-  struct Look {
+  struct FirstOrderResult {
     bool touches = false;
     std::vector<std::size_t> near =
         {};  ///< stages whose equilibrium decides, in order; empty if it surely touches
   };
 
   bool find_closest() {
-    for (int k = way_.states; k >= 0; --k) {
+    for (int k = motion_.states; k >= 0; --k) {
       if (stops()) return false;
-      const std::optional<HeldState> held = k < way_.states ? way_.at(k) : std::nullopt;
-      if (k < way_.states && (!held || !is_finite(held->state))) continue;
+      const std::optional<HeldState> held = k < motion_.states ? motion_.at(k) : std::nullopt;
+      if (k < motion_.states && (!held || !is_finite(held->state))) continue;
       for (const SuspectPair& found : suspects_->find(held ? held->state : fold_.state())) {
         const auto [at, is_new] = closest_.try_emplace(found.walls, Closest{k, found});
         if (!is_new && found.nearness < much_nearer * at->second.pair.nearness) at->second = {k, found};
@@ -345,26 +345,26 @@ class WayOfPrints {
   }
 
   bool find_stages() {
-    for (int k = way_.states; k >= 0; --k) {
+    for (int k = motion_.states; k >= 0; --k) {
       std::vector<SuspectPair> here;
       for (const auto& [walls, at] : closest_)
         if (at.state == k) here.push_back(at.pair);
       if (here.empty()) continue;
       if (stops()) return false;
-      if (k < way_.states) {
-        auto before = std::make_unique<SettledDesign>(fold_.system().structure(), std::move(*way_.at(k)),
+      if (k < motion_.states) {
+        auto before = std::make_unique<SettledDesign>(fold_.system().structure(), std::move(*motion_.at(k)),
                                                       options_.planar);
         if (!before->is_stable()) continue;
         before_.push_back(std::move(before));
       }
-      stages_.emplace_back(printed_, k < way_.states ? *before_.back() : fold_, here, suspects_->walls(),
+      stages_.emplace_back(printed_, k < motion_.states ? *before_.back() : fold_, here, suspects_->walls(),
                            options_);
     }
     return true;
   }
 
-  Look first_order(const Matrix4Xd& errors) const {
-    Look out;
+  FirstOrderResult first_order(const Matrix4Xd& errors) const {
+    FirstOrderResult out;
     std::optional<std::vector<HalfWall>> walls;
     for (std::size_t s = 0; s < stages_.size(); ++s) {
       const auto& suspects = stages_[s].suspects();
@@ -381,18 +381,20 @@ class WayOfPrints {
 
   /// Returns whether the first of these prints touch in equilibrium, for as many prints as `most` equilibria
   /// can decide. If a print has no equilibrium, its first-order result counts.
-  std::vector<bool> settle(const std::vector<Matrix4Xd>& errors, int most, const std::vector<Look>& looks) {
+  std::vector<bool> settle(const std::vector<Matrix4Xd>& errors, int most,
+                           const std::vector<FirstOrderResult>& first_order_results) {
     std::vector<bool> out;
-    for (const Look& look : looks) {
-      most -= static_cast<int>(look.near.size());
+    for (const FirstOrderResult& result : first_order_results) {
+      most -= static_cast<int>(result.near.size());
       if (most < 0) break;
-      out.push_back(look.near.empty() && look.touches);
+      out.push_back(result.near.empty() && result.touches);
     }
     for (std::size_t s = 0; s < stages_.size(); ++s) {
       std::vector<std::size_t> here;
       std::vector<Matrix4Xd> own;
       for (std::size_t k = 0; k < out.size(); ++k)
-        if (!out[k] && std::count(looks[k].near.begin(), looks[k].near.end(), s) > 0) {
+        if (!out[k] &&
+            std::count(first_order_results[k].near.begin(), first_order_results[k].near.end(), s) > 0) {
           here.push_back(k);
           own.push_back(errors[k]);
         }
@@ -402,14 +404,14 @@ class WayOfPrints {
       for (std::size_t k = 0; k < here.size(); ++k)
         out[here[k]] = prints[k].state ? suspects_->touch(*prints[k].state, half_walls(printed_(own[k])),
                                                           stages_[s].suspects())
-                                       : looks[here[k]].touches;
+                                       : first_order_results[here[k]].touches;
     }
     return out;
   }
 
   const PrintedLinkage& printed_;
   const SettledDesign& fold_;
-  const MotionPath& way_;
+  const MotionPath& motion_;
   const ToleranceOptions& options_;
   std::optional<SuspectPlates> suspects_;
   std::map<WallPair, Closest> closest_;
@@ -446,16 +448,16 @@ double TouchingPrints::error() const {
 }
 
 std::optional<TouchingPrints> touching_prints(const PrintedLinkage& printed, const SettledDesign& fold,
-                                              const MotionPath& way, const HingeScatter& scatter,
+                                              const MotionPath& motion, const HingeScatter& scatter,
                                               const ToleranceOptions& options) {
   if (!fold.is_stable()) return std::nullopt;
-  WayOfPrints prints(printed, fold, way, scatter, options);
+  PrintMotionCheck prints(printed, fold, motion, scatter, options);
   if (!prints.is_found()) return std::nullopt;
   PrintErrors errors(scatter, prints.hinges(), options.seed);
   TouchingPrints counted;
-  const Eigen::Index afforded = most_hinges / prints.hinges();
-  const int most = afforded >= least_equilibria ? static_cast<int>(afforded) : 0;
-  while (counted.prints < most_prints &&
+  const Eigen::Index afforded = max_hinges / prints.hinges();
+  const int most = afforded >= min_equilibria ? static_cast<int>(afforded) : 0;
+  while (counted.prints < max_prints &&
          (counted.prints == 0 || !are_enough(counted, most > 0 ? largest_relative_error : of_large_sheets))) {
     std::vector<Matrix4Xd> next(prints_at_once);
     for (Matrix4Xd& of_print : next) of_print = errors.next();

@@ -45,7 +45,7 @@ struct TouchingPrints {
 /// @param options only planar, seed, threads and stop have an effect
 /// @return empty if the fold is not stable, or if options.stop ends the run before the first prints
 std::optional<TouchingPrints> touching_prints(const PrintedLinkage& printed, const SettledDesign& fold,
-                                              const MotionPath& way, const HingeScatter& scatter,
+                                              const MotionPath& motion, const HingeScatter& scatter,
                                               const ToleranceOptions& options = {});
 
 }  // namespace kinetix::model

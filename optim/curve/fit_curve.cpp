@@ -17,7 +17,7 @@ namespace {
 
 // Longest strip over the curve's length. A strip that is longer even when fully pressed has to wind about the
 // curve.
-constexpr double most_slack = 1.02;
+constexpr double max_slack = 1.02;
 
 void note_length(const CurveFit& fit, CurveReach& reach) {
   const double length = fit.goal().length();
@@ -27,7 +27,7 @@ void note_length(const CurveFit& fit, CurveReach& reach) {
   reach.shortest_mm = straight * std::cos(theta.upper);
   reach.longest_mm = straight * std::cos(theta.lower);
   const bool too_short = reach.longest_mm < length;
-  if (!too_short && !(reach.shortest_mm > most_slack * length)) return;
+  if (!too_short && !(reach.shortest_mm > max_slack * length)) return;
   reach.obstacles.push_back(fmt::format(
       "the curve is {:.1f} mm long; {} cells of {:.3g} mm span at most {:.1f} mm and, straight, at least "
       "{:.1f} mm (theta "
@@ -219,11 +219,11 @@ constexpr double gentle_growth = 1.3;  // times the error: largest increase acce
 constexpr int gentle_starts = 2;       // per tighter limit: the smoothest layout and the even one
 constexpr double steep_tilt = 15 * radians_per_degree;  // rad: designs that tilt less are left unchanged
 constexpr double narrowing = 0.8;    // times the limit at which walls collide: the lowest next limit
-constexpr int most_narrowings = 10;  // searches: 0.8^10 is a tenth of the first tilts
+constexpr int max_narrowings = 10;   // searches: 0.8^10 is a tenth of the first tilts
 constexpr double worst_growth = 10;  // times the error: beyond, the design no longer has the goal's shape
 // Designs of the whole range of tilts that are tried if gentle ones miss the goal. Two or three find all
 // there is.
-constexpr int most_thetas = 4;
+constexpr int max_thetas = 4;
 constexpr double less_theta = 0.9;  // times theta, to leave the valley in which the search has ended
 
 void check_at_least(const char* field, int value, int least) {
@@ -240,12 +240,12 @@ void check_range(const char* field, const AngleRange& range, double lowest, doub
 
 int gentlest(const CurveFit& fit, const MultiStartResult& search) {
   const int tilts = fit.ties().variables();
-  const auto effort = [&](int k) { return search.runs[k].x.head(tilts).cwiseAbs().maxCoeff(); };
+  const auto tilt_size = [&](int k) { return search.runs[k].x.head(tilts).cwiseAbs().maxCoeff(); };
   const double limit = as_good * search.best_run().residual_norm + exact;
   if (!std::isfinite(limit)) return search.best;
   int chosen = search.best;
   for (int k = 0; k < static_cast<int>(search.runs.size()); ++k)
-    if (search.runs[k].residual_norm <= limit && effort(k) < effort(chosen)) chosen = k;
+    if (search.runs[k].residual_norm <= limit && tilt_size(k) < tilt_size(chosen)) chosen = k;
   return chosen;
 }
 
@@ -312,7 +312,7 @@ bool free_the_walls(const targets::Curve& goal, CurveVariables v, const model::C
                     const MultiStartOptions& options, FreeCurveDesign& result) {
   const double acceptable = worst_growth * result.design.error.rms + exact;
   double collides = largest_tilt(result.design.design), costs_too_much = 0;
-  for (int k = 0; k < most_narrowings; ++k) {
+  for (int k = 0; k < max_narrowings; ++k) {
     const double limit = next_limit(collides, costs_too_much);
     CurveVariables tighter = v;
     tighter.beta = narrowed(v.beta, limit);
@@ -347,7 +347,7 @@ void try_all_tilts(const targets::Curve& goal, CurveVariables v, const model::Ce
   const double rms = result.design.error.rms;
   double below = result.contact.touches ? std::max(rms, std::min(enough, worst_growth * rms)) + exact : rms;
   std::string narrowed;
-  for (int k = 0; k < most_thetas && !options.solver.stop.stop_requested(); ++k) {
+  for (int k = 0; k < max_thetas && !options.solver.stop.stop_requested(); ++k) {
     const model::ContactLimit contact = first_contact(wide.design, size);
     if (wide.error.rms < below && !contact.touches) {
       below = wide.error.rms;

@@ -172,8 +172,6 @@ std::optional<PanelEquilibrium::Gradient> PanelEquilibrium::gradient(const Eigen
                   by.theta / system.drive().coordinate_rate(theta)};
 }
 
-using Eigen::VectorXd;
-
 VectorXd DisplayVariables::joined(const VectorXd& of_ties, double of_compression,
                                   const VectorXd& of_offsets) const {
   const Eigen::Index middle = compression ? 1 : 0, last = offset > 0 ? of_offsets.size() : 0;
@@ -232,7 +230,6 @@ VectorXd DisplayVariables::gather(const PanelEquilibrium::Gradient& gradient) co
 namespace {
 
 using Eigen::Vector3d;
-using Eigen::VectorXd;
 
 /// Times the limit of stretch. The penalty begins a little below the limit, so that the excess left at the
 /// end is within it.
@@ -278,7 +275,7 @@ bool DisplayProblem::weigh(double& f, VectorXd* gradient) {
 double DisplayProblem::add_picture(model::PanelGradient& gradient) const {
   const model::Linkage panel = equilibrium_.panel();
   const SmoothChannel readings(channel_, panel, equilibrium_.state());
-  const WeighedReadings weighed = cost_(readings.values());
+  const WeightedReadings weighed = cost_(readings.values());
   readings.add_gradient(weighed.slope, gradient);
   return weighed.cost;
 }

@@ -132,7 +132,7 @@ struct DisplayVariables {
 /// stretch beyond a limit.
 class DisplayProblem : public ScalarProblem {
  public:
-  using Cost = std::function<WeighedReadings(const std::vector<double>&)>;
+  using Cost = std::function<WeightedReadings(const std::vector<double>&)>;
 
   /// Start of the equilibria of a search. The best point so far leads the search quickly. Its equilibrium
   /// may, however, be one that the path from flat does not reach.

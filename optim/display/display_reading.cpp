@@ -111,9 +111,9 @@ double PictureCost::mean(const std::vector<double>& readings) const {
   return sum;
 }
 
-WeighedReadings PictureCost::for_separation(const std::vector<double>& readings, double separation) const {
+WeightedReadings PictureCost::for_separation(const std::vector<double>& readings, double separation) const {
   const double middle = mean(readings);
-  WeighedReadings out;
+  WeightedReadings out;
   out.slope = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(readings.size()));
   for (std::size_t k = 0; k < weights_.size(); ++k) {
     const double residual = readings[k] - middle - separation * centred_[k];
@@ -123,11 +123,11 @@ WeighedReadings PictureCost::for_separation(const std::vector<double>& readings,
   return out;
 }
 
-WeighedReadings PictureCost::for_contrast(const std::vector<double>& readings) const {
+WeightedReadings PictureCost::for_contrast(const std::vector<double>& readings) const {
   double slope = 0;
   for (std::size_t k = 0; k < weights_.size(); ++k)
     slope += weights_[k] * centred_[k] * readings[k] / spread_;
-  WeighedReadings out = for_separation(readings, slope);
+  WeightedReadings out = for_separation(readings, slope);
   if (!(slope > 0)) {
     out.cost = std::numeric_limits<double>::infinity();
     return out;
@@ -191,8 +191,8 @@ double expected_auc(const std::vector<double>& readings, const Group& letter, co
 
 }  // namespace
 
-DisplayTolerance as_made_display(const std::vector<double>& readings, const std::vector<double>& levels,
-                                 const MatrixXd& derivatives) {
+DisplayTolerance analyse_display_tolerance(const std::vector<double>& readings,
+                                           const std::vector<double>& levels, const MatrixXd& derivatives) {
   const Group letter = group(readings, levels, derivatives, true),
               rest = group(readings, levels, derivatives, false);
   const double apart = letter.mean - rest.mean, variance = (letter.variance + rest.variance) / 2;

@@ -43,7 +43,7 @@ class SmoothChannel {
 };
 
 /// Cost with its derivatives by the readings.
-struct WeighedReadings {
+struct WeightedReadings {
   double cost = 0;        ///< dimensionless, or the channel's unit squared: see PictureCost
   Eigen::VectorXd slope;  ///< derivative by each reading, per unit of the channel
 };
@@ -59,10 +59,10 @@ class PictureCost {
 
   /// Returns the weighted mean square of the residuals when the slope is `separation`, in the channel's unit
   /// squared. Leads away from a start that shows nothing.
-  WeighedReadings for_separation(const std::vector<double>& readings, double separation) const;
+  WeightedReadings for_separation(const std::vector<double>& readings, double separation) const;
   /// Returns -2 log(d') of two levels: the log of the residuals' variance minus that of the squared slope.
   /// Infinite unless the slope is positive.
-  WeighedReadings for_contrast(const std::vector<double>& readings) const;
+  WeightedReadings for_contrast(const std::vector<double>& readings) const;
 
  private:
   double mean(const std::vector<double>& readings) const;
@@ -87,7 +87,8 @@ struct DisplayTolerance {
 /// @param derivatives R, in the unit of the readings: a row per cell with the derivatives by each error, per
 /// standard deviation.
 /// @pre at least two cells of each kind
-DisplayTolerance as_made_display(const std::vector<double>& readings, const std::vector<double>& levels,
-                                 const Eigen::MatrixXd& derivatives);
+DisplayTolerance analyse_display_tolerance(const std::vector<double>& readings,
+                                           const std::vector<double>& levels,
+                                           const Eigen::MatrixXd& derivatives);
 
 }  // namespace kinetix::optim

@@ -20,10 +20,10 @@ constexpr double stretch_weight_of_separation = 0.01;
 // Weight of the same penalty against -2 log(contrast), and its factor per round. It starts low, since the
 // picture has to lead.
 constexpr double first_stretch_weight = 0.5, weight_growth = 20;
-constexpr int most_rounds = 4;     // the last weighs stretch by 4000: more weight does not reduce it further
-constexpr int starts_by_rule = 4;  // both choices of the checkerboard, at full and at half strength
-constexpr double half = 0.5;       // of the full strength, which is rule_k's distance from 0.5
-constexpr double most_shift = 0.08;  // of t, to either side: more would blur the picture of the rule
+constexpr int max_rounds = 4;       // the last weighs stretch by 4000: more weight does not reduce it further
+constexpr int starts_by_rule = 4;   // both choices of the checkerboard, at full and at half strength
+constexpr double half = 0.5;        // of the full strength, which is rule_k's distance from 0.5
+constexpr double max_shift = 0.08;  // of t, to either side: more would blur the picture of the rule
 
 model::Plates along(model::Plates plates, model::Axis axis) {
   plates.axis = axis;
@@ -101,7 +101,7 @@ VectorXd DisplaySearch::start(int k) const {
   VectorXd t = variables_.ties.to_one_side(
       rule_display(*equilibrium_.panel().squares(), levels_, rule_of_start(k, options_.rule_k)));
   std::mt19937_64 random(options_.seed + static_cast<std::uint64_t>(k));
-  std::uniform_real_distribution<double> shift(-most_shift, most_shift);
+  std::uniform_real_distribution<double> shift(-max_shift, max_shift);
   if (k >= starts_by_rule)
     for (double& of_hinge : t) of_hinge += shift(random);
   return variables_.nearest(t, options_.plates.compression);
@@ -132,7 +132,7 @@ SharpenedDisplay DisplaySearch::sharpen(VectorXd x) {
   SharpenedDisplay out;
   Settling settling = Settling::from_best;
   double weight = first_stretch_weight;
-  for (int round = 0; round < most_rounds; ++round, weight *= weight_growth) {
+  for (int round = 0; round < max_rounds; ++round, weight *= weight_growth) {
     DisplayProblem problem(equilibrium_, variables_, options_.channel, cost, options_.stretch, weight,
                            settling);
     const ScalarResult found = search(problem, x);
@@ -161,7 +161,7 @@ VectorXd rule_display(const model::Structure& panel, const std::vector<double>& 
   VectorXd t(highest.size());
   for (std::size_t h = 0; h < panel.hinges.size(); ++h) {
     const double of_class_a = 0.5 + (k - 0.5) * highest[h];
-    t[h] = starts_in_class_b(panel.hinges[h].wall) ? 1 - of_class_a : of_class_a;
+    t[h] = starts_in_sublattice_b(panel.hinges[h].wall) ? 1 - of_class_a : of_class_a;
   }
   return t;
 }

@@ -20,7 +20,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr int most_finalists = 2;  // starts of the second stage: each takes up to four searches more
+constexpr int max_finalists = 2;  // starts of the second stage: each takes up to four searches more
 
 /// Reports the share of the runs that are done.
 class ProgressOfRuns {
@@ -46,7 +46,7 @@ struct Trail {
 
   model::Axis axis;
   int start;
-  DisplayStart told;
+  DisplayStart report;
   ScalarResult separated;
   SharpenedDisplay sharpened;
   int evaluations = 0, paths = 0;
@@ -64,15 +64,15 @@ class PanelSearch {
 
   DisplayDesign run(const Progress& progress) {
     const int count = static_cast<int>(trails_.size());
-    ProgressOfRuns told(progress, count + std::min(count, most_finalists));
+    ProgressOfRuns run_progress(progress, count + std::min(count, max_finalists));
     model::run_in_parallel(count, options_.threads, [&](int k) {
       separate(trails_[k]);
-      told.one_more();
+      run_progress.one_more();
     });
     const std::vector<int> chosen = finalists();
     model::run_in_parallel(static_cast<int>(chosen.size()), options_.threads, [&](int k) {
       sharpen(trails_[chosen[k]]);
-      told.one_more();
+      run_progress.one_more();
     });
     return design(chosen);
   }
@@ -81,17 +81,17 @@ class PanelSearch {
   void separate(Trail& trail) const {
     DisplaySearch search(panel_, levels_, options_, trail.axis);
     const VectorXd x = search.start(trail.start);
-    trail.told.name = search.name_of_start(trail.start);
-    trail.told.view = search.view(x);
+    trail.report.name = search.name_of_start(trail.start);
+    trail.report.view = search.view(x);
     trail.separated = search.separate(x);
-    trail.told.cost = trail.separated.cost;
-    trail.told.status = trail.separated.status;
+    trail.report.cost = trail.separated.cost;
+    trail.report.status = trail.separated.status;
     add_counts(search, trail);
   }
 
   void sharpen(Trail& trail) const {
     DisplaySearch search(panel_, levels_, options_, trail.axis);
-    trail.told.sharpened = true;
+    trail.report.sharpened = true;
     trail.sharpened = search.sharpen(trail.separated.x);
     trail.sharpened.views.push_back(search.view(trail.separated.x));
     add_counts(search, trail);
@@ -109,22 +109,22 @@ class PanelSearch {
     std::erase_if(order, [&](int k) { return !std::isfinite(trails_[k].separated.cost); });
     std::stable_sort(order.begin(), order.end(),
                      [&](int a, int b) { return trails_[a].separated.cost < trails_[b].separated.cost; });
-    order.resize(std::min<std::size_t>(order.size(), most_finalists));
+    order.resize(std::min<std::size_t>(order.size(), max_finalists));
     return order;
   }
 
   DisplayDesign design(const std::vector<int>& chosen) {
     DisplayDesign out;
-    take_best(chosen, out);
+    choose_best(chosen, out);
     for (Trail& trail : trails_) {
       out.evaluations += trail.evaluations;
       out.paths_from_flat += trail.paths;
-      out.starts.push_back(std::move(trail.told));
+      out.starts.push_back(std::move(trail.report));
     }
     return out;
   }
 
-  void take_best(const std::vector<int>& chosen, DisplayDesign& out) const {
+  void choose_best(const std::vector<int>& chosen, DisplayDesign& out) const {
     std::vector<DisplayView> views;
     std::vector<int> from;
     for (const int k : chosen)

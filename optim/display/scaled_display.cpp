@@ -33,7 +33,7 @@ Extent extent_of(const model::PlanarGraph& graph) {
 
 }  // namespace
 
-int middle_hinge(const model::PlanarStructure& panel, const model::Redrawing& y) {
+int middle_hinge(const model::PlanarStructure& panel, const model::ParallelDrawing& y) {
   const Extent extent = extent_of(panel.graph);
   const auto rank = [&](int edge) {
     const auto [from, to] = panel.graph.edges[static_cast<std::size_t>(edge)];
@@ -56,12 +56,12 @@ model::HingeTurn turn_to(const model::PlanarStructure& panel, int hinge, double 
 namespace {
 
 // Fraction of the height: a larger drop would be visible in a small panel.
-constexpr double most_drop = 1.0 / 80;
+constexpr double max_drop = 1.0 / 80;
 // Factor of the bound on turning per round; seven rounds leave a third of it.
 constexpr double less_turning = 0.85;
-constexpr int most_clearance_rounds = 7;
+constexpr int max_clearance_rounds = 7;
 // rad: walls stay apart a little beyond the goal of the plates.
-constexpr double spare = 2 * radians_per_degree;
+constexpr double margin = 2 * radians_per_degree;
 
 constexpr double no_level = 0.5;  // level, [0, 1], at which walls neither grow nor shrink
 
@@ -80,7 +80,7 @@ void validate(const ScaledDisplayOptions& o) {
 
 /// Returns the drop of the last row, cell edges (WallScales::drop). It is a little less than requested, since
 /// bounds have priority.
-double drop_of(const model::Redrawing& y, const model::GrippedRows& rows, model::Axis axis) {
+double drop_of(const model::ParallelDrawing& y, const model::GrippedRows& rows, model::Axis axis) {
   const Eigen::Vector2d by = y[rows[1].front()] - y[rows[0].front()];
   return axis == model::Axis::x ? by.y() : -by.x();
 }
@@ -92,10 +92,10 @@ double height_of(const model::PlanarStructure& panel, const model::GrippedRows& 
 }
 
 /// Returns the theta, rad, at which walls first meet, searched up to a little more than `theta`.
-model::ContactLimit clearance(model::PlanarStructure panel, const model::Redrawing& y, double theta) {
+model::ContactLimit clearance(model::PlanarStructure panel, const model::ParallelDrawing& y, double theta) {
   place_hinges(y, panel);
   const auto fold_to = [&](double at, model::State& state) { state = fold(panel, y, at); };
-  return theta_range(panel, fold_to, {.limit = theta + spare}).positive;
+  return theta_range(panel, fold_to, {.limit = theta + margin}).positive;
 }
 
 /// Returns the wanted scales of a panel and its bounds, with all rows free.
@@ -126,26 +126,26 @@ double scale_until_apart(const model::PlanarStructure& panel, WallScales scales,
     found.clear = !limit.touches;
     found.clear_to = limit.theta;
     scales.shift *= less_turning;
-  } while (++found.rounds < most_clearance_rounds && !found.clear);
+  } while (++found.rounds < max_clearance_rounds && !found.clear);
   return theta;
 }
 
 ScaledDisplay scale_between_plates(const model::PlanarStructure& panel, const std::vector<double>& levels,
                                    const ScaledDisplayOptions& options) {
-  const model::GrippedRows rows = rim_rows(panel, options.axis);
+  const model::GrippedRows rows = boundary_rows(panel, options.axis);
   const double height = height_of(panel, rows, options.axis);
   const auto [least, most] = options.compression;
   WallScales scales = free_scales(panel, levels, options);
   scales.axis = options.axis;
   scales.straight = {rows[0], rows[1]};
-  scales.drop = std::min(options.drop, most_drop * height);
+  scales.drop = std::min(options.drop, max_drop * height);
   ScaledDisplay found;
-  const auto theta_at_most = [&, most = most](const model::Redrawing& y) {
+  const auto theta_at_most = [&, most = most](const model::ParallelDrawing& y) {
     return theta_of_compression(most, drop_of(y, rows, options.axis), height);
   };
   const double goal = scale_until_apart(panel, scales, theta_at_most, found);
   const double drop = drop_of(found.y, rows, options.axis);
-  const double reached = found.clear ? goal : std::min(goal, found.clear_to - spare);
+  const double reached = found.clear ? goal : std::min(goal, found.clear_to - margin);
   found.compression = found.clear ? most : std::max(least, compression_at(reached, drop, height));
   found.theta = theta_of_compression(found.compression, drop, height);
   found.clear = found.theta < found.clear_to;
@@ -156,8 +156,8 @@ ScaledDisplay scale_free(const model::PlanarStructure& panel, const std::vector<
                          const ScaledDisplayOptions& options) {
   ScaledDisplay found;
   found.theta = scale_until_apart(
-      panel, free_scales(panel, levels, options), [&](const model::Redrawing&) { return *options.free_to; },
-      found);
+      panel, free_scales(panel, levels, options),
+      [&](const model::ParallelDrawing&) { return *options.free_to; }, found);
   found.clear = found.theta < found.clear_to;
   return found;
 }

@@ -14,7 +14,7 @@ namespace kinetix::optim {
 /// to every other hinge is short. Of its hinges the one with the least offset is chosen, whose wall scales
 /// least; ties go to the nearest to the middle. A strip has no hinge in its middle half: then the nearest to
 /// the middle is chosen.
-int middle_hinge(const model::PlanarStructure& panel, const model::Redrawing& y);
+int middle_hinge(const model::PlanarStructure& panel, const model::ParallelDrawing& y);
 
 /// Returns the turn of that hinge at which the panel reaches theta, rad.
 model::HingeTurn turn_to(const model::PlanarStructure& panel, int hinge, double theta);
@@ -38,16 +38,16 @@ struct ScaledDisplayOptions {
 
 /// Panel found, at the drive's goal.
 struct ScaledDisplay {
-  model::Redrawing y;      ///< of each body
-  double compression = 0;  ///< by the plates, fraction of their distance at rest; 0 with a driven hinge
-  double theta = 0;        ///< rad, at that compression
-  double offset = 0;       ///< largest |offset|, cell edges
-  double shift = 0;        ///< largest |2 t - 1|, ratio
-  bool converged = false;  ///< as in ScaledWalls
-  int rounds = 0;          ///< convex problems solved, with less and less turning until walls stay apart
-  int iterations = 0;      ///< in all
-  bool clear = false;      ///< no walls meet during the motion
-  double clear_to = 0;     ///< rad, first contact of walls, or a little beyond theta without contact
+  model::ParallelDrawing y;  ///< of each body
+  double compression = 0;    ///< by the plates, fraction of their distance at rest; 0 with a driven hinge
+  double theta = 0;          ///< rad, at that compression
+  double offset = 0;         ///< largest |offset|, cell edges
+  double shift = 0;          ///< largest |2 t - 1|, ratio
+  bool converged = false;    ///< as in ScaledWalls
+  int rounds = 0;            ///< convex problems solved, with less and less turning until walls stay apart
+  int iterations = 0;        ///< in all
+  bool clear = false;        ///< no walls meet during the motion
+  double clear_to = 0;       ///< rad, first contact of walls, or a little beyond theta without contact
 };
 
 /// Returns theta, rad, at which a panel with this drop has this compression. Rows are H cos(theta) - drop

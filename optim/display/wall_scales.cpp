@@ -18,8 +18,8 @@ using Complex = std::complex<double>;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr int most_splits = 20'000;  // ten times what pictures of 100 x 100 cells take
-constexpr double settled = 1e-6;     // of s and 2 o: one micron on a wall of a metre
+constexpr int max_splits = 20'000;  // ten times what pictures of 100 x 100 cells take
+constexpr double settled = 1e-6;    // of s and 2 o: one micron on a wall of a metre
 // Over-relaxation of alternating directions: 1.5 to 1.8 is usual (Boyd et al. 2011, section 3.4.3).
 constexpr double relaxation = 1.6;
 // Weight of the squared distance from `near` against that from `wanted`. Of 1, 0.3, 0.1, 0.03 and 0.01 it
@@ -207,7 +207,7 @@ ScaledWalls scale_walls(const model::PlanarStructure& structure, const WallScale
   const auto edges = static_cast<Eigen::Index>(structure.graph.edges.size());
   VectorXcd split = VectorXcd::Zero(edges), dual = VectorXcd::Zero(edges), y;
   ScaledWalls found;
-  while (!found.converged && found.iterations < most_splits) {
+  while (!found.converged && found.iterations < max_splits) {
     ++found.iterations;
     y = walls.nearest(split - dual);
     const VectorXcd joint = walls.changes(y);

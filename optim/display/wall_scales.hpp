@@ -32,7 +32,7 @@ std::vector<double> wanted_scales(const std::vector<double>& levels, const model
 
 /// Parallel drawing nearest to the wanted scales.
 struct ScaledWalls {
-  model::Redrawing y;
+  model::ParallelDrawing y;
   double distance = 0;  ///< rms difference of 2 o from `wanted`, dimensionless
   double offset = 0;    ///< largest |o| found, ratio to a wall's length
   double shift = 0;     ///< largest |s| found

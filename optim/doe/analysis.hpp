@@ -87,8 +87,8 @@ enum class TableRows {
 };
 
 struct MainEffectOptions {
-  int most_values = 12;  ///< 1 or more: a factor of more values than this is binned
-  int bins = 10;         ///< 1 or more; with equal numbers of rows as far as equal values in one bin allow
+  int max_values = 12;  ///< 1 or more: a factor of more values than this is binned
+  int bins = 10;        ///< 1 or more; with equal numbers of rows as far as equal values in one bin allow
   TableRows rows = TableRows::independent;
 
   /// @throws InvalidInput naming field, value and rule

@@ -10,7 +10,7 @@ namespace {
 
 /// Smallest pivot of a correlation matrix that counts as not singular: the share of a factor's variance that
 /// the others do not explain. Smaller ones are rounding.
-constexpr double least_pivot = 1e-10;
+constexpr double min_pivot = 1e-10;
 
 /// Returns the column minus its mean, over its length. NaN for a column that does not vary.
 Eigen::VectorXd standardised(const Eigen::VectorXd& column) {
@@ -53,7 +53,7 @@ struct Regression {
 Regression regress(const Eigen::MatrixXd& correlation, const Eigen::VectorXd& with_response) {
   if (correlation.size() == 0 || !with_response.allFinite()) return {};
   const SymmetricFactor factor(correlation);
-  if (!(factor.least_pivot() > least_pivot)) return {};
+  if (!(factor.min_pivot() > min_pivot)) return {};
   return {factor.solve(with_response), factor.inverse_diagonal()};
 }
 

@@ -164,7 +164,7 @@ MainEffect effect(const Table& table, Eigen::Index j, const Rows& rows, const Ma
   const Rows sorted = sorted_by_value(table.samples, j, rows);
   const std::vector<std::size_t> starts = value_starts(table.samples, j, sorted);
   MainEffect effect;
-  effect.binned = starts.size() > static_cast<std::size_t>(options.most_values) + 1;
+  effect.binned = starts.size() > static_cast<std::size_t>(options.max_values) + 1;
   Levels levels =
       levels_at(effect.binned ? bin_starts(starts, options.bins) : starts, table, j, sorted, options.rows);
   effect.levels = levels.said;
@@ -190,8 +190,7 @@ Eigen::Index factor_off_base(const SampleMatrix& samples, Eigen::Index i) {
 }  // namespace
 
 void MainEffectOptions::validate() const {
-  if (!(most_values >= 1))
-    throw InvalidInput(fmt::format("most_values is {}, must be 1 or more", most_values));
+  if (!(max_values >= 1)) throw InvalidInput(fmt::format("most_values is {}, must be 1 or more", max_values));
   if (!(bins >= 1)) throw InvalidInput(fmt::format("bins is {}, must be 1 or more", bins));
 }
 
@@ -216,7 +215,7 @@ std::vector<MainEffect> one_factor_effects(const SampleMatrix& samples, std::spa
   std::vector<MainEffect> effects;
   for (Eigen::Index j = 0; j < samples.cols(); ++j) {
     effects.push_back(effect({samples, responses}, j, rows[j],
-                             {.most_values = std::numeric_limits<int>::max(), .rows = TableRows::related}));
+                             {.max_values = std::numeric_limits<int>::max(), .rows = TableRows::related}));
   }
   return effects;
 }

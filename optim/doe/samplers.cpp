@@ -23,7 +23,7 @@ constexpr int last_bit_of_engine = 62;  // last direction at which the engine ca
 // alone. The engine omits the origin: its point n is our n + 1. It cannot be placed at the last direction; no
 // table has 2^63 rows.
 SobolSequence::SobolSequence(int dimensions) : dimensions_(dimensions), directions_(bits * dimensions, 0) {
-  assert(dimensions >= 1 && dimensions <= most_dimensions);
+  assert(dimensions >= 1 && dimensions <= max_dimensions);
   boost::random::sobol engine(dimensions);
   for (int k = 0; k <= last_bit_of_engine; ++k) {
     engine.seed((std::uint64_t{2} << k) - 2);
@@ -100,10 +100,10 @@ class ShiftedSobol {
 
  private:
   static int checked(std::size_t dimensions) {
-    if (dimensions > SobolSequence::most_dimensions)
+    if (dimensions > SobolSequence::max_dimensions)
       throw InvalidInput(
           fmt::format("the factors need {} dimensions of Sobol's sequence, which has at most {}", dimensions,
-                      SobolSequence::most_dimensions));
+                      SobolSequence::max_dimensions));
     return static_cast<int>(dimensions);
   }
 

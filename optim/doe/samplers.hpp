@@ -12,9 +12,9 @@ namespace kinetix::optim {
 /// of that power fills every dimension evenly, so the sample count should be a power of two.
 class SobolSequence {
  public:
-  static constexpr int most_dimensions = 3667;  ///< Boost has direction numbers for this many
+  static constexpr int max_dimensions = 3667;  ///< Boost has direction numbers for this many
 
-  /// @param dimensions 1 to most_dimensions
+  /// @param dimensions 1 to max_dimensions
   explicit SobolSequence(int dimensions);
 
   int dimensions() const { return dimensions_; }

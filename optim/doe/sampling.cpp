@@ -13,9 +13,9 @@
 namespace kinetix::optim {
 namespace {
 
-constexpr std::int64_t most_levels = 1'000'000'000;  // levels of one factor: more is a mistyped number
-constexpr double least_probability = 1e-300;         // of the whole: near 1e-308, doubles lose their digits
-const double root_2 = std::sqrt(2.0);                // standard deviations to a unit of erfc's argument
+constexpr std::int64_t max_levels = 1'000'000'000;  // levels of one factor: more is a mistyped number
+constexpr double min_probability = 1e-300;          // of the whole: near 1e-308, doubles lose their digits
+const double root_2 = std::sqrt(2.0);               // standard deviations to a unit of erfc's argument
 
 /// Promotion to long double would make the bits depend on the machine.
 using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
@@ -74,7 +74,7 @@ void check(const NormalSpread& normal, const std::string& name) {
   if (!(normal.lower < normal.upper))
     throw InvalidInput(fmt::format("factor {}: normal distribution cut to [{}, {}], must be lower < upper",
                                    name, normal.lower, normal.upper));
-  if (!(standard_cut(normal).inside >= least_probability))
+  if (!(standard_cut(normal).inside >= min_probability))
     throw InvalidInput(
         fmt::format("factor {}: normal distribution of mean {} and sd {} has nothing in [{}, {}]", name,
                     normal.mean, normal.sd, normal.lower, normal.upper));
@@ -97,8 +97,8 @@ void check(const ValueList& list, const std::string& name) {
 void Factor::validate() const {
   if (name.empty()) throw InvalidInput("a factor has no name");
   std::visit([&](const auto& kind) { check(kind, name); }, distribution);
-  if (!(levels >= 2 && levels <= most_levels))
-    throw InvalidInput(fmt::format("factor {}: levels is {}, must be 2 to {}", name, levels, most_levels));
+  if (!(levels >= 2 && levels <= max_levels))
+    throw InvalidInput(fmt::format("factor {}: levels is {}, must be 2 to {}", name, levels, max_levels));
 }
 
 double quantile(const Factor& factor, double u) {
@@ -133,7 +133,7 @@ double even_level_value(const Factor& factor, std::int64_t k) {
 namespace {
 
 // Limit of the samples: the range of RandomOrder. Indices of rows are then well within 64 bits.
-constexpr std::uint64_t most_samples = std::uint64_t{1} << 62;
+constexpr std::uint64_t max_samples = std::uint64_t{1} << 62;
 
 void check(const std::vector<Factor>& factors, const SamplingOptions& options) {
   if (factors.empty()) throw InvalidInput("no factors, must be one or more");
@@ -143,7 +143,7 @@ void check(const std::vector<Factor>& factors, const SamplingOptions& options) {
     if (!names.insert(factor.name).second)
       throw InvalidInput(fmt::format("two factors are called {}, names must differ", factor.name));
   }
-  if (options.samples < 1 || options.samples > most_samples)
+  if (options.samples < 1 || options.samples > max_samples)
     throw InvalidInput(fmt::format("samples is {}, must be 1 to 2^62", options.samples));
 }
 

@@ -14,11 +14,11 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // Over the largest diagonal entry of the normal equations: the first step is nearly a Gauss-Newton step.
-constexpr double first_damping = 1e-4, least_damping = 1e-12, most_damping = 1e6;
+constexpr double first_damping = 1e-4, min_damping = 1e-12, max_damping = 1e6;
 constexpr double easier = 0.1,
                  harder = 10;            // factors of the damping after a step that helps, or does not
 constexpr double longest_change = 0.08;  // rad, of any variable: derivatives are inaccurate further away
-constexpr double least_gain = 0.02;      // fraction of the rms: a step that gains less ends the search
+constexpr double min_gain = 0.02;        // fraction of the rms: a step that gains less ends the search
 
 /// Tilts of all ties, then theta. rad
 class Variables {
@@ -47,7 +47,7 @@ class Variables {
     }
     const double sign = theta < 0 ? -1 : 1;
     double& last = x[size() - 1];
-    last = sign * std::clamp(sign * last, options_.least_theta, options_.most_theta);
+    last = sign * std::clamp(sign * last, options_.min_theta, options_.max_theta);
     return x;
   }
 
@@ -70,10 +70,10 @@ VectorXd by_variables(const std::vector<TiltTie>& ties, const model::DesignSensi
   return out;
 }
 
-class MatterSearch {
+class CompensationSearch {
  public:
-  MatterSearch(const ElasticFit& start, const model::Elasticity& elasticity, const ElasticGoal& goal,
-               const CompensationOptions& options)
+  CompensationSearch(const ElasticFit& start, const model::Elasticity& elasticity, const ElasticGoal& goal,
+                     const CompensationOptions& options)
       : elasticity_(elasticity), goal_(goal), options_(options), variables_(start.sheet, options) {
     path_.contact = options.contact;
   }
@@ -112,7 +112,7 @@ class MatterSearch {
     const VectorXd slope = found->jacobian.transpose() * found->deviations;
     const MatrixXd curvature = found->jacobian.transpose() * found->jacobian;
     const double scale = curvature.diagonal().maxCoeff();
-    for (; damping <= most_damping && out.rounds < options_.rounds; damping *= harder) {
+    for (; damping <= max_damping && out.rounds < options_.rounds; damping *= harder) {
       ++out.rounds;
       MatrixXd damped = curvature;
       damped.diagonal().array() += damping * scale;
@@ -122,10 +122,10 @@ class MatterSearch {
       const std::optional<ElasticFit> next = follow(at, x, tried);
       if (!next || !(next->rms_mm < at.rms_mm)) continue;
       const double gain = at.rms_mm - next->rms_mm;
-      const bool is_last = !(gain > least_gain * at.rms_mm);
+      const bool is_last = !(gain > min_gain * at.rms_mm);
       at = *next;
       x = tried;
-      damping = std::max(damping * easier, least_damping);
+      damping = std::max(damping * easier, min_damping);
       if (is_last) out.why = "steps gain little any more";
       return;
     }
@@ -183,7 +183,7 @@ std::optional<DeviationJacobian> deviation_jacobian(const ElasticFit& at, const 
 
 Compensation compensate(const ElasticFit& start, const model::Elasticity& elasticity, const ElasticGoal& goal,
                         const CompensationOptions& options) {
-  return MatterSearch(start, elasticity, goal, options).run(start);
+  return CompensationSearch(start, elasticity, goal, options).run(start);
 }
 
 }  // namespace kinetix::optim

@@ -24,13 +24,13 @@ struct ElasticGoal {
 struct CompensationOptions {
   /// Ties of the sheet at the start: tilts that change together, with their ranges.
   std::function<std::vector<TiltTie>(const model::Lattice&)> ties = tilt_ties;
-  double enough_mm = 0;                         ///< rms at which the search ends, >= 0
-  double tilt = 75 * radians_per_degree;        ///< largest tilt of any hinge, rad, in (0, pi/2)
-  double least_theta = 2 * radians_per_degree;  ///< rad
-  double most_theta = 44 * radians_per_degree;  ///< rad
-  int rounds = 30;                              ///< number of steps tried, >= 0
-  bool contact = true;                          ///< walls push each other apart
-  std::stop_token stop = {};                    ///< on request, the best so far is the result
+  double enough_mm = 0;                        ///< rms at which the search ends, >= 0
+  double tilt = 75 * radians_per_degree;       ///< largest tilt of any hinge, rad, in (0, pi/2)
+  double min_theta = 2 * radians_per_degree;   ///< rad
+  double max_theta = 44 * radians_per_degree;  ///< rad
+  int rounds = 30;                             ///< number of steps tried, >= 0
+  bool contact = true;                         ///< walls push each other apart
+  std::stop_token stop = {};                   ///< on request, the best so far is the result
 };
 
 /// Sheet in equilibrium with its drive.

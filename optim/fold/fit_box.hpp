@@ -17,7 +17,7 @@ struct BoxInCells {
 };
 
 /// Returns the largest difference of two boxes' edges, relative to the edges of the second.
-double size_miss(const std::array<double, 3>& mm, const std::array<double, 3>& asked_mm);
+double size_miss(const std::array<double, 3>& mm, const std::array<double, 3>& required_mm);
 
 /// Returns the edges of the solid that a box of these cells folds to. Faces shrink by cos(theta), and each
 /// crease adds an inset (targets::edge_inset) at either end. The end of the omitted face has none.
@@ -26,7 +26,7 @@ std::array<double, 3> folded_box(const std::array<int, 3>& edges, const std::opt
                                  double edge_mm, double theta, int columns);
 
 struct BoxOptions {
-  std::array<double, 3> asked_mm = {};                  ///< > 0
+  std::array<double, 3> required_mm = {};               ///< > 0
   std::optional<int> open = {};                         ///< the omitted face, by box_face_names
   int crease_columns = 0;                               ///< 0: chosen by the search
   std::optional<double> edge_mm = {};                   ///< of a cell, if given
@@ -42,15 +42,15 @@ struct BoxOptions {
 /// creases
 BoxInCells fit_box(const BoxOptions& options);
 
-inline constexpr int telling_cells = 4;  ///< along an edge of the test box: walls meet at creases, however
-                                         ///< wide faces are
-inline constexpr int most_cells_across = 10;  ///< along the shortest edge: finer sheets are impractical to
-                                              ///< print
+inline constexpr int test_box_cells = 4;  ///< along an edge of the test box: walls meet at creases, however
+                                          ///< wide faces are
+inline constexpr int max_cells_across = 10;  ///< along the shortest edge: finer sheets are impractical to
+                                             ///< print
 
 /// Returns large cells with which a box folds and misses its edges by at most `tolerance`. fit_box and
 /// fit_fold check the box with this edge given. Tries 1, 2 and so on cells along the shortest edge and
 /// returns the first that succeeds. Cell edges are whole hundredths of a mm. Returns nullopt if none up to
-/// most_cells_across succeeds.
+/// max_cells_across succeeds.
 /// @param options their cell edge has no effect   @param tolerance ratio, > 0
 std::optional<BoxInCells> other_cells(const BoxOptions& options, double tolerance);
 

@@ -16,7 +16,7 @@ namespace kinetix::optim {
 namespace {
 
 // 22.5 deg per column: each finer choice widens the nets and needs one more search of all unfoldings.
-constexpr int most_columns_per_right_angle = 4;
+constexpr int max_columns_per_right_angle = 4;
 // Rad, precision of the largest free theta. More precision gains little theta, and each halving needs one
 // more motion.
 constexpr double precision = 0.25 * radians_per_degree;
@@ -73,12 +73,12 @@ class NetSearch {
           fmt::format("walls of {:.3g} mm in cells of {:.3g} mm close at theta {:.1f} deg, below the range "
                       "asked for",
                       options_.size.thickness_mm, options_.size.edge_mm, to_degrees(upper_)));
-    const int finest = all_columns_are_given(goal_.nets[0]) ? 1 : most_columns_per_right_angle;
+    const int finest = all_columns_are_given(goal_.nets[0]) ? 1 : max_columns_per_right_angle;
     for (int finer = 1; finer <= finest && !design_.folds && !options_.stop.stop_requested(); ++finer)
       try_all(finer);
     design_.stopped = !design_.folds && options_.stop.stop_requested();
     if (design_.stopped && design_.obstacles.empty()) add_obstacle(stopped_reason);
-    if (!design_.folds) take_the_nearest(finest);
+    if (!design_.folds) choose_nearest(finest);
     return std::move(design_);
   }
 
@@ -142,7 +142,7 @@ class NetSearch {
   /// collide.
   std::optional<Obstacle> try_between(int index, const std::vector<int>& columns, double lower) {
     std::vector<Blocked> blocked;
-    const int steps = static_cast<int>(std::ceil((upper_ - lower) / look_step));
+    const int steps = static_cast<int>(std::ceil((upper_ - lower) / sample_step));
     for (int k = steps; k >= 0; --k) {
       if (options_.stop.stop_requested()) return Obstacle{stopped_reason, false, 0};
       FoldedNet net = folded(index, columns, lower + (upper_ - lower) * k / steps);
@@ -176,17 +176,17 @@ class NetSearch {
   /// Returns whether the path is free up to this share. Checks backwards from there, since an obstacle mostly
   /// stays in the way.
   bool is_free_to(const FoldedNet& net, double share) const {
-    MotionOverlapSearch looks = looks_at(net);
-    if (!looks.touching_at_rest().empty()) return false;
-    std::vector<double> thetas = looks_up_to(net.theta);
+    MotionOverlapSearch overlaps = overlap_search(net);
+    if (!overlaps.touching_at_rest().empty()) return false;
+    std::vector<double> thetas = sample_thetas(net.theta);
     std::erase_if(thetas, [&](double theta) { return theta / net.theta > share; });
     std::reverse(thetas.begin(), thetas.end());
-    return !looks.first_overlap(thetas);
+    return !overlaps.first_overlap(thetas);
   }
 
   /// Increases theta a little, as long as the motion is free.
   FoldedNet refined(int index, const std::vector<int>& columns, FoldedNet best, bool blocked_beyond) {
-    double blocked = blocked_beyond ? best.theta + look_step : best.theta;
+    double blocked = blocked_beyond ? best.theta + sample_step : best.theta;
     while (blocked - best.theta > precision && !options_.stop.stop_requested()) {
       FoldedNet middle = folded(index, columns, (best.theta + blocked) / 2);
       if (blocked_share(middle))
@@ -209,7 +209,7 @@ class NetSearch {
     return std::nullopt;
   }
 
-  MotionOverlapSearch looks_at(const FoldedNet& net) const {
+  MotionOverlapSearch overlap_search(const FoldedNet& net) const {
     return {net.structure, options_.clearance,
             [&net](double theta) { return fold_net(net.tree, net.structure, theta); }, options_.threads};
   }
@@ -218,22 +218,22 @@ class NetSearch {
   /// end, where most walls meet.
   std::optional<double> blocked_share(const FoldedNet& net) {
     ++design_.evaluations;
-    MotionOverlapSearch looks = looks_at(net);
-    if (!looks.touching_at_rest().empty()) return 0;
-    std::vector<double> thetas = looks_up_to(net.theta);
+    MotionOverlapSearch overlaps = overlap_search(net);
+    if (!overlaps.touching_at_rest().empty()) return 0;
+    std::vector<double> thetas = sample_thetas(net.theta);
     std::reverse(thetas.begin(), thetas.end());
-    const auto overlap = looks.first_overlap(thetas);
+    const auto overlap = overlaps.first_overlap(thetas);
     if (!overlap) return std::nullopt;
-    return thetas[overlap->look] / net.theta;
+    return thetas[overlap->sample] / net.theta;
   }
 
   /// Returns the first obstacle of a motion. @pre the motion is blocked
   Obstacle first_obstacle(const FoldedNet& net) const {
-    MotionOverlapSearch looks = looks_at(net);
-    if (!looks.touching_at_rest().empty()) return described(net, looks.touching_at_rest().front(), 0);
-    const std::vector<double> thetas = looks_up_to(net.theta);
-    const auto overlap = looks.first_overlap(thetas);
-    return described(net, overlap.value().pair, thetas[overlap->look]);
+    MotionOverlapSearch overlaps = overlap_search(net);
+    if (!overlaps.touching_at_rest().empty()) return described(net, overlaps.touching_at_rest().front(), 0);
+    const std::vector<double> thetas = sample_thetas(net.theta);
+    const auto overlap = overlaps.first_overlap(thetas);
+    return described(net, overlap.value().pair, thetas[overlap->sample]);
   }
 
   static std::string described(double theta, double needed) {
@@ -272,7 +272,7 @@ class NetSearch {
 
   /// Keeps a design to show if none folds: the first unfolding, with the most columns with which it can be
   /// laid out.
-  void take_the_nearest(int finest) {
+  void choose_nearest(int finest) {
     for (int finer = finest; finer >= 1; --finer) try {
         design_.folded = folded(0, columns_of(goal_.nets[0], finer), upper_);
         return;
@@ -326,7 +326,7 @@ class SolidSearch {
       return fmt::format(
           "with {} a crease tilts of {:.1f} deg would be needed even at theta {:.1f} deg; at most {:.1f} deg "
           "is allowed",
-          in_words(columns), to_degrees(std::atan(steepest / std::sin(options_.theta.upper))),
+          describe(columns), to_degrees(std::atan(steepest / std::sin(options_.theta.upper))),
           to_degrees(options_.theta.upper), to_degrees(options_.tilt));
     return try_thetas(columns, least);
   }
@@ -340,7 +340,7 @@ class SolidSearch {
   double best_share() const { return best_share_; }  ///< free share of the path to theta, [0, 1]
 
  private:
-  static std::string in_words(int columns) {
+  static std::string describe(int columns) {
     return columns == 1 ? "one column" : fmt::format("{} columns", columns);
   }
 
@@ -351,10 +351,10 @@ class SolidSearch {
 
   std::string try_thetas(int columns, double least) {
     double farthest = 0, wanted = 0;
-    const int steps = static_cast<int>((options_.theta.upper - least) / look_step);
+    const int steps = static_cast<int>((options_.theta.upper - least) / sample_step);
     for (int k = 0; k <= steps; ++k) {
       if (options_.stop.stop_requested()) return "the search was told to stop";
-      fold_at(options_.theta.upper - k * look_step);
+      fold_at(options_.theta.upper - k * sample_step);
       const double free = free_to();
       if (free >= design_.theta) return {};
       best_share_ = std::max(best_share_, free / design_.theta);
@@ -363,21 +363,21 @@ class SolidSearch {
     if (wanted != 0) fold_at(wanted);
     return fmt::format(
         "with {} a crease walls run into each other at theta {:.1f} deg; the fold needs {:.1f} deg",
-        in_words(columns), to_degrees(farthest), to_degrees(wanted));
+        describe(columns), to_degrees(farthest), to_degrees(wanted));
   }
 
   /// Returns the last checked theta before walls overlap, or theta if none do.
   double free_to() {
     ++design_.evaluations;
     const model::ExactMotion motion = exact_motion(design_.net.structure);
-    MotionOverlapSearch looks(
+    MotionOverlapSearch overlaps(
         design_.net.structure, options_.clearance, [&](double theta) { return motion.at(theta); },
         options_.threads);
-    if (!looks.touching_at_rest().empty()) return 0;
-    const std::vector<double> thetas = looks_up_to(design_.theta);
-    const auto overlap = looks.first_overlap(thetas);
+    if (!overlaps.touching_at_rest().empty()) return 0;
+    const std::vector<double> thetas = sample_thetas(design_.theta);
+    const auto overlap = overlaps.first_overlap(thetas);
     if (!overlap) return design_.theta;
-    return overlap->look == 0 ? 0 : thetas[overlap->look - 1];
+    return overlap->sample == 0 ? 0 : thetas[overlap->sample - 1];
   }
 
   const targets::Solid& solid_;
@@ -394,7 +394,7 @@ SolidDesign fit_solid(const targets::Solid& solid, int cells, int columns, const
   options.validate();
   SolidSearch search(solid, cells, options);
   SolidDesign& design = search.design();
-  const int first = columns > 0 ? columns : 1, last = columns > 0 ? columns : most_solid_columns;
+  const int first = columns > 0 ? columns : 1, last = columns > 0 ? columns : max_solid_columns;
   for (int k = first; k <= last && !design.folds; ++k) {
     if (options.stop.stop_requested() && k > first) break;
     progress("search", static_cast<double>(k - first) / (last - first + 1),

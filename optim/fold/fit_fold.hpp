@@ -62,7 +62,7 @@ struct SolidDesign {
 };
 
 /// Most fold lines of a crease: more widen the nets and need one more search.
-inline constexpr int most_solid_columns = 4;
+inline constexpr int max_solid_columns = 4;
 
 /// Searches the fewest columns per crease, and the largest theta that walls allow, in steps of one degree.
 /// The tilts follow from theta in closed form. A motion is free if walls stay `options.clearance` apart from

@@ -24,7 +24,7 @@ void set_fold(model::Structure& structure, const targets::PlacedCrease& crease, 
 }  // namespace
 
 FoldedNet fold_to(const targets::FoldNet& net, const std::vector<int>& columns, double theta,
-                  const model::CellSize& size, double most_tilt) {
+                  const model::CellSize& size, double max_tilt) {
   FoldedNet out;
   out.net = net;
   out.layout = lay_out(net, columns);
@@ -32,7 +32,7 @@ FoldedNet fold_to(const targets::FoldNet& net, const std::vector<int>& columns, 
   out.structure = make_structure(out.layout.cells, size);
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const double wanted = model::tilt_of_turn(net.creases[c].angle / columns[c], theta);
-    const double tilt = std::clamp(wanted, -most_tilt, most_tilt);
+    const double tilt = std::clamp(wanted, -max_tilt, max_tilt);
     set_fold(out.structure, out.layout.creases[c], tilt);
     out.tilt.push_back(std::abs(tilt));
   }
@@ -108,7 +108,7 @@ class Watch {
   explicit Watch(const FoldedNet& folded)
       : folded_(folded), walls_(half_walls(folded.structure)), part_(parts_of_bodies(folded)) {
     const int faces = static_cast<int>(folded.net.faces.size());
-    for (int a = 0; a < faces; ++a) collect_ways(a, a, -1, {});
+    for (int a = 0; a < faces; ++a) collect_face_paths(a, a, -1, {});
   }
 
   std::optional<FaceCrossing> run() {
@@ -116,10 +116,10 @@ class Watch {
     while (true) {
       place(theta);
       double step = longest_turn;
-      for (const Way& way : ways_) {
-        const double speed = closing_speed(way, theta);
-        const double gap = clearance(faces_[way.first], faces_[way.second], speed * step + too_close());
-        if (gap < too_close()) return FaceCrossing{way.first, way.second, theta};
+      for (const FacePath& path : face_paths_) {
+        const double speed = closing_speed(path, theta);
+        const double gap = clearance(faces_[path.first], faces_[path.second], speed * step + too_close());
+        if (gap < too_close()) return FaceCrossing{path.first, path.second, theta};
         step = std::min(step, gap / speed);
       }
       if (theta >= folded_.theta) return std::nullopt;
@@ -129,7 +129,7 @@ class Watch {
 
  private:
   /// Two faces with the creases between them, and the length of net beyond each crease.
-  struct Way {
+  struct FacePath {
     int first, second;
     std::vector<int> creases;
     std::vector<double> beyond;  ///< mm
@@ -145,14 +145,14 @@ class Watch {
     return edge() * (std::hypot(f.width, f.height) + 1);
   }
 
-  void collect_ways(int start, int at, int from, std::vector<int> creases) {
-    if (creases.size() > 1 && start < at) add_way(start, at, creases);
+  void collect_face_paths(int start, int at, int from, std::vector<int> creases) {
+    if (creases.size() > 1 && start < at) add_face_path(start, at, creases);
     for (std::size_t c = 0; c < folded_.net.creases.size(); ++c) {
       const targets::FoldCrease& crease = folded_.net.creases[c];
       const int next = crease.first == at ? crease.second : crease.second == at ? crease.first : -1;
       if (next < 0 || next == from || visited(start, creases, next)) continue;
       creases.push_back(static_cast<int>(c));
-      collect_ways(start, next, at, creases);
+      collect_face_paths(start, next, at, creases);
       creases.pop_back();
     }
   }
@@ -169,30 +169,30 @@ class Watch {
         [&](const targets::FoldCrease& c) { return std::minmax(c.first, c.second) == std::minmax(a, b); });
   }
 
-  void add_way(int first, int second, const std::vector<int>& creases) {
-    const bool known = std::any_of(ways_.begin(), ways_.end(),
-                                   [&](const Way& w) { return w.first == first && w.second == second; });
+  void add_face_path(int first, int second, const std::vector<int>& creases) {
+    const bool known = std::any_of(face_paths_.begin(), face_paths_.end(),
+                                   [&](const FacePath& w) { return w.first == first && w.second == second; });
     if (known || joined(first, second)) return;
-    Way way{first, second, creases, std::vector<double>(creases.size()), across_face(first)};
+    FacePath path{first, second, creases, std::vector<double>(creases.size()), across_face(first)};
     double beyond = across_face(second);
     int face = second;
     for (std::size_t k = creases.size(); k-- > 0;) {
       const targets::FoldCrease& crease = folded_.net.creases[creases[k]];
       beyond += edge() * folded_.layout.creases[creases[k]].columns();
-      way.beyond[k] = beyond + folded_.structure.size.height_mm;
+      path.beyond[k] = beyond + folded_.structure.size.height_mm;
       face = crease.first == face ? crease.second : crease.first;
       if (k > 0) beyond += across_face(face);
     }
-    way.length += beyond;
-    ways_.push_back(std::move(way));
+    path.length += beyond;
+    face_paths_.push_back(std::move(path));
   }
 
   /// Returns a bound of the closing speed from theta to the end of the motion, mm per rad.
-  double closing_speed(const Way& way, double theta) const {
-    double speed = way.length * std::sin(folded_.theta) + edge() + 2 * folded_.structure.size.thickness_mm;
-    for (std::size_t k = 0; k < way.creases.size(); ++k) {
-      const int c = way.creases[k];
-      speed += way.beyond[k] * fold_rate(folded_.tilt[c], folded_.layout.creases[c].columns(), theta);
+  double closing_speed(const FacePath& path, double theta) const {
+    double speed = path.length * std::sin(folded_.theta) + edge() + 2 * folded_.structure.size.thickness_mm;
+    for (std::size_t k = 0; k < path.creases.size(); ++k) {
+      const int c = path.creases[k];
+      speed += path.beyond[k] * fold_rate(folded_.tilt[c], folded_.layout.creases[c].columns(), theta);
     }
     return speed;
   }
@@ -210,7 +210,7 @@ class Watch {
   const FoldedNet& folded_;
   std::vector<model::HalfWall> walls_;
   std::vector<int> part_;
-  std::vector<Way> ways_;
+  std::vector<FacePath> face_paths_;
   std::vector<FaceWalls> faces_;
 };
 

@@ -20,11 +20,11 @@ struct FoldedNet {
 };
 
 /// Returns the net with each crease's fold spread evenly over its columns. Tilts follow from tan(fold / 2k) =
-/// tan(tilt) sin(theta) and are cut off at `most_tilt`.
-/// @param columns k of each crease, >= 1   @param theta rad, (0, pi / 2)   @param most_tilt rad, (0, pi / 2)
+/// tan(tilt) sin(theta) and are cut off at `max_tilt`.
+/// @param columns k of each crease, >= 1   @param theta rad, (0, pi / 2)   @param max_tilt rad, (0, pi / 2)
 /// @throws InvalidInput for columns with which the net overlaps itself
 FoldedNet fold_to(const targets::FoldNet& net, const std::vector<int>& columns, double theta,
-                  const model::CellSize& size, double most_tilt);
+                  const model::CellSize& size, double max_tilt);
 
 /// Returns the part of the net of each body: its face, or the number of faces plus the index of the crease
 /// with the body between its columns.

@@ -18,10 +18,10 @@ model::Linkage thickened(model::Linkage structure, double clearance) {
 
 }  // namespace
 
-std::vector<double> looks_up_to(double theta) {
-  const int looks = static_cast<int>(std::ceil(theta / look_step));
+std::vector<double> sample_thetas(double theta) {
+  const int samples = static_cast<int>(std::ceil(theta / sample_step));
   std::vector<double> out;
-  for (int k = 1; k < looks; ++k) out.push_back(theta * k / looks);
+  for (int k = 1; k < samples; ++k) out.push_back(theta * k / samples);
   out.push_back(theta);
   return out;
 }

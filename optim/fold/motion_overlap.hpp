@@ -10,11 +10,11 @@
 namespace kinetix::optim {
 
 /// Rad of theta between checked states: contact that begins and ends within one step is missed.
-inline constexpr double look_step = 1 * radians_per_degree;
+inline constexpr double sample_step = 1 * radians_per_degree;
 
-/// Returns the theta values to check on the path from flat to theta, rad, > 0: at most look_step apart, the
+/// Returns the theta values to check on the path from flat to theta, rad, > 0: at most sample_step apart, the
 /// last at theta.
-std::vector<double> looks_up_to(double theta);
+std::vector<double> sample_thetas(double theta);
 
 /// Checks states on the path of a fold for overlapping walls, several in parallel.
 class MotionOverlapSearch {
@@ -28,7 +28,7 @@ class MotionOverlapSearch {
   const std::vector<model::WallPair>& touching_at_rest() const { return contacts_[0].touching_at_rest(); }
 
   struct Overlap {
-    int look = 0;          ///< index in the requested angles
+    int sample = 0;        ///< index in the requested angles
     model::WallPair pair;  ///< the first pair that WallContact reports there
   };
   /// Returns the first of these angles, rad, in their order, at which walls overlap. Independent of the

@@ -20,7 +20,7 @@ namespace {
 using Eigen::Vector2d;
 using model::LatticeCell;
 
-constexpr std::size_t least_cells = 4;  // fewer form no shape
+constexpr std::size_t min_cells = 4;  // fewer form no shape
 // Relative to the outline that just fills the rectangle. The pixels of a picture change most between these
 // sizes.
 constexpr double sizes[] = {1, 0.95, 1.05};
@@ -44,14 +44,12 @@ std::vector<std::vector<LatticeCell>> trimmed_cells(const model::PlanarLattice& 
         auto cells = model::cut_cells(lattice, columns, rows, angle, [&](const Vector2d& middle) {
           return outline.contains(drawn.center() + scale * (middle - at));
         });
-        if (cells.size() >= least_cells && known.insert(cells).second) found.push_back(std::move(cells));
+        if (cells.size() >= min_cells && known.insert(cells).second) found.push_back(std::move(cells));
       }
   return found;
 }
 
 namespace {
-
-using Eigen::Vector2d;
 
 constexpr double less_sliding =
     0.8;  // factor per round of the turning of walls that met: the most rounds leave a seventh
@@ -60,16 +58,16 @@ constexpr double other_scaling = 0.98;  // factor of the offsets of the other wa
 constexpr double less_uneven = 0.8;  // exponent per round of the walls' length ratios, if the flat panel is
                                      // free
 // Rounds: these leave an eighth of the turning. A free flat panel has more degrees of freedom to make room.
-constexpr int most_rounds_apart = 9, most_of_free_panels = 12;
+constexpr int max_rounds_apart = 9, most_of_free_panels = 12;
 // Cell edges, of flat walls if they are free: beyond, cells have no room or plates are all wall.
 constexpr double longest = 1.4;
-constexpr double spare_turn = 0.3 * radians_per_degree;   // rad: walls stay apart a little beyond theta
+constexpr double turn_margin = 0.3 * radians_per_degree;  // rad: walls stay apart a little beyond theta
 constexpr double met_early[] = {0.4, 0.6, 0.75, 0.9, 1};  // of theta: states at which walls are checked
 constexpr int halvings = 2;        // of the interval from the best theta to the next larger one that was
                                    // tried
 constexpr double at_bound = 0.98;  // of the bound: counts as being at it
 // Cell edges: a smaller offset is within ten times the search's tolerance of its bounds (1e-6).
-constexpr double least_offset = 1e-5;
+constexpr double min_offset = 1e-5;
 
 void validate(const OutlineOptions& o) {
   require("theta", o.theta[0], o.theta[0] > 0 && o.theta[0] <= o.theta[1],
@@ -87,7 +85,7 @@ void put_on_walls(OutlineDesign& found) {
   place_hinges(found.y, found.panel);
   for (model::HingeParameters& hinge : found.panel.hinges) hinge.offset = 0;
   found.panel = nearest_exact(std::move(found.panel));
-  found.y = model::redrawing_of(found.panel).y;
+  found.y = model::parallel_drawing_of(found.panel).y;
 }
 
 std::vector<Vector2d> corners(const std::vector<int>& rim, const std::vector<Vector2d>& places,
@@ -98,13 +96,13 @@ std::vector<Vector2d> corners(const std::vector<int>& rim, const std::vector<Vec
 }
 
 /// Search at one theta.
-class RimSearch {
+class BoundarySearch {
  public:
-  RimSearch(const model::PlanarStructure& panel, const targets::Outline& folded, const targets::Outline* flat,
-            const OutlineOptions& options, double theta)
-      : panel_(panel), on_walls_(options.offset < least_offset) {
+  BoundarySearch(const model::PlanarStructure& panel, const targets::Outline& folded,
+                 const targets::Outline* flat, const OutlineOptions& options, double theta)
+      : panel_(panel), on_walls_(options.offset < min_offset) {
     problem_.panel = &panel_;
-    problem_.rim = outer_rim(panel.graph).vertices;
+    problem_.rim = outer_boundary(panel.graph).vertices;
     problem_.folded = &folded;
     problem_.flat = flat;
     problem_.flat_scale = panel.size.edge_mm;
@@ -119,7 +117,7 @@ class RimSearch {
   OutlineDesign run() {
     start();
     OutlineDesign found;
-    const int most = problem_.flat ? most_of_free_panels : most_rounds_apart;
+    const int most = problem_.flat ? most_of_free_panels : max_rounds_apart;
     for (bool spread = true;; spread = false) {
       bound_offsets();
       const OutlineProgress now = improve(problem_, shape_, spread, memory_);
@@ -175,7 +173,7 @@ class RimSearch {
     found.panel = panel_;
     found.panel.graph.vertices = shape_.flat;
     if (problem_.flat) found.panel.drawn = {};
-    found.y = redrawing_of(shape_, problem_.theta);
+    found.y = parallel_drawing_of(shape_, problem_.theta);
     if (on_walls_) put_on_walls(found);
     double excess = 1;
     for (int e = 0; e < static_cast<int>(panel_.graph.edges.size()); ++e) {
@@ -202,7 +200,7 @@ class RimSearch {
     // A free flat panel has walls that touch at sharp corners with hinges near them.
     if (problem_.flat) add(contact.touching_at_rest());
     for (const double part : met_early) {
-      const double theta = part == 1 ? problem_.theta + spare_turn : part * problem_.theta;
+      const double theta = part == 1 ? problem_.theta + turn_margin : part * problem_.theta;
       add(contact.overlapping(fold(found.panel, found.y, theta)));
     }
     return met;
@@ -271,7 +269,9 @@ OutlineDesign fit_outline(const model::PlanarStructure& panel, const targets::Ou
   OutlineDesign best;
   std::set<double> tried;
   int rounds = 0;
-  const auto found_at = [&](double theta) { return RimSearch(panel, folded, flat, options, theta).run(); };
+  const auto found_at = [&](double theta) {
+    return BoundarySearch(panel, folded, flat, options, theta).run();
+  };
   const auto take = [&](OutlineDesign found) {
     const double theta = found.theta;
     rounds += found.rounds;

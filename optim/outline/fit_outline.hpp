@@ -32,7 +32,7 @@ struct OutlineOptions {
 /// Panel found.
 struct OutlineDesign {
   model::PlanarStructure panel;  ///< with its hinges; its size's edge_mm is still that of the input
-  model::Redrawing y;            ///< of each vertex
+  model::ParallelDrawing y;      ///< of each vertex
   double theta = 0;              ///< rad
   double scale = 1;              ///< mm of the outline per cell edge
   /// Position of the outline's origin in the frame of the states that y gives, at theta, cell edges.

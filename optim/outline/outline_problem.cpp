@@ -17,25 +17,25 @@ using Eigen::Index;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-constexpr int most_slides = 30;         // the boundary then slides by hundredths of a cell
-constexpr int most_rounds_again = 8;    // if only some bounds have changed
+constexpr int max_slides = 30;          // the boundary then slides by hundredths of a cell
+constexpr int max_rounds_again = 8;     // if only some bounds have changed
 constexpr int rounds_of_spreading = 4;  // in which boundary vertices move to their places along the outline
-constexpr double settled_rim = 5e-4;    // cell edges: a hundredth of what is visible on a print
+constexpr double settled_boundary = 5e-4;  // cell edges: a hundredth of what is visible on a print
 // Weights relative to 1 for the distance from the outline, each a length or a ratio of lengths.
-constexpr double first_slide = 0.5, least_slide = 0.02;  // of sliding along it, first and least
-constexpr double less_slide = 0.7;                       // its factor from round to round
-constexpr double plain_walls = 2e-3;                     // of turning and scaling walls
+constexpr double first_slide = 0.5, min_slide = 0.02;  // of sliding along it, first and least
+constexpr double less_slide = 0.7;                     // its factor from round to round
+constexpr double plain_walls = 2e-3;                   // of turning and scaling walls
 constexpr double even_cells = 0.2;   // of the distance of flat vertices from the middle of their neighbours
 constexpr double small_step = 1e-3;  // of any motion
 constexpr double sharp = 30 * pi / 180;  // rad: a corner of an outline that gets a vertex of the boundary
 constexpr double corner_pull = 0.3;      // weight along the outline of a vertex at a corner
 // Two consecutive walls of a flat cell: smallest sine of the turn between them. Cells then stay convex with
 // open corners.
-constexpr double least_turn = 0.5;
+constexpr double min_turn = 0.5;
 
 // For one convex problem. Points on the outline move from round to round, so only the last problem is solved
 // accurately.
-constexpr BoxLeastSquaresOptions on_the_way = {1e-4, 50}, at_the_end = {1e-6, 2000};
+constexpr BoxLeastSquaresOptions intermediate_options = {1e-4, 50}, final_options = {1e-6, 2000};
 
 Complex complex(const Vector2d& v) { return {v.x(), v.y()}; }
 
@@ -90,11 +90,11 @@ class Round {
   Round(const OutlineProblem& problem, const OutlineShape& shape, int number)
       : p_(problem), shape_(shape), number_(number) {
     columns_ = {static_cast<Index>(shape.flat.size()), problem.flat != nullptr};
-    slide_ = std::max(least_slide, first_slide * std::pow(less_slide, number));
+    slide_ = std::max(min_slide, first_slide * std::pow(less_slide, number));
   }
 
   BoxLeastSquares problem() {
-    add_rims();
+    add_boundaries();
     for (int e = 0; e < static_cast<int>(p_.panel->graph.edges.size()); ++e) add_wall(e);
     if (columns_.flat_is_free) add_flat_cells();
     BoxLeastSquares out;
@@ -161,8 +161,8 @@ class Round {
     return held;
   }
 
-  void add_rim(const targets::Outline& outline, const std::vector<Vector2d>& places, double scale,
-               bool is_flat) {
+  void add_boundary(const targets::Outline& outline, const std::vector<Vector2d>& places, double scale,
+                    bool is_flat) {
     const bool free = !is_flat;
     std::vector<Vector2d> rim;
     for (const int v : p_.rim) rim.push_back(scale * places[v]);
@@ -177,9 +177,9 @@ class Round {
     }
   }
 
-  void add_rims() {
-    add_rim(*p_.folded, shape_.folded, shape_.scale, false);
-    if (p_.flat) add_rim(*p_.flat, shape_.flat, p_.flat_scale, true);
+  void add_boundaries() {
+    add_boundary(*p_.folded, shape_.folded, shape_.scale, false);
+    if (p_.flat) add_boundary(*p_.flat, shape_.flat, p_.flat_scale, true);
   }
 
   Complex edge(const std::vector<Vector2d>& places, int e) const {
@@ -246,7 +246,7 @@ class Round {
       const double turn = in.x() * out.y() - in.y() * out.x();
       add_difference(bounds_, a, b, {out.y(), -out.x()});
       add_difference(bounds_, b, c, {-in.y(), in.x()});
-      bounds_.end(turn + least_turn * (count > 4 ? 0.5 : 1), std::numeric_limits<double>::infinity());
+      bounds_.end(turn + min_turn * (count > 4 ? 0.5 : 1), std::numeric_limits<double>::infinity());
     }
   }
 
@@ -256,10 +256,10 @@ class Round {
       near[e.from].push_back(e.to);
       near[e.to].push_back(e.from);
     }
-    std::vector<bool> on_rim(near.size(), false);
-    for (const int v : p_.rim) on_rim[v] = true;
+    std::vector<bool> on_boundary(near.size(), false);
+    for (const int v : p_.rim) on_boundary[v] = true;
     for (int v = 0; v < static_cast<int>(near.size()); ++v)
-      for (int k = 0; k < 2 && !on_rim[v]; ++k) {
+      for (int k = 0; k < 2 && !on_boundary[v]; ++k) {
         costs_.add(columns_.flat(v) + k, even_cells);
         for (const int n : near[v])
           costs_.add(columns_.flat(n) + k, -even_cells / static_cast<double>(near[v].size()));
@@ -314,7 +314,7 @@ std::vector<Vector2d> spread_along(const targets::Outline& outline, const std::v
 OutlineProgress improve(const OutlineProblem& problem, OutlineShape& shape, bool spread,
                         BoxLeastSquaresMemory& memory) {
   OutlineProgress progress;
-  const int first = spread ? 0 : rounds_of_spreading, most = spread ? most_slides : most_rounds_again;
+  const int first = spread ? 0 : rounds_of_spreading, most = spread ? max_slides : max_rounds_again;
   const auto solve = [&](const BoxLeastSquaresOptions& options) {
     Round round(problem, shape, first + progress.rounds++);
     BoxLeastSquaresResult found = solve_box_least_squares(round.problem(), options, &memory);
@@ -322,17 +322,17 @@ OutlineProgress improve(const OutlineProblem& problem, OutlineShape& shape, bool
     progress.iterations += found.iterations;
     memory = std::move(found.memory);
   };
-  do solve(on_the_way);
+  do solve(intermediate_options);
   while (progress.rounds < most && !problem.stop.stop_requested() &&
-         (first + progress.rounds <= rounds_of_spreading || progress.moved > settled_rim));
-  progress.settled = progress.moved <= settled_rim;
-  solve(at_the_end);
+         (first + progress.rounds <= rounds_of_spreading || progress.moved > settled_boundary));
+  progress.settled = progress.moved <= settled_boundary;
+  solve(final_options);
   return progress;
 }
 
-model::Redrawing redrawing_of(const OutlineShape& shape, double theta) {
+model::ParallelDrawing parallel_drawing_of(const OutlineShape& shape, double theta) {
   const double c = std::cos(theta), s = std::sin(theta);
-  model::Redrawing y;
+  model::ParallelDrawing y;
   for (std::size_t v = 0; v < shape.flat.size(); ++v) {
     const Vector2d turned = (shape.folded[v] - c * shape.flat[v]) / s;  // i y
     y.push_back({turned.y(), -turned.x()});

@@ -60,6 +60,6 @@ std::vector<Eigen::Vector2d> spread_along(const targets::Outline& outline,
                                           const std::vector<Eigen::Vector2d>& rim);
 
 /// Returns the parallel drawing y of a shape. @param theta rad
-model::Redrawing redrawing_of(const OutlineShape& shape, double theta);
+model::ParallelDrawing parallel_drawing_of(const OutlineShape& shape, double theta);
 
 }  // namespace kinetix::optim

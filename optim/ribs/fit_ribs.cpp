@@ -38,19 +38,19 @@ RibsCollisions::RibsCollisions(const model::Fishbone& fishbone, double theta)
 }
 
 int RibsCollisions::trim(model::FishboneLayout& spine_and_ribs) const {
-  int taken = 0;
+  int removed = 0;
   for (const model::WallPair& pair : pairs_) {
     const model::FishbonePlace &a = place_of_plate(pair.first), &b = place_of_plate(pair.second);
     if (a.rib == b.rib && a.side == b.side) continue;
     const model::FishbonePlace& cut = a.cells >= b.cells ? a : b;
     int& cells = spine_and_ribs.ribs[cut.rib].cells[cut.side];
-    taken += std::max(0, cells - (cut.cells - 1));
+    removed += std::max(0, cells - (cut.cells - 1));
     cells = std::min(cells, cut.cells - 1);
   }
-  return taken;
+  return removed;
 }
 
-std::vector<std::string> RibsCollisions::in_words() const {
+std::vector<std::string> RibsCollisions::describe() const {
   std::vector<std::string> out;
   for (const model::WallPair& pair : pairs_) {
     std::string words =
@@ -68,7 +68,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int most_trims = 30;  // fits with shortened ribs: remaining collisions are reported
+constexpr int max_trims = 30;  // fits with shortened ribs: remaining collisions are reported
 /// Fractions of the tilt limit, tried in turn if walls meet with the whole limit.
 constexpr double tilt_parts[] = {0.6, 0.4, 0.25};
 // Steps of Newton's method towards the curve, each of which about squares the error.
@@ -116,10 +116,10 @@ RibsDesign fit_with_limit(const targets::MeshDistance& surface, const Vector3d& 
     model::State state = problem.state(search.x);
     fishbone.structure = problem.structure(search.x);
     const RibsCollisions collisions(fishbone, shape.theta);
-    const int taken =
-        trims < most_trims && !options.stop.stop_requested() ? collisions.trim(layout.spine_and_ribs) : 0;
-    trimmed += taken;
-    if (taken == 0) {
+    const int removed =
+        trims < max_trims && !options.stop.stop_requested() ? collisions.trim(layout.spine_and_ribs) : 0;
+    trimmed += removed;
+    if (removed == 0) {
       RibsError error = ribs_error(fishbone, state, surface, spec.clearance_mm);
       return {std::move(layout),
               std::move(fishbone),
@@ -129,7 +129,7 @@ RibsDesign fit_with_limit(const targets::MeshDistance& surface, const Vector3d& 
               std::move(search),
               tilt,
               trimmed,
-              collisions.in_words()};
+              collisions.describe()};
     }
     shape = cut_to(std::move(shape), layout.spine_and_ribs);
   }
@@ -177,8 +177,6 @@ RibsDesign fit_layout(const RibsLayout& layout, const targets::MeshDistance& sur
 }
 
 namespace {
-
-using Eigen::Vector3d;
 
 // Folded cells: step along a rib to where it meets others, and span for its directions.
 constexpr double step_in_cells = 0.25;
@@ -279,8 +277,6 @@ LooseRibs fit_loose_ribs(const targets::RibbedSurface& surface, const RibsSpec& 
 }
 
 namespace {
-
-using Eigen::Vector3d;
 
 constexpr double ray_step = 0.5 * radians_per_degree;  // rad: about one point per millimetre on a head
 constexpr double touch_mm = 1e-6;  // mm: a ray approaches the surface step by step, and stops here

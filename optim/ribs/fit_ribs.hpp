@@ -21,7 +21,7 @@ class RibsCollisions {
   /// @return number of removed cells
   int trim(model::FishboneLayout& spine_and_ribs) const;
   /// Names the first three pairs and counts the others; empty if none collide.
-  std::vector<std::string> in_words() const;
+  std::vector<std::string> describe() const;
 
  private:
   const model::FishbonePlace& place_of_plate(int half) const { return places_[walls_[half].body]; }

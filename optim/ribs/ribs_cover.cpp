@@ -56,7 +56,7 @@ RibsReach::RibsReach(const model::Structure& structure, const model::State& stat
 
 double RibsReach::distance(const Vector3d& p) const { return std::sqrt(cells_.nearest(p).squared_distance); }
 
-std::vector<std::vector<Vector3d>> bare_parts(const RibsReach& ribs, const std::vector<Vector3d>& line) {
+std::vector<std::vector<Vector3d>> uncovered_parts(const RibsReach& ribs, const std::vector<Vector3d>& line) {
   std::vector<std::vector<Vector3d>> out;
   bool goes_on = false;
   for (const Vector3d& p : line) {

@@ -30,8 +30,8 @@ class RibsReach {
 
 /// Returns the parts of a line that are further than one cell edge from every rib, of at least two points,
 /// for pictures.
-std::vector<std::vector<Eigen::Vector3d>> bare_parts(const RibsReach& ribs,
-                                                     const std::vector<Eigen::Vector3d>& line);
+std::vector<std::vector<Eigen::Vector3d>> uncovered_parts(const RibsReach& ribs,
+                                                          const std::vector<Eigen::Vector3d>& line);
 
 /// Coverage of a surface by the ribs over it, weighted by area.
 struct RibsCover {

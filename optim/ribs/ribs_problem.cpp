@@ -29,7 +29,7 @@ RibsProblem::RibsProblem(const model::Fishbone& fishbone, const RibsGoal& goal, 
     : fishbone_(fishbone), goal_(goal), tree_(make_net_tree(fishbone.structure, fishbone.middle)) {
   index_variables();
   place_probes();
-  find_ways();
+  find_hinge_paths();
   const double infinity = std::numeric_limits<double>::infinity();
   int variables = shared();
   for (const int size : parts_) variables += size;
@@ -78,14 +78,14 @@ void RibsProblem::place_probes() {
   ends_ = spine_ends(fishbone_);
 }
 
-void RibsProblem::find_ways() {
-  ways_.resize(fishbone_.structure.bodies.size());
+void RibsProblem::find_hinge_paths() {
+  hinge_paths_.resize(fishbone_.structure.bodies.size());
   for (std::size_t k = 0; k < tree_.links.size(); ++k) {
     const model::NetTree::Link& link = tree_.links[k];
-    ways_[link.body] = ways_[link.parent];
+    hinge_paths_[link.body] = hinge_paths_[link.parent];
     const int variable = variable_of_hinge_[link.hinge];
     if (variable >= 0)
-      ways_[link.body].push_back(
+      hinge_paths_[link.body].push_back(
           {static_cast<int>(k), variable, alternation(fishbone_.structure.hinges[link.hinge].wall)});
   }
 }
@@ -187,7 +187,7 @@ VectorXd RibsProblem::derivatives_of(const model::NetMotion& motion, const Vecto
   derivatives.segment<3>(3) = fishbone_.structure.size.edge_mm * direction;
   const model::Twist& twist = motion.by_theta[probe.body];
   derivatives[theta_index] = local.dot(twist.v + twist.omega.cross(carried) - motion.by_theta[tree_.root].v);
-  for (const Step& step : ways_[probe.body]) {
+  for (const Step& step : hinge_paths_[probe.body]) {
     const model::NetTurn& about = motion.by_tilt[step.link];
     const int at = step.variable < shared() ? step.variable : shared() + step.variable - first_[part];
     derivatives[at] += step.sign * local.dot(about.omega.cross(p - about.point));
@@ -225,8 +225,6 @@ void RibsProblem::fill_ends(const model::NetMotion& motion, const VectorXd& x, b
 }
 
 namespace {
-
-using Eigen::Vector3d;
 
 // Cell edges between adjacent ribs: more leaves more of the surface bare.
 constexpr double gap_in_edges = 0.15;

@@ -85,7 +85,7 @@ class RibsProblem final : public ArrowProblem {
 
   void index_variables();
   void place_probes();
-  void find_ways();
+  void find_hinge_paths();
   int part_of(int body) const;
   void fill(const model::NetMotion& motion, const Eigen::VectorXd& x, bool with_derivatives, int part,
             ResidualBlock& block) const;
@@ -104,7 +104,7 @@ class RibsProblem final : public ArrowProblem {
   std::vector<int> parts_, residuals_, first_;  // first_: index in x of each part's first variable
   std::vector<int> variable_of_hinge_;          // index in x, or -1
   std::vector<std::vector<Probe>> probes_;      // of each part; the last are those of the spine
-  std::vector<std::vector<Step>> ways_;         // of each body
+  std::vector<std::vector<Step>> hinge_paths_;  // of each body
   std::array<std::array<int, 2>, 2> ends_;      // bodies of the spine's ends
   int count_ = 0;
   Eigen::VectorXd lower_, upper_;

@@ -12,7 +12,7 @@ namespace {
 using Eigen::VectorXd;
 /// Most searches, each with other variables held on their bounds: variables that change after that are in a
 /// cycle.
-constexpr int most_dampings = 8;
+constexpr int max_dampings = 8;
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -62,7 +62,7 @@ class Evaluation final : public ceres::EvaluationCallback {
       result_.residual_norm = norm;
       result_.history.emplace_back(result_.evaluations, norm);
     }
-    if (options_.heard) options_.heard(result_.evaluations, result_.residual_norm);
+    if (options_.on_progress) options_.on_progress(result_.evaluations, result_.residual_norm);
   }
 
   bool valid() const { return valid_; }
@@ -105,7 +105,7 @@ class BlockCost final : public ceres::CostFunction {
     set_num_residuals(residuals);
     if (own > 0) mutable_parameter_block_sizes()->push_back(own);
     mutable_parameter_block_sizes()->push_back(shared);
-    own_ = own > 0;
+    has_local_ = own > 0;
   }
 
   bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
@@ -113,8 +113,8 @@ class BlockCost final : public ceres::CostFunction {
     const ResidualBlock& block = evaluation_.block(block_);
     Eigen::Map<VectorXd>(residuals, block.r.size()) = block.r;
     if (!jacobians) return true;
-    if (own_) fill(block.by_local, jacobians[0]);
-    fill(block.by_shared, jacobians[own_ ? 1 : 0]);
+    if (has_local_) fill(block.by_local, jacobians[0]);
+    fill(block.by_shared, jacobians[has_local_ ? 1 : 0]);
     return block.by_shared.allFinite() && block.by_local.allFinite();
   }
 
@@ -125,7 +125,7 @@ class BlockCost final : public ceres::CostFunction {
 
   const Evaluation& evaluation_;
   std::size_t block_;
-  bool own_ = false;
+  bool has_local_ = false;
 };
 
 class StopAtLimit final : public ceres::IterationCallback {
@@ -273,7 +273,7 @@ SolveResult solve(const ArrowProblem& problem, const VectorXd& start, const Solv
   SolveResult result =
       solve_holding(problem, start.cwiseMax(problem.lower()).cwiseMin(problem.upper()), options, {});
   std::set<int> held;
-  for (int round = 0; round < most_dampings && std::isfinite(result.residual_norm); ++round) {
+  for (int round = 0; round < max_dampings && std::isfinite(result.residual_norm); ++round) {
     if (options.stop.stop_requested()) break;
     std::set<int> pressed = pressed_on_bounds(problem, result.x);
     if (pressed == held) break;

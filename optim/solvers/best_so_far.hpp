@@ -30,7 +30,7 @@ class BestSoFar {
       result_.residual_norm = norm;
       result_.history.emplace_back(result_.evaluations, norm);
     }
-    if (options_.heard) options_.heard(result_.evaluations, result_.residual_norm);
+    if (options_.on_progress) options_.on_progress(result_.evaluations, result_.residual_norm);
     return true;
   }
 

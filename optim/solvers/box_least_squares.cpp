@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 
 constexpr double over_relaxation = 1.6;  // 1.5 to 1.8 is usual (Boyd et al. 2011, section 3.4.3)
 constexpr double first_penalty = 1;  // ratio to the costs if both have rows of about one size; adapted later
-constexpr int between_looks = 25;    // iterations between checks of the penalty: a factorisation is expensive
+constexpr int poll_interval = 25;    // iterations between checks of the penalty: a factorisation is expensive
 constexpr double out_of_balance = 5;  // ratio of the two misses that triggers another penalty
 
 bool is_finite(const SparseMatrix<double>& matrix) {
@@ -54,7 +54,7 @@ class Solver {
       const double moved = step();
       out.excess = missed();
       out.converged = out.excess <= options.settled && moved <= options.settled;
-      if (out.iterations % between_looks == 0) balance(moved);
+      if (out.iterations % poll_interval == 0) balance(moved);
     }
     out.u = u_;
     out.memory = {z_, dual_, penalty_};

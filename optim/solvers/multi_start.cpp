@@ -46,13 +46,13 @@ MultiStartResult multi_start(const LeastSquaresProblem& problem, const StartMake
   options.validate();
   MultiStartResult result;
   result.runs.resize(options.starts);
-  std::mutex telling;
+  std::mutex report_mutex;
   int ended = 0;
   double least = std::numeric_limits<double>::infinity();
   model::run_in_parallel(options.starts, options.threads, [&](int k) {
     result.runs[k] = run_one(problem, make_start, k, options);
     if (!options.ended) return;
-    const std::lock_guard lock(telling);
+    const std::lock_guard lock(report_mutex);
     least = std::min(least, result.runs[k].residual_norm);
     options.ended(++ended, least);
   });

@@ -122,7 +122,7 @@ namespace {
 using Eigen::VectorXd;
 
 // Points that cannot be evaluated: after this many a method does not recover.
-constexpr int most_failures = 20;
+constexpr int max_failures = 20;
 
 /// Returns NLopt's method, if it uses gradients and bounds. @throws InvalidInput for other methods
 nlopt::algorithm algorithm(SolverName name) {
@@ -161,7 +161,7 @@ struct NloptSearch {
   /// Returns a cost for a point that cannot be evaluated: above all others, so that the method turns back.
   /// Without any other point, or after many failures, the search ends.
   double barrier(std::vector<double>& gradient) {
-    broke = !std::isfinite(result.cost) || ++failures > most_failures;
+    broke = !std::isfinite(result.cost) || ++failures > max_failures;
     if (broke) throw nlopt::forced_stop();
     std::fill(gradient.begin(), gradient.end(), 0.0);
     return highest + 1 + std::abs(highest);

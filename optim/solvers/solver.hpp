@@ -57,7 +57,7 @@ struct SolverOptions {
   double target = 0;  ///< stop as soon as |r| is at most this, in units of the problem, >= 0 and finite
 
   /// Called after every evaluation with their number and the least |r| so far, on the thread of the search.
-  std::function<void(int evaluations, double least)> heard = {};
+  std::function<void(int evaluations, double least)> on_progress = {};
 
   /// @throws InvalidInput naming field, value and rule
   void validate() const;

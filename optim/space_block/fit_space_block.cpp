@@ -8,9 +8,9 @@
 namespace kinetix::optim {
 namespace {
 
-constexpr double least_usual_gusset = 0.2;       // of an edge: room for two hinges and a wall between them
-constexpr double usual_edge_mm = 20;             // mm: walls of blocks then print in their usual size
-constexpr int usual_cells = 2;                   // along each direction: the fewest with rotors inside
+constexpr double min_usual_gusset = 0.2;         // of an edge: room for two hinges and a wall between them
+constexpr double default_edge_mm = 20;           // mm: walls of blocks then print in their usual size
+constexpr int default_cells = 2;                 // along each direction: the fewest with rotors inside
 constexpr int fewest_cells = 2, most_cells = 5;  // along the shortest side
 constexpr double one_side = 1e-9;  // cell edges: rotors of one side differ by rounding in their distance from
                                    // it
@@ -28,7 +28,7 @@ Eigen::Vector3d shrinks_of(const Eigen::Vector3d& factors) {
 /// theta with all gussets in their range. If there is none, only the range of theta is respected.
 double theta_of(const Eigen::Vector3d& shrinks, const SpaceBlockVariables& v) {
   const double least = shrinks.maxCoeff() / (1 - v.gusset[0]), most = shrinks.minCoeff() / (1 - v.gusset[1]),
-               usual = shrinks.maxCoeff() / (1 - least_usual_gusset);
+               usual = shrinks.maxCoeff() / (1 - min_usual_gusset);
   const double squared = least <= most ? std::clamp(usual, least, most) : usual;
   return std::clamp(std::asin(std::sqrt(std::min(1.0, squared))), v.theta.lower, v.theta.upper);
 }
@@ -107,8 +107,8 @@ SpaceBlockDesign fit_space_block(const targets::SpaceBlockGoal& goal, const Spac
   if (goal.size_mm) {
     choose_size(*goal.size_mm, v, enough, out);
   } else {
-    out.cells = v.cells.value_or(std::array<int, 3>{usual_cells, usual_cells, usual_cells});
-    out.edge_mm = v.edge_mm.value_or(usual_edge_mm);
+    out.cells = v.cells.value_or(std::array<int, 3>{default_cells, default_cells, default_cells});
+    out.edge_mm = v.edge_mm.value_or(default_edge_mm);
   }
   out.size_mm = lengths(out.cells, out.edge_mm);
   return out;

@@ -20,7 +20,7 @@ constexpr int directions = 2000;     // on half a sphere: about 3 degrees apart
 constexpr double first_step = 0.03;  // rad: about half their spacing
 constexpr double last_step = 1e-7;   // rad: below the accuracy of slopes
 constexpr double slow = 1e-3;        // of a step: one that lowers the slope by less moves along a ridge
-constexpr int most_stretches = 400;  // of a goal; slopes vary little from one to the next
+constexpr int max_stretches = 400;   // of a goal; slopes vary little from one to the next
 
 struct Stretches {
   std::vector<Vector3d> along;  ///< unit
@@ -29,8 +29,8 @@ struct Stretches {
 
 Stretches stretches_of(const targets::SpaceCurve& line, double stretch) {
   Stretches out;
-  for (int k = 0; k < most_stretches; ++k) {
-    const double s = line.length() * (k + 0.5) / most_stretches;
+  for (int k = 0; k < max_stretches; ++k) {
+    const double s = line.length() * (k + 0.5) / max_stretches;
     out.along.push_back(line.direction(s, stretch / 2));
     out.arc_mm.push_back(s);
   }
@@ -97,7 +97,7 @@ Vector3d refined(const Stretches& all, Vector3d y) {
 
 }  // namespace
 
-Across least_slope(const targets::SpaceGoal& goal, double stretch) {
+Across min_slope(const targets::SpaceGoal& goal, double stretch) {
   const Stretches all = stretches_of(goal.line(), stretch);
   Across out;
   out.direction = refined(all, first_direction(all));
@@ -118,8 +118,6 @@ Eigen::Matrix3d frame_across(const targets::SpaceGoal& goal, const Vector3d& y) 
 }
 
 namespace {
-
-using Eigen::Vector3d;
 
 constexpr double max_error_ratio = 1.1;  // times the least error: within this, the remaining room decides
 
@@ -142,13 +140,13 @@ double largest(const std::vector<double>& all, std::size_t& where) {
   return std::abs(all[where]);
 }
 
-std::string place_words(const targets::SpaceGoal& goal, double arc) {
+std::string describe_place(const targets::SpaceGoal& goal, double arc) {
   const Vector3d p = goal.line().at(arc);
   return fmt::format("{:.4g} mm along the curve, at [{:.4g}, {:.4g}, {:.4g}]", arc, p.x(), p.y(), p.z());
 }
 
 Across across_of(const targets::SpaceGoal& goal, int columns) {
-  return least_slope(goal, 2 * goal.length() / columns);
+  return min_slope(goal, 2 * goal.length() / columns);
 }
 
 /// Returns the range of theta below the angle at which cells close.
@@ -250,8 +248,8 @@ class StripSearch {
   SpaceDesign at(double theta, const AngleRange& range) const {
     SpaceLimits limits = limits_at(v_, theta);
     if (!v_.free_edge) {
-      limits.least_step = v_.size.edge_mm * std::cos(range.upper);
-      limits.most_step = v_.size.edge_mm * std::cos(range.lower);
+      limits.min_step = v_.size.edge_mm * std::cos(range.upper);
+      limits.max_step = v_.size.edge_mm * std::cos(range.lower);
     }
     const SpaceFit fit(*line_, goal_.diagonal(), first_, limits);
     SpaceDesign out;
@@ -336,7 +334,7 @@ std::optional<SpaceObstacle> obstacle(const targets::SpaceGoal& goal, const Spac
                     "{:.3g} that columns can shear at theta {:.3g} deg, in whatever direction the strip "
                     "lies; allow a larger theta (variables.theta.range_deg) or t nearer to 0 and 1 "
                     "(variables.t.range)",
-                    across.slope, place_words(goal, across.arc_mm), most.climb / 2,
+                    across.slope, describe_place(goal, across.arc_mm), most.climb / 2,
                     to_degrees(allowed_theta(v).upper))};
   const SpaceStrip strip = followed(seen(goal, frame_across(goal, across.direction)), v.columns);
   std::size_t where = 0;
@@ -346,7 +344,7 @@ std::optional<SpaceObstacle> obstacle(const targets::SpaceGoal& goal, const Spac
   return SpaceObstacle{
       arc, fmt::format("the curve turns by {:.3g} deg within two columns {}, more than the {:.3g} deg "
                        "that a column can bend; use more columns or allow a larger tilt",
-                       to_degrees(turn), place_words(goal, arc), to_degrees(most.turn))};
+                       to_degrees(turn), describe_place(goal, arc), to_degrees(most.turn))};
 }
 
 SpaceDesign fit_space_curve(const targets::SpaceGoal& goal, const SpaceVariables& variables,

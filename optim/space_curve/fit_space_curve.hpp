@@ -19,7 +19,7 @@ struct Across {
 
 /// Returns the direction with the smallest largest slope of the goal.
 /// @param stretch mm over which slopes are averaged, > 0: features shorter than two columns do not count
-Across least_slope(const targets::SpaceGoal& goal, double stretch);
+Across min_slope(const targets::SpaceGoal& goal, double stretch);
 
 /// Returns the frame of a strip with its width along `direction`. Unit columns: along the strip's plane,
 /// across, up.

@@ -38,9 +38,9 @@ Nearest nearest_from(const targets::SpaceCurve& goal, double s, const Vector3d& 
   std::size_t k = std::upper_bound(arcs.begin() + 1, arcs.end() - 1, s) - arcs.begin() - 1;
   Nearest best = on_segment(goal, k, p);
   double least = (best.point - p).squaredNorm();
-  for (const int way : {1, -1})
-    for (std::size_t next = k; way > 0 ? next + 1 < segments : next > 0;) {
-      next += way;
+  for (const int direction : {1, -1})
+    for (std::size_t next = k; direction > 0 ? next + 1 < segments : next > 0;) {
+      next += direction;
       const Nearest at = on_segment(goal, next, p);
       const double squared = (at.point - p).squaredNorm();
       if (squared > least) break;
@@ -110,8 +110,8 @@ SpaceFit::SpaceFit(const targets::SpaceCurve& goal, double scale, const SpaceStr
   upper_.head(first.bending()).setConstant(limits.turn);
   upper_.segment(first.bending(), first.shearing()).setConstant(limits.climb);
   lower_ = -upper_;
-  lower_[columns_ + 4] = limits.least_step / first_step_;
-  upper_[columns_ + 4] = limits.most_step / first_step_;
+  lower_[columns_ + 4] = limits.min_step / first_step_;
+  upper_[columns_ + 4] = limits.max_step / first_step_;
 }
 
 SpaceStrip SpaceFit::strip(const Eigen::VectorXd& x) const {
@@ -177,12 +177,12 @@ SpaceStrip followed(const targets::SpaceCurve& goal, int columns) {
   std::vector<double> headings, rises;
   for (int m = 0; m < out.shearing(); ++m) {
     const double from = 2 * m - 0.5, to = 2 * m + 1.5;
-    const Vector3d way = at(to) - at(from);
-    const double heading = std::atan2(way.z(), way.x());
+    const Vector3d chord = at(to) - at(from);
+    const double heading = std::atan2(chord.z(), chord.x());
     before = m == 0 ? heading : before + std::remainder(heading - before, 2 * std::numbers::pi);
     headings.push_back(before);
-    rises.push_back(way.y());
-    seen += std::hypot(way.x(), way.z());
+    rises.push_back(chord.y());
+    seen += std::hypot(chord.x(), chord.z());
   }
   for (int k = 0; k < out.bending(); ++k)
     out.turn.push_back(k + 1 < out.shearing() ? headings[k + 1] - headings[k] : 0);

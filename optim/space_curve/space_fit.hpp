@@ -27,9 +27,9 @@ struct SpaceStrip {
 
 /// Limits of the columns of a strip.
 struct SpaceLimits {
-  double turn = 1;                         ///< largest |turn|, rad
-  double climb = 1;                        ///< largest |climb|, ratio
-  double least_step = 0, most_step = 1e9;  ///< mm
+  double turn = 1;                      ///< largest |turn|, rad
+  double climb = 1;                     ///< largest |climb|, ratio
+  double min_step = 0, max_step = 1e9;  ///< mm
 };
 
 /// Fit of such a strip to a goal in its frame.

@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 
 constexpr int cone_variables = 6;   // two turns of the axis, two shifts of it, radius, half angle
 constexpr int cone_directions = 8;  // of the axis in the points' plane, from which the search starts
-constexpr int least_points =
+constexpr int min_points =
     16;  // per side of the whole grid: fits then have as many points as a picture shows
 // Relative to the points' size: radius at the start if they hardly bend.
 constexpr double flat_radius = 20;
@@ -143,7 +143,7 @@ targets::PointGrid middle_of(const SurfaceDesign& design) {
 
 std::vector<Vector3d> points_below(const targets::SurfacePatch& surface, const targets::PointGrid& grid) {
   std::vector<Vector3d> out;
-  const auto parts_of = [](int facets) { return (least_points + facets - 1) / facets; };
+  const auto parts_of = [](int facets) { return (min_points + facets - 1) / facets; };
   const int across = parts_of(grid.columns), along = parts_of(grid.rows);
   const int columns = across * grid.columns, rows = along * grid.rows;
   for (int j = 0; j <= rows; ++j)

@@ -21,8 +21,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double first_rim_weight = 0.3;  // of the first steps, which size the sheet
-constexpr double least_progress =
+constexpr double first_boundary_weight = 0.3;  // of the first steps, which size the sheet
+constexpr double min_progress =
     1e-5;                  // of the cost, per step: below, a sheet creeps along a valley for hundreds of
                            // steps
 constexpr int longer = 2;  // iterations of the second stage over those requested: most searches end earlier
@@ -40,7 +40,7 @@ constexpr double least_of_most_fold = 0.25;
 MeshBounds bounds_of(const SurfaceOptions& options) {
   MeshBounds out = options.bounds;
   out.multiplier = std::tan(options.tilt) * std::sin(options.theta);
-  out.least_fold = std::min(out.least_fold, least_of_most_fold * out.multiplier);
+  out.min_fold = std::min(out.min_fold, least_of_most_fold * out.multiplier);
   return out;
 }
 
@@ -134,17 +134,17 @@ class Run {
       : patch_(patch),
         options_(options),
         trust_(trial.trust),
-        rim_(trial.rim),
+        boundary_weight_(trial.rim),
         start_(start_on(patch, options.columns, options.rows, kept_inside(trial.miura, options))) {}
 
   SurfaceDesign begin() {
-    stage(first_rim_weight, options_.iterations / 5);
-    stage(rim_, options_.iterations / 2);
+    stage(first_boundary_weight, options_.iterations / 5);
+    stage(boundary_weight_, options_.iterations / 2);
     return design();
   }
 
   SurfaceDesign go_on() {
-    stage(rim_, longer * options_.iterations);
+    stage(boundary_weight_, longer * options_.iterations);
     return design();
   }
 
@@ -155,7 +155,7 @@ class Run {
     std::normal_distribution<double> off(0, shake);
     for (int k = 0; k < start_.variables.layer(); ++k) start_.x[k] += off(random);
     evaluations_ = 0;
-    stage(rim_, 2 * options_.iterations / 3);
+    stage(boundary_weight_, 2 * options_.iterations / 3);
     return design();
   }
 
@@ -167,7 +167,7 @@ class Run {
     const SurfaceProblem problem(patch_, start_.variables, bounds_of(options_), rim);
     SolverOptions solver;
     solver.max_evaluations = std::max(1, iterations);
-    solver.tolerance = least_progress;
+    solver.tolerance = min_progress;
     solver.stop = options_.stop;
     solver.trust_radius = trust_;
     start_.x = start_.x.cwiseMax(problem.lower()).cwiseMin(problem.upper());
@@ -196,7 +196,7 @@ class Run {
 
   const targets::SurfacePatch& patch_;
   const SurfaceOptions& options_;
-  double trust_, rim_;
+  double trust_, boundary_weight_;
   SurfaceStart start_;
   int evaluations_ = 0;
 };

@@ -13,7 +13,7 @@ struct SurfaceOptions {
   int columns = 8, rows = 8;              ///< of facets, >= 2
   double theta = 0.5;                     ///< rad, (0, pi/4)
   double tilt = 75 * radians_per_degree;  ///< largest tilt of a hinge, rad, (0, pi/2)
-  MeshBounds bounds = {};  ///< its multiplier is replaced by the one of theta and tilt, and `least_fold` is
+  MeshBounds bounds = {};  ///< its multiplier is replaced by the one of theta and tilt, and `min_fold` is
                            ///< at most a quarter of that
   int starts = 8;          ///< >= 1
   int iterations = 300;    ///< >= 1: each start takes up to 0.7 of it, the better half up to 2 more

@@ -123,7 +123,6 @@ class Residuals {
 namespace {
 
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 
 template <class T>
 using Vector3 = Eigen::Matrix<T, 3, 1>;
@@ -134,7 +133,7 @@ using Dual = ceres::Jet<double, lanes>;
 constexpr double extent_weight = 3;  // weight of the sides' mean places relative to a vertex's distance
 constexpr double bound_weight = 3;   // weight of violating a bound by a rad or a mean edge, relative to a
                                      // diagonal of distance
-constexpr double least_sine = 0.4;   // of a facet's corner: sharper ones leave no room for bodies at the rim
+constexpr double min_sine = 0.4;     // of a facet's corner: sharper ones leave no room for bodies at the rim
 constexpr double inside = 0.2 * radians_per_degree;  // rad: larger than the violation of a bound by least
                                                      // squares
 constexpr double inside_edge = 0.004;                // of the mean edge: larger than the violation of its
@@ -224,7 +223,7 @@ void add_edges(const model::MarchedMesh<T>& marched, const MeshBounds& bounds, R
                                below<T>(length / mean, bounds.edge[0] + inside_edge)));
 }
 
-/// Adds residuals that keep facets convex: the sine of each corner is at least least_sine.
+/// Adds residuals that keep facets convex: the sine of each corner is at least min_sine.
 template <class T>
 void add_corners(const model::QuadMeshOf<T>& m, Residuals<T>& out) {
   using std::sqrt;
@@ -237,7 +236,7 @@ void add_corners(const model::QuadMeshOf<T>& m, Residuals<T>& out) {
         const Eigen::Matrix<T, 2, 1> on = corners[(k + 2) % 4] - corners[(k + 1) % 4];
         const T sine =
             (in.x() * on.y() - in.y() * on.x()) / sqrt(in.squaredNorm() * on.squaredNorm() + T(1e-300));
-        out.add(T(bound_weight) * below(sine, least_sine));
+        out.add(T(bound_weight) * below(sine, min_sine));
       }
     }
 }
@@ -246,14 +245,18 @@ void add_corners(const model::QuadMeshOf<T>& m, Residuals<T>& out) {
 
 SurfaceProblem::SurfaceProblem(const targets::SurfacePatch& patch, const SurfaceVariables& variables,
                                const MeshBounds& bounds, double rim)
-    : patch_(patch), variables_(variables), bounds_(bounds), rim_(rim), diagonal_(patch.diagonal()) {
+    : patch_(patch),
+      variables_(variables),
+      bounds_(bounds),
+      boundary_weight_(rim),
+      diagonal_(patch.diagonal()) {
   const int n = variables.columns, r = variables.rows, p = n - 1, q = r - 1;
   residuals_ =
       (n + 1) * (r + 1) + 2 * (n + 1) + 2 * (r + 1) + 4 + 2 * p * q + model::mesh_edges(n, r) + 4 * n * r;
   constexpr double none = std::numeric_limits<double>::infinity();
   lower_ = Eigen::VectorXd::Constant(variables.size(), -none);
   upper_ = Eigen::VectorXd::Constant(variables.size(), none);
-  lower_.head(p + q).setConstant(std::log(bounds.least_fold));
+  lower_.head(p + q).setConstant(std::log(bounds.min_fold));
   upper_.head(p + q).setConstant(std::log(bounds.multiplier));
 }
 
@@ -268,11 +271,12 @@ void SurfaceProblem::fill(const T* x, T* r) const {
   for (int j = 0; j <= mesh.rows; ++j)
     for (int i = 0; i <= mesh.columns; ++i)
       out.add((distance(patch_, vertices[mesh.vertex(i, j)]) - T(layer_of(i)) * layer) / T(diagonal_));
-  const auto add_rim = [&](int i, int j, int axis, double side) {
-    out.add(T(rim_ / diagonal_) * (vertices[mesh.vertex(i, j)][axis] - T(side * patch_.half[axis])));
+  const auto add_boundary = [&](int i, int j, int axis, double side) {
+    out.add(T(boundary_weight_ / diagonal_) *
+            (vertices[mesh.vertex(i, j)][axis] - T(side * patch_.half[axis])));
   };
-  for (int i = 0; i <= mesh.columns; ++i) add_rim(i, 0, 1, -1), add_rim(i, mesh.rows, 1, 1);
-  for (int j = 0; j <= mesh.rows; ++j) add_rim(0, j, 0, -1), add_rim(mesh.columns, j, 0, 1);
+  for (int i = 0; i <= mesh.columns; ++i) add_boundary(i, 0, 1, -1), add_boundary(i, mesh.rows, 1, 1);
+  for (int j = 0; j <= mesh.rows; ++j) add_boundary(0, j, 0, -1), add_boundary(mesh.columns, j, 0, 1);
   add_extent(vertices, out);
   add_sectors(marched, bounds_, out);
   add_edges(marched, bounds_, out);

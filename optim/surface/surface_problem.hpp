@@ -83,7 +83,7 @@ struct MeshBounds {
   /// Largest tan(rho / 2) of a crease: tan(largest tilt) sin(theta), dimensionless, > 0.
   double multiplier = 1.79;
   /// Smallest tan(rho / 2), dimensionless, < multiplier. Creases that do not fold at all determine nothing.
-  double least_fold = 0.03;
+  double min_fold = 0.03;
 };
 
 /// Fit of a folded mesh to a surface. The residuals are the distances of its vertices from the surface's two
@@ -110,7 +110,7 @@ class SurfaceProblem final : public LeastSquaresProblem {
   targets::SurfacePatch patch_;
   const SurfaceVariables& variables_;
   MeshBounds bounds_;
-  double rim_, diagonal_;
+  double boundary_weight_, diagonal_;
   int residuals_ = 0;
   Eigen::VectorXd lower_, upper_;
 };

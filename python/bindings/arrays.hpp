@@ -30,7 +30,7 @@ inline pybind11::array unwritten(std::vector<pybind11::ssize_t> shape) {
 }
 
 /// Turns a vector into an array that owns it, without a copy.
-inline pybind11::array taken(std::vector<double>&& numbers, std::vector<pybind11::ssize_t> shape) {
+inline pybind11::array array_of(std::vector<double>&& numbers, std::vector<pybind11::ssize_t> shape) {
   auto* kept = new std::vector<double>(std::move(numbers));
   const pybind11::capsule owner(kept, [](void* vector) { delete static_cast<std::vector<double>*>(vector); });
   return pybind11::array_t<double>(std::move(shape), kept->data(), owner);
@@ -38,7 +38,7 @@ inline pybind11::array taken(std::vector<double>&& numbers, std::vector<pybind11
 
 /// Turns a vector into an array that owns it and refuses writes, for numbers of an object that does not change.
 inline pybind11::array read_only(std::vector<double>&& numbers, std::vector<pybind11::ssize_t> shape) {
-  pybind11::array out = taken(std::move(numbers), std::move(shape));
+  pybind11::array out = array_of(std::move(numbers), std::move(shape));
   out.attr("setflags")(pybind11::arg("write") = false);
   return out;
 }

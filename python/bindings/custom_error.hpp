@@ -11,7 +11,7 @@ namespace kinetix::python {
 
 /// Error of a state as computed by a Python callable: residuals whose sum of squares is to be least, and optionally
 /// their derivatives. It may be called from any thread and takes the interpreter's lock itself. Once Python has
-/// raised, all further calls fail, so that a search ends. raise_again() then throws the first exception.
+/// raised, all further calls fail, so that a search ends. throw_again() then throws the first exception.
 class CustomError {
  public:
   /// @param error takes poses, (N, 7), returns a number or m of them
@@ -29,7 +29,7 @@ class CustomError {
   /// @return false if Python has raised, or a number is not finite
   bool gradient_at(const model::State& state, Eigen::MatrixXd& gradient) const noexcept;
 
-  void raise_again() const {
+  void throw_again() const {
     if (raised_) std::rethrow_exception(raised_);
   }
 

@@ -60,7 +60,7 @@ CustomFit CustomGoal::fit() const {
                  allowed.rows, size.edge_mm, {allowed.theta.lower, std::min(allowed.theta.upper, closing)});
   Eigen::VectorXd r;
   error->at(made.state(made.start(0, 0)), r);
-  error->raise_again();
+  error->throw_again();
   return made;
 }
 
@@ -71,7 +71,7 @@ app::Forecast CustomGoal::forecast() const {
   return out;
 }
 
-app::Found CustomGoal::search(const app::RunOptions& options) const {
+app::SearchResult CustomGoal::search(const app::RunOptions& options) const {
   options.progress("search", 0);
   CustomFit strip = fit();
   strip.end_when(options.stop);
@@ -80,12 +80,12 @@ app::Found CustomGoal::search(const app::RunOptions& options) const {
   outcome->search = multi_start(
       strip, [&](int k, std::uint64_t seed) { return strip.start(k, seed); },
       followed(starts, options, [](double least) { return fmt::format("least error {:.3g}", least); }));
-  error->raise_again();
+  error->throw_again();
   const optim::SolveResult& best = outcome->search.best_run();
   if (!std::isfinite(best.residual_norm) && !options.stop.stop_requested())
     throw InvalidInput("the error has no finite value at any start of the search: " + best.why);
   const auto design = strip.design(best.x);
-  app::Found out;
+  app::SearchResult out;
   out.tolerances = {{"error", tolerance}};
   out.design.structure = sheet_of(design, size);
   out.theta = design.theta;
@@ -99,13 +99,14 @@ std::shared_ptr<const app::Measure> CustomGoal::measure(const app::Run& run, app
   auto out = std::make_shared<CustomMeasure>();
   const bool in_physics = of == app::StateOf::physics;
   const bool known = error->at(in_physics ? aligned(state, run.own) : state, out->residuals);
-  error->raise_again();
+  error->throw_again();
   const double norm = known ? out->residuals.norm() : std::nan("");
   if (!(norm <= tolerance))
     out->violations.push_back(fmt::format("{}the error is {:.3g}; at most {:g} is allowed",
                                           in_physics ? "in the physics run " : "", norm, tolerance));
   if (in_physics) return out;
-  model::append(collisions_on_the_way(run, "use lower or thinner walls, or larger cells"), out->violations);
+  model::append(collisions_during_motion(run, "use lower or thinner walls, or larger cells"),
+                out->violations);
   return out;
 }
 

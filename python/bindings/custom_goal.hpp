@@ -23,7 +23,7 @@ class CustomGoal final : public app::Goal {
   CustomFit fit() const;
 
   app::Forecast forecast() const override;
-  app::Found search(const app::RunOptions& options) const override;
+  app::SearchResult search(const app::RunOptions& options) const override;
   /// Measures the error of the model's state, or of the final state of the physics run aligned with it.
   std::shared_ptr<const app::Measure> measure(const app::Run& run, app::StateOf of, const model::State& state,
                                               const app::RunOptions& options) const override;

@@ -57,10 +57,10 @@ model::CellSize walls_of(double cell_mm, const Range& wall_mm) {
 }
 
 /// @param least that it may begin at, rad, and the same in words
-optim::AngleRange angles(const std::string& name, const Range& range, double least, const char* in_words) {
+optim::AngleRange angles(const std::string& name, const Range& range, double least, const char* describe) {
   const auto& [lower, upper] = range;
   require(name + "[0]", lower, lower > least && lower < upper,
-          std::string("above ") + in_words + " and below " + name + "[1], rad");
+          std::string("above ") + describe + " and below " + name + "[1], rad");
   require(name + "[1]", upper, upper < pi / 2, "below pi/2 rad");
   return {lower, upper};
 }
@@ -106,7 +106,7 @@ double gradient_error(const CustomGoal& goal, int starts) {
     Eigen::MatrixXd given, differences;
     const Eigen::VectorXd x = fit.start(k + 3, 0);
     const bool known = fit.evaluate(x, r, &given) && fit.differences(x, differences);
-    goal.error->raise_again();
+    goal.error->throw_again();
     if (!known) throw InvalidInput("the error or its gradient has no finite value at a start of the search");
     largest = std::max(largest, differences.cwiseAbs().maxCoeff());
     off = std::max(off, (given - differences).cwiseAbs().maxCoeff());

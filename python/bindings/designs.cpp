@@ -44,7 +44,7 @@ void set_hinges(model::Lattice& sheet, HingeField field, const std::string& name
 }
 
 /// Refuses offsets that files refuse: the design could not be saved.
-void check_offsets_as_made(const app::Design& file) {
+void check_manufactured_offsets(const app::Design& file) {
   for (int h = 0; h < file.structure.hinges(); ++h)
     if (const auto why = app::find_offset_misfit(file, h))
       throw InvalidInput("offset_mm of wall " + wall_name(file.structure, h) + ": " + *why);
@@ -60,7 +60,7 @@ PythonDesign with_hinges(const PythonDesign& design, const std::optional<Numbers
   set_hinges(file.structure, &model::HingeParameters::beta, "beta", beta);
   set_hinges(file.structure, &model::HingeParameters::offset, "offset_mm", offset_mm, edge);
   validate_hinges(file.structure);
-  if (offset_mm) check_offsets_as_made(file);
+  if (offset_mm) check_manufactured_offsets(file);
   return PythonDesign(std::move(file));
 }
 
@@ -122,7 +122,7 @@ py::array exact_poses(const PythonDesign& design, std::optional<double> theta) {
   const model::State state = design.needed_exact().at(theta ? *theta : custom_theta(design));
   std::vector<double> rows(state.size() * pose_numbers);
   write_poses(state, rows.data());
-  return taken(std::move(rows), {static_cast<py::ssize_t>(state.size()), pose_numbers});
+  return array_of(std::move(rows), {static_cast<py::ssize_t>(state.size()), pose_numbers});
 }
 
 /// Returns one state for each theta.

@@ -58,7 +58,7 @@ py::tuple exact_jacobian(const PythonDesign& design, double theta) {
     }
   return py::make_tuple(
       names_of(derivatives, exact.columns(), exact.rows()),
-      taken(std::move(numbers), {derivatives.parameters(), static_cast<py::ssize_t>(bodies.size()), 6}));
+      array_of(std::move(numbers), {derivatives.parameters(), static_cast<py::ssize_t>(bodies.size()), 6}));
 }
 
 }  // namespace kinetix::python

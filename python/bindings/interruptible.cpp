@@ -14,7 +14,7 @@ namespace py = pybind11;
 
 using InterruptClock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds between_looks{20};  // too short to be noticed
+constexpr std::chrono::milliseconds poll_interval{20};  // too short to be noticed
 
 /// Handler of signals: requests the work to stop, and keeps what Python raised.
 class Interrupts {
@@ -34,7 +34,7 @@ class Interrupts {
       raised_.emplace(std::move(raised));
   }
 
-  void raise_again() {
+  void throw_again() {
     if (raised_) throw py::error_already_set(std::move(*raised_));
   }
 
@@ -60,7 +60,7 @@ void run_interruptibly(const std::function<void(const std::stop_source&)>& work,
   {
     const py::gil_scoped_release others_may_run;
     std::thread worker(std::move(task));
-    while (done.wait_for(between_looks) != std::future_status::ready) {
+    while (done.wait_for(poll_interval) != std::future_status::ready) {
       if (is_late()) std::stop_source(stop).request_stop();
       const py::gil_scoped_acquire mine;
       interrupts.look();
@@ -68,7 +68,7 @@ void run_interruptibly(const std::function<void(const std::stop_source&)>& work,
     worker.join();
   }
   interrupts.look();
-  interrupts.raise_again();
+  interrupts.throw_again();
   done.get();
 }
 

@@ -44,9 +44,9 @@ void many_folds(std::int64_t count, int threads, const std::stop_token& stop, Fo
 
 // Number of folded bodies from which several threads and a watch for Ctrl-C are worth their cost; fewer take some
 // milliseconds.
-inline constexpr std::int64_t worth_threads = 100'000;
+inline constexpr std::int64_t min_work_for_threads = 100'000;
 
-/// Calls fold(k, state) for every k below count, without the interpreter's lock. From worth_threads bodies on, several
+/// Calls fold(k, state) for every k below count, without the interpreter's lock. From min_work_for_threads bodies on, several
 /// threads are used and Ctrl-C raises KeyboardInterrupt. They are never threads of the caller's thread, since a
 /// process that it forks later could not use those.
 /// @param bodies of a fold.   @param threads 0 = all cores.   @throws InvalidInput unless threads is 0 to 1024. @pre
@@ -54,7 +54,7 @@ inline constexpr std::int64_t worth_threads = 100'000;
 template <class State = model::State, class Fold>
 void many_folds_in_python(std::int64_t count, std::int64_t bodies, int threads, Fold fold) {
   const int used = model::threads_of(threads);
-  if (count * bodies >= worth_threads)
+  if (count * bodies >= min_work_for_threads)
     return run_interruptibly(
         [&](const std::stop_source& stop) { many_folds<State>(count, used, stop.get_token(), fold); }, {},
         false);

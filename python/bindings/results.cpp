@@ -36,7 +36,7 @@ py::array of_path(const app::Run& run, Number number) {
   std::vector<double> out;
   for (const model::EquilibriumStep& step : run.equilibrium->path.steps) out.push_back(number(step));
   const auto count = static_cast<py::ssize_t>(out.size());
-  return taken(std::move(out), {count});
+  return array_of(std::move(out), {count});
 }
 
 py::object path_of(const app::Run& run) {

@@ -41,7 +41,7 @@ class Listener {
     }
   }
 
-  void raise_again() {
+  void throw_again() {
     if (raised_) throw py::error_already_set(*raised_);
   }
 
@@ -118,7 +118,7 @@ std::shared_ptr<app::Run> run_in_python(const RunFunction& function, const std::
         work(stop);
       },
       choice.time_limit_s, choice.keeps_best);
-  if (listener) listener->raise_again();
+  if (listener) listener->throw_again();
   return run;
 }
 

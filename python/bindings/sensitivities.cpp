@@ -34,7 +34,7 @@ Eigen::VectorXd by_state(const Numbers& poses, int bodies, double edge_mm) {
 
 py::array row_of(const Eigen::Matrix4Xd& hinges, int row, double scale = 1) {
   const Eigen::VectorXd numbers = scale * hinges.row(row).transpose();
-  return taken({numbers.begin(), numbers.end()}, {numbers.size()});
+  return array_of({numbers.begin(), numbers.end()}, {numbers.size()});
 }
 
 py::dict dict_of(const model::Sensitivity& by, double edge_mm) {

@@ -39,7 +39,7 @@ Eigen::Matrix3d world_inertia(const btRigidBody& body) {
 
 // Solutions of a step, until the set of pushing rows is the same twice. Panels of a thousand contacts need
 // seven.
-constexpr int most_solutions = 20;
+constexpr int max_solutions = 20;
 
 /// Row that only pushes its two parts apart: of a joint that presses, or of a contact.
 struct OneSided {
@@ -77,16 +77,16 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     collect_rows(info.m_timeStep);
     Eigen::VectorXd velocities = solution(info.m_timeStep);
     for (std::size_t k = 0; k < pushed_.size(); ++k) pushed_[k] = one_sided_[k].pushes;
-    if (settings_.longest_way) shorten(velocities, *settings_.longest_way / info.m_timeStep);
+    if (settings_.max_motion) shorten(velocities, *settings_.max_motion / info.m_timeStep);
     apply(velocities);
     return 0;
   }
 
-  /// Returns the changes of speed for a consistent set of pushing rows, or the last of most_solutions.
+  /// Returns the changes of speed for a consistent set of pushing rows, or the last of max_solutions.
   Eigen::VectorXd solution(double step) {
     Eigen::VectorXd velocities;
     bool agrees = false;
-    for (int k = 0; k < most_solutions && !agrees; ++k) {
+    for (int k = 0; k < max_solutions && !agrees; ++k) {
       velocities = of_rows(step);
       if (settings_.cord) tighten(*settings_.cord, step, velocities);
       agrees = !choose(velocities);
@@ -133,7 +133,7 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
         append_joint(m_tmpSolverNonContactConstraintPool[k]);
     if (pushed_.size() != one_sided_.size()) pushed_.assign(one_sided_.size(), true);
     for (std::size_t k = 0; k < pushed_.size(); ++k) one_sided_[k].pushes = pushed_[k];
-    if (settings_.elastic || has_hand()) append_local(step);
+    if (settings_.elastic || has_pulls()) append_local(step);
     two_sided_ = rows_.size();
     append_contacts();
   }
@@ -231,13 +231,13 @@ class DirectSolver final : public btSequentialImpulseConstraintSolver {
     return now;
   }
 
-  bool has_hand() const { return settings_.hand && !settings_.hand->is_empty(); }
+  bool has_pulls() const { return settings_.external_pulls && !settings_.external_pulls->is_empty(); }
 
   /// Appends the rows that the engine does not have.
   void append_local(double step) {
     const Motion now = motion();
     if (settings_.elastic) append(settings_.elastic->rows(now.state, now.speeds, step), now);
-    if (has_hand()) append(settings_.hand->rows(now.state, now.speeds, step), now);
+    if (has_pulls()) append(settings_.external_pulls->rows(now.state, now.speeds, step), now);
   }
 
   /// Appends rows, translated from bodies to parts. @param rows by the bodies of the structure

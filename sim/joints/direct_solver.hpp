@@ -9,7 +9,7 @@ namespace kinetix::sim {
 
 class Cord;
 class ElasticHinges;
-class Hand;
+class ExternalPulls;
 
 struct DirectSolverSettings {
   double joint_stiffness = 1e4;  ///< as in PhysicsOptions, over the parts' masses
@@ -20,13 +20,13 @@ struct DirectSolverSettings {
   double edge_mm = 1;                      ///< cell edge of the structure of `elastic`, `cord` and `hand`
   const ElasticHinges* elastic = nullptr;  ///< null for none; must outlive the solver
   const Cord* cord = nullptr;              ///< null for none; must outlive the solver
-  const Hand* hand = nullptr;              ///< null for none; must outlive the solver
+  const ExternalPulls* external_pulls = nullptr;  ///< null for none; must outlive the solver
   /// Output of each step: whether its one-sided rows are consistent. Must outlive the solver; null: not
   /// reported.
   bool* agrees = nullptr;
   /// Longest motion of a part per step, cell edges or rad. All speeds are scaled down by one factor to keep
   /// it. Null: no limit.
-  const double* longest_way = nullptr;
+  const double* max_motion = nullptr;
 };
 
 /// Makes a solver for the engine that solves all joint equations of a step together (RowSystem), with those

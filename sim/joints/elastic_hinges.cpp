@@ -76,10 +76,10 @@ Vector3d played_point_pull(const model::RestHinge& hinge, const model::Stiffness
                  axis = hinge_directions(hinge, lower, upper).axis;
   const Vector3d along = gap.dot(axis) * axis, across = gap - along;
   const auto pull = [&](const Vector3d& part) -> Vector3d {
-    const double force = model::play_response(part.norm(), k.play).force;
+    const double force = model::clearance_response(part.norm(), k.play).force;
     return force > 0 ? Vector3d(force * part.normalized()) : Vector3d::Zero();
   };
-  return k.ratios.shear * (pull(across) + model::played_loose * gap) + k.ratios.along * pull(along);
+  return k.ratios.shear * (pull(across) + model::loose_stiffness * gap) + k.ratios.along * pull(along);
 }
 
 HingePull played_pull(const model::RestHinge& hinge, const model::Stiffness& k, const model::Pose& lower,
@@ -132,9 +132,9 @@ class Springs {
   void add_played(const model::Stiffness& k, double edge_mm) {
     for (const double side : {-1.0, 1.0}) {
       const Point point = point_of(hinge_, side * k.reach, edge_mm, lower_, upper_);
-      add_in_space(point, model::played_loose * k.ratios.shear);
-      const auto distances = played_distances(hinge_, k, lower_, upper_, edge_mm, side);
-      for (const model::PlayedDistance& d : distances) add_beyond(d, k.play);
+      add_in_space(point, model::loose_stiffness * k.ratios.shear);
+      const auto distances = resisting_distances(hinge_, k, lower_, upper_, edge_mm, side);
+      for (const model::ResistingDistance& d : distances) add_beyond(d, k.play);
       add_brake(point, distances[0], k.play);
     }
   }
@@ -146,8 +146,8 @@ class Springs {
   void add_along(const Point& point, const Vector3d& rest, const Vector3d& direction, double weight) {
     add(carried_row(point, lower_.R * rest, upper_.R * rest), point.gap.dot(direction), weight);
   }
-  void add_beyond(const model::PlayedDistance& d, double play) {
-    const model::PlayResponse response = model::play_response(d.distance, play);
+  void add_beyond(const model::ResistingDistance& d, double play) {
+    const model::ClearanceResponse response = model::clearance_response(d.distance, play);
     if (!(response.stiffness > 0)) return;
     VelocityRow row;
     row.first << d.gradient.segment<3>(3), d.gradient.segment<3>(0);
@@ -155,8 +155,8 @@ class Springs {
     add(row, response.force / response.stiffness, d.weight * response.stiffness);
   }
   /// Adds the brake: a force of constant size resists its own turning.
-  void add_brake(const Point& point, const model::PlayedDistance& across, double play) {
-    const double force = model::play_response(across.distance, play).force;
+  void add_brake(const Point& point, const model::ResistingDistance& across, double play) {
+    const double force = model::clearance_response(across.distance, play).force;
     if (!(force > 0)) return;
     add(fixed_row(point, at_.axis.cross(point.gap).normalized()), 0, across.weight * force / across.distance);
   }
@@ -213,7 +213,6 @@ void append_framed_points(const model::RestHinge& hinge, const model::Stiffness&
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::Vector3d;
 
 /// Returns the second derivative of force . arm by a turn of the arm.
 Matrix3d turned(const Vector3d& force, const Vector3d& arm) {

@@ -32,11 +32,11 @@ using Eigen::Vector3d;
 // Cell edges: a hand further away pulls no harder, so that it does not tear the sheet.
 constexpr double longest_reach = 5;
 // Over the joints: far stiffer than a hinge.
-constexpr double hold_weight = 100;
+constexpr double fixed_weight = 100;
 
-Vector3d reach(const Grasp& grasp, const model::Pose& pose, double edge_mm) {
-  const Vector3d way = grasp.to - (pose.p / edge_mm + pose.R * grasp.arm);
-  return way.norm() > longest_reach ? Vector3d(longest_reach * way.normalized()) : way;
+Vector3d reach(const SpringPull& spring_pull, const model::Pose& pose, double edge_mm) {
+  const Vector3d distance = spring_pull.to - (pose.p / edge_mm + pose.R * spring_pull.arm);
+  return distance.norm() > longest_reach ? Vector3d(longest_reach * distance.normalized()) : distance;
 }
 
 VelocityRow row(int body, const Vector3d& linear, const Vector3d& angular, double target, double weight) {
@@ -47,40 +47,42 @@ VelocityRow row(int body, const Vector3d& linear, const Vector3d& angular, doubl
 
 }  // namespace
 
-Vector3d Hand::pull(const model::State& state) const {
-  if (grasps.empty()) return Vector3d::Zero();
-  const Grasp& grasp = grasps.front();
-  return grasp.stiffness * reach(grasp, state[grasp.body], edge_mm_);
+Vector3d ExternalPulls::pull(const model::State& state) const {
+  if (spring_pulls.empty()) return Vector3d::Zero();
+  const SpringPull& spring_pull = spring_pulls.front();
+  return spring_pull.stiffness * reach(spring_pull, state[spring_pull.body], edge_mm_);
 }
 
-std::vector<VelocityRow> Hand::rows(const model::State& state, const std::vector<model::Twist>& speeds,
-                                    double step) const {
+std::vector<VelocityRow> ExternalPulls::rows(const model::State& state,
+                                             const std::vector<model::Twist>& speeds, double step) const {
   std::vector<VelocityRow> rows;
-  for (const Grasp& grasp : grasps) append(grasp, state[grasp.body], speeds[grasp.body], step, rows);
-  for (const Hold& hold : holds) append(hold, state[hold.body], speeds[hold.body], step, rows);
+  for (const SpringPull& spring_pull : spring_pulls)
+    append(spring_pull, state[spring_pull.body], speeds[spring_pull.body], step, rows);
+  for (const FixedBody& fixed : fixed_bodies)
+    append(fixed, state[fixed.body], speeds[fixed.body], step, rows);
   return rows;
 }
 
-void Hand::append(const Grasp& grasp, const model::Pose& pose, const model::Twist& speed, double step,
-                  std::vector<VelocityRow>& rows) const {
-  const Vector3d arm = pose.R * grasp.arm;
-  const Vector3d change = reach(grasp, pose, edge_mm_) / step - (speed.v + speed.omega.cross(arm));
-  const double weight = grasp.stiffness * step * step / joint_stiffness_;
+void ExternalPulls::append(const SpringPull& spring_pull, const model::Pose& pose, const model::Twist& speed,
+                           double step, std::vector<VelocityRow>& rows) const {
+  const Vector3d arm = pose.R * spring_pull.arm;
+  const Vector3d change = reach(spring_pull, pose, edge_mm_) / step - (speed.v + speed.omega.cross(arm));
+  const double weight = spring_pull.stiffness * step * step / joint_stiffness_;
   for (int k = 0; k < 3; ++k) {
     const Vector3d axis = Vector3d::Unit(k);
-    rows.push_back(row(grasp.body, axis, arm.cross(axis), change[k], weight));
+    rows.push_back(row(spring_pull.body, axis, arm.cross(axis), change[k], weight));
   }
 }
 
-void Hand::append(const Hold& hold, const model::Pose& pose, const model::Twist& speed, double step,
-                  std::vector<VelocityRow>& rows) const {
-  const Vector3d shift = (hold.place.p - pose.p) / edge_mm_ / step - speed.v;
-  const Eigen::AngleAxisd back(hold.place.R * pose.R.transpose());
+void ExternalPulls::append(const FixedBody& fixed, const model::Pose& pose, const model::Twist& speed,
+                           double step, std::vector<VelocityRow>& rows) const {
+  const Vector3d shift = (fixed.place.p - pose.p) / edge_mm_ / step - speed.v;
+  const Eigen::AngleAxisd back(fixed.place.R * pose.R.transpose());
   const Vector3d turn = back.angle() * back.axis() / step - speed.omega;
   for (int k = 0; k < 3; ++k) {
     const Vector3d axis = Vector3d::Unit(k);
-    rows.push_back(row(hold.body, axis, Vector3d::Zero(), shift[k], hold_weight));
-    rows.push_back(row(hold.body, Vector3d::Zero(), axis, turn[k], hold_weight));
+    rows.push_back(row(fixed.body, axis, Vector3d::Zero(), shift[k], fixed_weight));
+    rows.push_back(row(fixed.body, Vector3d::Zero(), axis, turn[k], fixed_weight));
   }
 }
 

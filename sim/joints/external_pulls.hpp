@@ -30,7 +30,7 @@ class Cord {
 };
 
 /// Point of a body that is pulled towards a place by a spring without damping.
-struct Grasp {
+struct SpringPull {
   int body = 0;
   Eigen::Vector3d arm = Eigen::Vector3d::Zero();  ///< from the vertex, in the rest frame, cell edges
   Eigen::Vector3d to = Eigen::Vector3d::Zero();   ///< target, cell edges
@@ -38,20 +38,21 @@ struct Grasp {
 };
 
 /// Body that is kept in place.
-struct Hold {
+struct FixedBody {
   int body = 0;
   model::Pose place;  ///< mm
 };
 
 /// Hands that pull and hold a structure while it moves: equations for the direct solver, by implicit Euler.
-class Hand {
+class ExternalPulls {
  public:
-  Hand(double joint_stiffness, double edge_mm) : joint_stiffness_(joint_stiffness), edge_mm_(edge_mm) {}
+  ExternalPulls(double joint_stiffness, double edge_mm)
+      : joint_stiffness_(joint_stiffness), edge_mm_(edge_mm) {}
 
-  std::vector<Grasp> grasps;
-  std::vector<Hold> holds;
+  std::vector<SpringPull> spring_pulls;
+  std::vector<FixedBody> fixed_bodies;
 
-  bool is_empty() const { return grasps.empty() && holds.empty(); }
+  bool is_empty() const { return spring_pulls.empty() && fixed_bodies.empty(); }
   /// Returns the pull on the first grasped point, mass edge / s^2; zero if there is none.
   Eigen::Vector3d pull(const model::State& state) const;
   /// Returns the equations of a step. @param state mm; @param speeds rad/s and cell edges/s; @param step s
@@ -59,9 +60,9 @@ class Hand {
                                 double step) const;
 
  private:
-  void append(const Grasp& grasp, const model::Pose& pose, const model::Twist& speed, double step,
+  void append(const SpringPull& spring_pull, const model::Pose& pose, const model::Twist& speed, double step,
               std::vector<VelocityRow>& rows) const;
-  void append(const Hold& hold, const model::Pose& pose, const model::Twist& speed, double step,
+  void append(const FixedBody& fixed, const model::Pose& pose, const model::Twist& speed, double step,
               std::vector<VelocityRow>& rows) const;
 
   double joint_stiffness_;  ///< as in the solver

@@ -26,13 +26,13 @@ using Eigen::Vector3d;
 using model::Polyhedron;
 using CutPolygon = std::vector<Vector3d>;
 
-constexpr double least_tolerance_mm = 0.1;  // mm: the tolerance of printers
-constexpr double tolerance_share = 0.01;    // of the longest side
+constexpr double min_tolerance_mm = 0.1;  // mm: the tolerance of printers
+constexpr double tolerance_share = 0.01;  // of the longest side
 constexpr double watched_share =
     0.8;  // of the tolerance: points are on a grid, and places between them may protrude further
-constexpr double looked_at = 3;              // times the tolerance, between checked places on a hull
-constexpr std::size_t most_candidates = 10;  // planes tried for a cut: of the faces below most watch points
-constexpr double large_bore = 0.1;           // of the longest side: smaller ones are cut as other faces
+constexpr double looked_at = 3;             // times the tolerance, between checked places on a hull
+constexpr std::size_t max_candidates = 10;  // planes tried for a cut: of the faces below most watch points
+constexpr double large_bore = 0.1;          // of the longest side: smaller ones are cut as other faces
 constexpr double same_plane =
     1e-3;  // rad, and offset over the longest side: cuts that differ by less are equal
 constexpr double on_plane =
@@ -75,7 +75,7 @@ CutPolygon clipped(const CutPolygon& polygon, const CutPlane& plane, double tole
 }
 
 /// @param skin output: its faces as triangles
-CutPiece hull_of(const std::vector<Vector3d>& points, double least_size,
+CutPiece hull_of(const std::vector<Vector3d>& points, double min_size,
                  std::vector<std::array<Vector3d, 3>>& skin) {
   CutPiece out;
   btConvexHullComputer hull;
@@ -97,7 +97,7 @@ CutPiece hull_of(const std::vector<Vector3d>& points, double least_size,
       edge = edge->getNextEdgeOfFace();
     } while (edge != first);
     Vector3d normal = area.stableNormalized();
-    if (!(area.norm() > 1e-3 * least_size * least_size)) continue;  // the direction of a sliver is rounding
+    if (!(area.norm() > 1e-3 * min_size * min_size)) continue;  // the direction of a sliver is rounding
     if (normal.dot(origin - middle) < 0) normal = -normal;
     double offset = -std::numeric_limits<double>::infinity();
     for (const Vector3d& p : points) offset = std::max(offset, normal.dot(p));
@@ -137,8 +137,8 @@ class Cutter {
  public:
   Cutter(const Polyhedron& solid, const CutOptions& options)
       : solid_(solid), options_(options), near_(solid), side_(longest_side(solid)) {
-    tolerance_ = options.tolerance_mm > 0 ? options.tolerance_mm
-                                          : std::max(least_tolerance_mm, tolerance_share * side_);
+    tolerance_ =
+        options.tolerance_mm > 0 ? options.tolerance_mm : std::max(min_tolerance_mm, tolerance_share * side_);
     watch_ = watch_points(solid, near_, watched_share * tolerance_);
     find_bores();
     std::erase_if(watch_, [&](const WatchPoint& w) { return is_ignored(w.at); });
@@ -147,7 +147,7 @@ class Cutter {
   std::vector<CutPiece> run() {
     std::vector<CutCell> cells{whole()};
     look_over(cells.front());
-    while (static_cast<int>(cells.size()) < options_.most_pieces) {
+    while (static_cast<int>(cells.size()) < options_.max_pieces) {
       const auto worst = std::max_element(cells.begin(), cells.end(), [](const CutCell& a, const CutCell& b) {
         return weight(a) < weight(b);
       });
@@ -315,7 +315,7 @@ class Cutter {
     std::stable_sort(faces.begin(), faces.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<CutPlane> out;
-    for (std::size_t k = 0; k < std::min(faces.size(), most_candidates / 2); ++k)
+    for (std::size_t k = 0; k < std::min(faces.size(), max_candidates / 2); ++k)
       out.push_back(faces[k].second);
     add_square_ones(cell, out);
     return out;
@@ -447,7 +447,7 @@ class Cutter {
 
 std::vector<CutPiece> convex_cuts(const Polyhedron& solid, const CutOptions& options) {
   require("tolerance_mm", options.tolerance_mm, options.tolerance_mm >= 0, "at least 0, mm");
-  require("most_pieces", options.most_pieces, options.most_pieces >= 1, "at least 1");
+  require("most_pieces", options.max_pieces, options.max_pieces >= 1, "at least 1");
   return Cutter(solid, options).run();
 }
 

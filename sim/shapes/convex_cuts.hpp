@@ -26,7 +26,7 @@ struct CutOptions {
   /// Distance by which pieces may protrude from the solid, mm. 0: a hundredth of its longest side, at least
   /// 0.1 mm.
   double tolerance_mm = 0;
-  int most_pieces = 32;  ///< >= 1
+  int max_pieces = 32;  ///< >= 1
   std::vector<FilledBore> filled = {};
 };
 

@@ -12,11 +12,11 @@ using Eigen::Vector3d;
 using model::Polyhedron;
 
 constexpr double watched_places =
-    1200;                      // approximate number over the surface: with 36 x 36 a thirtieth of a side
-                               // apart
-constexpr int levels = 4;      // of watch points over a place, each three times as far away as the one before
-constexpr int most_rows = 24;  // over a triangle, and places in a row: more would only crowd large faces
-constexpr std::size_t most_watched = 3000;  // points in all: each is checked against every face of a hull
+    1200;                     // approximate number over the surface: with 36 x 36 a thirtieth of a side
+                              // apart
+constexpr int levels = 4;     // of watch points over a place, each three times as far away as the one before
+constexpr int max_rows = 24;  // over a triangle, and places in a row: more would only crowd large faces
+constexpr std::size_t max_watched = 3000;  // points in all: each is checked against every face of a hull
 
 /// Returns the squared distance to a triangle: inside it that of its plane, otherwise of its nearest side.
 double squared_distance(const Vector3d& p, const std::array<Vector3d, 3>& t) {
@@ -124,10 +124,10 @@ void add_over(const std::array<Vector3d, 3>& t, double spacing, std::vector<Vect
     if ((t[(l + 1) % 3] - t[l]).norm() > (t[(k + 1) % 3] - t[k]).norm()) k = l;
   const Vector3d from = t[k], side = t[(k + 1) % 3] - t[k], apex = t[(k + 2) % 3] - t[k];
   const double height = side.cross(apex).norm() / side.norm();
-  const int rows = std::clamp(static_cast<int>(std::ceil(height / spacing)), 1, most_rows);
+  const int rows = std::clamp(static_cast<int>(std::ceil(height / spacing)), 1, max_rows);
   for (int r = 0; r < rows; ++r) {
     const double v = rows == 1 ? 1.0 / 3 : (r + 0.5) / rows;
-    const int places = std::clamp(static_cast<int>(std::ceil((1 - v) * side.norm() / spacing)), 1, most_rows);
+    const int places = std::clamp(static_cast<int>(std::ceil((1 - v) * side.norm() / spacing)), 1, max_rows);
     for (int i = 0; i < places; ++i) out.emplace_back(from + v * apex + (1 - v) * (i + 0.5) / places * side);
   }
 }
@@ -140,7 +140,7 @@ std::vector<WatchPoint> watch_points(const Polyhedron& solid, const NearSolid& n
     add_over(corners_of(solid, t), spacing, places);
     for (const Vector3d& p : places) all.emplace_back(p, t);
   }
-  const std::size_t stride = all.size() / most_watched + 1;
+  const std::size_t stride = all.size() / max_watched + 1;
   std::vector<WatchPoint> out;
   for (std::size_t k = 0; k < all.size(); k += stride) {
     const auto& [place, t] = all[k];

@@ -99,8 +99,8 @@ PartShape::PartShape(const std::vector<std::vector<Eigen::Vector3d>>& pieces, in
   shapes_->compound.setMargin(margin(WallSurface::rounded));
 }
 
-void PartShape::let_pass(const btCollisionObject& a, int piece_of_a, const btCollisionObject& b,
-                         int piece_of_b) {
+void PartShape::ignore_contact(const btCollisionObject& a, int piece_of_a, const btCollisionObject& b,
+                               int piece_of_b) {
   const btCollisionShape* const first = piece_of(a, piece_of_a);
   const btCollisionShape* const second = piece_of(b, piece_of_b);
   passed_by(first)->insert(second->getUserIndex());

@@ -58,8 +58,8 @@ class PartShape {
 
   btCollisionShape* get() const;
   /// Lets two pieces, numbered as the engine's children of their parts, pass through each other from now on.
-  static void let_pass(const btCollisionObject& a, int piece_of_a, const btCollisionObject& b,
-                       int piece_of_b);
+  static void ignore_contact(const btCollisionObject& a, int piece_of_a, const btCollisionObject& b,
+                             int piece_of_b);
 
   /// Returns the direction of a half wall's height in the body's present pose, unit vector.
   /// @param part has a PartShape   @param wall index of the shape's child in the engine

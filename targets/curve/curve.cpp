@@ -92,8 +92,6 @@ void check_crossing(const std::vector<Vector2d>& points) {
   });
 }
 
-using Eigen::Vector2d;
-
 Curve::Curve(std::vector<Vector2d> points) : points_(std::move(points)) {
   check_points(points_);
   check_open(points_);
@@ -126,7 +124,6 @@ double Curve::heading(double s) const { return heading_[segment_at(s)]; }
 
 namespace {
 
-using Eigen::Vector2d;
 using Points = std::vector<Vector2d>;
 
 // Points of each polyline per cell of the midline. Distances are to the other polyline, not to its samples,

@@ -32,11 +32,11 @@ std::string joined_axes(const Axes& axes, const std::string& between) {
 }
 
 /// "x and z", "x, y and z".
-std::string in_words(const Axes& axes) {
+std::string describe(const Axes& axes) {
   return joined_axes({axes.begin(), axes.end() - 1}, ", ") + " and " + axes.back();
 }
 
-std::string count_in_words(const Axes& axes) { return axes.size() == 2 ? "two" : "three"; }
+std::string spell_count(const Axes& axes) { return axes.size() == 2 ? "two" : "three"; }
 
 /// "[x, z]".
 std::string form_of(const Axes& axes) { return "[" + joined_axes(axes, ", ") + "]"; }
@@ -123,7 +123,7 @@ class CsvReader {
     const bool has_digits = line_.find_first_not_of("+-.,;0123456789eE \t") == std::string_view::npos;
     if (has_digits) refuse(0, "the header is missing; " + wanted_header());
     if (fields.size() != axes_.size())
-      refuse(0, in_ticks(line_) + " is not the header of " + count_in_words(axes_) + " columns; " +
+      refuse(0, in_ticks(line_) + " is not the header of " + spell_count(axes_) + " columns; " +
                     wanted_header());
     for (std::size_t k = 0; k < fields.size(); ++k) check_title(fields[k], axes_[k]);
   }
@@ -156,7 +156,7 @@ class CsvReader {
                        : count > axes_.size() ? "; write decimals with a point, not a comma"
                                               : "";
     refuse(0, in_ticks(line_) + " has " + std::to_string(count) + (count == 1 ? " column" : " columns") +
-                  "; give " + count_in_words(axes_) + ", " + in_words(axes_) + " in millimetres" + hint);
+                  "; give " + spell_count(axes_) + ", " + describe(axes_) + " in millimetres" + hint);
   }
 
   double number(const Field& field) const {
@@ -265,9 +265,11 @@ const KeyTable& curve_target_keys() {
 }
 
 Curve read_curve_csv(const std::string& file) {
-  return made_of(read_points_csv(file, second_axis), make_curve);
+  return make_from_points(read_points_csv(file, second_axis), make_curve);
 }
 
-Curve read_curve(const Node& points) { return made_of(read_points(points, second_axis), make_curve); }
+Curve read_curve(const Node& points) {
+  return make_from_points(read_points(points, second_axis), make_curve);
+}
 
 }  // namespace kinetix::targets

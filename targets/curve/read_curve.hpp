@@ -53,7 +53,7 @@ PlanePoints read_points_csv(const std::string& file, const std::string& second_a
 
 /// Builds an object from the points by `make`. An InvalidCurve from `make` becomes InvalidInput at the point at fault.
 template <class Points, class Make>
-auto made_of(Points read, const Make& make) {
+auto make_from_points(Points read, const Make& make) {
   try {
     return make(std::move(read.points));
   } catch (const InvalidCurve& e) {

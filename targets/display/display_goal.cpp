@@ -26,7 +26,7 @@ DisplayGoal enlarged(const DisplayGoal& goal, PanelSize size) {
           goal.level((2 * i + 1) * goal.columns / (2 * size[0]), (2 * j + 1) * goal.rows / (2 * size[1])));
   DisplayGoal out = make_goal(size, std::move(levels));
   out.whole = size[0] % goal.columns == 0 && size[1] % goal.rows == 0;
-  out.redrawn = [own = goal](PanelSize other) { return enlarged(own, other); };
+  out.resized = [own = goal](PanelSize other) { return enlarged(own, other); };
   return out;
 }
 
@@ -100,7 +100,7 @@ DisplayGoal rows_goal(const std::vector<std::string>& rows) {
   }
   DisplayGoal goal =
       make_goal({static_cast<int>(rows[0].size()), static_cast<int>(rows.size())}, std::move(levels));
-  goal.redrawn = [own = goal](PanelSize size) { return enlarged(own, size); };
+  goal.resized = [own = goal](PanelSize size) { return enlarged(own, size); };
   return goal;
 }
 

@@ -43,7 +43,7 @@ struct DisplayGoal {
   /// the longer side in proportion, rounded. Empty for whole goals, and if no allowed panel shows the picture whole.
   std::optional<PanelSize> needed = {};
   /// Redraws the picture on another panel. @throws InvalidInput as check_panel and check_contrast
-  std::function<DisplayGoal(PanelSize)> redrawn = {};
+  std::function<DisplayGoal(PanelSize)> resized = {};
 
   double level(int i, int j) const { return levels[static_cast<std::size_t>(j) * columns + i]; }
   bool is_letter(int i, int j) const { return level(i, j) >= letter_level; }

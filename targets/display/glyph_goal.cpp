@@ -24,7 +24,7 @@ namespace kinetix::targets {
 namespace {
 
 // Most families named in a message, so that it takes a few lines of a terminal.
-constexpr std::size_t most_names = 12;
+constexpr std::size_t max_names = 12;
 
 struct Destroy {
   void operator()(FcConfig* config) const { FcConfigDestroy(config); }
@@ -97,7 +97,7 @@ InvalidInput not_installed(const Config& config, const std::string& name) {
   };
   std::stable_sort(families.begin(), families.end(),
                    [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
-  const std::size_t count = std::min(families.size(), most_names);
+  const std::size_t count = std::min(families.size(), max_names);
   const std::vector<std::string_view> nearest(families.begin(), families.begin() + count);
   return InvalidInput("the font " + in_ticks(name) + " is not installed; installed families" +
                       (count < families.size() ? " nearest in spelling: " : ": ") + joined(nearest));
@@ -306,7 +306,7 @@ Picture glyph_picture(const std::string& text, const FontFile& font) {
 namespace {
 
 Window panel_over(const Picture& letter, PanelSize size, double cell_shape) {
-  const int margin = std::min(size[0], size[1]) < least_side_with_margin ? 0 : 1;
+  const int margin = std::min(size[0], size[1]) < min_side_with_margin ? 0 : 1;
   const double wide = cell_shape * (size[0] - 2 * margin), high = size[1] - 2 * margin;  // in cell heights
   const double fill_x = letter.width / wide, fill_y = letter.height / high;  // pixels per cell height
   const double half_width = std::max(fill_x, fill_y / max_glyph_stretch) * cell_shape * size[0] / 2;
@@ -322,7 +322,7 @@ DisplayGoal shown(const std::shared_ptr<const Picture>& letter, PanelSize size, 
   goal.is_text = true;
   compare_with(*letter, window, goal);
   check_contrast(goal);
-  goal.redrawn = [=](PanelSize other) { return shown(letter, other, cell_shape); };
+  goal.resized = [=](PanelSize other) { return shown(letter, other, cell_shape); };
   return goal;
 }
 

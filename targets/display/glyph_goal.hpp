@@ -54,7 +54,7 @@ Picture glyph_picture(const std::string& text, const FontFile& font);
 inline constexpr int max_glyph_characters = 12;
 /// Least cells on the shorter side of a panel with a margin; the margin is one cell around the letter. On fewer cells
 /// a margin would leave the letter less than three, too few for its strokes and gaps.
-inline constexpr int least_side_with_margin = 5;
+inline constexpr int min_side_with_margin = 5;
 /// Largest stretch of a letter in width or height, a factor. Less wastes cells; more spoils the letter's look.
 inline constexpr double max_glyph_stretch = 1.5;
 

@@ -182,9 +182,9 @@ Picture read(const std::string& bytes, ImageLevels levels, bool invert) {
   const PixPointer grey = decode(bytes);
   Picture picture = picture_of(grey.get());
   check_variety(picture);
-  const int least_light = levels == ImageLevels::two ? otsu_threshold(grey.get()) : 0;
+  const int min_light = levels == ImageLevels::two ? otsu_threshold(grey.get()) : 0;
   for (std::uint8_t& ink : picture.ink) {
-    if (levels == ImageLevels::two) ink = 255 - ink < least_light ? 255 : 0;
+    if (levels == ImageLevels::two) ink = 255 - ink < min_light ? 255 : 0;
     if (invert) ink = static_cast<std::uint8_t>(255 - ink);
   }
   return picture;
@@ -219,7 +219,7 @@ DisplayGoal shown(const std::shared_ptr<const Picture>& picture, PanelSize size,
   if (levels == ImageLevels::two) compare_with(*picture, window, goal);
   check_contrast(goal);
   goal.inverted = inverted;
-  goal.redrawn = [=](PanelSize other) { return shown(picture, other, levels, inverted); };
+  goal.resized = [=](PanelSize other) { return shown(picture, other, levels, inverted); };
   return goal;
 }
 

@@ -13,7 +13,7 @@ namespace {
 // two cells wide.
 constexpr int default_cells_per_character = 10;
 // Words of the key `levels`.
-constexpr Word<ImageLevels> levels_words[] = {{"2", ImageLevels::two}, {"grey", ImageLevels::grey}};
+constexpr Word<ImageLevels> level_choices[] = {{"2", ImageLevels::two}, {"grey", ImageLevels::grey}};
 // End of messages about a target with no source of its picture, or with several.
 constexpr const char* wanted_source = "one of `glyph`, `image` and `rows`";
 
@@ -44,7 +44,7 @@ DisplayGoal read_image_section(const Section& target, const Node& image, const s
   const std::string name = image.text("the path of a PNG, PBM or PGM file");
   ImageLevels levels = ImageLevels::two;
   bool invert = false;
-  target.read("levels", levels, levels_words);
+  target.read("levels", levels, level_choices);
   target.read("invert", invert);
   try {
     return image_goal((std::filesystem::path(image.folder()) / name).string(), size, levels, invert,
@@ -69,7 +69,7 @@ DisplayGoal read_rows(const Section& target, const Node& rows, const std::option
                        ", " + std::to_string(own[1]) +
                        "]; give that or a multiple, which draws each of its cells as several, or leave "
                        "structure.cells out");
-  return size ? goal.redrawn(asked) : goal;
+  return size ? goal.resized(asked) : goal;
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ const KeyTable& display_target_keys() {
                      "panel keeps"),
            "of the glyph", "glyph"},
           {"image", value::text("path of a PNG, PBM or PGM file"), {}, "what to show, as a picture"},
-          {"levels", value::choice(levels_words), by_default("2"),
+          {"levels", value::choice(level_choices), by_default("2"),
            "of the image: letter and rest, or levels of grey", "image"},
           {"invert", value::boolean(), by_default("false"), "light instead of dark parts are the letter",
            "image"},

@@ -12,9 +12,9 @@ namespace {
 constexpr double speck = 1.0 / 500;
 // Largest lost area, as a fraction of the ink. Tips of sharp corners are lost on every panel, so less would refuse
 // whole letters. More would let a stroke disappear.
-constexpr double most_lost = 1.0 / 25;
+constexpr double max_lost = 1.0 / 25;
 // Largest side, px: two per cell of the longest allowed side, since strokes are found in quarters of cells.
-constexpr int most_pixels_per_side = 2 * max_panel_side;
+constexpr int max_pixels_per_side = 2 * max_panel_side;
 
 double share_of_ink(const Picture& picture) {
   double sum = 0;
@@ -24,7 +24,7 @@ double share_of_ink(const Picture& picture) {
 
 Picture reduced(const Picture& picture) {
   const double factor =
-      std::max(1.0, static_cast<double>(std::max(picture.width, picture.height)) / most_pixels_per_side);
+      std::max(1.0, static_cast<double>(std::max(picture.width, picture.height)) / max_pixels_per_side);
   if (factor == 1) return picture;
   Picture out{std::max(1, static_cast<int>(picture.width / factor)),
               std::max(1, static_cast<int>(picture.height / factor)),
@@ -86,7 +86,7 @@ bool WholePicture::keeps_strokes(const DisplayGoal& goal, const Window& window) 
       if (!is_near(goal, x, y, true)) lost += ink;
       if (!is_near(goal, x, y, false)) lost += 1 - ink;
     }
-  return lost <= most_lost * all;
+  return lost <= max_lost * all;
 }
 
 DisplayGoal sampled(const Picture& picture, const PanelWindow& window, PanelSize size) {

@@ -62,14 +62,14 @@ bool is_unit(std::string_view rest) {
   throw InvalidInput(in_ticks(text) + " is not a number; give " + wanted);
 }
 
-constexpr double least_without_exponent =
+constexpr double min_without_exponent =
     1e-6;  // in the unit of the limit: of smaller ones, zeros are not counted
 
 /// A limit as a person writes it: 1000000 rather than 1e+06, and 0.00001 rather than 9.999999999999999e-06.
 std::string limit_text(double x) {
   const bool is_short_integer = std::abs(x) < 1e9 && x == std::trunc(x);
   if (is_short_integer) return std::to_string(static_cast<long>(x));
-  if (!(std::abs(x) >= least_without_exponent && std::abs(x) < 1e9)) return shortest_text(x);
+  if (!(std::abs(x) >= min_without_exponent && std::abs(x) < 1e9)) return shortest_text(x);
   std::array<char, 32> digits;  // 9 before the point, 12 behind it
   std::string text(
       digits.data(),

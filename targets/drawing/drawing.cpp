@@ -16,9 +16,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double max_drawn_mm = 1e6;     // mm: a kilometre is larger than any sheet
-constexpr double least_drawn_mm = 1e-3;  // mm, of the mean line: a micrometre is finer than any printer
-constexpr double same_place = 1e-3;      // of the mean line: CAD files keep three decimals or more of a mm
+constexpr double max_drawn_mm = 1e6;   // mm: a kilometre is larger than any sheet
+constexpr double min_drawn_mm = 1e-3;  // mm, of the mean line: a micrometre is finer than any printer
+constexpr double same_place = 1e-3;    // of the mean line: CAD files keep three decimals or more of a mm
 
 double mean_length(const Drawing& drawing) {
   double sum = 0;
@@ -85,7 +85,7 @@ void check(const Drawing& drawing) {
         throw InvalidInput("has a line that ends more than a kilometre from 0; is its unit right?");
   if (drawing.empty() || !(mean_length(drawing) > 0))
     throw InvalidInput("has no straight lines; draw each wall as one");
-  if (!(mean_length(drawing) >= least_drawn_mm))
+  if (!(mean_length(drawing) >= min_drawn_mm))
     throw InvalidInput("has lines shorter than a micrometre, on the mean; is its unit right?");
 }
 

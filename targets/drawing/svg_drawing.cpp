@@ -80,9 +80,9 @@ class Scanner {
     text_.remove_prefix(start == std::string_view::npos ? text_.size() : start);
   }
   std::string_view take(std::size_t count) {
-    const std::string_view taken = text_.substr(0, count);
+    const std::string_view token = text_.substr(0, count);
     text_.remove_prefix(count);
-    return taken;
+    return token;
   }
 
   std::string_view text_;

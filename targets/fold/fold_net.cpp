@@ -91,14 +91,14 @@ class Placing {
   std::vector<model::CellRectangle>& faces() { return faces_; }
 
   /// Returns the creases on the path from a face to the first one.
-  std::vector<int> way_back(int face) const {
-    std::vector<int> way;
+  std::vector<int> path_to_root(int face) const {
+    std::vector<int> path;
     while (by_[face] != unplaced) {
-      way.push_back(by_[face]);
+      path.push_back(by_[face]);
       const FoldCrease& c = net_.creases[by_[face]];
       face = c.first == face ? c.second : c.first;
     }
-    return way;
+    return path;
   }
 
   bool joins_tree(int crease) const { return std::find(by_.begin(), by_.end(), crease) != by_.end(); }
@@ -136,7 +136,7 @@ void check_ring(const FoldNet& net, const Placing& placing, const std::vector<mo
                        in_ticks(net.faces[c.second].name) + " is no neighbour of face " +
                        in_ticks(net.faces[c.first].name) + " on its " + to_string(c.side) +
                        "; leave the crease out or place the faces otherwise");
-  std::vector<int> ring = placing.way_back(c.first), other = placing.way_back(c.second);
+  std::vector<int> ring = placing.path_to_root(c.first), other = placing.path_to_root(c.second);
   while (!ring.empty() && !other.empty() && ring.back() == other.back()) {
     ring.pop_back();
     other.pop_back();

@@ -12,7 +12,7 @@ namespace {
 constexpr const char* wanted_shape =
     "`box: [a, b, c]`, `box_mm: [a, b, c]`, `net: {faces: [...], creases: [...]}` or `solid: icosahedron`";
 constexpr std::size_t longest_face_name = 40;         // bytes: names stand in messages and in the report
-constexpr int most_box_cells = 4000;                  // of all faces: searched in a minute or two
+constexpr int max_box_cells = 4000;                   // of all faces: searched in a minute or two
 const Bounds box_edge_mm = from_to(1, 10'000, "mm");  // mm: what a printer can make, and ten metres
 constexpr int max_faces = 100;  // in a net: a limit so that a wrong file is refused at once
 
@@ -21,7 +21,7 @@ std::vector<std::string_view> as_views(const std::vector<std::string>& names) {
 }
 
 // Words of the key `side` of a crease.
-constexpr Word<Side> side_words[] = {
+constexpr Word<Side> side_choices[] = {
     {"left", Side::left}, {"right", Side::right}, {"bottom", Side::bottom}, {"top", Side::top}};
 
 const KeyTable& face_keys() {
@@ -37,7 +37,8 @@ const KeyTable& crease_keys() {
   static const KeyTable keys({
       {"faces", value::list(value::text("name of a face"), "`[first, second]`, names of two faces", 2, 2),
        needed, "the faces that the crease joins"},
-      {"side", value::choice(side_words), needed, "side of the first face, beyond which the second one lies"},
+      {"side", value::choice(side_choices), needed,
+       "side of the first face, beyond which the second one lies"},
       {"angle_deg", &FoldCrease::angle, value::angle(from_to(-180, 180, "degrees")),
        needed_as("the angle to fold by"), "the angle to fold by; positive towards +z"},
       {"shift", &FoldCrease::shift, value::integer(-max_face_side, max_face_side),
@@ -69,9 +70,9 @@ void check_cells(const Node& box, const std::array<int, 3>& e) {
   const auto text = [&](const char* between) {
     return std::to_string(e[0]) + between + std::to_string(e[1]) + between + std::to_string(e[2]);
   };
-  if (cells > most_box_cells)
+  if (cells > max_box_cells)
     throw box.error("a box of " + text(" x ") + " cells has " + std::to_string(cells) +
-                    " cells, more than the " + std::to_string(most_box_cells) +
+                    " cells, more than the " + std::to_string(max_box_cells) +
                     " that a search can fold; if these are mm, give box_mm: [" + text(", ") + "]");
 }
 
@@ -127,7 +128,8 @@ FoldCrease read_crease(const Node& entry, const std::vector<std::string_view>& n
   crease.first = static_cast<int>(pair[0].one_of(names));
   crease.second = static_cast<int>(pair[1].one_of(names));
   if (crease.first == crease.second) throw pair[1].error("joins a face with itself; name two faces");
-  node.read_needed("side", "the side of the first face: left, right, bottom or top", crease.side, side_words);
+  node.read_needed("side", "the side of the first face: left, right, bottom or top", crease.side,
+                   side_choices);
   crease.columns = columns;
   node.read_into(crease);
   return crease;
@@ -147,7 +149,7 @@ FoldGoal read_net(const Section& target, int columns) {
 }
 
 // Least cells per half side: with one, a single hinge would join two faces, and each would move by itself.
-constexpr int least_solid_cells = 2;
+constexpr int min_solid_cells = 2;
 
 FoldGoal read_solid(const Section& target, const Node& solid, int columns) {
   target.node().reject_unknown_keys(fold_target_keys().only("solid").names());
@@ -180,7 +182,7 @@ const KeyTable& fold_target_keys() {
           {"solid", value::choice(solid_names()), no_default,
            "a solid of equal edges, cut open into one sheet whose creases run in as many directions as its "
            "edges"},
-          {"cells", value::integer(least_solid_cells, max_solid_cells), by_default(SolidGoal{}.cells),
+          {"cells", value::integer(min_solid_cells, max_solid_cells), by_default(SolidGoal{}.cells),
            "of half a side of a face", "solid"},
           {"crease_columns", value::integer(1, max_crease_columns), otherwise("the search chooses"),
            "columns of cells that every crease bends over"},

@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 using Points = std::vector<Vector2d>;
 
 constexpr double one_point = 1e-9;  // cell edges: bodies are farther apart
-constexpr double least_gap = 0.3;   // cell edges, between faces that no crease joins: room for their walls
+constexpr double min_gap = 0.3;     // cell edges, between faces that no crease joins: room for their walls
 
 Vector2d left_of(const Vector2d& v) { return {-v.y(), v.x()}; }
 
@@ -262,7 +262,7 @@ class Unfolding {
   bool is_free(int face, int neighbour) const {
     for (int f = 0; f < static_cast<int>(polygons_.size()); ++f) {
       if (f == face || f == neighbour || !is_placed_[f]) continue;
-      if (!are_apart(inner(face), inner(f), least_gap)) return false;
+      if (!are_apart(inner(face), inner(f), min_gap)) return false;
     }
     return true;
   }

@@ -120,8 +120,6 @@ SpaceCurve cross_section(const Head& head, double s, double reach) {
 
 namespace {
 
-using Eigen::Vector3d;
-
 void add_corners(const OrientedBox& box, const MeshSolid& solid, WallsInside& found) {
   for (int corner = 0; corner < 8; ++corner) {
     const Vector3d side(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
@@ -167,8 +165,6 @@ WallsInside walls_inside(const model::Linkage& structure, const model::State& st
 }
 
 namespace {
-
-using Eigen::Vector3d;
 
 // Range of the crown's coordinates, mm, as for points of curves.
 const Bounds coordinate = from_to(-max_coordinate_mm, max_coordinate_mm, "mm");

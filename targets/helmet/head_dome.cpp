@@ -70,7 +70,7 @@ constexpr int grid_levels = 6;
 constexpr double steepest = 1.5;
 /// Distance outside the surface, mm, of the point that is tested for being inside the head: beyond rounding, within
 /// the noise of a scan.
-constexpr double look_mm = 1e-3;
+constexpr double probe_offset_mm = 1e-3;
 
 /// Directions down to the dome's boundary, and how far the head reaches in each.
 class Dome {
@@ -81,7 +81,7 @@ class Dome {
     for (const Vector3d& direction : grid_.vertices)
       radius_.push_back(head.tree().farthest_hit(core, direction).value_or(0));
     drop_faces_seen_through_holes(head);
-    open_holes_at_rim();
+    open_holes_at_boundary();
   }
 
   HeadDome closed() {
@@ -120,7 +120,7 @@ class Dome {
       std::sort(list.begin(), list.end());
       const std::size_t edge_sides = list.size();
       list.erase(std::unique(list.begin(), list.end()), list.end());
-      is_rim_.push_back(edge_sides != 2 * list.size());  // inside, every edge has two triangles
+      is_boundary_.push_back(edge_sides != 2 * list.size());  // inside, every edge has two triangles
     }
   }
 
@@ -151,7 +151,9 @@ class Dome {
       if (a != b) is_forgotten[size[a] < size[b] ? a : b] = true;
     }
     std::vector<int> inside(size.size(), 0);
-    const auto outer = [&](int v) -> Vector3d { return core_ + (radius_[v] + look_mm) * grid_.vertices[v]; };
+    const auto outer = [&](int v) -> Vector3d {
+      return core_ + (radius_[v] + probe_offset_mm) * grid_.vertices[v];
+    };
     for (int v = 0; v < static_cast<int>(size.size()); ++v)
       if (is_forgotten[parts.find(v)] && !is_missing(v)) inside[parts.find(v)] += head.contains(outer(v));
     for (int v = 0; v < static_cast<int>(size.size()); ++v)
@@ -160,7 +162,7 @@ class Dome {
 
   bool is_missing(int v) const { return !(radius_[v] > 0); }
 
-  void open_holes_at_rim() {
+  void open_holes_at_boundary() {
     is_open_.assign(grid_.vertices.size(), false);
     std::vector<int> pending;
     const auto open = [&](int v) {
@@ -169,7 +171,7 @@ class Dome {
       pending.push_back(v);
     };
     for (int v = 0; v < static_cast<int>(grid_.vertices.size()); ++v)
-      if (is_rim_[v]) open(v);
+      if (is_boundary_[v]) open(v);
     while (!pending.empty()) {
       const int v = pending.back();
       pending.pop_back();
@@ -239,7 +241,7 @@ class Dome {
   Vector3d core_;
   TriangleMesh grid_;
   std::vector<std::vector<int>> neighbours_;
-  std::vector<bool> is_rim_, is_open_;
+  std::vector<bool> is_boundary_, is_open_;
   std::vector<double> radius_;
 };
 

@@ -34,7 +34,7 @@ const NamedUnit& named(LengthUnit unit) {
   return *std::find_if(units.begin(), units.end(), [&](const NamedUnit& u) { return u.unit == unit; });
 }
 
-bool is_size_of_head(double mm) { return mm >= least_head_mm && mm <= most_head_mm; }
+bool is_size_of_head(double mm) { return mm >= min_head_mm && mm <= max_head_mm; }
 
 /// Returns advice for a mesh of this size in the file's units.
 std::string remedy(double size) {
@@ -53,8 +53,8 @@ void check_size(const TriangleMesh& mesh, LengthUnit unit) {
   const double size = bounds(mesh).sizes().maxCoeff();
   if (is_size_of_head(size)) return;
   throw InvalidHead("units", "in " + std::string(named(unit).name) + " the mesh is " + number_text(size) +
-                                 " mm long; a head (or a bust) is " + number_text(least_head_mm) + " to " +
-                                 number_text(most_head_mm) + " mm" + remedy(size / mm_per(unit)));
+                                 " mm long; a head (or a bust) is " + number_text(min_head_mm) + " to " +
+                                 number_text(max_head_mm) + " mm" + remedy(size / mm_per(unit)));
 }
 
 /// Returns the head frame's axes in those of the mesh, as columns.
@@ -70,7 +70,7 @@ const Vector3d& highest(const TriangleMesh& mesh, const Vector3d& up) {
 }
 
 /// Returns the axis across up along which the top of the head is longer; ties go to the first one.
-Vector3d longer_way(const TriangleMesh& mesh, const Vector3d& up) {
+Vector3d longer_direction(const TriangleMesh& mesh, const Vector3d& up) {
   Eigen::AlignedBox3d box;
   const double lowest = highest(mesh, up).dot(up) - length_depth_mm;
   for (const Vector3d& p : mesh.vertices)
@@ -86,7 +86,7 @@ Vector3d longer_way(const TriangleMesh& mesh, const Vector3d& up) {
 Vector3d front_of(const TriangleMesh& mesh, const HeadPose& pose) {
   if (pose.front && pose.front->dot(pose.up) != 0)
     throw InvalidHead("front", "is along the same axis as `up`; give one across it");
-  return pose.front ? *pose.front : longer_way(mesh, pose.up);
+  return pose.front ? *pose.front : longer_direction(mesh, pose.up);
 }
 
 std::string text(const Vector3d& p) {

@@ -11,7 +11,7 @@ namespace kinetix::targets {
 
 /// mm, largest side of the box of a head mesh (shoulders included). A head of 250 mm lies outside where
 /// its file, in mm, cm or m, is read as in another of these.
-inline constexpr double least_head_mm = 100, most_head_mm = 1000;
+inline constexpr double min_head_mm = 100, max_head_mm = 1000;
 /// mm below the crown: above the ears of a usual head (tragion lies some 130 mm below the top).
 inline constexpr double default_coverage_mm = 90;
 /// mm. A crown that is given may lie this far from the mesh: one read off by hand does; one farther away is

@@ -12,7 +12,7 @@
 #include "targets/document/text_file.hpp"
 #include "targets/document/wording.hpp"
 #include "targets/mesh/assimp_module.hpp"
-#include "targets/mesh/mesh_text.hpp"
+#include "targets/mesh/mesh_tokens.hpp"
 #include "targets/mesh/ply_mesh.hpp"
 
 namespace kinetix::targets {
@@ -70,11 +70,11 @@ namespace {
 
 class ObjReader {
  public:
-  explicit ObjReader(const std::string& bytes) : words_(bytes, true) { strict_.reserve(bytes.size()); }
+  explicit ObjReader(const std::string& bytes) : tokens_(bytes, true) { strict_.reserve(bytes.size()); }
 
   std::string read() {
-    while (words_.next_line()) {
-      const std::string_view keyword = words_.word();
+    while (tokens_.next_line()) {
+      const std::string_view keyword = tokens_.word();
       if (keyword == "v") read_vertex();
       if (keyword == "f") read_face();
     }
@@ -86,22 +86,22 @@ class ObjReader {
   void read_vertex() {
     ++vertices_;
     strict_ += 'v';
-    for (int k = 0; k < 3; ++k) add_word(shortest_text(words_.number("a coordinate of a vertex")));
+    for (int k = 0; k < 3; ++k) add_word(shortest_text(tokens_.number("a coordinate of a vertex")));
     strict_ += '\n';
   }
 
   void read_face() {
     std::vector<long> corners;
-    for (std::string_view word = words_.word(); !word.empty() && word[0] != '#'; word = words_.word()) {
+    for (std::string_view word = tokens_.word(); !word.empty() && word[0] != '#'; word = tokens_.word()) {
       corners.push_back(index(word));
       if (corners.size() > max_face_corners)
-        throw words_.error("a face of more than " + std::to_string(max_face_corners) + " corners");
+        throw tokens_.error("a face of more than " + std::to_string(max_face_corners) + " corners");
     }
     if (corners.size() < 3) return;
     triangles_ += corners.size() - 2;
     if (triangles_ > max_mesh_triangles)
-      throw words_.error("too many triangles; at most " + std::to_string(max_mesh_triangles) +
-                         " are allowed; thin the mesh out");
+      throw tokens_.error("too many triangles; at most " + std::to_string(max_mesh_triangles) +
+                          " are allowed; thin the mesh out");
     strict_ += 'f';
     for (const long corner : corners) add_word(std::to_string(corner));
     strict_ += '\n';
@@ -113,7 +113,7 @@ class ObjReader {
     long value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || value == 0)
-      throw words_.error(in_ticks(word) + " stands where a corner of a face belongs; give vertex indices");
+      throw tokens_.error(in_ticks(word) + " stands where a corner of a face belongs; give vertex indices");
     if (value < 0) value += vertices_ + 1;
     if (value < 1) throw missing_vertex(word);
     if (value > highest_) {
@@ -124,7 +124,7 @@ class ObjReader {
   }
 
   InvalidInput missing_vertex(std::string_view word) const {
-    return words_.error("the corner " + in_ticks(word) + " of a face names a vertex that is not there");
+    return tokens_.error("the corner " + in_ticks(word) + " of a face names a vertex that is not there");
   }
 
   void add_word(std::string_view word) {
@@ -132,7 +132,7 @@ class ObjReader {
     strict_ += word;
   }
 
-  MeshWords words_;
+  MeshTokens tokens_;
   std::string strict_;
   long vertices_ = 0, highest_ = 0;
   std::size_t triangles_ = 0;
@@ -170,7 +170,7 @@ void append_bytes(std::string& bytes, std::uint32_t value) {
 /// NAME.
 class StlText {
  public:
-  explicit StlText(const std::string& bytes) : words_(bytes) {}
+  explicit StlText(const std::string& bytes) : tokens_(bytes) {}
 
   std::string to_binary() {
     std::string keyword = next();
@@ -187,10 +187,10 @@ class StlText {
   }
 
  private:
-  std::string next() { return lower_case(words_.word_of_any_line()); }
+  std::string next() { return lower_case(tokens_.word_of_any_line()); }
 
   void skip_name() {
-    while (!words_.word().empty()) continue;
+    while (!tokens_.word().empty()) continue;
   }
 
   void read_solid() {
@@ -210,7 +210,7 @@ class StlText {
     for (int corner = 0; corner < 3; ++corner) {
       expect("vertex");
       for (int k = 0; k < 3; ++k) {
-        const auto coordinate = static_cast<float>(words_.number_of_any_line("a coordinate of a vertex"));
+        const auto coordinate = static_cast<float>(tokens_.number_of_any_line("a coordinate of a vertex"));
         append_bytes(facets_, std::bit_cast<std::uint32_t>(coordinate));
       }
     }
@@ -224,18 +224,18 @@ class StlText {
   }
 
   [[noreturn]] void refuse(const std::string& wanted) const {
-    const std::string_view word = words_.last_word();
-    if (word.empty()) throw words_.error("ends where `" + wanted + "` belongs; the file is cut short");
-    throw words_.error(in_ticks(word) + " stands where `" + wanted + "` belongs; the file is damaged");
+    const std::string_view word = tokens_.last_word();
+    if (word.empty()) throw tokens_.error("ends where `" + wanted + "` belongs; the file is cut short");
+    throw tokens_.error(in_ticks(word) + " stands where `" + wanted + "` belongs; the file is damaged");
   }
 
-  MeshWords words_;
+  MeshTokens tokens_;
   std::string facets_;
   std::size_t triangles_ = 0;
 };
 
 bool is_text(const std::string& bytes) {
-  MeshWords words(bytes);
+  MeshTokens words(bytes);
   return lower_case(words.word_of_any_line()) == "solid" && bytes.find('\0') == std::string::npos;
 }
 

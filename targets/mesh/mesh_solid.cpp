@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 constexpr int rays_of_mesh = 1024;
 /// Least pairs of rays of a patch, for patches whose share of all rays would be none. With fewer, one ray through a
 /// crack decides.
-constexpr int least_rays = 8;
+constexpr int min_rays = 8;
 /// Distance from a triangle at which its rays start, as a fraction of the diagonal of the mesh's box. It exceeds
 /// rounding, so that they do not hit the triangle itself.
 constexpr double start_gap = 1e-9;
@@ -62,9 +62,9 @@ class Patches {
  public:
   explicit Patches(TriangleMesh& mesh) : mesh_(mesh), neighbours_(mesh.triangles.size()) {
     find_neighbours();
-    std::vector<bool> is_taken(mesh.triangles.size(), false);
-    for (int t = 0; t < static_cast<int>(is_taken.size()); ++t)
-      if (!is_taken[t]) patches_.push_back(grow(t, is_taken));
+    std::vector<bool> is_accepted(mesh.triangles.size(), false);
+    for (int t = 0; t < static_cast<int>(is_accepted.size()); ++t)
+      if (!is_accepted[t]) patches_.push_back(grow(t, is_accepted));
   }
 
   /// Patches, each with all its triangles wound consistently.
@@ -98,14 +98,14 @@ class Patches {
     neighbours_[b.triangle].push_back({a.triangle, is_alike});
   }
 
-  std::vector<int> grow(int first, std::vector<bool>& is_taken) {
+  std::vector<int> grow(int first, std::vector<bool>& is_accepted) {
     std::vector<int> patch = {first};
     std::vector<bool> is_turned = {false};
-    is_taken[first] = true;
+    is_accepted[first] = true;
     for (std::size_t k = 0; k < patch.size(); ++k)
       for (const auto& [next, is_alike] : neighbours_[patch[k]]) {
-        if (is_taken[next]) continue;
-        is_taken[next] = true;
+        if (is_accepted[next]) continue;
+        is_accepted[next] = true;
         patch.push_back(next);
         is_turned.push_back(is_turned[k] == is_alike);
       }
@@ -139,7 +139,7 @@ class Viewer {
   Views views(const std::vector<int>& patch) const {
     std::vector<double> sums;
     for (const int t : patch) sums.push_back((sums.empty() ? 0 : sums.back()) + area_normal(mesh_, t).norm());
-    const int rays = std::max(least_rays, static_cast<int>(rays_of_mesh * sums.back() / whole_));
+    const int rays = std::max(min_rays, static_cast<int>(rays_of_mesh * sums.back() / whole_));
     Views out;
     for (int k = 0; k < rays; ++k) {
       const Vector3d at = spread_point(k);
@@ -150,9 +150,9 @@ class Viewer {
   }
 
  private:
-  void look(int t, const Vector3d& way, Views& views) const {
+  void look(int t, const Vector3d& direction, Views& views) const {
     const Vector3d normal = area_normal(mesh_, t).normalized();
-    const Vector3d front = way.dot(normal) < 0 ? Vector3d(-way) : way;
+    const Vector3d front = direction.dot(normal) < 0 ? Vector3d(-direction) : direction;
     const Vector3d middle = (mesh_.corner(t, 0) + mesh_.corner(t, 1) + mesh_.corner(t, 2)) / 3;
     views.front += !tree_.is_hit(middle + gap_ * normal, front);
     views.back += !tree_.is_hit(middle - gap_ * normal, -front);
@@ -187,8 +187,6 @@ TriangleMesh outer_skin(const TriangleMesh& mesh) {
 }
 
 namespace {
-
-using Eigen::Vector3d;
 
 /// Distance from which a branch is summed as a whole, in its radii. The third term of its series, the first to be left
 /// out, is then about a tenth of the first. (2 is twice as fast and errs by 0.07, 4 by 0.016 in twice the time.)

@@ -15,7 +15,7 @@
 
 #include "targets/document/wording.hpp"
 #include "targets/mesh/mesh_file.hpp"
-#include "targets/mesh/mesh_text.hpp"
+#include "targets/mesh/mesh_tokens.hpp"
 
 namespace kinetix::targets {
 namespace {
@@ -42,7 +42,7 @@ struct PlyHeader {
     /// Position of a property; -1 when there is none.
     int find(const std::string& property) const;
     /// Bytes that one of these elements takes at least (every list empty).
-    std::size_t least_bytes(Encoding encoding) const;
+    std::size_t min_bytes(Encoding encoding) const;
   };
 
   Encoding encoding = Encoding::ascii;
@@ -83,14 +83,14 @@ std::size_t header_end(const std::string& bytes) {
 
 class HeaderReader {
  public:
-  explicit HeaderReader(std::string_view text) : words_(text) {}
+  explicit HeaderReader(std::string_view text) : tokens_(text) {}
 
   PlyHeader read() {
-    words_.next_line();
-    if (words_.word() != "ply") throw words_.error("is not a PLY file: it does not start with `ply`");
-    while (words_.next_line()) {
+    tokens_.next_line();
+    if (tokens_.word() != "ply") throw tokens_.error("is not a PLY file: it does not start with `ply`");
+    while (tokens_.next_line()) {
       ++header_.lines;
-      read_line(words_.word());
+      read_line(tokens_.word());
     }
     if (!has_format_) throw InvalidInput("is damaged: its header names no format");
     return header_;
@@ -101,55 +101,55 @@ class HeaderReader {
     if (keyword == "format") return read_format();
     if (keyword == "element") return read_element();
     if (keyword == "property") return read_property();
-    const bool says_nothing =
+    const bool is_ignorable =
         keyword == "comment" || keyword == "obj_info" || keyword == "end_header" || keyword.empty();
-    if (!says_nothing) throw words_.error(in_ticks(keyword) + " is not known in the header of a PLY file");
+    if (!is_ignorable) throw tokens_.error(in_ticks(keyword) + " is not known in the header of a PLY file");
   }
 
   void read_format() {
     using enum PlyHeader::Encoding;
     static const std::map<std::string_view, PlyHeader::Encoding> encodings = {
         {"ascii", ascii}, {"binary_little_endian", little_endian}, {"binary_big_endian", big_endian}};
-    const auto it = encodings.find(words_.word());
+    const auto it = encodings.find(tokens_.word());
     if (it == encodings.end())
-      throw words_.error(in_ticks(words_.last_word()) +
-                         " is no format; allowed: ascii, binary_little_endian, binary_big_endian");
+      throw tokens_.error(in_ticks(tokens_.last_word()) +
+                          " is no format; allowed: ascii, binary_little_endian, binary_big_endian");
     header_.encoding = it->second;
     has_format_ = true;
-    if (words_.word() != "1.0") throw words_.error("is an unknown version of PLY; allowed: 1.0");
+    if (tokens_.word() != "1.0") throw tokens_.error("is an unknown version of PLY; allowed: 1.0");
   }
 
   void read_element() {
     PlyHeader::Element element;
-    element.name = words_.word();
-    const std::string_view count = words_.word();
+    element.name = tokens_.word();
+    const std::string_view count = tokens_.word();
     const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), element.count);
     if (error != std::errc() || end != count.data() + count.size())
-      throw words_.error(in_ticks(count) + " is no number of elements");
+      throw tokens_.error(in_ticks(count) + " is no number of elements");
     header_.elements.push_back(element);
   }
 
   void read_property() {
-    if (header_.elements.empty()) throw words_.error("a property stands before any element");
+    if (header_.elements.empty()) throw tokens_.error("a property stands before any element");
     PlyHeader::Property property;
-    property.is_list = words_.word() == "list";
+    property.is_list = tokens_.word() == "list";
     if (property.is_list) {
-      property.count = type(words_.word());
-      if (property.count.is_float) throw words_.error("the length of a list cannot be a fraction");
-      words_.word();
+      property.count = type(tokens_.word());
+      if (property.count.is_float) throw tokens_.error("the length of a list cannot be a fraction");
+      tokens_.word();
     }
-    property.number = type(words_.last_word());
-    property.name = words_.word();
+    property.number = type(tokens_.last_word());
+    property.name = tokens_.word();
     header_.elements.back().properties.push_back(property);
   }
 
   Number type(std::string_view name) const {
     const auto number = number_named(name);
-    if (!number) throw words_.error(in_ticks(name) + " is no type of PLY");
+    if (!number) throw tokens_.error(in_ticks(name) + " is no type of PLY");
     return *number;
   }
 
-  MeshWords words_;
+  MeshTokens tokens_;
   PlyHeader header_;
   bool has_format_ = false;
 };
@@ -160,7 +160,7 @@ int PlyHeader::Element::find(const std::string& property) const {
   return it == properties.end() ? -1 : static_cast<int>(it - properties.begin());
 }
 
-std::size_t PlyHeader::Element::least_bytes(Encoding encoding) const {
+std::size_t PlyHeader::Element::min_bytes(Encoding encoding) const {
   if (encoding == Encoding::ascii) return 2 * std::max<std::size_t>(properties.size(), 1) - 1;
   std::size_t bytes = 0;
   for (const Property& p : properties) bytes += p.is_list ? p.count.bytes : p.number.bytes;
@@ -187,12 +187,12 @@ class PlyNumbers {
 
 class TextNumbers : public PlyNumbers {
  public:
-  TextNumbers(std::string_view text, int line) : words_(text, false, line) {}
-  double next(const PlyHeader::Number&) override { return words_.number_of_any_line("a number"); }
-  InvalidInput error(const std::string& fault_text) const override { return words_.error(fault_text); }
+  TextNumbers(std::string_view text, int line) : tokens_(text, false, line) {}
+  double next(const PlyHeader::Number&) override { return tokens_.number_of_any_line("a number"); }
+  InvalidInput error(const std::string& fault_text) const override { return tokens_.error(fault_text); }
 
  private:
-  MeshWords words_;
+  MeshTokens tokens_;
 };
 
 class BinaryNumbers : public PlyNumbers {
@@ -237,7 +237,7 @@ void check_counts(const PlyHeader& header, std::size_t data_bytes) {
   std::size_t left = data_bytes + 1;  // the last line of a text may lack its end
   for (const PlyHeader::Element& element : header.elements) {
     const std::size_t each =
-        element.least_bytes(header.encoding) + (header.encoding == PlyHeader::Encoding::ascii);
+        element.min_bytes(header.encoding) + (header.encoding == PlyHeader::Encoding::ascii);
     if (each == 0 ? element.count > max_mesh_bytes : element.count > left / each)
       throw InvalidInput("is damaged: its header names " + std::to_string(element.count) + " elements `" +
                          element.name + "`, more than its " + byte_count(data_bytes) + " of data can hold");

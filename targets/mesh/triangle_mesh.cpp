@@ -53,7 +53,7 @@ namespace {
 
 // Least area of a part that is kept, as a fraction of the area of the largest part. Smaller ones that float next to it
 // are noise of a scan; larger ones may be half a head.
-constexpr double least_part = 0.1;
+constexpr double min_part = 0.1;
 
 /// Whole numbers, which may be too large for an int.
 using Bin = std::array<double, 3>;
@@ -98,7 +98,7 @@ TriangleMesh without_fragments(const TriangleMesh& mesh, double gap) {
   const auto part = [&](std::size_t t) { return sets.find(bins.of_vertex(mesh.triangles[t][0])); };
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) area[part(t)] += area_normal(mesh, t).norm();
   const auto smaller = [](const auto& a, const auto& b) { return a.second < b.second; };
-  const double least = least_part * std::max_element(area.begin(), area.end(), smaller)->second;
+  const double least = min_part * std::max_element(area.begin(), area.end(), smaller)->second;
   TriangleMesh kept{mesh.vertices, {}};
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     if (area[part(t)] >= least) kept.triangles.push_back(mesh.triangles[t]);

@@ -45,7 +45,6 @@ bool is_in_box(const std::array<Vector3d, 3>& corners, const OrientedBox& box) {
 namespace {
 
 using Corners = std::array<Eigen::Vector3d, 3>;
-using Eigen::Vector3d;
 
 // Triangles: fewer make more boxes to visit, more make more triangles to measure.
 constexpr int leaf_size = 4;
@@ -253,8 +252,6 @@ bool TriangleTree::touches(const OrientedBox& box) const {
 }
 
 namespace {
-
-using Eigen::Vector3d;
 
 /// Largest distance of a closest point on the mesh, as a fraction of the distance to the inner point. For nearer
 /// points the direction to them would be that of rounding errors.

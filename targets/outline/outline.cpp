@@ -110,9 +110,8 @@ std::vector<Vector2d> Outline::corners(double turn) const {
 namespace {
 
 using Complex = std::complex<double>;
-using Eigen::Vector2d;
 
-constexpr int most_folds =
+constexpr int max_folds =
     6;  // largest order of a rotational symmetry that still has a direction: a hexagon's sides.
 // Least moment, as a fraction of the moment of |z|^n. Below it, turning leaves an outline as good as unchanged, as it
 // does a disc of 24 points.
@@ -123,9 +122,9 @@ constexpr double aside =
 
 /// Moments of the area within an outline about its middle, mm^(n + 2).
 struct AreaMoments {
-  std::array<Complex, most_folds + 1> of_power = {};  ///< integral z^n dA
-  std::array<double, most_folds + 1> of_size = {};    ///< integral |z|^n dA
-  Complex lopsided = 0;                               ///< integral |z|^2 z dA
+  std::array<Complex, max_folds + 1> of_power = {};  ///< integral z^n dA
+  std::array<double, max_folds + 1> of_size = {};    ///< integral |z|^n dA
+  Complex lopsided = 0;                              ///< integral |z|^2 z dA
 };
 
 /// Integrates over triangles from the middle to each side: z = r s, s on the side, dA = |middle, a, b| r dr du.
@@ -145,7 +144,7 @@ AreaMoments moments_of(const Outline& outline) {
     for (const auto& [u, weight] : points) {
       const Vector2d p = a + u * (b - a);
       const Complex z(p.x(), p.y());
-      for (int n = 2; n <= most_folds; ++n) {
+      for (int n = 2; n <= max_folds; ++n) {
         out.of_power[n] += weight * twice / (n + 2) * std::pow(z, n);
         out.of_size[n] += weight * twice / (n + 2) * std::pow(std::abs(z), n);
       }
@@ -161,7 +160,7 @@ std::optional<double> direction_of(const Outline& outline) {
   const AreaMoments moments = moments_of(outline);
   const Vector2d first = outline.points().front() - outline.middle();
   const Complex from_middle(first.x(), first.y());
-  for (int n = 2; n <= most_folds; ++n) {
+  for (int n = 2; n <= max_folds; ++n) {
     if (!(std::abs(moments.of_power[n]) > vanishing * std::abs(moments.of_size[n]))) continue;
     double best = 0, most = -INFINITY, nearest = -INFINITY;
     for (int k = 0; k < n; ++k) {
@@ -261,8 +260,8 @@ const KeyTable& outline_target_keys() {
 }
 
 Outline read_outline(const Node& points) {
-  return made_of(read_points(points, second_axis),
-                 [](std::vector<Eigen::Vector2d> read) { return Outline(std::move(read)); });
+  return make_from_points(read_points(points, second_axis),
+                          [](std::vector<Eigen::Vector2d> read) { return Outline(std::move(read)); });
 }
 
 }  // namespace kinetix::targets

@@ -60,12 +60,11 @@ SpaceGoal::SpaceGoal(std::vector<Vector3d> points) : line_(checked(std::move(poi
 
 namespace {
 
-using Eigen::Vector3d;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 constexpr int midline_samples_per_cell = 20;  // as formats.md says of shape_rms
-constexpr int most_rounds = 50;               // each is a Newton step; a few do where the goal is near
+constexpr int max_rounds = 50;                // each is a Newton step; a few do where the goal is near
 constexpr double still_rms = 1e-9;            // of the diagonal: steps below leave the rms as it is
 constexpr double regular = 1e-9;  // of the normal matrix' trace: a straight goal may turn about itself
 
@@ -176,7 +175,7 @@ SpaceError space_error(const std::vector<Vector3d>& midline, const SpaceGoal& go
   const SpaceCurve line(midline);
   Alignment alignment(line, goal, static_cast<int>(midline.size()) - 1, place);
   bool settled = false;
-  for (int k = 0; k < most_rounds && !settled; ++k) settled = alignment.step() < still_rms * goal.diagonal();
+  for (int k = 0; k < max_rounds && !settled; ++k) settled = alignment.step() < still_rms * goal.diagonal();
   SpaceError out = alignment.error();
   out.settled = settled;
   return out;
@@ -195,7 +194,8 @@ const KeyTable& space_curve_target_keys() {
 ReadSpaceGoal read_space_goal(const Node& points) {
   SpacePoints read = read_space_points(points, max_space_points);
   std::vector<Place> places = read.places;
-  return {made_of(std::move(read), [](std::vector<Eigen::Vector3d> p) { return SpaceGoal(std::move(p)); }),
+  return {make_from_points(std::move(read),
+                           [](std::vector<Eigen::Vector3d> p) { return SpaceGoal(std::move(p)); }),
           std::move(places)};
 }
 

@@ -91,7 +91,7 @@ GaussShare gauss_share(const SurfacePatch& surface, const PointGrid& middle) {
   const double larger = std::max(bowl.surface, -saddle.surface);
   for (const SignSum& sum : {bowl, saddle}) {
     const double size = std::abs(sum.surface);
-    if (!(size > 0) || (size < larger && size <= curved_both_ways / 2)) continue;
+    if (!(size > 0) || (size < larger && size <= double_curvature_threshold / 2)) continue;
     out.share = std::isnan(out.share) ? sum.share() : std::min(out.share, sum.share());
   }
   return out;

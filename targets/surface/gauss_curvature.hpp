@@ -40,6 +40,6 @@ struct GaussShare {
 GaussShare gauss_share(const SurfacePatch& surface, const PointGrid& middle);
 
 /// Integral of |K| above which a surface counts as curved both ways, sr.
-inline constexpr double curved_both_ways = 0.1;
+inline constexpr double double_curvature_threshold = 0.1;
 
 }  // namespace kinetix::targets

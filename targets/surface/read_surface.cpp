@@ -20,7 +20,7 @@ enum class Shape { cap, saddle, vase };
 constexpr Word<Shape> shapes[] = {{"cap", Shape::cap}, {"saddle", Shape::saddle}, {"vase", Shape::vase}};
 const Bounds arc_turn = {0, 360, false, true, "degrees"};  // of arcs: shapes allow less
 const Bounds size = from_to(1, 5000, "mm");                // of surfaces: a fingertip to a room
-constexpr double least_side = 20, most_side = 5000;        // mm, of the box of a mesh that ribs go over
+constexpr double min_side = 20, most_side = 5000;          // mm, of the box of a mesh that ribs go over
 constexpr double whole_turn = 360 * radians_per_degree;    // rad: ribs go all round a profile
 const char* const height_axis = "z";                       // of points of a profile, behind x, the radius
 
@@ -66,7 +66,7 @@ SurfacePatch read_mesh_surface(const Section& target, const Node& node) {
 
 RibbedSurface ribbed_mesh(const TriangleMesh& mesh) {
   const double side = bounds(mesh).sizes().maxCoeff();
-  if (!(side >= least_side && side <= most_side))
+  if (!(side >= min_side && side <= most_side))
     throw InvalidInput("the mesh is " + number_text(side) +
                        " mm large; allowed: from 20 mm to 5 m; `units` says what its numbers are");
   return ribbed_surface(mesh);
@@ -91,7 +91,7 @@ Turned read_turned(const Section& target, const Node& node, double usual) {
   double arc = usual;
   target.read("arc_deg", arc);
   const auto make = [](std::vector<Eigen::Vector2d> points) { return Profile(std::move(points)); };
-  return {made_of(read_points(node, height_axis), make), arc};
+  return {make_from_points(read_points(node, height_axis), make), arc};
 }
 
 SurfacePatch read_shape(const Section& target, Shape shape) {

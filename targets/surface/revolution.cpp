@@ -14,9 +14,9 @@ using Eigen::Vector3d;
 
 constexpr int samples_per_piece =
     16;  // between two points of a profile, where a cubic is at its least to 1 %
-constexpr int mesh_rings = 96, mesh_sides = 128;             // chords leave 3e-4 of the radius
-constexpr double most_patch_arc = 120 * radians_per_degree;  // rims then rise by 60 deg
-constexpr double whole_turn_slack = 1e-9;                    // rad: rounding of degrees
+constexpr int mesh_rings = 96, mesh_sides = 128;            // chords leave 3e-4 of the radius
+constexpr double max_patch_arc = 120 * radians_per_degree;  // rims then rise by 60 deg
+constexpr double whole_turn_slack = 1e-9;                   // rad: rounding of degrees
 
 void require_arc(double arc, double most, const char* rule) {
   require("arc_deg", to_degrees(arc), arc > 0 && arc <= most + whole_turn_slack, rule);
@@ -86,7 +86,7 @@ std::array<double, 2> Profile::radii() const {
 }
 
 SurfacePatch revolution_patch(const Profile& profile, double arc) {
-  require_arc(arc, most_patch_arc, "in (0, 120] deg");
+  require_arc(arc, max_patch_arc, "in (0, 120] deg");
   const double middle = (profile.bottom() + profile.top()) / 2;
   const double half = (profile.top() - profile.bottom()) / 2, narrowest = profile.radii()[0];
   return round_patch("profile", {half, narrowest * std::sin(arc / 2)}, profile.radius(middle)[0], narrowest,

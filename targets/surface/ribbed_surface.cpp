@@ -111,14 +111,14 @@ std::vector<Vector3d> over_the_top(const std::vector<Vector3d>& ring) {
     if (ring[k].y() <= least + reach && ring[k].z() > from_z) from = k, from_z = ring[k].z();
     if (ring[k].y() >= most - reach && ring[k].z() > to_z) to = k, to_z = ring[k].z();
   }
-  const auto way = [&](int step) {
+  const auto half = [&](int step) {
     std::vector<Vector3d> out = {ring[from]};
     const auto count = static_cast<int>(ring.size());
     for (int k = static_cast<int>(from); k != static_cast<int>(to);)
       k = (k + step + count) % count, out.push_back(ring[k]);
     return out;
   };
-  std::vector<Vector3d> one = way(1), other = way(-1);
+  std::vector<Vector3d> one = half(1), other = half(-1);
   return mean_height(one) >= mean_height(other) ? one : other;
 }
 

@@ -22,8 +22,8 @@ using Eigen::Vector3d;
 constexpr int grid = 40;          // places a side at which diagonal and curvature are taken
 constexpr int newton_steps = 20;  // quadratic: five do where the surface is not near its centre of curvature
 constexpr double still = 1e-13;   // of the patch: steps that are rounding
-constexpr double most_arc = 140 * radians_per_degree;       // of a cap: its corners then rise by 70 deg
-constexpr double most_vase_arc = 120 * radians_per_degree;  // rims then rise by 60 deg
+constexpr double max_arc = 140 * radians_per_degree;       // of a cap: its corners then rise by 70 deg
+constexpr double max_vase_arc = 120 * radians_per_degree;  // rims then rise by 60 deg
 
 template <class Visit>
 void for_grid(const SurfacePatch& patch, const Visit& visit) {
@@ -110,7 +110,7 @@ SurfaceCurvature curvature_of(const SurfacePatch& patch) {
 
 SurfacePatch cap_patch(double width, double arc) {
   require_width(width);
-  require("arc_deg", to_degrees(arc), arc > 0 && arc <= most_arc, "in (0, 140] deg");
+  require("arc_deg", to_degrees(arc), arc > 0 && arc <= max_arc, "in (0, 140] deg");
   const double half = width / 2, radius = std::sqrt(2) * half / std::sin(arc / 2);
   const double middle = radius * std::cos(arc / 2);
   return {"cap", {half, half}, [radius, middle](const Vector2d& at) {
@@ -134,7 +134,7 @@ SurfacePatch vase_patch(double height, double radius, double swell, double arc) 
   require_width(height);
   require("radius", radius, radius > 0 && std::isfinite(radius), "above 0 mm");
   require("swell", swell, swell >= 0 && swell <= radius / 2, "from 0 to half the radius, mm");
-  require("arc_deg", to_degrees(arc), arc > 0 && arc <= most_vase_arc, "in (0, 120] deg");
+  require("arc_deg", to_degrees(arc), arc > 0 && arc <= max_vase_arc, "in (0, 120] deg");
   const double half = height / 2, wave = pi / half, wide = radius * std::sin(arc / 2), neck = radius - swell;
   if (!(wide <= most_of_neck * neck))
     throw InvalidInput("arc_deg is " + number_text(to_degrees(arc)) + ": a front of " +
@@ -160,14 +160,11 @@ SurfacePatch round_patch(const std::string& name, const Vector2d& half, double l
 
 namespace {
 
-using Eigen::Vector2d;
-using Eigen::Vector3d;
-
 constexpr int degree = 8;       // of the heights: 45 terms follow a wave and a half a side
 constexpr double ridge = 1e-8;  // of the mean squared term: keeps few vertices from swinging
-constexpr double most_miss =
+constexpr double max_miss =
     0.01;  // of the mesh's size: rms of vertices from the polynomial, above it is not smooth
-constexpr double most_slope = 80;   // deg from the mean normal: steeper, a height over the plane says little
+constexpr double max_slope = 80;    // deg from the mean normal: steeper, a height over the plane says little
 constexpr double same_area = 1e-3;  // ratio: of triangles and of the loop round them, seen along the normal
 
 /// Removes triangles that have a corner twice, such as those at the pole of a dome made of quadrilaterals.
@@ -178,7 +175,7 @@ TriangleMesh with_three_corners(TriangleMesh mesh) {
 }
 
 /// Returns the only loop of edges that have a single triangle.
-std::vector<int> rim_of(const TriangleMesh& mesh) {
+std::vector<int> boundary_of(const TriangleMesh& mesh) {
   std::map<std::pair<int, int>, int> uses;
   std::map<int, int> next;
   for (const Triangle& t : mesh.triangles)
@@ -217,7 +214,7 @@ Eigen::Matrix3d upright(const TriangleMesh& mesh) {
 void check_slope(const TriangleMesh& mesh, const Vector3d& z) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Vector3d normal = area_normal(mesh, t);
-    if (normal.norm() > 0 && !(normal.normalized().dot(z) > std::cos(most_slope * radians_per_degree)))
+    if (normal.norm() > 0 && !(normal.normalized().dot(z) > std::cos(max_slope * radians_per_degree)))
       throw InvalidInput("the surface curves too much: triangle " + std::to_string(t + 1) +
                          " turns by 80 deg or more from the mean normal; cut it into flatter parts");
   }
@@ -238,7 +235,7 @@ struct Rectangle {
   double angle = 0, area = INFINITY;
   Eigen::AlignedBox2d box;
 };
-Rectangle least_rectangle(const std::vector<Vector2d>& loop) {
+Rectangle min_rectangle(const std::vector<Vector2d>& loop) {
   Rectangle best;
   for (std::size_t k = 0; k < loop.size(); ++k) {
     const Vector2d side = loop[(k + 1) % loop.size()] - loop[k];
@@ -311,7 +308,7 @@ Eigen::VectorXd fitted(const std::vector<Vector3d>& points, const Vector2d& half
 
 SurfacePatch mesh_patch(const TriangleMesh& given) {
   const TriangleMesh mesh = with_three_corners(joined(given));
-  const std::vector<int> rim = rim_of(mesh);
+  const std::vector<int> rim = boundary_of(mesh);
   Eigen::Matrix3d frame = upright(mesh);
   const Vector3d z = frame.row(2);
   check_slope(mesh, z);
@@ -327,7 +324,7 @@ SurfacePatch mesh_patch(const TriangleMesh& given) {
   const double area = seen_area(mesh, z);
   if (!(std::abs(area - loop_area(loop)) <= same_area * area))
     throw InvalidInput("the surface covers itself as seen along its mean normal; cut it into flatter parts");
-  const Rectangle rectangle = least_rectangle(loop);
+  const Rectangle rectangle = min_rectangle(loop);
   frame = Eigen::AngleAxisd(-rectangle.angle, Vector3d::UnitZ()).toRotationMatrix() * frame;
   const Vector2d middle = rectangle.box.center();
   std::vector<Vector3d> points;
@@ -342,7 +339,7 @@ SurfacePatch mesh_patch(const TriangleMesh& given) {
   double miss = 0;
   for (const Vector3d& p : points) miss += std::pow(height_at(weight, round, p.head<2>()).z - p.z(), 2);
   miss = std::sqrt(miss / static_cast<double>(points.size()));
-  if (!(miss <= most_miss * rectangle.box.sizes().norm()))
+  if (!(miss <= max_miss * rectangle.box.sizes().norm()))
     throw InvalidInput("the surface is not smooth: the nearest smooth one is " +
                        number_text(100 * miss / rectangle.box.sizes().norm()) +
                        " % of its size off; at most 1 % is allowed");

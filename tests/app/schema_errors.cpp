@@ -27,14 +27,15 @@ class UnnamedKeys {
 
  private:
   /// Adds a schema, the schemas that it refers to, and its alternatives.
-  void add_ways(const Json& schema, Schemas& ways) const {
-    ways.push_back(&schema);
+  void add_alternatives(const Json& schema, Schemas& alternatives) const {
+    alternatives.push_back(&schema);
     if (schema.contains("$ref"))
-      add_ways(root_.at(Json::json_pointer(schema["$ref"].get<std::string>().substr(1))), ways);
+      add_alternatives(root_.at(Json::json_pointer(schema["$ref"].get<std::string>().substr(1))),
+                       alternatives);
     for (const char* several : {"oneOf", "anyOf", "allOf"})
       if (schema.contains(several))
-        for (const Json& way : schema[several]) add_ways(way, ways);
-    if (schema.contains("then")) add_ways(schema["then"], ways);
+        for (const Json& alternative : schema[several]) add_alternatives(alternative, alternatives);
+    if (schema.contains("then")) add_alternatives(schema["then"], alternatives);
   }
 
   /// Checks that the object has the values that the schema fixes: a target's `kind` selects its keys.
@@ -45,25 +46,26 @@ class UnnamedKeys {
     return true;
   }
 
-  static Schemas naming(const std::string& key, const Json& object, const Schemas& ways) {
+  static Schemas naming(const std::string& key, const Json& object, const Schemas& alternatives) {
     Schemas named, free;
-    for (const Json* way : ways) {
-      if (!fits(*way, object)) continue;
-      if (way->contains("properties") && (*way)["properties"].contains(key))
-        named.push_back(&(*way)["properties"][key]);
-      if (way->contains("additionalProperties") && (*way)["additionalProperties"].is_object())
-        free.push_back(&(*way)["additionalProperties"]);
+    for (const Json* alternative : alternatives) {
+      if (!fits(*alternative, object)) continue;
+      if (alternative->contains("properties") && (*alternative)["properties"].contains(key))
+        named.push_back(&(*alternative)["properties"][key]);
+      if (alternative->contains("additionalProperties") && (*alternative)["additionalProperties"].is_object())
+        free.push_back(&(*alternative)["additionalProperties"]);
     }
     return named.empty() ? free : named;
   }
 
   void visit(const Json& value, const Schemas& schemas, const std::string& path) {
-    Schemas ways, items;
-    for (const Json* schema : schemas) add_ways(*schema, ways);
+    Schemas alternatives, items;
+    for (const Json* schema : schemas) add_alternatives(*schema, alternatives);
     if (value.is_object())
-      for (const auto& [key, inner] : value.items()) visit_key(path + key, inner, naming(key, value, ways));
-    for (const Json* way : ways)
-      if (way->contains("items")) items.push_back(&(*way)["items"]);
+      for (const auto& [key, inner] : value.items())
+        visit_key(path + key, inner, naming(key, value, alternatives));
+    for (const Json* alternative : alternatives)
+      if (alternative->contains("items")) items.push_back(&(*alternative)["items"]);
     if (value.is_array())
       for (const Json& entry : value) visit(entry, items, path.substr(0, path.size() - 1) + "[].");
   }

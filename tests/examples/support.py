@@ -9,7 +9,7 @@ SOURCE = pathlib.Path(os.environ["KINETIX_SOURCE"])
 PROGRAM = os.environ["KINETIX_OPT"]
 
 
-def said_by(*command, expected=0):
+def command_output(*command, expected=0):
     run = subprocess.run([str(word) for word in command], capture_output=True, text=True)
     assert run.returncode == expected, (command, run.returncode, run.stdout, run.stderr)
     return run.stdout + run.stderr

@@ -5,7 +5,7 @@ import re
 import shutil
 import unittest
 
-from support import PROGRAM, SOURCE, Scratch, said_by
+from support import PROGRAM, SOURCE, Scratch, command_output
 
 SCRIPT = SOURCE / "examples/blender/kinetix_to_blender.py"
 AS_FILED = 1e-5  # mm
@@ -23,10 +23,10 @@ def matrix_of(pose):
 @unittest.skipUnless(shutil.which("blender"), "no Blender here")
 class Blender(Scratch):
     def scene_of(self, target, *options, verify=False):
-        said_by(PROGRAM, SOURCE / "targets/shapes" / target, "-o", self.folder, "--quiet", *([] if verify else ["--no-verify"]))
-        self.said = said_by("blender", "-b", "--factory-startup", "--python-exit-code", 1, "--python", SCRIPT, "--",
+        command_output(PROGRAM, SOURCE / "targets/shapes" / target, "-o", self.folder, "--quiet", *([] if verify else ["--no-verify"]))
+        self.said = command_output("blender", "-b", "--factory-startup", "--python-exit-code", 1, "--python", SCRIPT, "--",
                             self.folder / "result.json", "-o", self.folder / "scene.blend", *options)
-        said_by("blender", "-b", self.folder / "scene.blend", "--python-exit-code", 1, "--python",
+        command_output("blender", "-b", self.folder / "scene.blend", "--python-exit-code", 1, "--python",
                 SOURCE / "tests/examples/blender_scene.py", "--", self.folder / "scene.json")
         return (json.loads((self.folder / "result.json").read_text()), json.loads((self.folder / "scene.json").read_text()))
 
@@ -69,7 +69,7 @@ class Blender(Scratch):
     def test_invalid_results_are_refused_and_nothing_is_written(self):
         wrong = self.folder / "wrong.json"
         wrong.write_text('{"schema": "kinetix-print/1"}')
-        said = said_by("blender", "-b", "--factory-startup", "--python-exit-code", 1, "--python", SCRIPT, "--", wrong, "-o",
+        said = command_output("blender", "-b", "--factory-startup", "--python-exit-code", 1, "--python", SCRIPT, "--", wrong, "-o",
                        self.folder / "scene.blend", expected=1)
         self.assertIn("wrong.json is no result of kinetix", said)
         self.assertFalse((self.folder / "scene.blend").exists())

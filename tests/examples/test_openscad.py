@@ -6,7 +6,7 @@ import shutil
 import sys
 import unittest
 
-from support import PROGRAM, SOURCE, Scratch, said_by
+from support import PROGRAM, SOURCE, Scratch, command_output
 
 sys.path.insert(0, str(SOURCE / "examples"))
 import kinetix_reader as reader  # noqa: E402
@@ -41,8 +41,8 @@ class OpenScad(Scratch):
     def export(self, hinge):
         design = self.folder / "arch.yaml"
         design.write_text(ARCH)
-        said_by(PROGRAM, "simulate", design, "-o", self.folder / "found", "--quiet")
-        said_by(PROGRAM, "export", design, "--format", "scad", "--hinge", hinge, "-o", self.folder / "print")
+        command_output(PROGRAM, "simulate", design, "-o", self.folder / "found", "--quiet")
+        command_output(PROGRAM, "export", design, "--format", "scad", "--hinge", hinge, "-o", self.folder / "print")
         self.print = json.loads((self.folder / "print/print.json").read_text())
         self.result = reader.Result(self.folder / "found/result.json")
         (self.scad,) = (self.folder / "print").glob("*.scad")
@@ -51,7 +51,7 @@ class OpenScad(Scratch):
         """Returns the triangles that a call of the modules makes."""
         scene, out = self.folder / "print/scene.scad", self.folder / "print/scene.stl"
         scene.write_text(f"use <{self.scad.name}>\n{call}\n")
-        said = said_by("openscad", "-o", out, scene)
+        said = command_output("openscad", "-o", out, scene)
         self.assertNotIn("WARNING", said)
         return triangles_of(out)
 
@@ -87,7 +87,7 @@ class OpenScad(Scratch):
         self.export("pin")
         scene = self.folder / "print/scene.scad"
         scene.write_text(f"use <{self.scad.name}>\necho(theta_deg(0), theta_deg(0.5), theta_deg(1), bodies(), pose(3, 0));\n")
-        said = said_by("openscad", "-o", self.folder / "print/out.echo", scene) + (self.folder / "print/out.echo").read_text()
+        said = command_output("openscad", "-o", self.folder / "print/out.echo", scene) + (self.folder / "print/out.echo").read_text()
         zero, half, whole, bodies = (float(n) for n in re.search(r"ECHO: (\S+), (\S+), (\S+), (\S+),", said).groups())
         self.assertEqual((zero, bodies), (0, len(self.result.bodies)))
         self.assertAlmostEqual(half, whole / 2, delta=1e-4)
@@ -97,7 +97,7 @@ class OpenScad(Scratch):
         self.export("block")
         scene = self.folder / "print/scene.scad"
         scene.write_text(f"use <{self.scad.name}>\nsheet(1);\n")
-        said = said_by("openscad", "-o", self.folder / "print/scene.csg", scene)
+        said = command_output("openscad", "-o", self.folder / "print/scene.csg", scene)
         self.assertNotIn("WARNING", said)
         self.assertEqual((self.folder / "print/scene.csg").read_text().count("polyhedron("),
                          len(self.result.bodies) + len(self.result.hinges))

@@ -5,7 +5,7 @@ import math
 import sys
 import unittest
 
-from support import PROGRAM, SOURCE, Scratch, said_by
+from support import PROGRAM, SOURCE, Scratch, command_output
 
 sys.path.insert(0, str(SOURCE / "examples"))
 import kinetix_reader as reader  # noqa: E402
@@ -31,7 +31,7 @@ def distance(a, b):
 
 class Rhino(Scratch):
     def result_of(self, target):
-        said_by(PROGRAM, SOURCE / "targets/shapes" / target, "-o", self.folder, "--quiet", "--no-verify")
+        command_output(PROGRAM, SOURCE / "targets/shapes" / target, "-o", self.folder, "--quiet", "--no-verify")
         self.document = json.loads((self.folder / "result.json").read_text())
         return reader.Result(self.folder / "result.json")
 

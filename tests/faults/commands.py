@@ -4,18 +4,19 @@ import json
 import os
 import shutil
 import subprocess
+import time
 
 HANG_S = 20  # no run here takes 2 s undisturbed
 RIB = """kinetix: 1
 name: rib
-target: {kind: curve, points: [[0, 0], [12, 9], [30, 14], [48, 9], [60, 0]]}
-structure: {cells: [8, 1]}
+target: {{kind: curve, points: [[0, 0], [12, 9], [30, 14], [48, 9], [60, 0]]}}
+structure: {{cells: [{columns}, 1]}}
 """
 SWEEP = """kinetix: 1
 base: design.yaml
-method: {kind: lhs, samples: 3000}
+method: {{kind: lhs, samples: {samples}}}
 factors:
-  - {path: design.theta_deg, range: [5, 40]}
+  - {{path: design.theta_deg, range: [5, 40]}}
 responses: [end_mm, turn_deg]
 """
 PHYSICS_SWEEP = """kinetix: 1
@@ -106,14 +107,14 @@ def contents(folder):
 
 
 class Kitchen:
-    """Inputs, and the undisturbed output of each command."""
+    """Inputs, and the undisturbed output and duration of each command. The inputs are larger for many moments."""
 
-    def __init__(self, program, scratch):
+    def __init__(self, program, scratch, long):
         self.program, self.scratch, self.inputs = program, scratch, scratch / "inputs"
         shutil.rmtree(scratch, ignore_errors=True)
         self.inputs.mkdir(parents=True)
-        self.references = {}
-        self._prepare()
+        self.references, self.durations = {}, {}
+        self._prepare(long)
 
     def place(self, name):
         """Makes an empty folder for one run, with a home folder and a folder for temporary files."""
@@ -130,12 +131,18 @@ class Kitchen:
     def reference(self, command):
         """Returns the files that the command writes undisturbed."""
         if command.name not in self.references:
-            place = self.place(f"reference_{command.name}")
+            place, begin = self.place(f"reference_{command.name}"), time.monotonic()
             end = self.start(command, place)
+            self.durations[command.name] = time.monotonic() - begin
             if end.code or (command.writes and not contents(place / "out")):
                 raise SystemExit(f"{command.name}, undisturbed, ends with {end.code}: {end.err}")
             self.references[command.name] = contents(place / "out")
         return self.references[command.name]
+
+    def seconds(self, command):
+        """Returns how long the command takes undisturbed."""
+        self.reference(command)
+        return self.durations[command.name]
 
     def set_earlier(self, command, place):
         """Writes results of an earlier run: the same names with other content, and a file of the user's."""
@@ -145,9 +152,9 @@ class Kitchen:
             (out / name).write_text(f"earlier {name}\n")
         (out / "notes.txt").write_text("mine\n")
 
-    def _prepare(self):
-        (self.inputs / "rib.yaml").write_text(RIB)
-        (self.inputs / "doe.yaml").write_text(SWEEP)
+    def _prepare(self, long):
+        (self.inputs / "rib.yaml").write_text(RIB.format(columns=8 if long else 4))
+        (self.inputs / "doe.yaml").write_text(SWEEP.format(samples=3000 if long else 1000))
         (self.inputs / "physics.yaml").write_text(PHYSICS_SWEEP)
         (self.inputs / "small.yaml").write_text("kinetix: 1\nstructure: {cells: [1, 1], cell_mm: 20}\ndesign: {theta_deg: 20}\n")
         place = self.place("first")

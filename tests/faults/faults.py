@@ -35,7 +35,7 @@ def main():
     chosen = kinds.ALL if kind == "all" else {kind: kinds.ALL[kind]}
     faults = []
     for name, check in chosen.items():
-        judge = Judge(Kitchen(pathlib.Path(program).resolve(), pathlib.Path(scratch).resolve() / name))
+        judge = Judge(Kitchen(pathlib.Path(program).resolve(), pathlib.Path(scratch).resolve() / name, long))
         lacking = check(judge, long)
         if lacking:
             print(f"{name}: not run: {lacking}")

@@ -23,6 +23,11 @@ def spread(least, most, count):
     return sorted({round(least + (most - least) * k / (count - 1)) for k in range(count)})
 
 
+def in_turn(choices, command, long):
+    """Returns all choices if long, otherwise one. Successive commands get successive choices."""
+    return choices if long else [choices[COMMANDS.index(command) % len(choices)]]
+
+
 class Mount:
     """A temporary file system of limited size in a folder."""
 
@@ -81,22 +86,30 @@ def run_with_full_streams(judge, command):
         label = f"{command.name} {' '.join(words)} with a full {stream}"
         judge.end(label, end, {1} if stream == "stdout" else {0})
         judge.folder(label, command, place, end)
-    nobody, pipe = os.pipe()
-    os.close(nobody)
+    read_end, pipe = os.pipe()
+    os.close(read_end)
     place = judge.kitchen.place("closed_pipe")
     end = judge.kitchen.start(command, place, stdout=pipe)
     os.close(pipe)
     judge.both(f"{command.name} into a closed pipe", command, place, end, {-signal.SIGPIPE})
 
 
+def disk_sizes(whole, long):
+    """Yields sizes in KiB, and whether the folder has earlier results. @param whole KiB that are enough"""
+    if long:
+        yield from ((kib, earlier) for kib in spread(4, whole, 24) for earlier in (False, True))
+    else:
+        yield from zip(spread(4, whole, 4)[:3], (True, False, True))
+
+
 def disk(judge, long):
-    count = 24 if long else 4
     for command in WRITING:
         whole = sum(len(content) for content in judge.kitchen.reference(command).values()) // KIB + 64
-        for kib in spread(4, whole, count):
+        for kib in spread(4, whole, 24) if long else (4, whole // 3):
             run_with_small_files(judge, command, kib)
-            for earlier in ((False, True) if may_mount() and not command.resumes else (False,) if may_mount() else ()):
-                run_on_small_disk(judge, command, f"size={kib}k", earlier)
+        for kib, earlier in disk_sizes(whole, long) if may_mount() else ():
+            if not (long and earlier and command.resumes):
+                run_on_small_disk(judge, command, f"size={kib}k", earlier and not command.resumes)
         for inodes in spread(4, 16, 13 if long else 3) if may_mount() else ():
             run_on_small_disk(judge, command, f"nr_inodes={inodes}", False)
         run_with_full_streams(judge, command)
@@ -115,10 +128,18 @@ def run_in_memory(judge, command, mib):
                                       before=lambda: resource.setrlimit(resource.RLIMIT_AS, (mib * KIB * KIB,) * 2))
 
 
-def least_memory(least, suffices):
-    """Finds the least memory with which a run succeeds, within 2 MiB. @param least memory that is too small"""
-    most = 2048
-    while most - least > 2:
+def least_memory(least, suffices, within=2):
+    """Finds the least memory with which a run succeeds, in MiB. First it doubles the step, since failures are quick.
+
+    @param least memory that is too small
+    @param within largest error, MiB
+
+    """
+    step = within
+    while not suffices(least + step):
+        least, step = least + step, 2 * step
+    most = least + step
+    while most - least > within:
         middle = (least + most) // 2
         least, most = (least, middle) if suffices(middle) else (middle, most)
     return most
@@ -142,8 +163,8 @@ def memory(judge, long):
     loads = memory_to_load(judge)
     for command in COMMANDS:
         judge.kitchen.reference(command)
-        enough = least_memory(loads, lambda mib: run_in_memory(judge, command, mib)[1].code == 0)
-        for mib in spread(loads - 2, enough + 2, 60 if long else 10):
+        enough = least_memory(loads, lambda mib: run_in_memory(judge, command, mib)[1].code == 0, 2 if long else 16)
+        for mib in spread(loads - 2, enough + 2, 60 if long else 6):
             place, end = run_in_memory(judge, command, mib)
             judge.both(f"{command.name} in {mib} MiB", command, place, end, {0, 1, 127})
 
@@ -157,24 +178,19 @@ def send_after(seconds, number):
     return send
 
 
-def undisturbed_seconds(judge, command):
-    place = judge.kitchen.place("timed")
-    begin = time.monotonic()
-    judge.kitchen.start(command, place)
-    return time.monotonic() - begin
-
-
 def signals(judge, long):
-    """Sends signals at moments spread over the run. The place that the program has reached depends on the machine."""
+    """Sends signals at moments spread over the run, each signal at others. The place that the program has reached
+    depends on the machine."""
+    numbers, count = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGPIPE), 20 if long else 2
     for command in COMMANDS:
-        seconds = undisturbed_seconds(judge, command)
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGPIPE):
-            for k in range(20 if long else 5):
+        seconds = judge.kitchen.seconds(command)
+        for order, number in enumerate(numbers):
+            for k in range(count):
                 place = judge.kitchen.place("signal")
                 earlier = k % 2 == 1 and command.writes and not command.resumes
                 if earlier:
                     judge.kitchen.set_earlier(command, place)
-                after = seconds * (k + 0.5) / (20 if long else 5)
+                after = seconds * (k + (order + 0.5) / len(numbers)) / count
                 end = judge.kitchen.start(command, place, during=send_after(after, number))
                 # 3 and 130: Ctrl-C stops a search, a path or a simulation.
                 codes = {0, -number} | ({3, 130} if number == signal.SIGINT else set())
@@ -186,15 +202,15 @@ def signals(judge, long):
 
 def end_view(judge, place, number):
     """Starts the studio in a place and ends it by a signal. @return how it ended"""
-    heard = []
+    received = []
 
     def when_it_listens(process):
-        heard.append(process.stdout.readline())
+        received.append(process.stdout.readline())
         process.send_signal(number)
     line = [str(judge.kitchen.program), "view", str(judge.kitchen.inputs / "design.yaml"), "--no-open"]
     end = run(line, place, clean_environment(place / "home", place / "tmp"), during=when_it_listens)
     judge.end(f"view, {signal.Signals(number).name}", end, {0, -number})
-    if not heard[0].startswith("http://127.0.0.1:"):
+    if not received[0].startswith("http://127.0.0.1:"):
         judge.fault("view", f"says {heard}", end)
     return end
 
@@ -220,8 +236,8 @@ def clock(judge, long):
     if not library:
         return "faketime is missing"
     for command in COMMANDS:
-        seconds = undisturbed_seconds(judge, command)
-        for days in (-20000, -1, 1, 4000) if long else (-1000, 1000):
+        seconds = judge.kitchen.seconds(command)
+        for days in (-20000, -1, 1, 4000) if long else in_turn((-1000, 1000), command, long):
             place = judge.kitchen.place("clock")
             stamp = place / "clock"
             stamp.write_text("+0\n")
@@ -244,7 +260,7 @@ def read_only(judge, long):
         return "a read-only mount is not allowed here"
     for command in COMMANDS:
         judge.kitchen.reference(command)
-        for env in ({"HOME": "/nowhere/at/all"}, {"HOME": ""}):
+        for env in in_turn(({"HOME": "/nowhere/at/all"}, {"HOME": ""}), command, long):
             place = judge.kitchen.place("home")
             end = judge.kitchen.start(command, place, env=env)
             judge.both(f"{command.name} with {env}", command, place, end, {0})
@@ -285,12 +301,11 @@ def german(judge):
 
 def locale(judge, long):
     commas = german(judge)
-    languages = [{}, {"LC_ALL": "C"}, {"LANG": "xx_XX.UTF-8", "LC_ALL": "xx_XX.UTF-8"}, {"LC_ALL": ""}]
-    if commas:
-        languages.append({"LC_ALL": "de_DE.UTF-8", "LANG": "de_DE.UTF-8", "LOCPATH": str(commas)})
+    with_commas = [{"LC_ALL": "de_DE.UTF-8", "LANG": "de_DE.UTF-8", "LOCPATH": str(commas)}] if commas else []
+    others = [{"LC_ALL": "C"}, {"LANG": "xx_XX.UTF-8", "LC_ALL": "xx_XX.UTF-8"}, {"LC_ALL": ""}]
     for command in COMMANDS:
-        judge.kitchen.reference(command)
-        for env in languages:
+        judge.kitchen.reference(command)  # without these variables
+        for env in with_commas + in_turn(others, command, long):
             place = judge.kitchen.place("language")
             end = judge.kitchen.start(command, place, env=env)
             judge.both(f"{command.name} with {env}", command, place, end, {0})
@@ -306,7 +321,7 @@ def threads(judge, long):
             place = judge.kitchen.place("threads")
             end = judge.kitchen.start(command, place, words=["--threads", str(count)])
             judge.both(f"{command.name} on {count} threads", command, place, end, {0})
-        for count in ("1", "64", "nonsense"):
+        for count in in_turn(("1", "64", "nonsense"), command, long):
             place = judge.kitchen.place("threads")
             end = judge.kitchen.start(command, place, env={"OMP_NUM_THREADS": count})
             if count == "nonsense":

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr unsigned longest_s = 20;        // of one input: as long as a user would wait for an answer
 constexpr std::size_t max_bytes = 65536;  // of an input: larger ones take time and find little more
 constexpr std::uint64_t seed = 1;         // of all changes: the same inputs in each run
-constexpr int most_changes = 6;           // in one input: with more changes little of the original remains
+constexpr int max_changes = 6;            // in one input: with more changes little of the original remains
 
 /// Words that readers often handle wrongly.
 const std::vector<std::string> words = {
@@ -70,7 +70,7 @@ class Mutator {
 
   std::string next() {
     std::string text = all_[below(all_.size())];
-    for (std::size_t k = 1 + below(most_changes); k > 0; --k) change(text);
+    for (std::size_t k = 1 + below(max_changes); k > 0; --k) change(text);
     if (text.size() > max_bytes) text.resize(max_bytes);
     return text;
   }

@@ -6,4 +6,4 @@ set -euo pipefail
 cd "$1"
 files=$(find app benchmarks examples kinetix model optim python sim targets tests -name '*.cpp' -o -name '*.hpp')
 [ "$(wc -l <<<"$files")" -ge 500 ] || { echo "hardly any sources found: are the folders right?"; exit 1; }
-xargs clang-format-14 --dry-run --Werror <<<"$files"
+xargs -n 100 -P 2 clang-format-14 --dry-run --Werror <<<"$files"

@@ -81,11 +81,11 @@ class Interrupts(unittest.TestCase):
     def test_other_threads_of_python_go_on_while_a_batch_folds(self):
         beats, ends = [], threading.Event()
 
-        def beat():
+        def heartbeat():
             while not ends.wait(0.001):
                 beats.append(time.monotonic())
 
-        heart = threading.Thread(target=beat)
+        heart = threading.Thread(target=heartbeat)
         heart.start()
         begin = time.monotonic()
         kinetix.fold_strips(np.zeros((60_000, 40)), 0.4, threads=1)

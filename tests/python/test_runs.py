@@ -140,10 +140,10 @@ class Runs(Scratch):
         self.assertEqual(caught.exception.file, str(file))
 
     def test_progress_is_heard_and_its_errors_end_the_run(self):
-        heard = []
-        kinetix.optimise(CURVE, progress=lambda stage, done, words: heard.append((stage, done)))
-        self.assertIn("search", [stage for stage, _ in heard])
-        self.assertTrue(all(done is None or 0 <= done <= 1 for _, done in heard), heard)
+        received = []
+        kinetix.optimise(CURVE, progress=lambda stage, done, words: received.append((stage, done)))
+        self.assertIn("search", [stage for stage, _ in received])
+        self.assertTrue(all(done is None or 0 <= done <= 1 for _, done in received), received)
 
         def fails(stage, done, words):
             raise ZeroDivisionError("of the listener")

@@ -126,7 +126,7 @@ TEST(ConvexCuts, AreTheSameAgainAndRefuseNonsense) {
   ASSERT_EQ(first.size(), again.size());
   for (std::size_t k = 0; k < first.size(); ++k) EXPECT_EQ(first[k].corners, again[k].corners);
   EXPECT_THROW(convex_cuts(solid, {.tolerance_mm = std::nan("")}), InvalidInput);
-  EXPECT_THROW(convex_cuts(solid, {.most_pieces = 0}), InvalidInput);
+  EXPECT_THROW(convex_cuts(solid, {.max_pieces = 0}), InvalidInput);
 }
 
 }  // namespace

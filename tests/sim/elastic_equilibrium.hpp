@@ -9,7 +9,7 @@
 namespace kinetix::testing {
 
 /// Returns the energy of all hinges in units of k_point edge^2, as model/hinge/elasticity.hpp states it.
-inline double elastic_energy(const model::Structure& structure, const model::State& state,
+inline double elastic_energy(const model::Linkage& structure, const model::State& state,
                              const model::Stiffness& k) {
   const Eigen::VectorXd misfit = closure_residual(structure, state);
   double energy = 0;
@@ -22,7 +22,7 @@ inline double elastic_energy(const model::Structure& structure, const model::Sta
 }
 
 /// Returns the derivative of elastic_energy() by the bodies' twists, by central differences.
-inline Eigen::VectorXd elastic_gradient(const model::Structure& structure, const model::State& state,
+inline Eigen::VectorXd elastic_gradient(const model::Linkage& structure, const model::State& state,
                                         const model::Stiffness& k) {
   constexpr double step = 1e-5;
   Eigen::VectorXd gradient(6 * state.size());
@@ -71,17 +71,18 @@ inline void drop_hinge_moment(const model::Structure& structure, const model::St
 /// the largest force or moment of a turning spring or a pair of point springs. Contacts are not included.
 inline double imbalance(const model::Structure& structure, const model::Drive& drive,
                         const model::State& state, const model::Stiffness& k, bool planar) {
-  Eigen::VectorXd gradient = elastic_gradient(structure, state, k);
+  const model::Linkage linkage = structure;
+  Eigen::VectorXd gradient = elastic_gradient(linkage, state, k);
   if (const auto* plates = std::get_if<model::Plates>(&drive))
     drop_plate_forces(structure, plates->axis, gradient);
   else
     drop_hinge_moment(structure, state, std::get<model::HingeTurn>(drive).hinge, gradient);
-  const Eigen::VectorXd misfit = closure_residual(structure, state);
+  const Eigen::VectorXd misfit = closure_residual(linkage, state);
   double largest = 0;
   for (int h = 0; h < static_cast<int>(structure.hinges.size()); ++h)
     largest = std::max({largest, 2 * misfit.segment<3>(6 * h).norm(),
                         2 * k.reach * k.reach * misfit.segment<3>(6 * h + 3).norm(),
-                        k.turn * std::abs(hinge_turn(structure, state, h))});
+                        k.turn * std::abs(hinge_turn(linkage, state, h))});
   for (std::size_t b = 0; planar && b < state.size(); ++b)
     for (const int out_of_plane : {0, 1, 5}) gradient[6 * b + out_of_plane] = 0;
   return gradient.lpNorm<Eigen::Infinity>() / largest;

@@ -102,7 +102,7 @@ TEST(FailedRun, SaysInWordsThatThereIsNoStateToCompare) {
         result.gaps = hinge_gaps(structure, result.state);
         result.drive_gap = -std::nan("");
         if (touching) result.contact = {0, 1, 1e-3};
-        judge(structure, drive_on(structure, drive_to(structure, 0.4)), options, false, result);
+        set_status(structure, drive_on(structure, drive_to(structure, 0.4)), options, false, result);
         EXPECT_EQ(result.status, Status::blew_up) << result.why;
         EXPECT_THAT(result.why, HasSubstr("no state to compare"));
         EXPECT_THAT(result.why, Not(HasSubstr("nan")));
@@ -150,7 +150,7 @@ TEST(FailedRun, NoticesTheOtherSignOfTheta) {
     PhysicsResult result;
     result.state = fold(reached, structure);
     result.gaps = hinge_gaps(structure, result.state);
-    judge(structure, drive_on(structure, drive), {}, true, result);
+    set_status(structure, drive_on(structure, drive), {}, true, result);
     EXPECT_EQ(result.status, theta > 0 ? Status::settled : Status::wrong_branch) << result.why;
   }
 }

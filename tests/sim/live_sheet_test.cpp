@@ -138,7 +138,7 @@ TEST(LiveSheet, SaysTheForceOfTheHandThatTheEnergyAsksFor) {
     sheet.drag(last, from, to);
     run(sheet, 4);
     const Vector3d at = sheet.state()[last].p;
-    return Held{at - sheet.state()[0].p, sheet.hand_force_N() * (to - at).normalized(),
+    return Held{at - sheet.state()[0].p, sheet.pull_force_N() * (to - at).normalized(),
                 sheet.hinge_energy_Nmm()};
   };
   const Held near = held_at(0.3), far = held_at(0.33);
@@ -146,7 +146,7 @@ TEST(LiveSheet, SaysTheForceOfTheHandThatTheEnergyAsksFor) {
   EXPECT_GT(far.energy, 1.05 * near.energy);
   EXPECT_NEAR(work / (far.energy - near.energy), 1, 0.02);
   sheet.release();
-  EXPECT_TRUE(std::isnan(sheet.hand_force_N())) << "no hand";
+  EXPECT_TRUE(std::isnan(sheet.pull_force_N())) << "no hand";
 }
 
 // Plates close in on the middle of the flat sheet, wherever it is when they grip it.

@@ -159,7 +159,7 @@ TEST(CompressionRun, ShrinksABasicSheetByTheCosineAndTurnsItsBodiesToAndFro) {
     ASSERT_EQ(result.status, Status::settled) << result.why;
     model::State expected = rest_state(sheet);
     for (std::size_t b = 0; b < expected.size(); ++b) {
-      const double turn = sheet.bodies[b].is_class_a() ? theta : -theta;
+      const double turn = sheet.bodies[b].is_in_sublattice_a() ? theta : -theta;
       expected[b].p *= std::cos(theta);
       EXPECT_NEAR(result.state[b].R(0, 0), std::cos(turn), 1e-7);
       EXPECT_NEAR(result.state[b].R(1, 0), std::sin(turn), 1e-7);
@@ -224,7 +224,7 @@ TEST(CompressionRun, ReachesTheSameStateByADrivenHinge) {
     for (const model::Wall& wall :
          {model::Wall{{0, 0}, model::Axis::y}, model::Wall{{3, 0}, model::Axis::y}}) {
       const model::HingeTurn drive{*structure.hinge_at(wall),
-                                   wall.from.is_class_a() ? -2 * theta : 2 * theta};
+                                   wall.from.is_in_sublattice_a() ? -2 * theta : 2 * theta};
       expect_exact(design, run_compression(structure, drive_on(structure, drive)));
     }
   }

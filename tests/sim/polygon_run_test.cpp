@@ -21,7 +21,7 @@ TEST(PolygonRun, ARhombusThatNoLatticeMadeSettlesInItsClosedForm) {
 TEST(CreasedRun, HexagonsAndBricksFoldByTheLawOfCreases) {
   constexpr double theta = 0.2;
   for (const model::PlanarLattice* lattice : {&model::honeycomb_lattice, &model::brick_lattice}) {
-    const testing::Creased c = testing::creased(closed_rim(lattice_graph(*lattice, 3, 3)));
+    const testing::Creased c = testing::creased(closed_boundary(lattice_graph(*lattice, 3, 3)));
     const PhysicsResult result = run_compression(c.structure, drive_to(c.structure, theta));
     ASSERT_EQ(result.status, PhysicsResult::Status::settled) << lattice->name << ": " << result.why;
     EXPECT_LE(testing::from_folded(c, result.state, theta), 1e-6) << lattice->name;

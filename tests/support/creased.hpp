@@ -60,8 +60,8 @@ inline Creased creased(const model::PlanarGraph& graph) {
 
 /// Returns the planar state with its upper part turned about the crease by rho.
 inline model::State folded(const Creased& c, double theta, double rho) {
-  model::State state =
-      fold(c.structure, model::Redrawing(c.structure.graph.vertices.size(), Eigen::Vector2d::Zero()), theta);
+  model::State state = fold(
+      c.structure, model::ParallelDrawing(c.structure.graph.vertices.size(), Eigen::Vector2d::Zero()), theta);
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(rho, Eigen::Vector3d::UnitX()).toRotationMatrix();
   const Eigen::Vector3d line(0, c.at * std::cos(theta) * c.structure.size.edge_mm, 0);
   for (std::size_t v = 0; v < state.size(); ++v) {

@@ -103,8 +103,9 @@ struct StateFunction {
 inline StateFunction state_function(std::string name,
                                     std::function<double(const model::Structure&, const model::State&)> f) {
   const auto gradient = [f](const Equilibrium& b) {
+    const model::Linkage linkage = b.structure;
     const auto moved_value = [&](const Eigen::VectorXd& x) {
-      return Eigen::VectorXd::Constant(1, f(b.structure, retract_straight(b.structure, b.state, x)));
+      return Eigen::VectorXd::Constant(1, f(b.structure, retract_straight(linkage, b.state, x)));
     };
     return model::EquilibriumGradient{
         numeric_jacobian(moved_value, Eigen::VectorXd::Zero(6 * b.state.size()), 3e-3).transpose()};
@@ -167,18 +168,19 @@ inline Eigen::MatrixXd adjoint_jacobian(const Equilibrium& b) {
 }
 
 struct Differenced {
-  Eigen::MatrixXd jacobian;
+  Eigen::MatrixXd jacobian;   ///< NaN unless same_contacts
   bool same_contacts = true;  ///< all equilibria were found, with the points in contact that the first has
 };
 
 inline Differenced differenced_jacobian(const Equilibrium& b, double step) {
   Differenced out;
+  const std::vector<StateFunction> functions = state_functions();
   const auto values = [&](const Eigen::VectorXd& q) {
+    Eigen::VectorXd all = Eigen::VectorXd::Constant(functions.size(), NAN);
+    if (!out.same_contacts) return all;
     const Equilibrium at = changed(b, q);
-    out.same_contacts = out.same_contacts && at.found && at.contacts == b.contacts;
-    Eigen::VectorXd all(state_functions().size());
-    Eigen::Index k = 0;
-    for (const StateFunction& f : state_functions()) all[k++] = f.value(at);
+    out.same_contacts = at.found && at.contacts == b.contacts;
+    for (std::size_t k = 0; k < functions.size(); ++k) all[k] = functions[k].value(at);
     return all;
   };
   out.jacobian = numeric_jacobian(values, Eigen::VectorXd::Zero(parameter_count(b)), step);

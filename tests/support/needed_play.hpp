@@ -41,18 +41,18 @@ class LeastGap {
       const Eigen::VectorXd d = distances(gaps(state_));
       best.lower = std::max(best.lower, std::sqrt(weights_.dot(d.cwiseAbs2())) * linkage_.size.edge_mm);
       best.upper = std::min(best.upper, d.maxCoeff() * linkage_.size.edge_mm);
-      weights_ = weights_.cwiseProduct(d / d.maxCoeff()).cwiseMax(least_weight);
+      weights_ = weights_.cwiseProduct(d / d.maxCoeff()).cwiseMax(min_weight);
       weights_ /= weights_.sum();
     }
     return best;
   }
 
  private:
-  static constexpr int rounds = 2000;           // of Lawson's method, which converges by a constant factor
-  static constexpr double enough = 1e-3;        // of the bracket: far below what a pin can be printed to
-  static constexpr double least_weight = 1e-9;  // keeps the least squares regular
-  static constexpr double hold = 1e3;           // weight of the turn and of the first body's place
-  static constexpr double difference = 1e-6;    // rad, cell edges: of the Jacobian's columns
+  static constexpr int rounds = 2000;         // of Lawson's method, which converges by a constant factor
+  static constexpr double enough = 1e-3;      // of the bracket: far below what a pin can be printed to
+  static constexpr double min_weight = 1e-9;  // keeps the least squares regular
+  static constexpr double hold = 1e3;         // weight of the turn and of the first body's place
+  static constexpr double difference = 1e-6;  // rad, cell edges: of the Jacobian's columns
 
   /// Returns the number of distances: across and along, of two points per hinge.
   Eigen::Index count() const { return 4 * static_cast<Eigen::Index>(linkage_.hinges.size()); }

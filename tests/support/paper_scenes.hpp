@@ -48,7 +48,7 @@ inline model::Structure gradient_panel() {
     const bool along_x = hinge.wall.axis == model::Axis::x;
     const double left = gradient_fraction(i == 0 ? 0 : i - 1), right = gradient_fraction(i == 8 ? 7 : i);
     const double of_class_a = along_x ? right : 1 - (left + right) / 2;
-    hinge.parameters.t = hinge.wall.from.is_class_a() ? of_class_a : 1 - of_class_a;
+    hinge.parameters.t = hinge.wall.from.is_in_sublattice_a() ? of_class_a : 1 - of_class_a;
   }
   return s;
 }
@@ -97,7 +97,7 @@ inline model::Structure alternating(int columns, int rows, const ColumnUnit& eve
     const auto [i, j] = hinge.wall.from;
     const bool along_x = hinge.wall.axis == model::Axis::x;
     const ColumnUnit unit = along_x ? (i % 2 == 0 ? even : odd) : ColumnUnit{.t = s_of_class_a};
-    const double t = hinge.wall.from.is_class_a() ? unit.t : 1 - unit.t;
+    const double t = hinge.wall.from.is_in_sublattice_a() ? unit.t : 1 - unit.t;
     const bool mirrored = along_x && j % 2 == 1;
     hinge.parameters = {t, mirrored ? pi - unit.alpha : unit.alpha, mirrored ? -unit.beta : unit.beta};
   }

@@ -35,16 +35,16 @@ inline model::PlanarGraph disc_of_squares(int cells) {
 }
 
 /// Returns a motion with |s| and |2 o| of up to about `size`.
-inline model::Redrawing random_redrawing(const model::PlanarStructure& s, double size, unsigned seed) {
+inline model::ParallelDrawing random_redrawing(const model::PlanarStructure& s, double size, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> by(-size / 3, size / 3);
-  model::Redrawing y(s.graph.vertices.size());
+  model::ParallelDrawing y(s.graph.vertices.size());
   for (Eigen::Vector2d& p : y) p = {by(random), by(random)};
   return y;
 }
 
 /// Returns the lowest and the highest row of vertices, which plates normal to y grip.
-inline std::vector<std::vector<int>> rim_rows(const model::PlanarGraph& graph) {
+inline std::vector<std::vector<int>> boundary_rows(const model::PlanarGraph& graph) {
   const auto by_y = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.y() < b.y(); };
   const auto [low, high] = std::minmax_element(graph.vertices.begin(), graph.vertices.end(), by_y);
   constexpr double near = 1e-6;  // wall lengths: rounding of a drawing is far below, its rows are far apart

@@ -26,13 +26,13 @@ inline model::Structure paper_twist_unit(double alpha) {
 
 /// Returns pins that resist stretch alone. @param stiffer factor on the modulus
 inline model::Elasticity played_pins(const model::Structure& unit, double play_mm, double stiffer = 1) {
-  model::Elasticity pins = elasticity_of(
-      model::MadeHinge{.kind = model::HingeKind::pin,
-                       .material = {.E_mpa = stiffer * twist_unit_modulus, .nu = 0.35, .strain_max = 0.1},
-                       .height_mm = unit.size.height_mm,
-                       .diameter_mm = 1,
-                       .clearance_mm = play_mm,
-                       .with_play = true});
+  model::Elasticity pins = elasticity_of(model::ManufacturedHinge{
+      .kind = model::HingeKind::pin,
+      .material = {.E_mpa = stiffer * twist_unit_modulus, .nu = 0.35, .strain_max = 0.1},
+      .height_mm = unit.size.height_mm,
+      .diameter_mm = 1,
+      .clearance_mm = play_mm,
+      .with_play = true});
   pins.k_turn = twist_unit_turn;
   return pins;
 }

@@ -18,12 +18,12 @@ test("reads the area of an opening as the program does", async () => {
   const {structure, states, display, metrics} = JSON.parse(readFileSync(path.join(home, "result.json")));
   assert.ok(metrics.hinge_gap_max > 1e-3, `hinges stretch by ${metrics.hinge_gap_max}`);
   const poses = states[0].poses.flatMap(({position_mm, quaternion_wxyz}) => [...position_mm, ...quaternion_wxyz]);
-  const told = display.after.cells;
-  assert.equal(told.length, structure.cells.length);
+  const reported = display.after.cells;
+  assert.equal(reported.length, structure.cells.length);
   structure.cells.forEach((cell, k) => {
     const points = cellOutline(structure, cell, poses);
     assert.equal(points.length, 3 * cell.bodies.length);
-    assert.ok(Math.abs(areaWithin(points) / structure.cell_mm ** 2 - told[k]) < MOST, `cell ${k}`);
+    assert.ok(Math.abs(areaWithin(points) / structure.cell_mm ** 2 - reported[k]) < MOST, `cell ${k}`);
   });
 });
 

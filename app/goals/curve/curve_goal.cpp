@@ -57,10 +57,10 @@ Json robust_json(const RobustCurve& robust) {
                    {"gap_mm", one.gap_mm ? Json(*one.gap_mm) : Json(nullptr)},
                    {"theta_rad", one.theta},
                    {"shape_rms", one.shape_rms},
-                   {"as_made_rms_mm", one.as_made_mm},
-                   {"as_made_p95_mm", one.as_made_p95},
+                   {"as_made_rms_mm", one.printed_mm},
+                   {"as_made_p95_mm", one.printed_p95_mm},
                    {"allowed", one.is_allowed},
-                   {"in_matter", one.in_matter},
+                   {"in_matter", one.is_compensated},
                    {"chosen", k == robust.chosen}});
   }
   return out;
@@ -77,9 +77,9 @@ std::string robust_text(const RobustCurve& robust) {
       "{} columns at theta {:.1f} deg{}, of {} strips tried: prints{} are expected {:.3g} mm off; of the "
       "design with the least error of its own, {} columns at {:.1f} deg, {}",
       best.columns, best.theta / radians_per_degree, gaps, robust.tried.size(),
-      best.in_matter ? "" : " of its closed form", best.as_made_mm, plain.columns,
+      best.is_compensated ? "" : " of its closed form", best.printed_mm, plain.columns,
       plain.theta / radians_per_degree,
-      std::isfinite(plain.as_made_mm) ? fmt::format("{:.3g} mm", plain.as_made_mm) : "that is not known");
+      std::isfinite(plain.printed_mm) ? fmt::format("{:.3g} mm", plain.printed_mm) : "that is not known");
 }
 
 optim::MultiStartOptions curve_search(const CurveFile& file, const RunOptions& options) {
@@ -125,15 +125,15 @@ struct CurveOutcome final : GoalOutcome {
          fmt::format(
              "rms {:.2e} of the goal's diagonal ({:.3f} mm from curve to curve), largest {:.3f} mm: {}",
              error.rms, error.rms * error.scale_mm, error.max * error.scale_mm,
-             in_words(run, error.rms <= file.shape_tolerance))}};
+             describe(run, error.rms <= file.shape_tolerance))}};
     if (robust) lines.push_back({"robust", robust_text(*robust)});
     lines.push_back(search_line(run.timings.optimise, found.design.search, found.design.chosen, solver()));
     return lines;
   }
 
  private:
-  std::string in_words(const Run& run, bool is_close) const {
-    if (run.met() || run.strained || !is_close) return tolerance_words(run, is_close);
+  std::string describe(const Run& run, bool is_close) const {
+    if (run.met() || run.strained || !is_close) return describe_tolerance(run, is_close);
     return found.contact.touches ? "WITHIN TOLERANCE, BUT WALLS COLLIDE"
                                  : "WITHIN TOLERANCE, BUT DOES NOT HOLD";
   }
@@ -168,7 +168,7 @@ std::string tied_tilts(const CurveFile& file) {
 }
 
 /// Lists the ranges of the file, and the walls that meet, which keep the strip from its curve.
-std::vector<std::string> why_too_far(const CurveFile& file, const optim::FreeCurveDesign& found) {
+std::vector<std::string> curve_violations(const CurveFile& file, const optim::FreeCurveDesign& found) {
   std::vector<std::string> why = found.design.reach.obstacles;
   const double rms = found.design.error.rms;
   if (!found.narrowed.empty())
@@ -189,7 +189,7 @@ std::vector<std::string> why_too_far(const CurveFile& file, const optim::FreeCur
 
 /// Describes the colliding walls and how to avoid them. @pre found.contact.touches
 std::string obstacle(const optim::FreeCurveDesign& found, const model::Lattice& sheet) {
-  return overlap_words(found.contact, found.design.design.theta, sheet) +
+  return describe_overlap(found.contact, found.design.design.theta, sheet) +
          ": use lower or thinner walls, or larger cells";
 }
 
@@ -208,19 +208,19 @@ class CurveGoal final : public Goal {
     if (file_.robust) out.search_s *= robust_designs;
     add_settings(file_, out);
     if (file_.robust)
-      out.search_s += static_cast<double>(robust_finalists) * matter_seconds(file_, out.sheet);
+      out.search_s += static_cast<double>(robust_finalists) * compensation_seconds(file_, out.sheet);
     return out;
   }
 
-  Found search(const RunOptions& options) const override {
+  SearchResult search(const RunOptions& options) const override {
     const optim::MultiStartOptions search = curve_search(file_, options);
     options.progress("search", 0);
     CurveStrip plain{file_, fit_free_curve(file_.curve, curve_variables(file_), file_.size, search,
                                            file_.shape_tolerance)};
-    if (!file_.robust) return found_for(std::move(plain));
+    if (!file_.robust) return make_search_result(std::move(plain));
     auto [best, robust] = robust_curve(*this, std::move(plain), search, options,
-                                       [&](const CurveStrip& strip) { return found_for(strip); });
-    return found_for(std::move(best), std::move(robust));
+                                       [&](const CurveStrip& strip) { return make_search_result(strip); });
+    return make_search_result(std::move(best), std::move(robust));
   }
 
   /// Measures the model's state and the equilibrium of elastic hinges. Returns nullptr for the simulation, which is
@@ -233,7 +233,7 @@ class CurveGoal final : public Goal {
     if (of == StateOf::model) {
       out->midline_mm = found.design.midline_mm;
       out->error = found.design.error;
-      if (!(out->error.rms <= file_.shape_tolerance)) out->violations = why_too_far(file_, found);
+      if (!(out->error.rms <= file_.shape_tolerance)) out->violations = curve_violations(file_, found);
     } else {
       out->midline_mm = column_midline(run.design.structure, aligned(state, run.own));
       out->error = curve_error(out->midline_mm, file_.curve);
@@ -247,7 +247,7 @@ class CurveGoal final : public Goal {
   }
 
   /// Observes the distance of each column from the goal, after the goal is aligned with the midline.
-  std::optional<Observed> observe(const Found& found, const model::Lattice& sheet,
+  std::optional<Observed> observe(const SearchResult& found, const model::Lattice& sheet,
                                   const model::State& state) const override {
     const model::Pose motion = motion_onto(state, found.own);
     const Eigen::Matrix3d back = motion.R.transpose();
@@ -277,18 +277,18 @@ class CurveGoal final : public Goal {
             }};
   }
 
-  Found found_for(CurveStrip strip, std::optional<RobustCurve> robust = {}) const {
-    Found out;
-    take_settings(out, strip.file);
+  SearchResult make_search_result(CurveStrip strip, std::optional<RobustCurve> robust = {}) const {
+    SearchResult out;
+    copy_settings(out, strip.file);
     out.tolerances = {{"shape", strip.file.shape_tolerance}};
     out.design.structure = sheet_of(strip.found.design.design, strip.file.size);
     out.theta = strip.found.design.design.theta;
     out.is_strip = true;
-    out.is_laid_over = true;
+    out.is_aligned = true;
     out.bounds = bounds();
     out.notes = strip.found.notes;
     if (const auto& found = strip.found; found.contact.touches)
-      out.notes.push_back(overlap_words(found.contact, out.theta, out.design.structure));
+      out.notes.push_back(describe_overlap(found.contact, out.theta, out.design.structure));
     auto curve = std::make_unique<CurveOutcome>(std::move(strip));
     curve->robust = std::move(robust);
     out.goal = std::move(curve);

@@ -28,8 +28,8 @@ namespace {
 
 namespace value = targets::value;
 
-constexpr int least_default_columns = 8;  // fewer are corners, not a curve
-constexpr int max_columns = 1000;         // the tilt of each column is a variable of the search
+constexpr int min_default_columns = 8;  // fewer are corners, not a curve
+constexpr int max_columns = 1000;       // the tilt of each column is a variable of the search
 
 // Theta (rad) at which a strip has the length of the curve if the file gives no cell edge. It is far from both ends of
 // the usual range (2 to 44 deg), so the search can make the strip longer or shorter.
@@ -37,8 +37,8 @@ constexpr double default_theta = 30 * radians_per_degree;
 // mm: smaller cells suggest that the points are in metres.
 constexpr double smallest_default_cell_mm = 0.1;
 
-constexpr double share_of_rise = 0.05;           // ratio to the rise of a curve: 1.25 mm for an arch of 25 mm
-constexpr double least_shape_tolerance = 0.001;  // ratio to the diagonal: limit for nearly straight curves
+constexpr double share_of_rise = 0.05;         // ratio to the rise of a curve: 1.25 mm for an arch of 25 mm
+constexpr double min_shape_tolerance = 0.001;  // ratio to the diagonal: limit for nearly straight curves
 
 targets::Curve read_goal(const targets::Section& root) {
   const targets::Section target = root.section("target");
@@ -88,9 +88,9 @@ double default_edge(const targets::Section& root, double curve_mm, int columns, 
 
 /// Returns the number of columns that the process can print with walls by default_size, between 8 and `usual`.
 int default_columns(double curve_mm, double theta, const model::Process& process, int usual) {
-  const double printed = curve_mm / (least_cell_mm(process, default_size(1), {}) * std::cos(theta));
-  return static_cast<int>(std::clamp(std::floor(printed), static_cast<double>(least_default_columns),
-                                     static_cast<double>(usual)));
+  const double printed = curve_mm / (min_cell_mm(process, default_size(1), {}) * std::cos(theta));
+  return static_cast<int>(
+      std::clamp(std::floor(printed), static_cast<double>(min_default_columns), static_cast<double>(usual)));
 }
 
 /// Reads columns and rows of the cells; nullopt if the file leaves them out.
@@ -158,7 +158,7 @@ double usual_shape_tolerance(const CurveFile& file) {
   const double diagonal = file.curve.diagonal();
   const double seen = std::min(GoalSettings::grain * file.size.edge_mm / diagonal,
                                share_of_rise * rise(file.curve) / diagonal);
-  return std::clamp(seen, least_shape_tolerance, file.shape_tolerance);
+  return std::clamp(seen, min_shape_tolerance, file.shape_tolerance);
 }
 
 targets::KeyTable curve_structure_keys(const CurveFile& usual) {
@@ -245,7 +245,7 @@ constexpr double below_closing = 0.02;
 
 /// Returns the strip with its gaps scaled by `share`; nullopt if such a hinge cannot be made.
 std::optional<CurveFile> with_gaps(CurveFile file, double share) {
-  model::MadeHinge& made = *file.hinge.made;
+  model::ManufacturedHinge& made = *file.hinge.made;
   made.gap_mm *= share;
   try {
     validate(made, file.size);
@@ -255,24 +255,25 @@ std::optional<CurveFile> with_gaps(CurveFile file, double share) {
   return file;
 }
 
-using FoundFor = std::function<Found(const CurveStrip&)>;
+using SearchResultMaker = std::function<SearchResult(const CurveStrip&)>;
 
 /// Fills in the candidate of a strip from its closed form and the first-order print tolerance.
-CurveStrip judged(const Goal& goal, CurveStrip strip, const FoundFor& found_for, const RunOptions& options) {
+CurveStrip evaluate_strip(const Goal& goal, CurveStrip strip, const SearchResultMaker& make_search_result,
+                          const RunOptions& options) {
   const optim::CurveDesign& design = strip.found.design;
-  CurveCandidate out{not_judged(design.design.theta, strip.file.size.edge_mm, strip.file.hinge),
+  CurveCandidate out{unevaluated_candidate(design.design.theta, strip.file.size.edge_mm, strip.file.hinge),
                      strip.file.columns, design.error.rms};
   out.designed_mm = design.error.rms * design.error.scale_mm;
-  const Found found = planned(found_for(strip));
+  const SearchResult found = planned(make_search_result(strip));
   const model::Lattice& sheet = found.design.structure;
-  const auto printed = expected_of_prints(found, goal_drive(found, sheet, out.theta), found.own,
-                                          goal.observe(found, sheet, found.own)->points);
+  const auto printed = estimate_print_tolerance(found, goal_drive(found, sheet, out.theta), found.own,
+                                                goal.observe(found, sheet, found.own)->points);
   if (printed)
-    std::tie(out.as_made_mm, out.as_made_p95) = std::pair{printed->made.rms_mm, printed->made.p95_mm};
+    std::tie(out.printed_mm, out.printed_p95_mm) = std::pair{printed->made.rms_mm, printed->made.p95_mm};
   out.is_allowed = printed && printed->can_be_printed && !strip.found.contact.touches &&
                    withstands_strain(found.design, found.own) &&
                    design.error.rms <= strip.file.shape_tolerance &&
-                   (!options.printable || options.printable(asked_design(found)).is_taken);
+                   (!options.printable || options.printable(requested_design(found)).is_accepted);
   strip.candidate = std::move(out);
   return strip;
 }
@@ -303,8 +304,8 @@ CurveFile with(CurveFile file, int columns, double theta) {
 
 /// Compensates the plain strip and the best strips by closed form for elastic hinges, and measures them again.
 /// @return index of the best
-std::size_t best_in_matter(const Goal& goal, std::vector<CurveStrip>& all, const FoundFor& found_for,
-                           const RunOptions& options) {
+std::size_t find_best_compensated(const Goal& goal, std::vector<CurveStrip>& all,
+                                  const SearchResultMaker& make_search_result, const RunOptions& options) {
   const double weight = *all.front().file.robust;
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -319,8 +320,8 @@ std::size_t best_in_matter(const Goal& goal, std::vector<CurveStrip>& all, const
     options.progress("robust search", static_cast<double>(k) / static_cast<double>(order.size()),
                      fmt::format("hinges of design {} of {}", k + 1, order.size()));
     CurveStrip& one = all[order[k]];
-    static_cast<RobustCandidate&>(one.candidate) = robust_candidate(found_for(one), goal, quiet);
-    one.candidate.in_matter = true;
+    static_cast<RobustCandidate&>(one.candidate) = robust_candidate(make_search_result(one), goal, quiet);
+    one.candidate.is_compensated = true;
     if (k > 0 && is_more_robust(weight, one.candidate, all[best].candidate)) best = order[k];
   }
   return best;
@@ -340,12 +341,13 @@ std::vector<int> columns_of(const CurveFile& file) {
 
 std::pair<CurveStrip, RobustCurve> robust_curve(const Goal& goal, CurveStrip plain,
                                                 const optim::MultiStartOptions& search,
-                                                const RunOptions& options, const FoundFor& found_for) {
+                                                const RunOptions& options,
+                                                const SearchResultMaker& make_search_result) {
   const CurveFile file = plain.file;
-  std::vector<CurveStrip> all = {judged(goal, std::move(plain), found_for, options)};
+  std::vector<CurveStrip> all = {evaluate_strip(goal, std::move(plain), make_search_result, options)};
   std::size_t best = 0;
   const auto take = [&](CurveStrip next) {
-    all.push_back(judged(goal, std::move(next), found_for, options));
+    all.push_back(evaluate_strip(goal, std::move(next), make_search_result, options));
     if (is_more_robust(*file.robust, all.back().candidate, all[best].candidate)) best = all.size() - 1;
   };
   const std::vector<int> columns = columns_of(file);
@@ -357,7 +359,7 @@ std::pair<CurveStrip, RobustCurve> robust_curve(const Goal& goal, CurveStrip pla
     for (int k = 0; k < robust_thetas && !options.stop.stop_requested(); ++k) {
       options.progress("robust search", static_cast<double>(all.size() - 1) / rounds,
                        fmt::format("design {} of {:.0f}, prints of the best {:.2g} mm off", all.size(),
-                                   rounds, all[best].candidate.as_made_mm));
+                                   rounds, all[best].candidate.printed_mm));
       CurveFile next = with(file, count, theta_at(file, k));
       optim::FreeCurveDesign found =
           fit_free_curve(next.curve, curve_variables(next), next.size, quiet, next.shape_tolerance);
@@ -369,7 +371,8 @@ std::pair<CurveStrip, RobustCurve> robust_curve(const Goal& goal, CurveStrip pla
       if (const auto other = with_gaps(strip.file, share); other && !options.stop.stop_requested())
         take({*other, strip.found});
   }
-  if (file.hinge.model == HingeSection::Model::elastic) best = best_in_matter(goal, all, found_for, options);
+  if (file.hinge.model == HingeSection::Model::elastic)
+    best = find_best_compensated(goal, all, make_search_result, options);
   RobustCurve choice{{}, best};
   for (const CurveStrip& one : all) choice.tried.push_back(one.candidate);
   return {std::move(all[best]), std::move(choice)};

@@ -53,8 +53,8 @@ std::unique_ptr<Goal> make_goal(CurveFile file);
 /// Candidate strip of a robust search.
 struct CurveCandidate : RobustCandidate {
   int columns = 0;
-  double shape_rms = 0;    ///< shape error of the design, over the goal's diagonal
-  bool in_matter = false;  ///< measured with elastic hinges and compensated, not by the closed form
+  double shape_rms = 0;         ///< shape error of the design, over the goal's diagonal
+  bool is_compensated = false;  ///< measured with elastic hinges and compensated, not by the closed form
 };
 
 /// All candidates of a robust search and its choice.
@@ -82,10 +82,9 @@ inline constexpr std::size_t robust_finalists = 6;
 /// elastomer and living hinges. With elastic hinges, robust_finalists strips are compensated and measured again. These
 /// are the plain strip and the best by closed form, and the choice is among them.
 /// @pre plain.file.robust   @param plain strip with the least error of the design
-/// @param found_for converts a strip to the input of the pipeline
-std::pair<CurveStrip, RobustCurve> robust_curve(const Goal& goal, CurveStrip plain,
-                                                const optim::MultiStartOptions& search,
-                                                const RunOptions& options,
-                                                const std::function<Found(const CurveStrip&)>& found_for);
+/// @param make_search_result converts a strip to the input of the pipeline
+std::pair<CurveStrip, RobustCurve> robust_curve(
+    const Goal& goal, CurveStrip plain, const optim::MultiStartOptions& search, const RunOptions& options,
+    const std::function<SearchResult(const CurveStrip&)>& make_search_result);
 
 }  // namespace kinetix::app

@@ -106,7 +106,7 @@ targets::KeyTable display_tolerance_keys() {
        "least [auc](#contrast-and-auc); of greys the rank correlation"},
       {"contrast", &DisplayFile::contrast, value::number(targets::at_least(0)),
        "least [contrast](#contrast-and-auc), of pictures with two levels"},
-      verify_key(DisplayFile::usual_verify),
+      verify_key(DisplayFile::default_verify_tolerance),
   };
   const auto limits =
       hinge_limit_keys("the panel is pressed less where it has to be",
@@ -123,7 +123,7 @@ std::optional<targets::Node> under(const targets::Section& root, std::string_vie
 targets::Section t_section(const targets::Section& root) { return root.section("variables").section("t"); }
 
 /// Returns whether a file has settings that only apply to hinges on their walls.
-bool asks_for_walls(const targets::Section& root, const DisplayFile& file) {
+bool requests_walls(const targets::Section& root, const DisplayFile& file) {
   return root.optional("solver") || file.channel != Channel::light || file.symmetry != optim::Symmetry::none;
 }
 
@@ -133,9 +133,9 @@ void limit_offset(const targets::Section& root, DisplayFile& file) {
   const double most_mm = largest_offset_mm(*file.hinge.made, file.size);
   file.offset = std::min(file.offset, most_mm / file.size.edge_mm);
   const auto node = root.section("variables").optional("offset_mm");
-  std::optional<double> asked_mm;
-  root.section("variables").read_length("offset_mm", asked_mm, file.size.edge_mm);
-  if (asked_mm && *asked_mm > most_mm * (1 + 1e-9))  // rounding of a file's digits
+  std::optional<double> required_mm;
+  root.section("variables").read_length("offset_mm", required_mm, file.size.edge_mm);
+  if (required_mm && *required_mm > most_mm * (1 + 1e-9))  // rounding of a file's digits
     throw node->error(offset_limit_text(*file.hinge.made, file.size));
 }
 
@@ -146,7 +146,7 @@ void read_offset(const targets::Section& root, DisplayFile& file) {
   limit_offset(root, file);
   if (offset_mm)
     file.offset = *offset_mm / file.size.edge_mm;
-  else if (asks_for_walls(root, file))
+  else if (requests_walls(root, file))
     file.offset = 0;
   std::optional<double> stretch_mm;
   root.section("variables").read_length("stretch_mm", stretch_mm, file.size.edge_mm);

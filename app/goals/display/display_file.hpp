@@ -34,7 +34,7 @@ double turn_of_compression(double compression);
 ///
 /// `hinge` is elastic. `solver` is mma, ccsa or slsqp, and its starts count per axis.
 struct DisplayFile : GoalSettings {
-  DisplayFile() { verify_tolerance = usual_verify; }
+  DisplayFile() { verify_tolerance = default_verify_tolerance; }
 
   targets::DisplayGoal goal;
   optim::Channel channel = optim::Channel::light;
@@ -63,7 +63,8 @@ struct DisplayFile : GoalSettings {
   double auc = 0.97;      ///< tolerance.auc: least value, (0.5, 1]; rank correlation for grey goals
   double contrast = 3;    ///< tolerance.contrast: least d', dimensionless, >= 0, for goals with two levels
   HingeLimits limits = {};
-  static constexpr double usual_verify = 0.05;  ///< tolerance.verify, cell edges; large because panels strain
+  static constexpr double default_verify_tolerance =
+      0.05;  ///< tolerance.verify, cell edges; large because panels strain
 };
 
 // Default channel for hinges on their walls, as in the paper's displays: local texture, read cell by cell.

@@ -24,7 +24,7 @@ namespace {
 
 // Transmittance below which a cell counts as overlapped by walls, dimensionless. Light is off by up to 0.016 if walls
 // of 0.4 cell edges overlap at their vertices only (blurred_light_test).
-constexpr double least_light = -0.02;
+constexpr double min_light = -0.02;
 
 std::string lost_strokes(const targets::DisplayGoal& goal) {
   const std::string what = "strokes or gaps are thinner than a cell, so that parts of the picture are lost: ";
@@ -66,9 +66,9 @@ std::string lost_in_equilibrium(const DisplayFile& file, const DisplayOutcome& d
   const bool touch = std::any_of(events.begin(), events.end(), [](const model::PathEvent& e) {
     return e.kind == model::PathEvent::Kind::contact;
   });
-  const double told = file.goal.is_binary() ? display.exact.score.contrast : display.exact.rank;
+  const double measured_value = file.goal.is_binary() ? display.exact.score.contrast : display.exact.rank;
   return fmt::format("the exact motion shows it, with {} {:.2f}: in the equilibrium {} take that from it",
-                     file.goal.is_binary() ? "contrast" : "rank correlation", told,
+                     file.goal.is_binary() ? "contrast" : "rank correlation", measured_value,
                      touch ? "walls that touch and hinges that give" : "hinges that give");
 }
 
@@ -91,7 +91,7 @@ bool can_use_more_cells(const DisplayFile& file, const DisplayOutcome& display, 
 std::string below_zero(const DisplayOutcome& display, const DisplayReading& after) {
   const std::vector<double>& light = after.channel;
   const auto dark =
-      std::count_if(light.begin(), light.end(), [](double of_cell) { return of_cell < least_light; });
+      std::count_if(light.begin(), light.end(), [](double of_cell) { return of_cell < min_light; });
   if (display.channel != optim::Channel::light || dark == 0) return "";
   return fmt::format(
       "the light of {} cells is below zero: their walls lie over each other; take thinner ones", dark);
@@ -124,16 +124,16 @@ std::vector<std::string> all_violations(const DisplayFile& file, const DisplayOu
   return why;
 }
 
-constexpr int most_bodies_of_physics = 5000;  // count: the simulation takes about an hour on one core
+constexpr int max_bodies_of_physics = 5000;  // count: the simulation takes about an hour on one core
 // Search time in s per cell, measured: convex problems for hinges with offsets, elastic searches for hinges on walls.
 constexpr double seconds_per_cell = 2e-4, seconds_per_stretched_cell = 0.07;
 // Time in s of the equilibrium path from flat: 0.92 s for 32 x 32 cells, 51 s for 100 x 100.
 constexpr double path_seconds_of_1024 = 0.92, path_exponent = 1.76;
 
 /// Returns the state that the search computed for its design; nullopt if it found no equilibrium.
-std::optional<Found::Known> known_state(const optim::DisplayDesign& design) {
+std::optional<SearchResult::Known> known_state(const optim::DisplayDesign& design) {
   if (!design.view.at_equilibrium || design.view.state.empty()) return std::nullopt;
-  return Found::Known{design.scaled ? Model::exact : Model::equilibrium, design.view.state};
+  return SearchResult::Known{design.scaled ? Model::exact : Model::equilibrium, design.view.state};
 }
 
 class DisplayGoal final : public Goal {
@@ -144,7 +144,7 @@ class DisplayGoal final : public Goal {
     Forecast out{make_panel(file_, {file_.goal.columns, file_.goal.rows})};
     out.search_s = out.sheet.cells() * (file_.offset > 0 ? seconds_per_cell : seconds_per_stretched_cell) +
                    path_seconds_of_1024 * std::pow(out.sheet.cells() / 1024.0, path_exponent);
-    out.has_physics = out.sheet.bodies() <= most_bodies_of_physics;
+    out.has_physics = out.sheet.bodies() <= max_bodies_of_physics;
     const double turn = file_.by_hinge ? file_.angle : turn_of_compression(file_.compression);
     if (const auto motion = exact_motion(out.sheet)) out.folded_mm = size_of(out.sheet, motion.at(turn / 2));
     if (!file_.goal.whole) out.notes.push_back(lost_strokes(file_.goal));
@@ -152,7 +152,7 @@ class DisplayGoal final : public Goal {
     return out;
   }
 
-  Found search(const RunOptions& options) const override {
+  SearchResult search(const RunOptions& options) const override {
     auto display = std::make_unique<DisplayOutcome>();
     display->options = search_options(file_, elasticity(), options);
     if (!(file_.offset > 0))
@@ -171,12 +171,12 @@ class DisplayGoal final : public Goal {
       display->exact = {exact.channel, exact.score, exact.rank};
       if (file_.strain > 0) strain(panel, options, *display);
     }
-    Found out = described(display->design.view);
+    SearchResult out = described(display->design.view);
     if (display->design.view.at_equilibrium) place_hinges(display->design.view, panel);
     out.design.structure = std::move(panel);
     out.known = known_state(display->design);
     out.goal = std::move(display);
-    if (out.design.structure.bodies() <= most_bodies_of_physics) return out;
+    if (out.design.structure.bodies() <= max_bodies_of_physics) return out;
     out.physics.when = PhysicsRequest::When::never;  // a step costs seconds, and there are thousands
     out.notes.push_back(fmt::format(
         "no physics run: {} bodies would take hours; `verify` makes one of design.yaml all the same",
@@ -191,7 +191,7 @@ class DisplayGoal final : public Goal {
     auto out = std::make_shared<DisplayMeasure>();
     out->reading = read_shown_panel(file_, panel, state);
     if (of == StateOf::physics) {
-      out->violations = violations(file_, out->reading.score, out->reading.rank, in_words(of));
+      out->violations = violations(file_, out->reading.score, out->reading.rank, describe(of));
       if (const std::string melted = describe_melting(display.goal, out->reading); !melted.empty())
         out->violations.push_back("in the physics run " + melted);
       return out;
@@ -202,7 +202,7 @@ class DisplayGoal final : public Goal {
     if (can_use_more_cells(file_, display, run))
       out->estimated =
           estimate_panel(file_.goal, out->reading.score.contrast, file_.contrast,
-                         display.design.scaled ? usual_growth : std::numeric_limits<double>::infinity());
+                         display.design.scaled ? max_scaled_growth : std::numeric_limits<double>::infinity());
     if (!stopped) {
       options.progress("prints", 0);
       std::tie(out->printed, out->prints_unknown) = display_prints(file_, run, options);
@@ -226,7 +226,7 @@ class DisplayGoal final : public Goal {
     std::optional<PanelLoads> loads;
     if (strained.refined && file_.limits.any())
       loads = panel_loads(file_, panel, strained.view, elasticity());
-    if (!loads || share_of(file_.limits, loads->hinges) <= HingeLimits::in_hand) {
+    if (!loads || limit_use(file_.limits, loads->hinges) <= HingeLimits::safe_share) {
       display.design = std::move(strained);
       if (loads) display.loads = loads;
       return;
@@ -237,11 +237,11 @@ class DisplayGoal final : public Goal {
   }
 
   /// Returns the settings of the panel and its drive. If the search found no equilibrium, the drive is the file's.
-  Found described(optim::DisplayView& view) const {
-    Found out;
+  SearchResult described(optim::DisplayView& view) const {
+    SearchResult out;
     out.model = Model::equilibrium;
     out.tolerances = tolerances_of(file_);
-    take_settings(out, file_);
+    copy_settings(out, file_);
     out.design.hinge.model = HingeSection::Model::elastic;
     if (!view.at_equilibrium) view.plates = plates_of(file_);
     view.plates.press = file_.press;
@@ -316,10 +316,10 @@ std::vector<std::string> violations(const DisplayFile& file, const targets::Disp
                                     const std::string& who) {
   std::vector<std::string> why;
   const bool binary = file.goal.is_binary();
-  const double told = binary ? score.auc : rank;
-  if (!(told >= file.auc))
+  const double measured_value = binary ? score.auc : rank;
+  if (!(measured_value >= file.auc))
     why.push_back(fmt::format("{}: {} {:.3f}; at least {:.3f} is required", who,
-                              binary ? "auc" : "rank correlation", told, file.auc));
+                              binary ? "auc" : "rank correlation", measured_value, file.auc));
   if (binary && !(score.contrast >= file.contrast))
     why.push_back(
         fmt::format("{}: contrast {:.2f}; at least {:.2f} is required", who, score.contrast, file.contrast));
@@ -338,15 +338,15 @@ double stroke_width(const targets::DisplayGoal& goal) {
 }
 
 std::optional<targets::PanelSize> estimate_panel(const targets::DisplayGoal& goal, double contrast,
-                                                 double required, double most_growth) {
-  if (!goal.is_binary() || !goal.redrawn || !(contrast > 0 && contrast < required)) return std::nullopt;
-  const double growth = std::min(most_growth, contrast * contrast / stroke_width(goal)),
+                                                 double required, double max_growth) {
+  if (!goal.is_binary() || !goal.resized || !(contrast > 0 && contrast < required)) return std::nullopt;
+  const double growth = std::min(max_growth, contrast * contrast / stroke_width(goal)),
                width = required * required / growth, cell = 1.0 / std::max(goal.columns, goal.rows);
   if (!(width <= widest_stroke)) return std::nullopt;
   for (double factor = 1 + cell; factor <= largest_factor + cell / 2; factor += cell) {
     const targets::PanelSize size = scaled_panel(goal, factor);
     if (!is_allowed_panel(size)) break;
-    const targets::DisplayGoal larger = goal.redrawn(size);
+    const targets::DisplayGoal larger = goal.resized(size);
     if (larger.whole && stroke_width(larger) >= width) return size;
   }
   return std::nullopt;

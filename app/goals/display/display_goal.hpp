@@ -34,12 +34,12 @@ double stroke_width(const targets::DisplayGoal& goal);
 /// The estimate is the smallest panel on which the picture is whole and its strokes are w = required^2 / g wide.
 /// formats.md has the measurements behind it.
 /// @param contrast measured on the panel of `goal`; it gives g = contrast^2 / w.
-/// @param most_growth limit of g; infinity for none
+/// @param max_growth limit of g; infinity for none
 /// @return nullopt for grey pictures, and if no such panel exists up to four times the sides
 std::optional<targets::PanelSize> estimate_panel(const targets::DisplayGoal& goal, double contrast,
-                                                 double required, double most_growth);
+                                                 double required, double max_growth);
 
 /// Largest growth g = d'^2 / w to expect from panels found by scaling of walls, dimensionless.
-inline constexpr double usual_growth = 10;
+inline constexpr double max_scaled_growth = 10;
 
 }  // namespace kinetix::app

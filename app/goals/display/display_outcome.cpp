@@ -32,7 +32,7 @@ Json score_json(const DisplayOutcome& display, const DisplayReading& reading) {
   return out;
 }
 
-std::string in_words(const DisplayOutcome& display, const DisplayReading& r) {
+std::string describe(const DisplayOutcome& display, const DisplayReading& r) {
   if (!display.goal.is_binary())
     return fmt::format("rank correlation {:.3f} with the picture's levels", r.rank);
   std::string text = fmt::format("auc {:.3f}, contrast {:.1f}, ", r.score.auc, r.score.contrast);
@@ -207,7 +207,7 @@ void DisplayOutcome::add_metrics(const Run& run, Json& metrics) const {
 std::vector<SummaryLine> DisplayOutcome::summary_lines(const Run& run) const {
   const auto& shown = measure_of<DisplayMeasure>(run);
   std::vector<SummaryLine> lines;
-  lines.push_back({"picture", in_words(*this, shown.reading) + (run.met() ? "" : ": NOT AS REQUIRED")});
+  lines.push_back({"picture", describe(*this, shown.reading) + (run.met() ? "" : ": NOT AS REQUIRED")});
   if (!design.starts.empty())
     lines.push_back({"rule", "the paper's rule alone: auc " +
                                  fmt::format("{:.3f}, contrast {:.1f}", design.starts[0].view.score.auc,
@@ -218,14 +218,14 @@ std::vector<SummaryLine> DisplayOutcome::summary_lines(const Run& run) const {
   if (shown.printed) lines.push_back({"as made", printed_text(*shown.printed, run)});
   if (loads) lines.push_back({"limits", loads_text(*loads)});
   if (unlimited) lines.push_back({"", "without them " + loads_text(*unlimited)});
-  if (design.refined) lines.push_back({"strain", "on purpose: without it " + in_words(*this, exact)});
+  if (design.refined) lines.push_back({"strain", "on purpose: without it " + describe(*this, exact)});
   if (const auto* physics = physics_measure_of<DisplayMeasure>(run))
-    lines.push_back({"seen", "in the physics run: " + in_words(*this, physics->reading)});
+    lines.push_back({"seen", "in the physics run: " + describe(*this, physics->reading)});
   return lines;
 }
 
-std::vector<NamedContent> DisplayOutcome::pictures(const Run& run, bool of_report) const {
-  return of_report ? far_pictures(run) : display_pictures(run);
+std::vector<NamedContent> DisplayOutcome::pictures(const Run& run, bool for_report) const {
+  return for_report ? far_pictures(run) : display_pictures(run);
 }
 
 namespace {
@@ -252,7 +252,7 @@ void add_frames(std::vector<NamedContent>& files, const Run& run) {
     if (state.name == "frame")
       files.push_back({fmt::format("frames/{:02}.png", frame++),
                        panel_picture(run.design.structure, state.poses,
-                                     {.format = PictureFormat::png, .most_pixels = pixels_of_frame})});
+                                     {.format = PictureFormat::png, .max_pixels = pixels_of_frame})});
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ class DisplayOutcome final : public GoalOutcome {
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
   void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
-  std::vector<NamedContent> pictures(const Run& run, bool of_report) const override;
+  std::vector<NamedContent> pictures(const Run& run, bool for_report) const override;
 };
 
 class DisplayMeasure final : public Measure {

@@ -118,8 +118,8 @@ namespace {
 // Halvings in the search for the largest allowed compression: 2^-7 is below a hundredth of the requested compression.
 constexpr int press_halvings = 7;
 // Shares of the requested compression. The search starts at first_share, where most panels keep their limits. It tries
-// no share below least_share, at which turns of hinges and differences of cells are a tenth of the full ones.
-constexpr double first_share = 0.1, least_share = 0.01;
+// no share below min_share, at which turns of hinges and differences of cells are a tenth of the full ones.
+constexpr double first_share = 0.1, min_share = 0.01;
 // Least difference of letter and rest, as a ratio to the mean of the rest. An eye distinguishes about 1 % (Weber's
 // fraction).
 constexpr double least_apart = 0.01;
@@ -160,24 +160,24 @@ void keep_limits(const DisplayFile& file, const model::Elasticity& elasticity, D
                  const std::stop_token& stop) {
   if (!file.limits.any()) return;
   display.loads = panel_loads(file, panel, display.design.view, elasticity);
-  if (share_of(file.limits, display.loads->hinges) <= HingeLimits::in_hand) return;
+  if (limit_use(file.limits, display.loads->hinges) <= HingeLimits::safe_share) return;
   display.unlimited = display.loads;
   const auto keeps = [&](double share, double) -> std::optional<bool> {
     if (stop.stop_requested()) return std::nullopt;
     optim::DisplayDesign design = search(pressed_by(file, share));
     if (stop.stop_requested()) return std::nullopt;  // it may have been cut short
     const PanelLoads loads = panel_loads(file, panel, design.view, elasticity);
-    if (!(share_of(file.limits, loads.hinges) <= HingeLimits::in_hand)) return false;
+    if (!(limit_use(file.limits, loads.hinges) <= HingeLimits::safe_share)) return false;
     if (!(loads.apart >= least_apart)) return true;
     display.design = std::move(design);
     display.loads = loads;
     display.pressed = share;
     return true;
   };
-  const LimitRange found = halve({}, {press_halvings, 0, first_share, least_share}, keeps);
+  const LimitRange found = halve({}, {press_halvings, 0, first_share, min_share}, keeps);
   if (display.pressed < 1) return;
   display.limits_stopped = stop.stop_requested();
-  display.least_pressed = found.too_much;
+  display.least_pressed = found.exceeded;
   display.faint = found.kept > 0;
   display.unlimited.reset();
 }
@@ -188,7 +188,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 // Cells: for more, the derivatives of all cells take longer than the search.
-constexpr int most_printed_cells = 400;
+constexpr int max_printed_cells = 400;
 
 /// Computes the derivatives of all readings by every hinge's t, alpha, beta and offset, times its standard deviation.
 /// They belong to the smooth approximation of the channel (optim::SmoothChannel), because the channel has none.
@@ -255,13 +255,13 @@ struct PrintScores {
 };
 
 // Ratio to the contrast: sampled prints that differ less from their first-order estimate do not correct it.
-constexpr double first_order_will_do = 0.05;
+constexpr double first_order_threshold = 0.05;
 
 /// Corrects the first-order estimate by the difference between the sampled prints and their own first-order estimate.
 void correct_expected(const PrintScores& seen, const PrintScores& first_order,
                       optim::DisplayTolerance& expected) {
   const double more = seen.mean() - first_order.mean(), below = expected.contrast - expected.contrast_p05;
-  if (!(std::abs(more) > first_order_will_do * std::abs(first_order.mean()))) return;
+  if (!(std::abs(more) > first_order_threshold * std::abs(first_order.mean()))) return;
   const auto count = static_cast<double>(seen.contrasts.size());
   expected.contrast += more;
   expected.contrast_p05 =
@@ -295,13 +295,13 @@ void add_prints(const DisplayFile& file, const Run& run, const model::HingeScatt
 }
 
 /// Explains why there is no print tolerance analysis of the panel. Empty if there is one.
-std::string unjudged(const DisplayFile& file, const Run& run) {
+std::string unevaluated(const DisplayFile& file, const Run& run) {
   if (!file.goal.is_binary()) return "only pictures of two levels are judged as made";
   if (!run.equilibrium->reached()) return "the panel did not reach its equilibrium";
   if (run.equilibrium->path.let_go > 0)
     return "prints are looked at with all bodies held that plates press on";
-  if (run.design.structure.cells() > most_printed_cells)
-    return fmt::format("only panels of up to {} cells are judged as made", most_printed_cells);
+  if (run.design.structure.cells() > max_printed_cells)
+    return fmt::format("only panels of up to {} cells are judged as made", max_printed_cells);
   return "";
 }
 
@@ -331,7 +331,7 @@ std::vector<std::string> reasons(const DisplayFile& file, const Run& run, const 
 
 std::pair<std::optional<PrintedDisplay>, std::string> display_prints(const DisplayFile& file, const Run& run,
                                                                      const RunOptions& options) {
-  if (std::string why = unjudged(file, run); !why.empty()) return {std::nullopt, std::move(why)};
+  if (std::string why = unevaluated(file, run); !why.empty()) return {std::nullopt, std::move(why)};
   const model::HingeScatter scatter = scatter_of(run.design);
   const std::vector<double> levels = levels_of(file.goal, run.design.structure);
   model::State state = run.equilibrium->path.state;
@@ -339,7 +339,7 @@ std::pair<std::optional<PrintedDisplay>, std::string> display_prints(const Displ
   if (!by) return {std::nullopt, "the panel's equilibrium is not stable"};
   const FirstOrderPanel panel{levels, read_panel(file, run.design.structure, state).channel, *by};
   PrintedDisplay out;
-  out.expected = optim::as_made_display(panel.readings, levels, panel.by_errors);
+  out.expected = optim::analyse_display_tolerance(panel.readings, levels, panel.by_errors);
   add_prints(file, run, scatter, state, panel, options, out);
   out.why = reasons(file, run, out);
   return {std::move(out), ""};

@@ -23,7 +23,7 @@ namespace kinetix::app {
 namespace {
 
 /// Loads of a fold with and without limits, for FoldOutcome.
-struct KeptLoads {
+struct LimitedLoads {
   std::optional<FoldLoads> loads, unlimited;
 };
 
@@ -32,19 +32,19 @@ constexpr int theta_halvings = 5;  // down to a degree of theta: loads of a fold
 constexpr double one_theta = 0.5 * radians_per_degree;
 
 /// Loads of a design compensated for its elastic hinges, and whether it still folds into its goal.
-struct Borne {
+struct TrialLoads {
   FoldLoads loads;
   bool meets_goal = false;
 };
 
-Borne borne_by(const FoldFile& file, Found trial, const Goal& goal, const optim::FoldDesign& design,
-               const std::stop_token& stop) {
+TrialLoads compute_trial_loads(const FoldFile& file, SearchResult trial, const Goal& goal,
+                               const optim::FoldDesign& design, const std::stop_token& stop) {
   const FoldShape shape = shape_of(file.goal, design);
   trial.design.structure = design.folded.structure;
   trial.theta = design.folded.theta;
   trial.goal = std::make_unique<FoldOutcome>(shape);
   trial = planned(std::move(trial));
-  const CompensatedPath found = path_in_matter(trial, goal, stop);
+  const CompensatedPath found = trace_compensated_path(trial, goal, stop);
   return {
       {model::mean_theta(found.sheet, found.path.state),
        hinge_loads(found.path, found.drive, found.sheet, trial.design.hinge, trial.design.hinge_overrides)},
@@ -59,26 +59,26 @@ Borne borne_by(const FoldFile& file, Found trial, const Goal& goal, const optim:
 /// design is followed to its equilibrium.
 /// @param asked_of settings of the file that apply to any design   @param goal of the file
 /// @param search finds the design for a largest theta, rad
-KeptLoads keep_limits(const FoldFile& file, const Found& asked_of, const Goal& goal,
-                      optim::FoldDesign& design, const std::function<optim::FoldDesign(double)>& search,
-                      const RunOptions& options) {
+LimitedLoads keep_limits(const FoldFile& file, const SearchResult& asked_of, const Goal& goal,
+                         optim::FoldDesign& design, const std::function<optim::FoldDesign(double)>& search,
+                         const RunOptions& options) {
   if (!file.limits.any() || !design.folds) return {};
-  const FoldLoads asked = borne_by(file, asked_of, goal, design, options.stop).loads;
+  const FoldLoads asked = compute_trial_loads(file, asked_of, goal, design, options.stop).loads;
   if (options.stop.stop_requested()) return {};  // an interrupted path does not reach the fold
-  KeptLoads out{asked, {}};
-  if (share_of(file.limits, asked.hinges) <= HingeLimits::in_hand) return out;
+  LimitedLoads out{asked, {}};
+  if (limit_use(file.limits, asked.hinges) <= HingeLimits::safe_share) return out;
   const auto keeps = [&](double theta, double share) -> std::optional<bool> {
     options.progress("limits", share);
     optim::FoldDesign next = search(theta);
     if (options.stop.stop_requested()) return std::nullopt;
     if (!next.folds) return true;
-    const Borne borne = borne_by(file, asked_of, goal, next, options.stop);
+    const TrialLoads trial_loads = compute_trial_loads(file, asked_of, goal, next, options.stop);
     if (options.stop.stop_requested()) return std::nullopt;
-    if (!(share_of(file.limits, borne.loads.hinges) <= HingeLimits::in_hand)) return false;
+    if (!(limit_use(file.limits, trial_loads.loads.hinges) <= HingeLimits::safe_share)) return false;
     // A sheet that does not reach its goal strains its hinges little, which is not a way to keep the limits.
-    if (!borne.meets_goal) return true;
+    if (!trial_loads.meets_goal) return true;
     design = std::move(next);
-    out = {borne.loads, asked};
+    out = {trial_loads.loads, asked};
     return true;
   };
   halve({file.theta.lower, design.folded.theta}, {theta_halvings, one_theta}, keeps);
@@ -93,7 +93,7 @@ double mean_tilt(const model::Lattice& net, const std::vector<int>& hinges) {
 }
 
 /// Returns the theta at which most searches for folds end, rad, for the forecast.
-double usual_theta(const optim::AngleRange& allowed) {
+double typical_theta(const optim::AngleRange& allowed) {
   return std::clamp(26 * radians_per_degree, allowed.lower, allowed.upper);
 }
 
@@ -117,12 +117,12 @@ constexpr double seconds_of_175 = 0.15;  // s: a search of 175 bodies; time grow
 double search_seconds(double bodies) { return seconds_of_175 * std::pow(bodies / 175, 1.5); }
 
 // Searches of a small box per choice of other cells: two or three, until theta and the cells agree.
-constexpr double looks_per_box = 3;
+constexpr double searches_per_box = 3;
 
 double cells_of_box(const std::array<int, 3>& e) { return 2.0 * (e[0] * e[1] + e[1] * e[2] + e[2] * e[0]); }
 
 /// Estimates the columns of each crease: the fewest that tilts and theta allow. Walls usually limit a column to 45 deg.
-std::vector<int> usual_columns(const targets::FoldNet& net, double theta, double tilt) {
+std::vector<int> typical_columns(const targets::FoldNet& net, double theta, double tilt) {
   const double turn =
       std::clamp(2 * std::atan(std::tan(tilt) * std::sin(theta)), min_turn_per_column, max_turn_per_column);
   std::vector<int> out;
@@ -135,21 +135,21 @@ std::vector<int> usual_columns(const targets::FoldNet& net, double theta, double
 
 /// Returns the cell edge (mm) with which this many cells fold to the shortest edge of the box. @param across cells
 double edge_of_cells(const FoldFile& file, const optim::FoldedNet& net, int across) {
-  const auto& asked_mm = *file.goal.box_mm;
-  const auto shortest = std::min_element(asked_mm.begin(), asked_mm.end());
+  const auto& required_mm = *file.goal.box_mm;
+  const auto shortest = std::min_element(required_mm.begin(), required_mm.end());
   const auto edges = optim::folded_box({across, across, across}, file.goal.open, 1, net.theta,
                                        net.layout.creases[0].columns());
-  return *shortest / edges[shortest - asked_mm.begin()];
+  return *shortest / edges[shortest - required_mm.begin()];
 }
 
 /// Names the solid that a state is compared with. A box of given size is compared with the box that its cells fold to,
 /// and tolerance.size limits the difference between the two.
-std::string judged_against(const targets::FoldGoal& goal) {
+std::string compared_with(const targets::FoldGoal& goal) {
   if (!goal.box_mm) return "the goal";
   return goal.open ? "the open box of these cells" : "the closed box of these cells";
 }
 
-bool looks_for_other_cells(const FoldFile& file) { return !file.robust && !file.limits.any(); }
+bool searches_other_cells(const FoldFile& file) { return !file.robust && !file.limits.any(); }
 
 /// Describes why the file's process cannot print such cells. Empty if it can.
 std::string too_fine(const FoldFile& file, const model::CellSize& size) {
@@ -161,7 +161,7 @@ std::string too_fine(const FoldFile& file, const model::CellSize& size) {
 /// that the present cells give.
 std::string other_size(const FoldFile& file, const optim::FoldDesign& found, const RunOptions& options) {
   const char* looser = "a larger tolerance.size";
-  if (!looks_for_other_cells(file))
+  if (!searches_other_cells(file))
     return fmt::format("try another cell edge (structure.cell_mm), or allow {}", looser);
   options.progress("other cells", -1, "");
   optim::BoxOptions box = *file.box;
@@ -182,8 +182,8 @@ std::string other_size(const FoldFile& file, const optim::FoldDesign& found, con
       "no cells of about {:.3g} to {:.3g} mm come as near; these fold to box_mm: [{:.1f}, {:.1f}, {:.1f}], "
       "which "
       "can be asked for, or {}",
-      edge_of_cells(file, found.folded, optim::most_cells_across), edge_of_cells(file, found.folded, 1),
-      mm[0], mm[1], mm[2], looser);
+      edge_of_cells(file, found.folded, optim::max_cells_across), edge_of_cells(file, found.folded, 1), mm[0],
+      mm[1], mm[2], looser);
 }
 
 /// Returns the edges of the box around a solid. It stands on its first face, with that face's first edge along x.
@@ -207,7 +207,7 @@ int columns_of_solid(const targets::Solid& solid, const FoldFile& file) {
   for (const targets::SolidEdge& edge : edges_of(solid)) sharpest = std::max(sharpest, edge.turn);
   const double theta = std::clamp(steep_theta, file.theta.lower, file.theta.upper),
                turn = 2 * std::atan(std::tan(file.tilt) * std::sin(theta));
-  return static_cast<int>(std::clamp(std::ceil(sharpest / turn), 1.0, 1.0 * optim::most_solid_columns));
+  return static_cast<int>(std::clamp(std::ceil(sharpest / turn), 1.0, 1.0 * optim::max_solid_columns));
 }
 
 constexpr double seconds_per_solid_body = 0.005;  // s per body, measured: search of columns and theta
@@ -219,8 +219,8 @@ class FoldGoal final : public Goal {
   Forecast forecast() const override {
     if (file_.goal.solid) return forecast_solid();
     const targets::FoldNet& net = file_.goal.nets.front();
-    const double theta = usual_theta(file_.theta);
-    const std::vector<int> columns = usual_columns(net, theta, file_.tilt);
+    const double theta = typical_theta(file_.theta);
+    const std::vector<int> columns = typical_columns(net, theta, file_.tilt);
     Forecast out{optim::fold_to(net, columns, theta, file_.size, file_.tilt).structure};
     if (file_.goal.box) {
       const auto mm =
@@ -232,14 +232,14 @@ class FoldGoal final : public Goal {
     out.search_s = search_seconds(out.sheet.bodies());
     if (const double miss = likely_miss(); miss > file_.size_tolerance) add_other_cells(miss, out);
     add_settings(file_, out);
-    if (file_.limits.any()) out.search_s += paths_to_limits * matter_seconds(file_, out.sheet);
+    if (file_.limits.any()) out.search_s += paths_to_limits * compensation_seconds(file_, out.sheet);
     if (file_.robust) out.search_s *= designs_of_robust_search(file_.theta, file_.hinge);
     return out;
   }
 
-  Found search(const RunOptions& options) const override {
+  SearchResult search(const RunOptions& options) const override {
     if (file_.goal.solid) return search_solid(options);
-    Found plain = search(file_, options);
+    SearchResult plain = search(file_, options);
     if (!file_.robust) return plain;
     return search_robustly(
         std::move(plain), *this, *file_.robust, file_.theta,
@@ -262,9 +262,9 @@ class FoldGoal final : public Goal {
     out->loads = found.loads;
     out->violations = of == StateOf::model && !shape.folds
                           ? shape.obstacles
-                          : shape.violations(file_, out->error, in_words(of));
+                          : shape.violations(file_, out->error, describe(of));
     if (of == StateOf::physics) return out;
-    if (!found.size_missed.empty()) out->violations.push_back(found.size_missed);
+    if (!found.size_error_text.empty()) out->violations.push_back(found.size_error_text);
     if (of == StateOf::model) return out;
     for (std::size_t c = 0; c < out->tilt.size(); ++c)
       out->tilt[c] = mean_tilt(run.design.structure, shape.creases[c].hinges);
@@ -277,7 +277,7 @@ class FoldGoal final : public Goal {
   }
 
   /// Observes the offset of each face's vertices, in all directions, from the solid of the size that the search chose.
-  std::optional<Observed> observe(const Found& found, const model::Lattice& sheet,
+  std::optional<Observed> observe(const SearchResult& found, const model::Lattice& sheet,
                                   const model::State& state) const override {
     const FoldShape& shape = outcome_of<FoldOutcome>(found).shape;
     if (!shape.folds || !is_finite(state)) return std::nullopt;
@@ -291,31 +291,32 @@ class FoldGoal final : public Goal {
 
  private:
   /// Returns the settings of the file that apply to any design.
-  static Found asked(const FoldFile& file) {
-    Found out;
-    take_settings(out, file);
+  static SearchResult asked(const FoldFile& file) {
+    SearchResult out;
+    copy_settings(out, file);
     out.tolerances = {{"angle_deg", std::stod(targets::degrees_text(file.angle_tolerance))},
                       {"shape", file.shape_tolerance}};
     if (file.goal.box_mm) out.tolerances.emplace_back("size", file.size_tolerance);
     out.physics.when = PhysicsRequest::When::if_met;
-    out.judged_against = judged_against(file.goal);
+    out.compared_with = compared_with(file.goal);
     return out;
   }
 
-  Found with_outcome(Found out, FoldShape shape, KeptLoads loads = {}, std::string size_missed = {}) const {
+  SearchResult with_outcome(SearchResult out, FoldShape shape, LimitedLoads loads = {},
+                            std::string size_error_text = {}) const {
     out.bounds = {file_.tilt, file_.theta};
     out.design.structure = shape.sheet;
     out.theta = shape.theta;
     auto found = std::make_unique<FoldOutcome>(std::move(shape));
     found->loads = std::move(loads.loads);
     found->unlimited = std::move(loads.unlimited);
-    found->size_missed = std::move(size_missed);
+    found->size_error_text = std::move(size_error_text);
     out.goal = std::move(found);
     return out;
   }
 
-  Found search(const FoldFile& file, const RunOptions& options) const {
-    Found out = asked(file);
+  SearchResult search(const FoldFile& file, const RunOptions& options) const {
+    SearchResult out = asked(file);
     out.bounds = {file_.tilt, file_.theta};
     const optim::FoldOptions first = search_of(file, options);
     optim::FoldDesign design = fit_fold(file.goal, first, options.progress);
@@ -324,13 +325,13 @@ class FoldGoal final : public Goal {
       narrowed.theta.upper = largest_theta;
       return fit_fold(file.goal, narrowed);
     };
-    KeptLoads loads = keep_limits(file, out, *this, design, narrower, options);
-    std::string size_missed = describe_size_miss(file, design, options);
+    LimitedLoads loads = keep_limits(file, out, *this, design, narrower, options);
+    std::string size_error_text = describe_size_miss(file, design, options);
     return with_outcome(std::move(out), shape_of(file.goal, design), std::move(loads),
-                        std::move(size_missed));
+                        std::move(size_error_text));
   }
 
-  Found search_solid(const RunOptions& options) const {
+  SearchResult search_solid(const RunOptions& options) const {
     const targets::SolidGoal& goal = *file_.goal.solid;
     return with_outcome(asked(file_),
                         shape_of(goal, fit_solid(targets::named_solid(goal.solid), goal.cells, goal.columns,
@@ -342,7 +343,8 @@ class FoldGoal final : public Goal {
     const targets::Solid solid = targets::named_solid(goal.solid);
     const auto net = lay_out(solid, goal.cells, columns_of_solid(solid, file_), file_.size);
     Forecast out{net.structure};
-    out.folded_mm = net.edge * file_.size.edge_mm * std::cos(usual_theta(file_.theta)) * standing_size(solid);
+    out.folded_mm =
+        net.edge * file_.size.edge_mm * std::cos(typical_theta(file_.theta)) * standing_size(solid);
     out.search_s = out.sheet.bodies() * seconds_per_solid_body;
     add_settings(file_, out);
     return out;
@@ -350,7 +352,7 @@ class FoldGoal final : public Goal {
 
   /// Returns the expected error of a box's edges as a ratio to those required; 0 if the box is given in cells.
   double likely_miss() const {
-    return file_.box ? optim::size_miss(file_.box_folded_mm, file_.box->asked_mm) : 0;
+    return file_.box ? optim::size_miss(file_.box_folded_mm, file_.box->required_mm) : 0;
   }
 
   /// Adds the time of other_size() to a forecast: searches of small boxes, and of whole boxes if cells nearly fit.
@@ -358,18 +360,18 @@ class FoldGoal final : public Goal {
     const std::string off =
         fmt::format("with these cells the box would be off by {:.1f} %; {:.1f} % is allowed", 100 * miss,
                     100 * file_.size_tolerance);
-    if (!looks_for_other_cells(file_)) return forecast.notes.push_back(off);
+    if (!searches_other_cells(file_)) return forecast.notes.push_back(off);
     const double bodies_per_cell = forecast.sheet.bodies() / cells_of_box(*file_.goal.box);
-    double looks = 0, folds = 0;  // s: searches of small boxes and of whole boxes
+    double box_searches = 0, folds = 0;  // s: searches of small boxes and of whole boxes
     for (std::array<int, 3> edges : optim::tried_cells(*file_.box, file_.size_tolerance)) {
       folds += search_seconds(bodies_per_cell * cells_of_box(edges));
-      for (int& edge : edges) edge = std::min(edge, optim::telling_cells);
-      looks += looks_per_box * search_seconds(bodies_per_cell * cells_of_box(edges));
+      for (int& edge : edges) edge = std::min(edge, optim::test_box_cells);
+      box_searches += searches_per_box * search_seconds(bodies_per_cell * cells_of_box(edges));
     }
-    forecast.search_s += looks;
+    forecast.search_s += box_searches;
     forecast.notes.push_back(fmt::format(
         "{}: the search goes on with other cells, for {}, or up to {} where many of them nearly fit", off,
-        about(looks), about(looks + folds)));
+        about(box_searches), about(box_searches + folds)));
   }
 
   /// Describes the size error of the box, with advice. Empty if the size is met.

@@ -19,7 +19,7 @@ struct FoldOutcome final : GoalOutcome {
   FoldShape shape;
   std::optional<FoldLoads> loads;      ///< loads found by the search, if the file limits them
   std::optional<FoldLoads> unlimited;  ///< loads without limits, if the limits made a difference
-  std::string size_missed;             ///< size error of the box with advice; empty if the size is met
+  std::string size_error_text;         ///< size error of the box with advice; empty if the size is met
 
   /// Adds `fold` (faces and creases on the lattice with their angles and errors, unfoldings tried, reasons)
   /// and `optimiser`.

@@ -16,7 +16,7 @@ Json loads_json(const FoldLoads& loads) {
 
 std::string loads_text(const FoldLoads& loads) {
   return fmt::format("at theta {:.1f} deg: {:.3g} N{}, strain {:.2f}", to_degrees(loads.theta),
-                     loads.hinges.force_N, lever_words(loads.hinges), loads.hinges.strain);
+                     loads.hinges.force_N, describe_lever(loads.hinges), loads.hinges.strain);
 }
 
 /// Lists the faces of the ideal solid, aligned with the folded state, as closed lines.
@@ -93,14 +93,14 @@ void FoldOutcome::add_metrics(const Run& run, Json& metrics) const {
 std::vector<SummaryLine> FoldOutcome::summary_lines(const Run& run) const {
   const auto& shown = measure_of<FoldMeasure>(run);
   std::vector<SummaryLine> lines = {
-      {"solid", shape.in_words(shown.error) + (run.met() ? "" : ": DOES NOT FOLD AS REQUIRED")}};
+      {"solid", shape.describe(shown.error) + (run.met() ? "" : ": DOES NOT FOLD AS REQUIRED")}};
   lines.insert(lines.end(), shape.lines.begin(), shape.lines.end());
   lines.push_back(
       {"search", fmt::format("{:.3f} s, {} motions examined", run.timings.optimise, shape.evaluations)});
   if (shown.loads) lines.push_back({"limits", loads_text(*shown.loads)});
   if (unlimited) lines.push_back({"", "without them " + loads_text(*unlimited)});
   if (const auto* physics = physics_measure_of<FoldMeasure>(run))
-    lines.push_back({"folded", "in the physics run: " + shape.in_words(physics->error)});
+    lines.push_back({"folded", "in the physics run: " + shape.describe(physics->error)});
   return lines;
 }
 

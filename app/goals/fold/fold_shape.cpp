@@ -65,7 +65,7 @@ void choose_cells(const targets::Section& root, FoldFile& file) {
   const targets::Node target = root.required("target", "");
   const targets::Section structure = root.section("structure");
   optim::BoxOptions options;
-  options.asked_mm = *file.goal.box_mm;
+  options.required_mm = *file.goal.box_mm;
   options.open = file.goal.open;
   options.crease_columns = file.goal.nets.front().creases.front().columns;
   if (structure.optional("cell_mm")) options.edge_mm = file.size.edge_mm;
@@ -75,7 +75,7 @@ void choose_cells(const targets::Section& root, FoldFile& file) {
   const optim::BoxInCells box = target.located([&] { return fit_box(options); });
   file.size = options.size(box.edge_mm);
   file.goal = targets::box_goal(box.edges, options.open, options.crease_columns);
-  file.goal.box_mm = options.asked_mm;
+  file.goal.box_mm = options.required_mm;
   file.box_folded_mm = box.folded_mm;
   options.size = walls_for(structure, file.size);
   file.box = std::move(options);
@@ -150,7 +150,7 @@ constexpr double reported_miss =
     0.001;  // degrees of a crease, and ratio to a face's edge: less is irrelevant
 
 /// Describes the columns of all creases: "2 columns", or "1 to 4 columns".
-std::string columns_in_words(const targets::NetLayout& layout) {
+std::string describe_columns(const targets::NetLayout& layout) {
   int least = targets::max_crease_columns, most = 0;
   for (const targets::PlacedCrease& crease : layout.creases) {
     least = std::min(least, crease.columns());
@@ -304,7 +304,7 @@ double FoldShape::largest_miss(const targets::FoldError& of) const {
   return most;
 }
 
-std::string FoldShape::in_words(const targets::FoldError& of) const {
+std::string FoldShape::describe(const targets::FoldError& of) const {
   return fmt::format(
       "{} crease{} within {:.3g} deg, faces {} of their edge from the solid (rms)", creases.size(),
       creases.size() == 1 ? "" : "s", std::max(to_degrees(largest_miss(of)), reported_miss),
@@ -332,7 +332,7 @@ FoldShape shape_of(const targets::FoldGoal& goal, const optim::FoldDesign& desig
   out.unfoldings = goal.nets.size();
   out.unfolding = design.net;
   out.lines = {{"net", fmt::format("{} face{}, {} per crease, unfolding {} of {}", net.net.faces.size(),
-                                   net.net.faces.size() == 1 ? "" : "s", columns_in_words(net.layout),
+                                   net.net.faces.size() == 1 ? "" : "s", describe_columns(net.layout),
                                    design.net + 1, goal.nets.size())}};
   if (goal.box) {
     out.edges_mm = edges_mm(goal, design);

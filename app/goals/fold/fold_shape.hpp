@@ -88,7 +88,7 @@ struct FoldShape {
   /// Returns the largest angle error of a crease, rad.
   double largest_miss(const targets::FoldError& of) const;
   /// Describes the error: "12 creases within 0.001 deg, faces less than 0.001 of their edge from the solid (rms)".
-  std::string in_words(const targets::FoldError& of) const;
+  std::string describe(const targets::FoldError& of) const;
 };
 
 /// Returns the edges of the ideal box in mm; an open box ends at its rim. @pre goal.box

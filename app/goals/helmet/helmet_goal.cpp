@@ -24,9 +24,9 @@ namespace value = targets::value;
 
 constexpr double share_of_coverage = 1.0 / 30;  // allowed error over coverage: 3 mm for the usual 90 mm
 constexpr double helmet_cell_mm = 6;            // a tenth of a head's radius: ribs can follow its curves
-constexpr int most_ribs = 200;                  // input limit: one rib per two millimetres of a head
-constexpr double least_helmet_cell_mm = 1;      // for cells and rib spacing: less makes too many cells
-constexpr double most_cell_mm = 60;             // about a head's radius: larger cells cannot follow it
+constexpr int max_ribs = 200;                   // input limit: one rib per two millimetres of a head
+constexpr double min_helmet_cell_mm = 1;        // for cells and rib spacing: less makes too many cells
+constexpr double max_cell_mm = 60;              // about a head's radius: larger cells cannot follow it
 
 targets::KeyTable helmet_target_keys() {
   using Spec = optim::RibsSpec;
@@ -34,9 +34,9 @@ targets::KeyTable helmet_target_keys() {
   keys.insert(keys.begin(), targets::goal_kind_key("helmet"));
   keys.insert(
       keys.end(),
-      {{"ribs", &Spec::ribs, value::integer(1, most_ribs),
+      {{"ribs", &Spec::ribs, value::integer(1, max_ribs),
         "how many there are along the spine, evenly spaced"},
-       {"spacing_mm", &Spec::spacing_mm, value::number(targets::from_to(least_helmet_cell_mm, 1000, "mm")),
+       {"spacing_mm", &Spec::spacing_mm, value::number(targets::from_to(min_helmet_cell_mm, 1000, "mm")),
         targets::otherwise("follows from `ribs`"),
         "distance of the ribs instead of their number: they are as many, evenly spaced, as come "
         "nearest to it"},
@@ -48,7 +48,7 @@ targets::KeyTable helmet_target_keys() {
 
 targets::KeyTable helmet_structure_keys() {
   return targets::KeyTable({cell_mm_key(targets::by_default(helmet_cell_mm),
-                                        targets::from_to(least_helmet_cell_mm, most_cell_mm, "mm")),
+                                        targets::from_to(min_helmet_cell_mm, max_cell_mm, "mm")),
                             wall_mm_key()});
 }
 
@@ -77,14 +77,14 @@ void read_variables(const targets::Section& root, optim::RibsSpec& spec) {
 }
 
 /// Returns the default maximum error in mm: the value for adults, scaled down for small heads and small cells.
-double usual_max_mm(const HelmetFile& file) {
-  return std::min({HelmetFile::usual_max_mm, GoalSettings::grain * file.spec.size.edge_mm,
+double default_max_mm(const HelmetFile& file) {
+  return std::min({HelmetFile::default_max_mm, GoalSettings::grain * file.spec.size.edge_mm,
                    share_of_coverage * file.head.coverage_mm});
 }
 
 void read_tolerance(const targets::Section& root, HelmetFile& file) {
-  file.max_mm = usual_max_mm(file);
-  file.rms_mm = HelmetFile::usual_rms_mm * file.max_mm / HelmetFile::usual_max_mm;
+  file.max_mm = default_max_mm(file);
+  file.rms_mm = HelmetFile::default_rms_mm * file.max_mm / HelmetFile::default_max_mm;
   root.read_into(file);
 }
 
@@ -114,12 +114,12 @@ const targets::KeyTable& helmet_keys() {
            targets::KeyTable({
                {"rms_mm", &HelmetFile::rms_mm, value::number(targets::above(0, "mm")),
                 targets::otherwise(
-                    fmt::format("{:g}; less with a smaller `max_mm` by default", HelmetFile::usual_rms_mm)),
+                    fmt::format("{:g}; less with a smaller `max_mm` by default", HelmetFile::default_rms_mm)),
                 "most of the [distance](#distances-of-a-helmet) from head plus clearance, root mean square"},
                {"max_mm", &HelmetFile::max_mm, value::number(targets::above(0, "mm")),
                 targets::otherwise(fmt::format(
                     "{:g}, or half a cell, or a thirtieth of `target.coverage_mm` where that is less",
-                    HelmetFile::usual_max_mm)),
+                    HelmetFile::default_max_mm)),
                 "likewise, the largest"},
                {"covered_share", &HelmetFile::covered_share, value::number(targets::Bounds{0, 1, true, true}),
                 targets::otherwise("any will do"), "least of [covered_share](#covered_share)"},
@@ -202,7 +202,7 @@ Json openings_json(const std::vector<targets::DomeOpening>& openings) {
   return out;
 }
 
-std::string in_words(const optim::RibsError& error) {
+std::string describe(const optim::RibsError& error) {
   return fmt::format("rms {:.3f} mm, largest {:.3f} mm, ribs up to {:.3f} mm rms from their sections",
                      error.rms, error.max, worst_rib(error));
 }
@@ -220,7 +220,7 @@ std::string invented(const std::vector<targets::DomeOpening>& openings) {
 }
 
 /// Describes walls inside the head, and names the clearance if it is too small for the wall height.
-std::string in_words(const targets::WallsInside& inside, const HelmetFile& file, const std::string& who) {
+std::string describe(const targets::WallsInside& inside, const HelmetFile& file, const std::string& who) {
   const double reach = file.spec.size.height_mm / 2;
   std::string text = fmt::format("{}: {} wall{} in the head", who, inside.hinges.size(),
                                  inside.hinges.size() == 1 ? " lies" : "s lie");
@@ -237,14 +237,14 @@ class HelmetOutcome final : public RibsOutcome {
   HelmetOutcome(const RibsTask& task, HelmetFile file, optim::RibsDesign found)
       : RibsOutcome(task, std::move(found)), file_(std::move(file)) {}
 
-  void judge(const model::Lattice& sheet, StateOf of, const model::State& state,
-             RibsMeasure& measure) const override {
-    const std::string who = app::in_words(of);
+  void evaluate(const model::Lattice& sheet, StateOf of, const model::State& state,
+                RibsMeasure& measure) const override {
+    const std::string who = app::describe(of);
     const optim::RibsError& error = measure.error;
     measure.inside = walls_inside(sheet, state, file_.head.scan);
     if (!file_.head.openings.empty()) measure.warnings = {invented(file_.head.openings)};
     std::vector<std::string>& why = measure.violations;
-    if (!measure.inside.hinges.empty()) why.push_back(in_words(measure.inside, file_, who));
+    if (!measure.inside.hinges.empty()) why.push_back(describe(measure.inside, file_, who));
     if (!(error.rms <= file_.rms_mm))
       why.push_back(fmt::format("{}: {:.2f} mm rms from head plus clearance; at most {:g} mm is allowed", who,
                                 error.rms, file_.rms_mm));
@@ -321,13 +321,13 @@ class HelmetOutcome final : public RibsOutcome {
          fmt::format("{} ribs on a spine of {} cells, {:g} mm over the head, {:g} mm down from the crown",
                      design.layout.spine_and_ribs.ribs.size(), design.layout.spine_and_ribs.rows,
                      file_.spec.clearance_mm, file_.spec.coverage_mm)},
-        {"fit", in_words(error) +
+        {"fit", describe(error) +
                     fmt::format(", {:.0f} % of the head within a cell edge of a rib: ", 100 * cover.share) +
-                    tolerance_words(run, is_within)}};
+                    describe_tolerance(run, is_within)}};
     for (const std::string& note : design.layout.notes) out.push_back({"note", note});
     out.push_back(search_line(run.timings.optimise, design.search));
     if (const auto* physics = physics_measure_of<RibsMeasure>(run))
-      out.push_back({"worn", "in the physics run: " + in_words(physics->error)});
+      out.push_back({"worn", "in the physics run: " + describe(physics->error)});
     return out;
   }
 
@@ -368,7 +368,7 @@ std::unique_ptr<Goal> make_goal(HelmetFile file) {
   task.tolerances = {{"rms_mm", file.rms_mm}, {"max_mm", file.max_mm}};
   if (file.covered_share) task.tolerances.emplace_back("covered_share", *file.covered_share);
   task.bounds = {file.spec.tilt, file.spec.theta};
-  task.is_laid_over = task.has_notes = true;
+  task.is_aligned = task.has_notes = true;
   task.folded_mm = covered_size(file);
   task.lowest_z = -file.spec.coverage_mm;
   task.outcome = [task, file](optim::RibsDesign found) {

@@ -19,12 +19,12 @@ namespace kinetix::app {
 /// `tolerance: {rms_mm: 0.8, max_mm: 3, verify: 0.02}`
 struct HelmetFile : GoalSettings {
   /// Default tolerances in mm, small compared with the default clearance of 5 mm.
-  static constexpr double usual_rms_mm = 0.8, usual_max_mm = 3;
+  static constexpr double default_rms_mm = 0.8, default_max_mm = 3;
 
   targets::Head head;                        ///< target.mesh, units, up, front, crown, coverage_mm
   optim::RibsSpec spec = {};                 ///< target.ribs, spacing_mm, clearance_mm; structure; variables
-  double rms_mm = usual_rms_mm;              ///< tolerance.rms_mm: rms distance from head plus clearance, > 0
-  double max_mm = usual_max_mm;              ///< tolerance.max_mm: largest error of that distance, > 0
+  double rms_mm = default_rms_mm;            ///< tolerance.rms_mm: rms distance from head plus clearance, > 0
+  double max_mm = default_max_mm;            ///< tolerance.max_mm: largest error of that distance, > 0
   std::optional<double> covered_share = {};  ///< tolerance.covered_share, [0, 1]; nullopt: no limit
 };
 

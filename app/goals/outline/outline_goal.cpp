@@ -29,14 +29,14 @@ std::string binding_limit(const optim::OutlineDesign& design) {
 }
 
 /// Describes how the search ended, for a panel whose walls do not collide.
-std::string ended_words(const optim::OutlineDesign& design) {
+std::string describe_search_end(const optim::OutlineDesign& design) {
   const std::string moves = design.settled
                                 ? "no vertex moves any more"
                                 : "it took as many rounds as it may, and vertices still move a little";
   return moves + ", and no walls meet on the way";
 }
 
-std::string size_words(double size) {
+std::string describe_size(double size) {
   if (std::abs(size - 1) < 5e-3) return "as large as drawn";
   return fmt::format("{:.3g} times as large as drawn", size);
 }
@@ -59,7 +59,7 @@ targets::OutlineError error_of(const OutlineOutcome& outline, const model::State
 void move_outline(const model::State& shown, double edge_mm, double turn, optim::OutlineDesign& design) {
   const model::PlanarStructure& panel = design.panel;
   const model::Pose searched =
-      model::redrawn_pose(panel.graph.vertices[0], design.y[0], panel.senses[0], design.theta);
+      model::parallel_pose(panel.graph.vertices[0], design.y[0], panel.senses[0], design.theta);
   const Eigen::Vector2d from_first = design.origin - searched.p.head<2>();
   design.origin = shown[0].p.head<2>() / edge_mm + Eigen::Rotation2Dd(-turn) * from_first;
 }
@@ -95,16 +95,16 @@ class OutlineGoal final : public Goal {
     return out;
   }
 
-  Found search(const RunOptions& options) const override {
-    Found out;
-    take_settings(out, file_);
+  SearchResult search(const RunOptions& options) const override {
+    SearchResult out;
+    copy_settings(out, file_);
     out.tolerances = {{"shape", file_.shape_tolerance}, {"iou", file_.iou_tolerance}};
     auto outline = std::make_unique<OutlineOutcome>(file_);
     FoundOutline found = search_outline(file_, options);
     outline->design = std::move(found.design);
     outline->cuts = found.cuts;
     outline->turn = found.turn;
-    outline->rim = outer_rim(outline->design.panel.graph).vertices;
+    outline->rim = outer_boundary(outline->design.panel.graph).vertices;
     out.design.structure = std::move(found.sheet);
     out.theta = outline->design.theta;
     out.plan.exact = exact_motion(out.design.structure);
@@ -116,7 +116,7 @@ class OutlineGoal final : public Goal {
     const model::State exact = shown(out.plan.exact.at(out.theta), outline->turn);
     move_outline(exact, out.design.structure.size().edge_mm, outline->turn, outline->design);
     out.goal = std::move(outline);
-    out.is_laid_over = true;
+    out.is_aligned = true;
     out.bounds = {.theta = {file_.theta[0], file_.theta[1]}};
     return out;
   }
@@ -128,13 +128,13 @@ class OutlineGoal final : public Goal {
     auto out = std::make_shared<OutlineMeasure>();
     out->error = of == StateOf::model ? outline.design.error
                                       : error_of(outline, shown(run.own, outline.turn), state, edge_mm);
-    out->violations = of == StateOf::physics ? violations(file_, out->error, in_words(of))
-                                             : all_violations(file_, outline, out->error, in_words(of));
+    out->violations = of == StateOf::physics ? violations(file_, out->error, describe(of))
+                                             : all_violations(file_, outline, out->error, describe(of));
     return out;
   }
 
   /// Observes the distance of each boundary vertex from the outline.
-  std::optional<Observed> observe(const Found& found, const model::Lattice&,
+  std::optional<Observed> observe(const SearchResult& found, const model::Lattice&,
                                   const model::State& state) const override {
     const auto& outline = outcome_of<OutlineOutcome>(found);
     const targets::Outline goal(outline.placed(found.design.structure.size().edge_mm));
@@ -195,7 +195,7 @@ void OutlineOutcome::add_sections(const Run& run, Json& result) const {
   result["optimiser"] = {
       {"solver", "alternating directions"}, {"starts", std::max(1, cuts)}, {"evaluations", design.rounds}};
   add_end(
-      design.stopped, design.clear, ended_words(design),
+      design.stopped, design.clear, describe_search_end(design),
       fmt::format("walls still meet on the way after {} rounds, from each to the next with less turning of "
                   "those that did",
                   design.clearance_rounds),
@@ -225,11 +225,11 @@ std::vector<SummaryLine> OutlineOutcome::summary_lines(const Run& run) const {
   const targets::OutlineError& error = measure_of<OutlineMeasure>(run).error;
   std::vector<SummaryLine> lines;
   lines.push_back(
-      {"outline",
-       fmt::format("rim {:.2f} % of the diagonal off the outline (rms, {:.3f} mm), area {:.1f} % "
-                   "shared, {}: {}",
-                   100 * error.rms, error.rms * size(edge) * file.folded.diagonal(), 100 * error.iou,
-                   size_words(size(edge)), tolerance_words(run, app::violations(file, error, "").empty()))});
+      {"outline", fmt::format("rim {:.2f} % of the diagonal off the outline (rms, {:.3f} mm), area {:.1f} % "
+                              "shared, {}: {}",
+                              100 * error.rms, error.rms * size(edge) * file.folded.diagonal(),
+                              100 * error.iou, describe_size(size(edge)),
+                              describe_tolerance(run, app::violations(file, error, "").empty()))});
   if (file.flat)
     lines.push_back(
         {"flat", fmt::format("rim {:.2f} % of the diagonal off its outline (rms), area {:.1f} % shared",
@@ -244,8 +244,8 @@ std::vector<SummaryLine> OutlineOutcome::summary_lines(const Run& run) const {
   return lines;
 }
 
-std::vector<NamedContent> OutlineOutcome::pictures(const Run& run, bool of_report) const {
-  if (of_report) return {};
+std::vector<NamedContent> OutlineOutcome::pictures(const Run& run, bool for_report) const {
+  if (for_report) return {};
   std::vector<NamedContent> files;
   const model::State flat = rest_state(run.design.structure);
   for (const auto& [name, state] :

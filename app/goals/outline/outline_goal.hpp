@@ -27,7 +27,7 @@ class OutlineOutcome final : public GoalOutcome {
   void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const override;
   std::vector<SummaryLine> summary_lines(const Run& run) const override;
   /// Draws the panel from above, flat and pressed, as SVG and as PNG.
-  std::vector<NamedContent> pictures(const Run& run, bool of_report) const override;
+  std::vector<NamedContent> pictures(const Run& run, bool for_report) const override;
 };
 
 class OutlineMeasure final : public Measure {

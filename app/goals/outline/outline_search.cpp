@@ -169,11 +169,11 @@ namespace {
 using model::LatticeCell;
 using Cells = std::vector<LatticeCell>;
 
-constexpr int most_tried_cells = 1500;  // larger panels try one cut only: a search takes seconds
-constexpr double same_size = 1e-3;      // ratio: with less difference, walls and offsets match the search
-constexpr std::size_t most_cuts = 12;   // cuts that are fitted: as many as one orientation has
-constexpr double as_drawn = 1e-9;       // rad: smaller angles do not turn the outline
-constexpr double as_good = 0.01;        // ratio of errors: mirror images differ by less
+constexpr int max_tried_cells = 1500;  // larger panels try one cut only: a search takes seconds
+constexpr double same_size = 1e-3;     // ratio: with less difference, walls and offsets match the search
+constexpr std::size_t max_cuts = 12;   // cuts that are fitted: as many as one orientation has
+constexpr double as_drawn = 1e-9;      // rad: smaller angles do not turn the outline
+constexpr double as_good = 0.01;       // ratio of errors: mirror images differ by less
 // Rounding step of a cut's error, ratio. Cuts that are rotations of each other get equal errors, so their order does
 // not depend on the orientation of the drawing.
 constexpr double same_miss = 1e-6;
@@ -214,9 +214,10 @@ std::vector<double> turns_of(const targets::Outline& outline, int steps) {
 }
 
 /// Returns the boundary of a panel at rest, scaled to the area of the outline and centred on it.
-std::vector<Eigen::Vector2d> rim_over(const targets::Outline& outline, const model::PlanarStructure& panel) {
+std::vector<Eigen::Vector2d> boundary_over(const targets::Outline& outline,
+                                           const model::PlanarStructure& panel) {
   std::vector<Eigen::Vector2d> rim;
-  for (const int v : outer_rim(panel.graph).vertices) rim.push_back(panel.graph.vertices[v]);
+  for (const int v : outer_boundary(panel.graph).vertices) rim.push_back(panel.graph.vertices[v]);
   const double area = signed_area(rim.size(), [&](std::size_t k) { return rim[k]; });
   Eigen::AlignedBox2d box;
   for (Eigen::Vector2d& p : rim) box.extend(p *= std::sqrt(outline.area() / area));
@@ -251,22 +252,23 @@ class OutlineSearch {
     const Cells& cells = lay.cells;
     found.turn = lay.turn;
     folded_ = targets::turned(file_.folded, lay.turn);
-    double edge_mm = edge_of(file_, cells), came_out = edge_mm;
+    double edge_mm = edge_of(file_, cells), fitted_edge_mm = edge_mm;
     bool is_same = false;
     for (int pass = 0; pass < 3 && !is_same && !found.design.stopped; ++pass) {
       optim::OutlineDesign design =
-          fit(planar_structure(make_sheet(file_.lattice, cells, file_.size(came_out))), options_of(came_out));
+          fit(planar_structure(make_sheet(file_.lattice, cells, file_.size(fitted_edge_mm))),
+              options_of(fitted_edge_mm));
       if (pass > 0 && design.stopped) {  // an interrupted pass is worse than the one before it
         found.design.stopped = true;
         break;
       }
       found.design = std::move(design);
-      edge_mm = came_out;
-      if (!file_.flat && !file_.cell_mm) came_out = found.design.scale;
-      is_same = same_in_edges(edge_mm, came_out);
+      edge_mm = fitted_edge_mm;
+      if (!file_.flat && !file_.cell_mm) fitted_edge_mm = found.design.scale;
+      is_same = same_in_edges(edge_mm, fitted_edge_mm);
     }
     // After a stop, walls and offsets belong to the edge with which the design was fitted.
-    place(found.design.stopped && !is_same ? edge_mm : came_out, cells, found);
+    place(found.design.stopped && !is_same ? edge_mm : fitted_edge_mm, cells, found);
     return found;
   }
 
@@ -307,7 +309,7 @@ class OutlineSearch {
     for (const double turn : turns_of(file_.folded, flat_ ? 8 : 4))
       lays.push_back({turn, model::lattice_cells(file_.columns, file_.rows)});
     if (lays.size() == 1) return lays.front();
-    if (file_.columns * file_.rows > most_tried_cells)
+    if (file_.columns * file_.rows > max_tried_cells)
       measure_at_rest(file_.folded, lays);
     else
       measure_folded(lays);
@@ -321,7 +323,7 @@ class OutlineSearch {
     for (const double turn : turns_of(file_.folded, 4))
       for (Cells& cells : cuts_of(file_, targets::turned(file_.folded, turn)))
         lays.push_back({turn, std::move(cells)});
-    if (lays.size() > most_cuts || file_.columns * file_.rows > most_tried_cells) {
+    if (lays.size() > max_cuts || file_.columns * file_.rows > max_tried_cells) {
       measure_at_rest(file_.folded, lays);
       for (Lay& lay : lays) lay.miss = std::round(lay.miss / same_miss) * same_miss;
       std::stable_sort(lays.begin(), lays.end(), [](const Lay& a, const Lay& b) { return a.miss < b.miss; });
@@ -330,7 +332,7 @@ class OutlineSearch {
       };
       lays.erase(std::unique(lays.begin(), lays.end(), is_same), lays.end());
       lays.resize(
-          std::min<std::size_t>(lays.size(), file_.columns * file_.rows > most_tried_cells ? 1 : most_cuts));
+          std::min<std::size_t>(lays.size(), file_.columns * file_.rows > max_tried_cells ? 1 : max_cuts));
     }
     count = static_cast<int>(lays.size());
     if (count > 1) measure_folded(lays);
@@ -346,7 +348,7 @@ class OutlineSearch {
     model::run_in_parallel(static_cast<int>(lays.size()), run_.threads, [&](int k) {
       lays[k].miss = miss_or_none([&] {
         const targets::Outline laid = targets::turned(outline, lays[k].turn);
-        return miss(outline_error(laid, rim_over(laid, panel_of(lays[k].cells, 1))));
+        return miss(outline_error(laid, boundary_over(laid, panel_of(lays[k].cells, 1))));
       });
     });
   }

@@ -10,19 +10,19 @@
 
 namespace kinetix::app {
 
-SurfaceMethod fishbone_way(const optim::RibsDesign& design, const targets::RibbedSurface& surface) {
+SurfaceMethod fishbone_method(const optim::RibsDesign& design, const targets::RibbedSurface& surface) {
   return {"fishbone", design.error.rms / surface.diagonal, design.error.max / surface.diagonal, 1,
           optim::open_area(static_cast<int>(design.fishbone.structure.cells.size()),
                            design.fishbone.structure.size, design.shape.theta, surface.area)};
 }
 
-std::vector<SurfaceMethod> ways_by_ribs(const targets::RibbedSurface& surface, const optim::RibsSpec& spec,
-                                        bool with_fishbone, const std::stop_token& stop) {
+std::vector<SurfaceMethod> rib_methods(const targets::RibbedSurface& surface, const optim::RibsSpec& spec,
+                                       bool with_fishbone, const std::stop_token& stop) {
   std::vector<SurfaceMethod> out;
   optim::SolverOptions search;
   search.stop = stop;
   if (stop.stop_requested()) return out;
-  if (with_fishbone) out.push_back(fishbone_way(fit_ribs(surface, spec, search), surface));
+  if (with_fishbone) out.push_back(fishbone_method(fit_ribs(surface, spec, search), surface));
   if (stop.stop_requested()) return {};
   const optim::LooseRibs loose = fit_loose_ribs(surface, spec, search);
   if (stop.stop_requested()) return {};
@@ -31,24 +31,24 @@ std::vector<SurfaceMethod> ways_by_ribs(const targets::RibbedSurface& surface, c
   return out;
 }
 
-nlohmann::ordered_json ways_json(const std::vector<SurfaceMethod>& ways) {
+nlohmann::ordered_json methods_json(const std::vector<SurfaceMethod>& methods) {
   nlohmann::ordered_json out = nlohmann::ordered_json::array();
-  for (const SurfaceMethod& way : ways)
-    out.push_back({{"way", way.name},
-                   {"rms", way.rms},
-                   {"max", way.max},
-                   {"pieces", way.pieces},
-                   {"open_area", way.open}});
+  for (const SurfaceMethod& method : methods)
+    out.push_back({{"way", method.name},
+                   {"rms", method.rms},
+                   {"max", method.max},
+                   {"pieces", method.pieces},
+                   {"open_area", method.open}});
   return out;
 }
 
-std::string in_words(const std::vector<SurfaceMethod>& ways) {
+std::string describe(const std::vector<SurfaceMethod>& methods) {
   std::string out;
-  for (const SurfaceMethod& way : ways)
+  for (const SurfaceMethod& method : methods)
     out += fmt::format("{}{}: {}, {:.3f} % of the diagonal off, {:.0f} % of the area open",
-                       out.empty() ? "" : "; ", way.name,
-                       targets::counted(static_cast<std::size_t>(way.pieces), "piece"), 100 * way.rms,
-                       100 * way.open);
+                       out.empty() ? "" : "; ", method.name,
+                       targets::counted(static_cast<std::size_t>(method.pieces), "piece"), 100 * method.rms,
+                       100 * method.open);
   return out;
 }
 
@@ -72,9 +72,9 @@ class RibsGoal final : public Goal {
     return out;
   }
 
-  Found search(const RunOptions& options) const override {
-    Found out;
-    take_settings(out, task_.settings);
+  SearchResult search(const RunOptions& options) const override {
+    SearchResult out;
+    copy_settings(out, task_.settings);
     options.progress("search", 0);
     optim::SolverOptions solver = task_.solver;
     follow(options, optim::ribs_residual_in_cells * task_.spec.size.edge_mm, solver);
@@ -87,7 +87,7 @@ class RibsGoal final : public Goal {
       return placed_fishbone(fishbone, shape, theta);
     };
     out.to_shown = to_given();
-    out.is_laid_over = task_.is_laid_over;
+    out.is_aligned = task_.is_aligned;
     out.bounds = task_.bounds;
     out.goal = std::move(ribs);
     return out;
@@ -101,20 +101,21 @@ class RibsGoal final : public Goal {
     out->error = of == StateOf::model
                      ? ribs.design.error
                      : optim::ribs_error(ribs.design.fishbone, placed, task_.over, task_.spec.clearance_mm);
-    ribs.judge(run.design.structure, of, placed, *out);
+    ribs.evaluate(run.design.structure, of, placed, *out);
     if (of == StateOf::physics) {
       out->shown = moved(placed, to_given());
       return out;
     }
     model::append(ribs.bare(), out->violations);
     model::append(ribs.design.collisions, out->violations);
-    model::append(collisions_on_the_way(run, "use lower or thinner walls, or fewer ribs"), out->violations);
-    model::append(ribs.other_ways(options.stop), out->ways);
+    model::append(collisions_during_motion(run, "use lower or thinner walls, or fewer ribs"),
+                  out->violations);
+    model::append(ribs.other_methods(options.stop), out->methods);
     return out;
   }
 
   /// Observes the distance of every body from the surface plus the clearance, mm.
-  std::optional<Observed> observe(const Found& found, const model::Lattice&,
+  std::optional<Observed> observe(const SearchResult& found, const model::Lattice&,
                                   const model::State& state) const override {
     const model::Pose motion = motion_onto(state, found.own);
     const model::State placed = moved(state, motion);
@@ -159,7 +160,7 @@ Json RibsOutcome::lines(const std::vector<std::vector<Eigen::Vector3d>>& each) c
 Json RibsOutcome::bare_lines(const std::vector<std::vector<Eigen::Vector3d>>& each) const {
   Json out = Json::array();
   for (const auto& points : each)
-    for (const auto& part : bare_parts(reach, points)) out.push_back(line(part));
+    for (const auto& part : uncovered_parts(reach, points)) out.push_back(line(part));
   return out;
 }
 

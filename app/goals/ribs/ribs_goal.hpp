@@ -22,22 +22,22 @@ struct SurfaceMethod {
 };
 
 /// Returns the distances of a fishbone design from the surface and the share of the area that it leaves open.
-SurfaceMethod fishbone_way(const optim::RibsDesign& design, const targets::RibbedSurface& surface);
+SurfaceMethod fishbone_method(const optim::RibsDesign& design, const targets::RibbedSurface& surface);
 
 /// Fits loose ribs, and a fishbone first if `with_fishbone` is set. Returns an empty list if `stop` was requested.
 /// @throws InvalidInput as optim::fit_ribs
-std::vector<SurfaceMethod> ways_by_ribs(const targets::RibbedSurface& surface, const optim::RibsSpec& spec,
-                                        bool with_fishbone, const std::stop_token& stop);
+std::vector<SurfaceMethod> rib_methods(const targets::RibbedSurface& surface, const optim::RibsSpec& spec,
+                                       bool with_fishbone, const std::stop_token& stop);
 
-nlohmann::ordered_json ways_json(const std::vector<SurfaceMethod>& ways);
+nlohmann::ordered_json methods_json(const std::vector<SurfaceMethod>& methods);
 /// Describes all ways in one line.
-std::string in_words(const std::vector<SurfaceMethod>& ways);
+std::string describe(const std::vector<SurfaceMethod>& methods);
 
 struct RibsMeasure final : Measure {
   optim::RibsError error;
   targets::WallsInside inside;  ///< walls inside the given head; helmets only
   std::vector<SurfaceMethod>
-      ways;  ///< surfaces only: the fishbone, and for the model also the same ribs loose
+      methods;  ///< surfaces only: the fishbone, and for the model also the same ribs loose
 };
 
 class RibsOutcome;
@@ -54,7 +54,7 @@ struct RibsTask {
   double rms_mm = 0;  ///< allowed rms distance of bodies from the surface plus its clearance
   Tolerances tolerances = {};
   TurnBounds bounds = {};
-  bool is_laid_over = false;       ///< copied to Found::is_laid_over
+  bool is_aligned = false;         ///< copied to Found::is_aligned
   Eigen::Vector3d folded_mm = {};  ///< expected folded size
   bool has_notes = false;          ///< whether the forecast includes the notes of the layout
   double lowest_z =
@@ -73,12 +73,12 @@ class RibsOutcome : public GoalOutcome {
   optim::RibsCover cover;  ///< coverage of the surface by these cells
 
   /// Adds the kind's measures of a state and its violations. @param state in the frame of the surface
-  virtual void judge(const model::Lattice& sheet, StateOf of, const model::State& state,
-                     RibsMeasure& measure) const = 0;
+  virtual void evaluate(const model::Lattice& sheet, StateOf of, const model::State& state,
+                        RibsMeasure& measure) const = 0;
   /// Describes insufficient coverage of the surface. Empty if coverage is sufficient.
   virtual std::vector<std::string> bare() const = 0;
   /// Lists other ways to make the surface, for comparison with a measured design.
-  virtual std::vector<SurfaceMethod> other_ways(const std::stop_token&) const { return {}; }
+  virtual std::vector<SurfaceMethod> other_methods(const std::stop_token&) const { return {}; }
 
  protected:
   nlohmann::ordered_json line(const std::vector<Eigen::Vector3d>& points) const;

@@ -38,9 +38,9 @@ struct SpaceBlockFile : GoalSettings {
 
 namespace value = targets::value;
 
-constexpr int most_block_cells = 10;     // cells per direction: a block of 10 x 10 x 10 has 40 000 bodies
-constexpr int most_block_bodies = 6000;  // bodies of 5 x 5 x 5 cells, whose simulation takes minutes
-constexpr int bodies_per_cell = 36;      // 12 rotors and 24 gussets per inner cell; sides have a few more
+constexpr int max_block_cells = 10;     // cells per direction: a block of 10 x 10 x 10 has 40 000 bodies
+constexpr int max_block_bodies = 6000;  // bodies of 5 x 5 x 5 cells, whose simulation takes minutes
+constexpr int bodies_per_cell = 36;     // 12 rotors and 24 gussets per inner cell; sides have a few more
 // Theta, degrees: at 45 rotors have turned by a right angle.
 const targets::Bounds block_turns = targets::between(0, 45, "degrees");
 const targets::Bounds gusset_lengths = targets::from_to(0.02, 0.9);
@@ -61,8 +61,8 @@ void read_block_structure(const targets::Section& root, SpaceBlockFile& file) {
   const targets::Section structure = root.section("structure");
   if (const auto cells = structure.optional("cells")) {
     const auto sides = cells->list_of(3, "[x, y, z]");
-    file.variables.cells = {sides[0].integer(1, most_block_cells), sides[1].integer(1, most_block_cells),
-                            sides[2].integer(1, most_block_cells)};
+    file.variables.cells = {sides[0].integer(1, max_block_cells), sides[1].integer(1, max_block_cells),
+                            sides[2].integer(1, max_block_cells)};
   }
   structure.read("cell_mm", file.variables.edge_mm);
   root.read_into(file.walls);
@@ -83,11 +83,11 @@ void check_factor(const targets::Section& target, const SpaceBlockFile& file) {
 void check_bodies(const targets::Section& target, const SpaceBlockFile& file) {
   const auto& cells = file.found.cells;
   const double bodies = static_cast<double>(bodies_per_cell) * cells[0] * cells[1] * cells[2];
-  if (bodies <= most_block_bodies) return;
+  if (bodies <= max_block_bodies) return;
   throw target.error(
       fmt::format("{} x {} x {} cells have some {:.0f} bodies; at most {} are searched for: give "
                   "larger cells",
-                  cells[0], cells[1], cells[2], bodies, most_block_bodies));
+                  cells[0], cells[1], cells[2], bodies, max_block_bodies));
 }
 
 /// Returns all keys of a target.yaml of kind space_block.
@@ -97,7 +97,7 @@ const targets::KeyTable& space_block_keys() {
           {"target", targets::space_block_target_keys(), "the goal", targets::needed},
           {"structure",
            targets::KeyTable({
-               {"cells", value::list(value::integer(1, most_block_cells), "`[x, y, z]`", 3, 3),
+               {"cells", value::list(value::integer(1, max_block_cells), "`[x, y, z]`", 3, 3),
                 targets::otherwise("[2, 2, 2], or as `target.size_mm` asks"),
                 "cubic cells of the sodalite net, each 2.83 edges long"},
                cell_mm_key(targets::otherwise("20, or as `target.size_mm` asks")),
@@ -197,7 +197,7 @@ struct SpaceBlockOutcome final : GoalOutcome {
              "{} at rest between its outermost rotors, {} pressed: {} of its lengths, off by {:.1e}: {}",
              lengths_text(found.size_mm), lengths_text(error.factors.cwiseProduct(found.size_mm)),
              factors_text(error.factors), error.off,
-             tolerance_words(run, error.off <= file.factor_tolerance))},
+             describe_tolerance(run, error.off <= file.factor_tolerance))},
         {"lattice",
          fmt::format("sodalite, {} x {} x {} cells with edges of {:.3g} mm, gussets of {:.3g}, {:.3g} "
                      "and {:.3g} edges in squares normal to x, y and z",
@@ -237,9 +237,9 @@ class SpaceBlockGoal final : public Goal {
     return out;
   }
 
-  Found search(const RunOptions&) const override {
-    Found out;
-    take_settings(out, file_);
+  SearchResult search(const RunOptions&) const override {
+    SearchResult out;
+    copy_settings(out, file_);
     out.tolerances = {{"factor", file_.factor_tolerance}};
     if (file_.goal.size_mm) out.tolerances.emplace_back("size", file_.size_tolerance);
     out.design.structure = block();
@@ -253,19 +253,19 @@ class SpaceBlockGoal final : public Goal {
     if (of == StateOf::equilibrium) return nullptr;
     auto out = std::make_shared<SpaceBlockMeasure>();
     out->error = error_of(run, of == StateOf::physics ? aligned(state, run.own) : state);
-    out->violations = violations(file_, out->error, in_words(of));
+    out->violations = violations(file_, out->error, describe(of));
     if (of == StateOf::physics) return out;
     if (file_.goal.size_mm && !(file_.found.size_off <= file_.size_tolerance))
       out->violations.push_back(
           fmt::format("lengths at rest are up to {:.1f} % off those asked for; at most {:g} % is allowed: {}",
                       100 * file_.found.size_off, 100 * file_.size_tolerance, size_advice(file_.variables)));
-    model::append(collisions_on_the_way(run, "use lower or thinner walls, or longer gussets"),
+    model::append(collisions_during_motion(run, "use lower or thinner walls, or longer gussets"),
                   out->violations);
     return out;
   }
 
   /// Observes the distance of the outermost rotors from the sides of the exact state.
-  std::optional<Observed> observe(const Found& found, const model::Lattice&,
+  std::optional<Observed> observe(const SearchResult& found, const model::Lattice&,
                                   const model::State& state) const override {
     const model::Pose motion = motion_onto(state, found.own);
     const model::State placed = moved(state, motion);

@@ -25,11 +25,11 @@ namespace {
 
 namespace value = targets::value;
 
-constexpr int least_columns = 4, most_columns = 400;  // the search takes some seconds for 400 columns
+constexpr int min_columns = 4, most_columns = 400;  // the search takes some seconds for 400 columns
 // Theta (rad) at which a strip has the length of the curve, if the file does not fix both cell edge and cells.
-constexpr double usual_strip_theta = 30 * radians_per_degree;
+constexpr double default_strip_theta = 30 * radians_per_degree;
 // Fewest columns by default: for a helix of two turns, 16 columns miss the tolerance and 24 meet it.
-constexpr int least_usual_columns = 24;
+constexpr int min_usual_columns = 24;
 // Length of a climbing strip in plan view, as a ratio to the length of the curve (measured: 0.96 to 1).
 constexpr double seen_length = 0.95;
 constexpr double smallest_cell_mm = 0.1;  // mm: smaller cells suggest that the points are in metres
@@ -72,13 +72,13 @@ int read_columns(const targets::Node& node) {
   const auto sides = as_rectangle(read_cells(node));
   if (!sides || (*sides)[1] != 1)
     throw node.error("a strip for a curve in space is one row of cells; give [columns, 1]");
-  if ((*sides)[0] < least_columns || (*sides)[0] > most_columns)
-    throw node.error(fmt::format("{} columns; give {} to {}", (*sides)[0], least_columns, most_columns));
+  if ((*sides)[0] < min_columns || (*sides)[0] > most_columns)
+    throw node.error(fmt::format("{} columns; give {} to {}", (*sides)[0], min_columns, most_columns));
   return (*sides)[0];
 }
 
-double usual_edge(const SpaceCurveFile& file) {
-  return file.wanted.length() / (file.variables.columns * std::cos(usual_strip_theta));
+double typical_edge(const SpaceCurveFile& file) {
+  return file.wanted.length() / (file.variables.columns * std::cos(default_strip_theta));
 }
 
 /// Returns the default number of columns, for a file that leaves all sizes open. It is the largest number that the
@@ -86,23 +86,22 @@ double usual_edge(const SpaceCurveFile& file) {
 ///
 /// The number is between 24 and the usual one. It is the usual one if such wide columns cannot follow the curve.
 int printable_columns(const SpaceCurveFile& file, const model::Process& process) {
-  const double least_mm = least_cell_mm(process, default_size(1), {}),
-               most = seen_length * file.wanted.length() / (least_mm * std::cos(file.variables.theta.lower));
+  const double min_mm = min_cell_mm(process, default_size(1), {}),
+               most = seen_length * file.wanted.length() / (min_mm * std::cos(file.variables.theta.lower));
   SpaceCurveFile fewer = file;
-  fewer.variables.columns =
-      static_cast<int>(std::clamp(std::floor(most), static_cast<double>(least_usual_columns),
-                                  static_cast<double>(file.variables.columns)));
-  fewer.variables.size = default_size(usual_edge(fewer));
+  fewer.variables.columns = static_cast<int>(std::clamp(
+      std::floor(most), static_cast<double>(min_usual_columns), static_cast<double>(file.variables.columns)));
+  fewer.variables.size = default_size(typical_edge(fewer));
   return obstacle(fewer.wanted, fewer.variables) ? file.variables.columns : fewer.variables.columns;
 }
 
 void check_unit(const targets::Section& root, const SpaceCurveFile& file) {
-  if (usual_edge(file) >= smallest_cell_mm) return;
+  if (typical_edge(file) >= smallest_cell_mm) return;
   throw root.required("target", "")
       .error(fmt::format("the curve is {:.6g} mm long, so that {} cells would be {:.3g} mm small; points "
                          "are in millimetres; are these "
                          "metres? If not, give structure.cell_mm",
-                         file.wanted.length(), file.variables.columns, usual_edge(file)));
+                         file.wanted.length(), file.variables.columns, typical_edge(file)));
 }
 
 /// Reads `structure`. @pre the variables are read
@@ -120,13 +119,13 @@ void read_structure(const targets::Section& root, SpaceCurveFile& file) {
     v.columns = root.section("target").required("points", "").located([&] {
       return printable_columns(file, read_process(root));
     });
-  v.size = read_size(structure, usual_edge(file));
+  v.size = read_size(structure, typical_edge(file));
   if (!cell_mm || cells) return;
-  const double fitting = std::round(length / (v.size.edge_mm * std::cos(usual_strip_theta)));
-  if (!(fitting >= least_columns && fitting <= most_columns))
+  const double fitting = std::round(length / (v.size.edge_mm * std::cos(default_strip_theta)));
+  if (!(fitting >= min_columns && fitting <= most_columns))
     throw cell_mm->error(
         fmt::format("a curve of {:.6g} mm would take {:.0f} cells of {:.6g} mm; give {} to {} columns",
-                    length, fitting, v.size.edge_mm, least_columns, most_columns));
+                    length, fitting, v.size.edge_mm, min_columns, most_columns));
   v.columns = static_cast<int>(fitting);
 }
 
@@ -236,12 +235,12 @@ Json columns_json(const std::vector<Eigen::Vector3d>& midline) {
   Json out = Json::array();
   double before = 0;  // heading, rad
   for (int k = 0; k + 1 < static_cast<int>(midline.size()); ++k) {
-    const Eigen::Vector3d way = midline[k + 1] - midline[k];
-    const double heading = std::atan2(way.z(), way.x());
+    const Eigen::Vector3d chord = midline[k + 1] - midline[k];
+    const double heading = std::atan2(chord.z(), chord.x());
     if (optim::SpaceStrip::bends(k))
       out.push_back({{"column", k}, {"turn_deg", to_degrees(2 * std::remainder(heading - before, 2 * pi))}});
     else
-      out.push_back({{"column", k}, {"climb", way.y() / std::hypot(way.x(), way.z())}});
+      out.push_back({{"column", k}, {"climb", chord.y() / std::hypot(chord.x(), chord.z())}});
     before = heading;
   }
   return out;
@@ -290,7 +289,7 @@ struct SpaceCurveOutcome final : GoalOutcome {
          fmt::format(
              "rms {:.2e} of the goal's diagonal ({:.3f} mm from curve to curve), largest {:.3f} mm: {}",
              error.rms, error.rms * error.scale_mm, error.max * error.scale_mm,
-             tolerance_words(run, error.rms <= file.shape_tolerance))});
+             describe_tolerance(run, error.rms <= file.shape_tolerance))});
     const Eigen::Vector3d& y = found.across.direction;
     lines.push_back(
         {"across", fmt::format("the strip's width lies along [{:.3f}, {:.3f}, {:.3f}], along which the curve "
@@ -333,8 +332,8 @@ class SpaceCurveGoal final : public Goal {
     return out;
   }
 
-  Found search(const RunOptions& options) const override {
-    Found plain = search(file_, options);
+  SearchResult search(const RunOptions& options) const override {
+    SearchResult plain = search(file_, options);
     if (!file_.robust) return plain;
     return search_robustly(
         std::move(plain), *this, *file_.robust, tried_theta(),
@@ -354,17 +353,17 @@ class SpaceCurveGoal final : public Goal {
     auto out = std::make_shared<SpaceCurveMeasure>();
     out->midline = optim::space_midline(aligned(state, run.own));
     out->error = space_error(out->midline, file_.wanted, outcome.place);
-    out->violations = violations(outcome.file, out->error, in_words(of));
+    out->violations = violations(outcome.file, out->error, describe(of));
     const model::ContactLimit& contact = outcome.found.contact;
     if (of != StateOf::physics && contact.touches)
       out->violations.push_back(
-          overlap_words(contact, outcome.found.design.theta, run.design.structure) +
+          describe_overlap(contact, outcome.found.design.theta, run.design.structure) +
           ": use lower or thinner walls, or another number of columns: where cell_mm is given, fewer");
     return out;
   }
 
   /// Observes the offset of each column from the nearest point of the goal, in two directions.
-  std::optional<Observed> observe(const Found& found, const model::Lattice& sheet,
+  std::optional<Observed> observe(const SearchResult& found, const model::Lattice& sheet,
                                   const model::State& state) const override {
     const auto& outcome = outcome_of<SpaceCurveOutcome>(found);
     const model::Pose motion = motion_onto(state, found.own);
@@ -388,9 +387,9 @@ class SpaceCurveGoal final : public Goal {
   }
 
  private:
-  Found search(const SpaceCurveFile& file, const RunOptions& options) const {
-    Found out;
-    take_settings(out, file);
+  SearchResult search(const SpaceCurveFile& file, const RunOptions& options) const {
+    SearchResult out;
+    copy_settings(out, file);
     options.progress("search", 0);
     auto outcome = std::make_unique<SpaceCurveOutcome>(file);
     out.tolerances = {{"shape", file.shape_tolerance}};
@@ -405,11 +404,11 @@ class SpaceCurveGoal final : public Goal {
     outcome->place = {motion.R * outcome->found.place.R, motion.R * outcome->found.place.p + motion.p};
     out.goal = std::move(outcome);
     out.is_strip = true;
-    out.is_laid_over = true;
+    out.is_aligned = true;
     out.bounds = {file_.variables.beta, file_.variables.theta};
     const model::Wall middle = {{file_.variables.columns / 2, 0}, model::Axis::y};
     out.physics = {.drive = drive_on(strip, hinge_drive_to(strip, middle, out.theta)),
-                   .least_settle_s = settling_seconds_per_column * file_.variables.columns};
+                   .min_settle_s = settling_seconds_per_column * file_.variables.columns};
     return out;
   }
 

@@ -16,8 +16,8 @@ namespace {
 
 namespace value = targets::value;
 
-constexpr int most_facets = 24;       // facets per side: a search with 24 takes minutes
-constexpr double most_curvature = 1;  // rad: largest turn of the surface over one flat facet
+constexpr int max_facets = 24;       // facets per side: a search with 24 takes minutes
+constexpr double max_curvature = 1;  // rad: largest turn of the surface over one flat facet
 // Shares of a whole, ratio.
 const targets::Bounds share = {0, 1, true, true};
 // Tilt of creases, degrees: near 90 walls would be in the plane of the sheet.
@@ -30,7 +30,7 @@ const targets::Bounds edges = targets::between(0, 10);
 targets::KeyTable surface_target_keys() {
   std::vector<targets::Key> keys = targets::surface_keys();
   keys.insert(keys.begin(), targets::goal_kind_key("surface"));
-  keys.push_back({"ribs", value::integer(1, most_ribs), targets::otherwise("a sheet of facets"),
+  keys.push_back({"ribs", value::integer(1, max_ribs), targets::otherwise("a sheet of facets"),
                   "so many ribs on a spine, over any surface, open or closed, in place of a sheet"});
   return targets::KeyTable(std::move(keys));
 }
@@ -41,8 +41,8 @@ void read_structure(const targets::Section& root, SurfaceFile& file) {
     throw cell->key_error("belongs to `target.ribs`; the walls of a sheet follow from its facets");
   if (const auto facets = structure.optional("facets")) {
     const auto sides = facets->list_of(2, "[columns, rows]");
-    file.columns = sides[0].integer(2, most_facets);
-    file.rows = sides[1].integer(2, most_facets);
+    file.columns = sides[0].integer(2, max_facets);
+    file.rows = sides[1].integer(2, max_facets);
   }
   root.read_into(file.walls);
 }
@@ -59,11 +59,11 @@ void read_variables_and_tolerance(const targets::Section& root, SurfaceFile& fil
     throw covered->key_error("belongs to `target.ribs`; of a sheet give `tolerance.cover`");
 }
 
-/// Rejects a surface that turns by more than most_curvature over one flat facet.
+/// Rejects a surface that turns by more than max_curvature over one flat facet.
 void check_curvature(const targets::Section& target, const SurfaceFile& file) {
   const targets::SurfaceCurvature curvature = curvature_of(file.patch);
   const double facet = 2 * std::max(file.patch.half.x() / file.columns, file.patch.half.y() / file.rows);
-  if (curvature.most * facet <= most_curvature) return;
+  if (curvature.most * facet <= max_curvature) return;
   throw target.error(
       "the surface curves too much for its facets: near (" + number_text(curvature.place.x()) + ", " +
       number_text(curvature.place.y()) + ") mm its radius is " + number_text(1 / curvature.most) +
@@ -79,7 +79,7 @@ const targets::KeyTable& surface_file_keys() {
           {"target", surface_target_keys(), "the goal", targets::needed},
           {"structure",
            targets::KeyTable({
-               {"facets", value::list(value::integer(2, most_facets), "`[columns, rows]`", 2, 2),
+               {"facets", value::list(value::integer(2, max_facets), "`[columns, rows]`", 2, 2),
                 targets::by_default(std::array<double, 2>{8, 8}),
                 "flat pieces of the folded sheet, along x and y of the surface; each has 2 x 2 bodies"},
                {"cell_mm", value::number(targets::above(0, "mm")),
@@ -113,7 +113,7 @@ const targets::KeyTable& surface_file_keys() {
                 "ways by more "
                 "than 0.1 sr"},
                {"covered_share", value::number(share),
-                targets::otherwise(targets::shortest_text(usual_covered_share) + " with `target.ribs`"),
+                targets::otherwise(targets::shortest_text(default_covered_share) + " with `target.ribs`"),
                 "of ribs: least of [covered_share](#covered_share)"},
                verify_key(),
            }),
@@ -152,7 +152,7 @@ void refuse_keys_of_sheets(const targets::Section& root) {
 
 optim::RibsSpec read_spec(const targets::Section& root, const targets::RibbedSurface& surface) {
   const targets::Node key = *root.section("target").optional("ribs");
-  optim::RibsSpec spec = usual_ribs(surface, key.integer(1, most_ribs));
+  optim::RibsSpec spec = default_ribs(surface, key.integer(1, max_ribs));
   root.section("structure").read("cell_mm", spec.size.edge_mm);
   ThinWalls walls;
   root.read_into(walls);
@@ -166,7 +166,7 @@ optim::RibsSpec read_spec(const targets::Section& root, const targets::RibbedSur
 
 }  // namespace
 
-optim::RibsSpec usual_ribs(const targets::RibbedSurface& surface, int ribs) {
+optim::RibsSpec default_ribs(const targets::RibbedSurface& surface, int ribs) {
   optim::RibsSpec spec;
   spec.ribs = ribs;
   spec.clearance_mm = 0;

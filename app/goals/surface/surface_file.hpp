@@ -37,10 +37,10 @@ struct SurfaceFile : GoalSettings {
 };
 
 /// Default of `tolerance.covered_share` for ribs over a surface, ratio: less no longer shows the surface.
-inline constexpr double usual_covered_share = 0.5;
+inline constexpr double default_covered_share = 0.5;
 
 /// Input limit of `target.ribs`: one rib per two millimetres of 400 mm.
-inline constexpr int most_ribs = 200;
+inline constexpr int max_ribs = 200;
 
 /// Returns all keys of a target.yaml of kind surface.
 const targets::KeyTable& surface_file_keys();
@@ -64,12 +64,12 @@ struct RibsFile : GoalSettings {
   optim::RibsSpec spec = {};       ///< target.ribs, structure, variables
   double shape_tolerance = 0.015;  ///< largest rms distance of bodies, over the surface's diagonal, (0, 1]
   /// Least share of the area within a cell edge of a rib, [0, 1].
-  double covered_tolerance = usual_covered_share;
+  double covered_tolerance = default_covered_share;
 };
 
 /// Returns the default specification of n ribs without clearance. Cells leave room for one cell between two ribs and
 /// are at most 1/25 of the surface's diagonal when folded. @param ribs >= 1
-optim::RibsSpec usual_ribs(const targets::RibbedSurface& surface, int ribs);
+optim::RibsSpec default_ribs(const targets::RibbedSurface& surface, int ribs);
 
 /// Reads the target. @param root a target of kind surface that has `ribs`
 /// @throws InvalidInput for whatever formats.md does not allow

@@ -45,7 +45,7 @@ Json grid(const targets::SurfacePatch& patch) {
 }
 
 /// Describes why the folded sheet misses the surface, one sentence each.
-std::vector<std::string> why_off_surface(const SurfaceOutcome& o) {
+std::vector<std::string> surface_violations(const SurfaceOutcome& o) {
   std::vector<std::string> why;
   const optim::SurfaceError& error = o.design.error;
   if (!(error.rms <= o.file.shape_tolerance))
@@ -78,11 +78,11 @@ std::vector<std::string> why_off_surface(const SurfaceOutcome& o) {
 Json degrees(const std::array<double, 2>& range) { return {to_degrees(range[0]), to_degrees(range[1])}; }
 
 // Rounds of four searches each, together about as long as the search before them. Later rounds gain a few percent.
-constexpr int shakes_where_it_misses = 4;
+constexpr int retry_shakes = 4;
 
 /// Returns the largest allowed rms of a doubly curved sheet, over the diagonal; infinity for other surfaces.
-double most_rms_to_curve(const targets::SurfacePatch& patch) {
-  if (!(curvature_of(patch).total > targets::curved_both_ways))
+double max_rms_to_curve(const targets::SurfacePatch& patch) {
+  if (!(curvature_of(patch).total > targets::double_curvature_threshold))
     return std::numeric_limits<double>::infinity();
   targets::PointGrid corners{1, 1, {}};
   for (const double y : {-patch.half.y(), patch.half.y()})
@@ -99,8 +99,8 @@ optim::SurfaceOptions options_of(const SurfaceFile& file, const RunOptions& run)
   out.tilt = file.tilt;
   out.bounds.sector = file.sector;
   out.bounds.edge = file.edge;
-  out.shakes = shakes_where_it_misses;
-  out.enough = std::min(file.shape_tolerance, most_rms_to_curve(file.patch));
+  out.shakes = retry_shakes;
+  out.enough = std::min(file.shape_tolerance, max_rms_to_curve(file.patch));
   out.threads = run.threads;
   out.stop = run.stop;
   return out;
@@ -165,9 +165,9 @@ class SurfaceGoal final : public Goal {
     return out;
   }
 
-  Found search(const RunOptions& options) const override {
-    Found out;
-    take_settings(out, file_);
+  SearchResult search(const RunOptions& options) const override {
+    SearchResult out;
+    copy_settings(out, file_);
     auto surface = std::make_unique<SurfaceOutcome>(file_);
     out.tolerances = {{"shape", file_.shape_tolerance},
                       {"cover", file_.cover_tolerance},
@@ -192,7 +192,7 @@ class SurfaceGoal final : public Goal {
     out.theta = file_.theta;
     out.plan.exact = exact_motion(out.design.structure);
     out.to_shown = motion_onto(out.plan.exact.at(out.theta), surface->exact);
-    out.is_laid_over = true;
+    out.is_aligned = true;
     out.goal = std::move(surface);
     return out;
   }
@@ -206,12 +206,12 @@ class SurfaceGoal final : public Goal {
     out->violations = violations(surface);
     const targets::RibbedSurface ribbed = targets::ribbed_surface(file_.patch);
     const int facets = file_.patch.half.x() >= file_.patch.half.y() ? file_.columns : file_.rows;
-    out->ways = {
+    out->methods = {
         {"sheet", surface.design.error.rms, surface.design.error.max, 1, 1 - surface.design.error.cover}};
-    for (SurfaceMethod& way : ways_by_ribs(ribbed, usual_ribs(ribbed, facets), true, options.stop))
-      out->ways.push_back(std::move(way));
-    if (out->ways.size() < 2 || out->violations.empty()) return out;
-    const SurfaceMethod& fishbone = out->ways[1];
+    for (SurfaceMethod& method : rib_methods(ribbed, default_ribs(ribbed, facets), true, options.stop))
+      out->methods.push_back(std::move(method));
+    if (out->methods.size() < 2 || out->violations.empty()) return out;
+    const SurfaceMethod& fishbone = out->methods[1];
     if (fishbone.rms <= file_.shape_tolerance)
       out->violations.push_back(
           fmt::format("a fishbone would be {:.2f} % of the diagonal off, with {:.0f} % of the area open: "
@@ -222,7 +222,7 @@ class SurfaceGoal final : public Goal {
 
   /// Observes the distance of each mesh vertex from its layer of the surface. A vertex moves with the mean of the
   /// bodies next to it.
-  std::optional<Observed> observe(const Found& found, const model::Lattice&,
+  std::optional<Observed> observe(const SearchResult& found, const model::Lattice&,
                                   const model::State& state) const override {
     const auto& surface = outcome_of<SurfaceOutcome>(found);
     const model::QuadMesh& mesh = surface.design.mesh;
@@ -271,7 +271,7 @@ void SurfaceOutcome::add_sections(const Run& run, Json& result) const {
                        {"free_height", free_height},
                        {"walls_meet", !clear},
                        {"curvature_missing", 1 - curvature.share},
-                       {"ways", ways_json(measure_of<SurfaceMeasure>(run).ways)},
+                       {"ways", methods_json(measure_of<SurfaceMeasure>(run).methods)},
                        {"reasons", run.violations}};
   result["optimiser"] = {{"solver", "ceres"}, {"starts", design.starts}, {"evaluations", design.evaluations}};
   add_end(design.stopped, design.within, "the best of all starts keeps to its bounds",
@@ -295,7 +295,7 @@ std::vector<SummaryLine> SurfaceOutcome::summary_lines(const Run& run) const {
        fmt::format(
            "vertices {:.2f} % of the diagonal off its two layers (rms, {:.3f} mm), area {:.0f} % shared: {}",
            100 * design.error.rms, design.error.rms * diagonal_mm, 100 * design.error.cover,
-           tolerance_words(run, why_off_surface(*this).empty()))});
+           describe_tolerance(run, surface_violations(*this).empty()))});
   if (needs_curvature())
     lines.push_back(
         {"curvature",
@@ -313,15 +313,15 @@ std::vector<SummaryLine> SurfaceOutcome::summary_lines(const Run& run) const {
        fmt::format("a mean wall is {:.2f} mm; {}", edge,
                    free_height > 0 ? fmt::format("plates up to {:.2f} mm high never meet", free_height * edge)
                                    : "plates of any height meet on the way")});
-  const std::vector<SurfaceMethod>& ways = measure_of<SurfaceMeasure>(run).ways;
-  if (ways.size() > 1) lines.push_back({"beside", in_words({ways.begin() + 1, ways.end()})});
+  const std::vector<SurfaceMethod>& methods = measure_of<SurfaceMeasure>(run).methods;
+  if (methods.size() > 1) lines.push_back({"beside", describe({methods.begin() + 1, methods.end()})});
   lines.push_back(
       {"search", fmt::format("{:.2f} s, {} evaluations", run.timings.optimise, design.evaluations)});
   return lines;
 }
 
 std::vector<std::string> violations(const SurfaceOutcome& o) {
-  std::vector<std::string> why = why_off_surface(o);
+  std::vector<std::string> why = surface_violations(o);
   if (!o.design.within)
     why.push_back("no flat-foldable mesh within the bounds of its sectors, edges and tilts was found");
   if (!o.clear)

@@ -29,7 +29,7 @@ class SurfaceOutcome final : public GoalOutcome {
   double cone_rms = 0;  ///< rms of the surface from the best cylinder or cone, over the diagonal
 
   /// Returns whether the surface is so doubly curved that a sheet bent in one direction cannot match it.
-  bool needs_curvature() const { return curvature.wanted > targets::curved_both_ways; }
+  bool needs_curvature() const { return curvature.wanted > targets::double_curvature_threshold; }
 
   /// Adds `surface` (grid of the surface, vertices of the mesh, errors) and `optimiser`.
   void add_sections(const Run& run, nlohmann::ordered_json& result) const override;
@@ -39,7 +39,8 @@ class SurfaceOutcome final : public GoalOutcome {
 
 class SurfaceMeasure final : public Measure {
  public:
-  std::vector<SurfaceMethod> ways;  ///< the sheet, a fishbone with one rib per facet, and the same ribs loose
+  std::vector<SurfaceMethod>
+      methods;  ///< the sheet, a fishbone with one rib per facet, and the same ribs loose
 };
 
 /// Describes violations of the tolerances, bounds and collision limits, one sentence each.

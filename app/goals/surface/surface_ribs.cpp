@@ -42,16 +42,16 @@ class SurfaceRibs final : public RibsOutcome {
   SurfaceRibs(const RibsTask& task, RibsFile file, optim::RibsDesign found)
       : RibsOutcome(task, std::move(found)), file_(std::move(file)) {}
 
-  void judge(const model::Lattice&, StateOf of, const model::State&, RibsMeasure& measure) const override {
-    SurfaceMethod way = fishbone_way(design, file_.surface);
-    way.rms = measure.error.rms / file_.surface.diagonal;
-    way.max = measure.error.max / file_.surface.diagonal;
-    measure.ways = {way};
-    if (!is_near(way))
+  void evaluate(const model::Lattice&, StateOf of, const model::State&, RibsMeasure& measure) const override {
+    SurfaceMethod method = fishbone_method(design, file_.surface);
+    method.rms = measure.error.rms / file_.surface.diagonal;
+    method.max = measure.error.max / file_.surface.diagonal;
+    measure.methods = {method};
+    if (!is_near(method))
       measure.violations.push_back(
           fmt::format("{}: the bodies are {:.2f} % of the diagonal off the surface; at most {:.2f} % is "
                       "allowed; smaller `structure.cell_mm` follow it closer",
-                      in_words(of), 100 * way.rms, 100 * file_.shape_tolerance));
+                      describe(of), 100 * method.rms, 100 * file_.shape_tolerance));
   }
 
   std::vector<std::string> bare() const override {
@@ -62,8 +62,8 @@ class SurfaceRibs final : public RibsOutcome {
         100 * cover.share, 100 * file_.covered_tolerance)};
   }
 
-  std::vector<SurfaceMethod> other_ways(const std::stop_token& stop) const override {
-    return ways_by_ribs(file_.surface, file_.spec, false, stop);
+  std::vector<SurfaceMethod> other_methods(const std::stop_token& stop) const override {
+    return rib_methods(file_.surface, file_.spec, false, stop);
   }
 
   void add_sections(const Run& run, Json& result) const override {
@@ -73,14 +73,14 @@ class SurfaceRibs final : public RibsOutcome {
                         {"name", file_.surface_name},
                         {"size_mm", {size.y(), size.x()}},
                         {"lines_mm", lines(drawn)}};
-    const std::vector<SurfaceMethod>& ways = measure_of<RibsMeasure>(run).ways;
-    const SurfaceMethod& way = ways.front();
+    const std::vector<SurfaceMethod>& methods = measure_of<RibsMeasure>(run).methods;
+    const SurfaceMethod& method = methods.front();
     result["surface"] = {{"lines_mm", lines(drawn)},
                          {"bare_mm", bare_lines(drawn)},
                          {"diagonal_mm", file_.surface.diagonal},
-                         {"rms", way.rms},
-                         {"max", way.max},
-                         {"cover", 1 - way.open},
+                         {"rms", method.rms},
+                         {"max", method.max},
+                         {"cover", 1 - method.open},
                          {"covered_share", cover.share},
                          {"goal_rms", cover.rms / file_.surface.diagonal},
                          {"goal_max", cover.max / file_.surface.diagonal},
@@ -89,17 +89,17 @@ class SurfaceRibs final : public RibsOutcome {
                          {"spine_mm", line(design.layout.spine.evenly(points_per_rib))},
                          {"cells_trimmed", design.trimmed},
                          {"body_mm", design.error.of_body},
-                         {"ways", ways_json(ways)},
+                         {"ways", methods_json(methods)},
                          {"reasons", run.violations},
                          {"reasons_physics", run.physics_violations()}};
     result["optimiser"] = search_json(design.search);
   }
 
   void add_metrics(const Run& run, Json& metrics) const override {
-    const SurfaceMethod& way = measure_of<RibsMeasure>(run).ways.front();
-    metrics["surface_rms"] = way.rms;
-    metrics["surface_max"] = way.max;
-    metrics["cover"] = 1 - way.open;
+    const SurfaceMethod& method = measure_of<RibsMeasure>(run).methods.front();
+    metrics["surface_rms"] = method.rms;
+    metrics["surface_max"] = method.max;
+    metrics["cover"] = 1 - method.open;
     metrics["covered_share"] = cover.share;
     metrics["goal_rms"] = cover.rms / file_.surface.diagonal;
     metrics["goal_max"] = cover.max / file_.surface.diagonal;
@@ -107,16 +107,16 @@ class SurfaceRibs final : public RibsOutcome {
   }
 
   std::vector<SummaryLine> summary_lines(const Run& run) const override {
-    const std::vector<SurfaceMethod>& ways = measure_of<RibsMeasure>(run).ways;
-    const SurfaceMethod& way = ways.front();
+    const std::vector<SurfaceMethod>& methods = measure_of<RibsMeasure>(run).methods;
+    const SurfaceMethod& method = methods.front();
     std::vector<SummaryLine> out;
-    const bool is_within = is_near(way) && cover.share >= file_.covered_tolerance;
+    const bool is_within = is_near(method) && cover.share >= file_.covered_tolerance;
     out.push_back(
         {"surface",
          fmt::format("bodies {:.3f} % of the diagonal off it (rms, {:.3f} mm), {:.0f} % of its area "
                      "within a cell edge of a rib: {}",
-                     100 * way.rms, way.rms * file_.surface.diagonal, 100 * cover.share,
-                     tolerance_words(run, is_within))});
+                     100 * method.rms, method.rms * file_.surface.diagonal, 100 * cover.share,
+                     describe_tolerance(run, is_within))});
     out.push_back(
         {"ribs",
          fmt::format(
@@ -127,18 +127,18 @@ class SurfaceRibs final : public RibsOutcome {
         {"bare",
          fmt::format("the surface is {:.3g} mm from the nearest rib (rms), {:.3g} mm at most; cells lie on "
                      "{:.0f} % of its area",
-                     cover.rms, cover.max, 100 * (1 - way.open))});
-    if (ways.size() > 1) out.push_back({"beside", app::in_words({ways.begin() + 1, ways.end()})});
+                     cover.rms, cover.max, 100 * (1 - method.open))});
+    if (methods.size() > 1) out.push_back({"beside", app::describe({methods.begin() + 1, methods.end()})});
     out.push_back(search_line(run.timings.optimise, design.search));
     if (const auto* physics = physics_measure_of<RibsMeasure>(run))
       out.push_back(
           {"settled", fmt::format("in the physics run: bodies {:.3f} % off, largest {:.3f} %",
-                                  100 * physics->ways.front().rms, 100 * physics->ways.front().max)});
+                                  100 * physics->methods.front().rms, 100 * physics->methods.front().max)});
     return out;
   }
 
  private:
-  bool is_near(const SurfaceMethod& way) const { return way.rms <= file_.shape_tolerance; }
+  bool is_near(const SurfaceMethod& method) const { return method.rms <= file_.shape_tolerance; }
 
   RibsFile file_;
 };

@@ -57,7 +57,7 @@ std::string scad_list(const std::vector<Item>& items, Text text, const char* bet
 
 /// Formats points, rounded to floats as in all files.
 std::string scad_points(const model::Polyhedron& solid) {
-  return scad_list(as_filed(solid).points, [](const Eigen::Vector3d& p) {
+  return scad_list(rounded_for_file(solid).points, [](const Eigen::Vector3d& p) {
     return fmt::format("[{},{},{}]", static_cast<float>(p.x()), static_cast<float>(p.y()),
                        static_cast<float>(p.z()));
   });
@@ -239,7 +239,7 @@ cad::Prism rod_of(const PrintSheet& sheet, int hinge) {
   const std::vector<Vector3d>& corners = sheet.rods[hinge].points;
   for (const Vector3d& corner : corners) at += corner / static_cast<double>(corners.size());
   const Vector3d axis = sheet.linkage.hinges[hinge].axis;
-  const model::MadeHinge& made = sheet.hinges[hinge].made;
+  const model::ManufacturedHinge& made = sheet.hinges[hinge].made;
   return {cad::Circle{at - made.height_mm / 2 * axis, axis, axis.unitOrthogonal(), made.diameter_mm / 2},
           {},
           made.height_mm * axis};

@@ -67,8 +67,6 @@ const PrintFormat dxf_format = {.name = "dxf",
 
 namespace {
 
-using Eigen::Vector2d;
-
 constexpr double line_mm = 0.1;              // mm: as laser cutters and pens draw
 constexpr double points_per_mm = 72 / 25.4;  // the unit of PDF
 constexpr double paper_mm[] = {210, 297};    // mm, of A4: printers often scale larger drawings down to fit.
@@ -100,10 +98,10 @@ std::array<CheckLine, 3> check_lines(const Vector2d& from) {
   return {CheckLine{from, to}, CheckLine{from, from + up}, CheckLine{to, to + up}};
 }
 
-std::string check_words() { return fmt::format("{:g} mm, if printed at 1:1", check_mm); }
+std::string check_line_text() { return fmt::format("{:g} mm, if printed at 1:1", check_mm); }
 
 /// Returns the middle of the foot of the line's words.
-Vector2d check_words_place(const Vector2d& from) {
+Vector2d check_text_place(const Vector2d& from) {
   return from + Vector2d(check_mm / 2, -check_margin_mm / 2);
 }
 
@@ -192,7 +190,7 @@ void draw_check(cairo_t* page, const Vector2d& at) {
   }
   cairo_stroke(page);
   cairo_set_font_size(page, check_text_mm);
-  show_centred(page, check_words_place(at), check_words());
+  show_centred(page, check_text_place(at), check_line_text());
 }
 
 /// Draws a page. @param drawn_mm size of the drawing   @param drawn function that draws in mm, y down

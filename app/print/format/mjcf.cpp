@@ -15,13 +15,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double density = 1200;   // kg/m^3: of PLA and of the resins of PolyJet and SLA, 1150 to 1250
-constexpr double quickness = 30;   // rad/s of the actuator: the sheet follows its control within 0.1 s
-constexpr double stiffer = 10;     // least ratio of actuator to hinge stiffness: only the fold mode yields
-constexpr double resolved = 0.2;   // of a period over 2 pi: the longest step in which the actuator is stable
-constexpr double step_s = 2e-3;    // s: MuJoCo's default
-constexpr double loop_step = 2.5;  // times the step: time in which gaps of loops close
-constexpr double least_mass = 1e-12;  // kg m^2: with less the actuator would have nothing to move
+constexpr double density = 1200;    // kg/m^3: of PLA and of the resins of PolyJet and SLA, 1150 to 1250
+constexpr double quickness = 30;    // rad/s of the actuator: the sheet follows its control within 0.1 s
+constexpr double stiffer = 10;      // least ratio of actuator to hinge stiffness: only the fold mode yields
+constexpr double resolved = 0.2;    // of a period over 2 pi: the longest step in which the actuator is stable
+constexpr double step_s = 2e-3;     // s: MuJoCo's default
+constexpr double loop_step = 2.5;   // times the step: time in which gaps of loops close
+constexpr double min_mass = 1e-12;  // kg m^2: with less the actuator would have nothing to move
 
 std::string text(const Vector3d& v) { return fmt::format("{:.10g} {:.10g} {:.10g}", v.x(), v.y(), v.z()); }
 
@@ -77,7 +77,7 @@ class MujocoFile {
     for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h)
       if (!sheet.soft[h].points.empty())
         for (const int b : {sheet.linkage.hinges[h].lower, sheet.linkage.hinges[h].upper})
-          add_mass(0.5 * density * 1e-9 * volume_mm3(as_filed(placed_soft(sheet, flat(), h))),
+          add_mass(0.5 * density * 1e-9 * volume_mm3(rounded_for_file(placed_soft(sheet, flat(), h))),
                    hinge_point(h, b), masses_[b]);
     find_turns();
     share_loops();
@@ -112,7 +112,7 @@ class MujocoFile {
 
   Mass mass_of(int body) const {
     const model::MassProperties m = mass_properties(sheet_.with_rods(body));
-    const double volume_mm3 = model::volume_mm3(as_filed(placed_body(sheet_, flat(), body)));
+    const double volume_mm3 = model::volume_mm3(rounded_for_file(placed_body(sheet_, flat(), body)));
     return {density * 1e-9 * volume_mm3, metres_per_mm * m.center, density * 1e-15 * m.inertia};
   }
 
@@ -224,7 +224,7 @@ class MujocoFile {
 
   /// Returns twice the kinetic energy of the sheet that folds within a second, kg m^2.
   double moved_mass() const {
-    double sum = least_mass;
+    double sum = min_mass;
     const model::State &flat = sheet_.path.front(), &folded = sheet_.path.back();
     for (std::size_t b = 0; b < masses_.size(); ++b) {
       const model::Pose& root = folded[links_[b].root];

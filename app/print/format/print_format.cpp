@@ -64,7 +64,7 @@ constexpr double usual_foot_mm = 0.2;      // mm, of PrusaSlicer's own printers:
 
 }  // namespace
 
-model::Polyhedron as_filed(model::Polyhedron solid) {
+model::Polyhedron rounded_for_file(model::Polyhedron solid) {
   // Casts each number: Eigen 3.4 treats two casts of a vector in one expression as none.
   for (Eigen::Vector3d& p : solid.points)
     for (double& x : p) x = static_cast<float>(x);
@@ -75,14 +75,14 @@ model::Polyhedron hard_part(const PrintJob& job) {
   model::Polyhedron all;
   for (int b = 0; b < static_cast<int>(job.sheet.meshes.size()); ++b)
     append(placed(job.sheet.meshes[b], job.state()[b]), all);
-  return as_filed(std::move(all));
+  return rounded_for_file(std::move(all));
 }
 
 model::Polyhedron soft_part(const PrintJob& job) {
   model::Polyhedron all;
   for (int h = 0; h < static_cast<int>(job.sheet.soft.size()); ++h)
     if (!job.sheet.soft[h].points.empty()) append(placed_soft(job.sheet, job.state(), h), all);
-  return as_filed(std::move(all));
+  return rounded_for_file(std::move(all));
 }
 
 model::Polyhedron joined(model::Polyhedron hard, const model::Polyhedron& soft) {
@@ -99,7 +99,7 @@ TileParts tile_parts(const PrintJob& job, int tile) {
   for (int h = 0; h < static_cast<int>(sheet.soft.size()); ++h)
     if (sheet.tiles.of_body[sheet.linkage.hinges[h].lower] == tile && !sheet.soft[h].points.empty())
       append(placed_soft(sheet, flat, h), parts.soft);
-  return {as_filed(std::move(parts.hard)), as_filed(std::move(parts.soft))};
+  return {rounded_for_file(std::move(parts.hard)), rounded_for_file(std::move(parts.soft))};
 }
 
 model::Polyhedron laid_out_rods(const PrintSheet& sheet) {
@@ -120,7 +120,7 @@ model::Polyhedron laid_out_rods(const PrintSheet& sheet) {
     append(lying(rod, (placed / rows) * (length + rods_apart_mm), (placed % rows) * width), all);
     ++placed;
   }
-  return as_filed(std::move(all));
+  return rounded_for_file(std::move(all));
 }
 
 std::optional<GapSettings> gap_settings(const PrintSheet& sheet) {

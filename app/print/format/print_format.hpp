@@ -66,7 +66,7 @@ extern const PrintFormat scad_format;
 
 /// Rounds points to floats, as files hold them. All formats, and the volumes and masses reported for them, then have
 /// the same corners.
-model::Polyhedron as_filed(model::Polyhedron solid);
+model::Polyhedron rounded_for_file(model::Polyhedron solid);
 
 /// Returns all bodies of a job as one list of triangles, each a separate closed surface; mm, at their places in the
 /// sheet. Loose rods are left out: they would be printed with their forks.

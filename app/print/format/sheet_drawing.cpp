@@ -129,7 +129,7 @@ std::pair<Vector2d, Vector2d> score(const Wall& wall) {
 struct Room {
   double from, to;  ///< along the wall, mm
   double row;       ///< of the wall's height
-  bool taken = false;
+  bool is_occupied = false;
   double width() const { return to - from; }
 };
 
@@ -152,13 +152,13 @@ std::array<Room, 4> rooms_of(const Wall& wall, const std::pair<Vector2d, Vector2
 
 Room& widest(std::span<Room> rooms) {
   return *std::max_element(rooms.begin(), rooms.end(), [](const Room& a, const Room& b) {
-    return std::pair(!a.taken, a.width()) < std::pair(!b.taken, b.width());
+    return std::pair(!a.is_occupied, a.width()) < std::pair(!b.is_occupied, b.width());
   });
 }
 
 /// Places a label in a room. @param at lower left corner of the wall, mm
 Strips::Label label_in(Room& room, const Vector2d& at, double wall_height, const std::string& text) {
-  room.taken = true;
+  room.is_occupied = true;
   const double fitting = most_wide * room.width() / (digit_share * static_cast<double>(text.size()));
   const double height = std::clamp(fitting, least_high * wall_height, most_high * wall_height);
   const Vector2d middle((room.from + room.to) / 2, room.row * wall_height);

@@ -39,13 +39,13 @@ void add_hinge(int column, int row, const model::Process& process, PrintSheet& s
   for (const model::Plate& plate : plates(wall, static_cast<int>(linkage.hinges.size())))
     linkage.plates.push_back(plate);
   linkage.hinges.push_back(rest_hinge(wall));
-  model::MadeHinge pin;
+  model::ManufacturedHinge pin;
   pin.kind = model::HingeKind::pin;
   pin.material = *model::find_material("pa12");
-  pin.diameter_mm = process.least_pin_mm;
+  pin.diameter_mm = process.min_pin_mm;
   pin.clearance_mm = gap_step_mm * (column + 1);
   pin.height_mm = height_mm;
-  sheet.hinges.push_back(with_faces({.made = pin, .knuckle_wall_mm = process.least_wall_mm}, process));
+  sheet.hinges.push_back(with_faces({.made = pin, .knuckle_wall_mm = process.min_wall_mm}, process));
 }
 
 std::string coupon_hinge_name(int hinge) {
@@ -257,7 +257,7 @@ PrintSheet make_coupon(const model::Process& process, const std::optional<Eigen:
   PrintSheet sheet;
   sheet.name = "coupon";
   sheet.process = process;
-  sheet.linkage.size = {edge_mm, std::max(wall_mm, process.least_wall_mm), height_mm};
+  sheet.linkage.size = {edge_mm, std::max(wall_mm, process.min_wall_mm), height_mm};
   for (int column = 0; column < gaps; ++column)
     for (int row = 0; row < static_cast<int>(std::size(tilts_deg)); ++row)
       add_hinge(column, row, process, sheet);
@@ -267,7 +267,7 @@ PrintSheet make_coupon(const model::Process& process, const std::optional<Eigen:
   };
   sheet.path = {rest_state(sheet.linkage)};
   sheet.thetas = {0};
-  sheet.why_no_path = "a coupon's hinges each turn by themselves";
+  sheet.no_path_reason = "a coupon's hinges each turn by themselves";
   sheet.warnings = {
       "gaps from 0.1 to 0.6 mm a side, left to right, told by the numbers on them; rows lean by 0, 30 and 60 "
       "degrees: the least gap that turns is your printer's, for --clearance"};

@@ -101,7 +101,7 @@ class LawfulMotion : public PrintMotion {
 
   /// Checks whether the hinges turn by their laws. Records the deviations.
   bool is_lawful() {
-    if (linkage_.loose_body() >= 0) return false;
+    if (linkage_.unconnected_body() >= 0) return false;
     for (double s = 0; s < end_; s = next(s)) {
       const double middle = (s + next(s)) / 2;
       const model::ThetaInterval there(linkage_, exact_, sign_, middle, middle);
@@ -371,7 +371,7 @@ model::HingePrint with_faces(model::HingePrint pin, const model::Process& proces
   return pin;
 }
 
-double least_pin_height_mm(double clearance_mm, const model::Process& process) {
+double min_pin_height_mm(double clearance_mm, const model::Process& process) {
   return 4 * axial_clearance_mm(clearance_mm, process, process.filament.has_value());
 }
 

@@ -108,6 +108,6 @@ PieceDistance piece_distance(const PlacedPiece& a, const PlacedPiece& b);
 model::HingePrint with_faces(model::HingePrint pin, const model::Process& process);
 
 /// Returns the least height of a pin, mm. Its eye, between two such clearances, is as high as they are.
-double least_pin_height_mm(double clearance_mm, const model::Process& process);
+double min_pin_height_mm(double clearance_mm, const model::Process& process);
 
 }  // namespace kinetix::app

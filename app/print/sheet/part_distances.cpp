@@ -12,7 +12,7 @@ namespace {
 
 constexpr double nothing_mm = 1e3;  // mm: distance if there are no two bodies
 
-PathClearance nothing_near() {
+PathClearance no_parts_clearance() {
   PathClearance none;
   none.in_hinges.mm = none.elsewhere.mm = none.nearest.mm = none.flat_mm = nothing_mm;
   return none;
@@ -40,26 +40,26 @@ double radius(const PlacedPiece& at, const Vector3d& center) {
 
 }  // namespace
 
-void take_less(const LeastDistance& other, LeastDistance& known) {
-  if (other.spare_mm() < known.spare_mm()) known = other;
+void update_least(const LeastDistance& other, LeastDistance& known) {
+  if (other.excess_mm() < known.excess_mm()) known = other;
 }
 
-void take_nearer(const LeastDistance& other, LeastDistance& known) {
+void update_nearest(const LeastDistance& other, LeastDistance& known) {
   if (other.mm < known.mm) known = other;
 }
 
 PairRules::PairRules(const PrintSheet& sheet)
     : sheet_(sheet),
       bodies_(static_cast<int>(sheet.bodies.size())),
-      asked_(sheet.bodies.size(), nothing_mm),
+      required_(sheet.bodies.size(), nothing_mm),
       hinged_(sheet.bodies.size()) {
   for (std::size_t h = 0; h < sheet.hinges.size(); ++h) {
     const model::RestHinge& hinge = sheet.linkage.hinges[h];
     const double clearance = clearance_of(sheet.hinges[h]);
     hinged_[std::min(hinge.lower, hinge.upper)].emplace_back(std::max(hinge.lower, hinge.upper), clearance);
-    most_asked_ = std::max(most_asked_, clearance);
+    max_required_ = std::max(max_required_, clearance);
     if (clearance > 0)
-      for (const int b : {hinge.lower, hinge.upper}) asked_[b] = std::min(asked_[b], clearance);
+      for (const int b : {hinge.lower, hinge.upper}) required_[b] = std::min(required_[b], clearance);
   }
 }
 
@@ -70,7 +70,7 @@ std::optional<PartPair> PairRules::pair(int a, int b) const {
     for (const auto& [upper, of_hinge] : hinged_[lower])
       if (upper == std::max(a, b)) clearance = of_hinge;
   if (clearance) return PartPair{a, b, true, *clearance};
-  return PartPair{a, b, false, asked_elsewhere(a, b)};
+  return PartPair{a, b, false, required_elsewhere(a, b)};
 }
 
 std::vector<int> PairRules::bodies_of(int part) const {
@@ -85,14 +85,14 @@ bool PairRules::is_joined_by(int soft, int body) const {
   return hinge.lower == body || hinge.upper == body;
 }
 
-double PairRules::asked_elsewhere(int a, int b) const {
+double PairRules::required_elsewhere(int a, int b) const {
   if (a >= bodies_ || b >= bodies_) return 0;
-  const double least = std::min(asked_[a], asked_[b]);
+  const double least = std::min(required_[a], required_[b]);
   return least < nothing_mm ? least : 0;
 }
 
 PathClearance Distances::measured(double theta, const model::State& state) const {
-  PathClearance least = nothing_near();
+  PathClearance least = no_parts_clearance();
   std::vector<PlacedPiece> all;
   std::vector<double> radii;
   Eigen::Matrix3Xd centers(3, parts.pieces.size());
@@ -101,25 +101,26 @@ PathClearance Distances::measured(double theta, const model::State& state) const
     all.push_back(placed(parts.pieces[k], state));
     centers.col(k) = all.back().center();
     radii.push_back(radius(all.back(), centers.col(k)));
-    reach = std::max(reach, 2 * radii.back() + (look_ == ClearanceLook::verdict ? rules.most_asked() : 1));
+    reach =
+        std::max(reach, 2 * radii.back() + (search_ == ClearanceSearch::verdict ? rules.max_required() : 1));
   }
   model::NearPairs near;
   for (const auto& [a, b] : near.find(centers, reach)) {
     const double apart_mm = (centers.col(a) - centers.col(b)).norm() - radii[a] - radii[b];
-    if (look_ == ClearanceLook::verdict && apart_mm >= rules.most_asked()) continue;
+    if (search_ == ClearanceSearch::verdict && apart_mm >= rules.max_required()) continue;
     const auto pair = rules.pair(all[a].piece.part, all[b].piece.part);
     if (!pair) continue;
     LeastDistance& known = pair->is_hinged ? least.in_hinges : least.elsewhere;
-    LeastDistance found{apart_mm, pair->first, pair->second, theta, Vector3d::Zero(), pair->asked_mm};
-    const bool counts = look_ == ClearanceLook::verdict
-                            ? found.spare_mm() < 0
-                            : found.spare_mm() < known.spare_mm() || found.mm < least.nearest.mm;
+    LeastDistance found{apart_mm, pair->first, pair->second, theta, Vector3d::Zero(), pair->required_mm};
+    const bool counts = search_ == ClearanceSearch::verdict
+                            ? found.excess_mm() < 0
+                            : found.excess_mm() < known.excess_mm() || found.mm < least.nearest.mm;
     if (!counts) continue;
     const PieceDistance there = piece_distance(all[a], all[b]);
     found.mm = there.mm;
     found.place = there.place;
-    take_less(found, known);
-    take_nearer(found, least.nearest);
+    update_least(found, known);
+    update_nearest(found, least.nearest);
   }
   compare_bores(theta, state, least);
   least.flat_mm = least.nearest.mm;
@@ -147,8 +148,8 @@ void Distances::compare_bore(std::size_t h, double theta, const model::State& st
                               theta,
                               place + high * axis,
                               clearance};
-    take_less(found, least.in_hinges);
-    take_nearer(found, least.nearest);
+    update_least(found, least.in_hinges);
+    update_nearest(found, least.nearest);
   }
 }
 

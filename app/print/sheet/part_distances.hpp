@@ -11,9 +11,9 @@
 namespace kinetix::app {
 
 /// Replaces the known distance if the other one has less spare.
-void take_less(const LeastDistance& other, LeastDistance& known);
+void update_least(const LeastDistance& other, LeastDistance& known);
 /// Replaces the known distance if the other one is smaller.
-void take_nearer(const LeastDistance& other, LeastDistance& known);
+void update_nearest(const LeastDistance& other, LeastDistance& known);
 
 /// Two pieces that are not proven apart, with the direction between their nearest points.
 struct PiecePair {
@@ -26,7 +26,7 @@ struct PiecePair {
 struct PartPair {
   int first = 0, second = 0;
   bool is_hinged = false;
-  double asked_mm = 0;
+  double required_mm = 0;
   std::vector<int> bodies = {};                // bodies of both parts: the first sees the others
   std::vector<model::HingeChain> chains = {};  // of hinges, to each of the others
   std::vector<PiecePair> open = {};
@@ -39,19 +39,19 @@ class PairRules {
 
   /// Returns a pair with its required distance; empty for two parts that belong together.
   std::optional<PartPair> pair(int a, int b) const;
-  double most_asked() const { return most_asked_; }
+  double max_required() const { return max_required_; }
   /// Returns the bodies that a part moves with.
   std::vector<int> bodies_of(int part) const;
 
  private:
   /// Checks whether a body is one of the two that a soft part joins.
   bool is_joined_by(int soft, int body) const;
-  double asked_elsewhere(int a, int b) const;
+  double required_elsewhere(int a, int b) const;
 
   const PrintSheet& sheet_;
   const int bodies_;
-  double most_asked_ = 0;      // mm
-  std::vector<double> asked_;  // of each body, the least clearance of its pins, mm.
+  double max_required_ = 0;       // mm
+  std::vector<double> required_;  // of each body, the least clearance of its pins, mm.
   // Bodies after each body that share a hinge with it, and the clearance, mm: 0 for soft parts.
   std::vector<std::vector<std::pair<int, double>>> hinged_;
 };
@@ -59,8 +59,8 @@ class PairRules {
 /// Distances of a sheet's parts in single states.
 class Distances {
  public:
-  Distances(const PrintSheet& sheet, ClearanceLook look)
-      : parts(sheet), rules(sheet), sheet_(sheet), look_(look) {}
+  Distances(const PrintSheet& sheet, ClearanceSearch search)
+      : parts(sheet), rules(sheet), sheet_(sheet), search_(search) {}
 
   PathClearance measured(double theta, const model::State& state) const;
   /// Compares rods with bores at both ends of the eye. Both are cylinders, with axes apart by the joint separation.
@@ -73,7 +73,7 @@ class Distances {
   void compare_bore(std::size_t h, double theta, const model::State& state, PathClearance& least) const;
 
   const PrintSheet& sheet_;
-  const ClearanceLook look_;
+  const ClearanceSearch search_;
 };
 
 }  // namespace kinetix::app

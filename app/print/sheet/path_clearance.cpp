@@ -43,10 +43,11 @@ struct PairResult {
 };
 
 /// Check of one pair of parts over an interval of the path.
-class PairLook {
+class PairSearch {
  public:
-  PairLook(const MovingParts& parts, const MotionInterval& interval, const PartPair& pair, ClearanceLook look)
-      : parts_(parts), interval_(interval), pair_(pair), is_verdict_(look == ClearanceLook::verdict) {
+  PairSearch(const MovingParts& parts, const MotionInterval& interval, const PartPair& pair,
+             ClearanceSearch search)
+      : parts_(parts), interval_(interval), pair_(pair), is_verdict_(search == ClearanceSearch::verdict) {
     for (std::size_t k = 1; k < pair.bodies.size(); ++k) {
       seen_.push_back(interval.seen(pair.bodies.front(), pair.bodies[k], pair.chains[k - 1]));
       margin_ = std::max(margin_, seen_.back().margin_mm);
@@ -72,7 +73,7 @@ class PairLook {
   struct SeenPiece {
     SweptHull hull;
     Vector3d center = Vector3d::Zero();
-    double radius = 0, way = 0;  // mm
+    double radius = 0, travel = 0;  // mm
   };
 
   const SeenBody* seen(int body) const {
@@ -92,7 +93,7 @@ class PairLook {
     }
     for (const model::SweptPoints& end : out.hull)
       out.radius = std::max(out.radius, (end.center - out.center).norm() + end.radius);
-    out.way = way(out.hull);
+    out.travel = travel(out.hull);
     return out;
   }
 
@@ -107,7 +108,7 @@ class PairLook {
   }
 
   static bool are_apart(const SeenPiece& a, const SeenPiece& b, double goal) {
-    return (a.center - b.center).norm() - a.radius - b.radius - a.way - b.way >= goal;
+    return (a.center - b.center).norm() - a.radius - b.radius - a.travel - b.travel >= goal;
   }
 
   /// Checks whether the spheres around the two parts are apart.
@@ -124,7 +125,7 @@ class PairLook {
     if (are_apart(a, b, goal_)) return;
     const auto is_proven = [&] {
       return pair.normal != Vector3d::Zero() &&
-             least_gap(a.hull, b.hull, pair.normal, interval_.half_width) >= goal_;
+             min_gap(a.hull, b.hull, pair.normal, interval_.half_width) >= goal_;
     };
     if (is_proven()) return;
     if (is_verdict_ && pair.normal == Vector3d::Zero() && a.center != b.center) {
@@ -135,7 +136,7 @@ class PairLook {
         piece_distance(placed(parts_.pieces[pair.first], a.hull), placed(parts_.pieces[pair.second], b.hull));
     note(found);
     pair.normal = found.normal;
-    const double moved = a.way + b.way;
+    const double moved = a.travel + b.travel;
     if (is_proven() || found.mm - moved >= goal_) return;
     if (moved > slack_mm / 2 || found.mm - moved >= needed_)
       out_.open.push_back(pair);
@@ -152,8 +153,8 @@ class PairLook {
   void note(const PieceDistance& found) {
     if (out_.least && out_.least->mm <= found.mm) return;
     const model::Pose& eye = interval_.state[pair_.bodies.front()];
-    out_.least = {found.mm,      pair_.first, pair_.second, interval_.theta, eye.R * found.place + eye.p,
-                  pair_.asked_mm};
+    out_.least = {found.mm,         pair_.first, pair_.second, interval_.theta, eye.R * found.place + eye.p,
+                  pair_.required_mm};
   }
 
   const MovingParts& parts_;
@@ -166,14 +167,14 @@ class PairLook {
   PairResult out_;
 };
 
-double needed_mm(double asked_mm) { return asked_mm > 0 ? asked_mm - polygon_mm : 0; }
+double needed_mm(double required_mm) { return required_mm > 0 ? required_mm - polygon_mm : 0; }
 
 /// Search from flat to the fold, in intervals. They are halved for the pairs that are not proven apart.
 class PathSearch {
  public:
-  PathSearch(const PrintSheet& sheet, const Distances& distances, ClearanceLook look, PathClearance& all)
+  PathSearch(const PrintSheet& sheet, const Distances& distances, ClearanceSearch search, PathClearance& all)
       : distances_(distances),
-        look_(look),
+        search_(search),
         parts_(distances.parts),
         chains_(sheet.linkage),
         edge_(sheet.linkage.size.edge_mm),
@@ -209,13 +210,13 @@ class PathSearch {
   /// nearer than the nearest.
   double goal_mm(const PartPair& pair) const {
     const LeastDistance& known = pair.is_hinged ? all_.in_hinges : all_.elsewhere;
-    const double spare = known.first < 0 ? looked_mm : known.spare_mm();
-    if (hit_ || !(spare > 0) || look_ == ClearanceLook::verdict) return least_mm(pair);
+    const double excess = known.first < 0 ? looked_mm : known.excess_mm();
+    if (hit_ || !(excess > 0) || search_ == ClearanceSearch::verdict) return min_mm(pair);
     const double nearest = all_.nearest.first < 0 ? looked_mm : all_.nearest.mm;
-    return std::max(needed_mm(pair.asked_mm) + spare, nearest) - slack_mm;
+    return std::max(needed_mm(pair.required_mm) + excess, nearest) - slack_mm;
   }
 
-  static double least_mm(const PartPair& pair) { return needed_mm(pair.asked_mm) - slack_mm; }
+  static double min_mm(const PartPair& pair) { return needed_mm(pair.required_mm) - slack_mm; }
 
   struct Ball {
     Vector3d center = Vector3d::Zero();
@@ -236,7 +237,7 @@ class PathSearch {
     for (const PieceEnd* end : ends) out.center += center(*end) / static_cast<double>(ends.size());
     for (const PieceEnd* end : ends)
       out.radius = std::max(out.radius, (center(*end) - out.center).norm() + end->radius +
-                                            motions[end->body].way(center(*end), end->radius));
+                                            motions[end->body].travel(center(*end), end->radius));
     return out;
   }
 
@@ -259,7 +260,7 @@ class PathSearch {
     Eigen::Matrix3Xd centers(3, balls.size());
     for (std::size_t k = 0; k < balls.size(); ++k) centers.col(k) = balls[k].center;
     const double goal =
-        std::max({goal_mm({.is_hinged = true}), goal_mm({}), 0.0}) + distances_.rules.most_asked();
+        std::max({goal_mm({.is_hinged = true}), goal_mm({}), 0.0}) + distances_.rules.max_required();
     std::map<int, std::vector<PartPair>> by_body;
     for (const auto& [a, b] : near_.find(centers, 2 * most + goal)) {
       if ((centers.col(a) - centers.col(b)).norm() - balls[a].radius - balls[b].radius > goal + 2 * margin)
@@ -303,11 +304,11 @@ class PathSearch {
       run_all(static_cast<int>(tasks.size()), [&](int k) {
         const Task& task = tasks[k];
         const auto at = std::lower_bound(stretches.begin(), stretches.end(), Stretch{task.low, task.high});
-        outcomes[k] = PairLook(parts_, *intervals[at - stretches.begin()], task.pair, look_)
-                          .compare(goal_mm(task.pair), least_mm(task.pair));
+        outcomes[k] = PairSearch(parts_, *intervals[at - stretches.begin()], task.pair, search_)
+                          .compare(goal_mm(task.pair), min_mm(task.pair));
       });
       for (std::size_t k = 0; k < tasks.size(); ++k) note(tasks[k], outcomes[k]);
-      if (hit_ && look_ != ClearanceLook::least) return;
+      if (hit_ && search_ != ClearanceSearch::least) return;
       tasks = halved(std::move(tasks), outcomes);
       stretches.clear();
       for (const Task& task : tasks) stretches.emplace_back(task.low, task.high);
@@ -323,9 +324,9 @@ class PathSearch {
     if (!outcome.least) return;
     const double middle = (task.low + task.high) / 2;
     LeastDistance& known = task.pair.is_hinged ? all_.in_hinges : all_.elsewhere;
-    take_less(*outcome.least, known);
-    take_nearer(*outcome.least, all_.nearest);
-    if (!(outcome.least->spare_mm() < 0) && !outcome.is_uncertain) return;
+    update_least(*outcome.least, known);
+    update_nearest(*outcome.least, all_.nearest);
+    if (!(outcome.least->excess_mm() < 0) && !outcome.is_uncertain) return;
     if (hit_ && !(middle < hit_at_)) return;
     hit_ = outcome.least;
     hit_at_ = middle;
@@ -350,7 +351,7 @@ class PathSearch {
   }
 
   const Distances& distances_;
-  const ClearanceLook look_;
+  const ClearanceSearch search_;
   const MovingParts& parts_;
   std::vector<double> reach_;  // of all parts of each body from its rest position, mm
   std::unique_ptr<PrintMotion> motion_;
@@ -365,36 +366,36 @@ class PathSearch {
 
 }  // namespace
 
-double LeastDistance::spare_mm() const { return mm - needed_mm(asked_mm); }
+double LeastDistance::excess_mm() const { return mm - needed_mm(required_mm); }
 
-PathClearance path_clearance(const PrintSheet& sheet, ClearanceLook look) {
-  const Distances distances(sheet, look);
+PathClearance path_clearance(const PrintSheet& sheet, ClearanceSearch search) {
+  const Distances distances(sheet, search);
   PathClearance all = distances.measured(sheet.thetas.front(), sheet.path.front());
-  if (!is_kept(all)) {
-    all.first_too_near = all.least();
+  if (!has_required_clearance(all)) {
+    all.first_violation = all.least();
     return all;
   }
   if (sheet.path.size() < 2) return all;
   const PathClearance fold = distances.measured(sheet.thetas.back(), sheet.path.back());
-  take_less(fold.in_hinges, all.in_hinges);
-  take_less(fold.elsewhere, all.elsewhere);
-  take_nearer(fold.nearest, all.nearest);
-  if (look != ClearanceLook::least && !is_kept(all)) return all;
+  update_least(fold.in_hinges, all.in_hinges);
+  update_least(fold.elsewhere, all.elsewhere);
+  update_nearest(fold.nearest, all.nearest);
+  if (search != ClearanceSearch::least && !has_required_clearance(all)) return all;
   std::optional<LeastDistance> bore;
   for (std::size_t k = 0; k < sheet.path.size(); ++k) {
     distances.compare_bores(sheet.thetas[k], sheet.path[k], all);
-    if (!bore && !is_kept(all) && all.least().theta == sheet.thetas[k]) bore = all.least();
+    if (!bore && !has_required_clearance(all) && all.least().theta == sheet.thetas[k]) bore = all.least();
   }
-  all.first_too_near = PathSearch(sheet, distances, look, all).run();
-  if (is_kept(all) || all.least().spare_mm() >= 0) return all;
+  all.first_violation = PathSearch(sheet, distances, search, all).run();
+  if (has_required_clearance(all) || all.least().excess_mm() >= 0) return all;
   for (const LeastDistance& other : {bore.value_or(all.least()), all.least()})
-    if (!all.first_too_near || std::abs(other.theta) < std::abs(all.first_too_near->theta))
-      all.first_too_near = other;
+    if (!all.first_violation || std::abs(other.theta) < std::abs(all.first_violation->theta))
+      all.first_violation = other;
   return all;
 }
 
-bool is_kept(const PathClearance& clearance) {
-  return !clearance.first_too_near && clearance.least().spare_mm() >= 0;
+bool has_required_clearance(const PathClearance& clearance) {
+  return !clearance.first_violation && clearance.least().excess_mm() >= 0;
 }
 
 std::string part_name(const PrintSheet& sheet, int part) {

@@ -17,12 +17,12 @@ namespace {
 
 constexpr double reported_mm = 0.01;  // mm: no printer resolves a smaller difference of folds
 constexpr double known_mm = 0.005;    // mm: required accuracy of a path between its states
-constexpr int most_rounds = 3;        // of halving the steps of a path that is less accurate
+constexpr int max_rounds = 3;         // of halving the steps of a path that is less accurate
 
 PrintPath exact_path(const Design& design, const model::ExactMotion& exact, PrintPath path) {
   const double theta = exact_theta_of(design, exact);
   if (theta == 0) {
-    path.why_flat_alone = "the design's theta is 0";
+    path.flat_only_reason = "the design's theta is 0";
     return path;
   }
   for (int k = 1; k <= path_steps; ++k) {
@@ -39,7 +39,7 @@ PrintPath exact_path(const Design& design, const model::ExactMotion& exact, Prin
 model::EquilibriumPathOptions steps_of(const Design& design, int steps) {
   model::EquilibriumPathOptions options;
   options.side = design.side;
-  options.longest_step = std::clamp(std::abs(design.theta) / steps, options.least_step, options.longest_step);
+  options.longest_step = std::clamp(std::abs(design.theta) / steps, options.min_step, options.longest_step);
   options.first_step = std::min(options.first_step, options.longest_step);
   options.longest_step_touching = std::min(options.longest_step_touching, options.longest_step);
   return options;
@@ -71,14 +71,14 @@ PrintPath traced_path(const Design& design, const model::ExactMotion& exact, int
   path.thetas.resize(1);
   path.states.resize(1);
   path.jumps.clear();
-  path.why_flat_alone = exact.why + "; and its equilibrium does not get there: " + traced.why;
+  path.flat_only_reason = exact.why + "; and its equilibrium does not get there: " + traced.why;
   return path;
 }
 
 PrintPath equilibrium_path(const Design& design, const model::ExactMotion& exact, const PrintPath& flat) {
   int steps = path_steps;
   PrintPath path = traced_path(design, exact, steps, flat);
-  for (int round = 0; round < most_rounds && sampling_error_mm(path, design.structure) > known_mm; ++round) {
+  for (int round = 0; round < max_rounds && sampling_error_mm(path, design.structure) > known_mm; ++round) {
     PrintPath finer = traced_path(design, exact, steps *= 2, flat);
     if (finer.states.size() <= path.states.size()) break;
     path = std::move(finer);

@@ -22,9 +22,9 @@ struct PrintPath {
   std::vector<model::State> states;                 ///< for each theta, for a cell edge of 1 mm
   std::function<model::State(double)> motion = {};  ///< state at a theta, cell edge of 1 mm; empty: not exact
   std::vector<model::TurnLaw> turns = {};           ///< of each hinge along that motion
-  std::vector<int> jumps = {};      ///< states from which it jumps to the next, as in snap-through
-  bool is_exact = true;             ///< by the closed form; else by the equilibrium under the design's drive
-  std::string why_flat_alone = {};  ///< reason if only the flat state is known
+  std::vector<int> jumps = {};  ///< states from which it jumps to the next, as in snap-through
+  bool is_exact = true;         ///< by the closed form; else by the equilibrium under the design's drive
+  std::string flat_only_reason = {};  ///< reason if only the flat state is known
 };
 
 /// Returns the path by the closed form, at path_steps even steps. Without a closed form it is the equilibrium of the

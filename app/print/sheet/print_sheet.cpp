@@ -35,7 +35,7 @@ double turn_of(const model::RestHinge& hinge, const model::State& state) {
 }
 
 void check_process(const model::Process& process, const model::CellSize& size,
-                   const model::MadeHinge& hinge) {
+                   const model::ManufacturedHinge& hinge) {
   const auto problems = print_problems(process, size, hinge);
   if (!problems.empty()) throw InvalidInput(problems.front().what);
 }
@@ -69,7 +69,7 @@ class SheetMaker {
     sheet_.turns = path.turns;
     sheet_.jumps = path.jumps;
     sheet_.is_path_exact = path.is_exact;
-    sheet_.why_no_path = path.why_flat_alone;
+    sheet_.no_path_reason = path.flat_only_reason;
     for (int h = 0; h < hinges(); ++h) turns_.push_back(largest_turn(h));
   }
 
@@ -106,7 +106,7 @@ class SheetMaker {
     return all;
   }
 
-  bool is_loose(int h, const model::MadeHinge& made) const {
+  bool is_loose(int h, const model::ManufacturedHinge& made) const {
     const model::RestHinge& hinge = sheet_.linkage.hinges[h];
     const std::vector<int>& tile = sheet_.tiles.of_body;
     return made.kind == HingeKind::pin && (choice_.loose_rods || tile[hinge.lower] != tile[hinge.upper]);
@@ -133,7 +133,7 @@ class SheetMaker {
   }
 
   /// Returns the gap that an elastomer or living hinge needs, mm.
-  double gap_mm(const model::MadeHinge& hinge, int h) const {
+  double gap_mm(const model::ManufacturedHinge& hinge, int h) const {
     const model::CellSize& size = sheet_.linkage.size;
     const double offset = structure_.hinge(h).offset * size.edge_mm;
     return open_gap_mm(hinge, size.thickness_mm, offset, turns_[h], stretch_mm(h, hinge.height_mm));
@@ -146,29 +146,29 @@ class SheetMaker {
     return most * sheet_.linkage.size.edge_mm;
   }
 
-  std::vector<model::MadeHinge> open_hinges() const {
-    model::MadeHinge open = open_hinge(choice_.kind, sheet_.process, sheet_.linkage.size);
+  std::vector<model::ManufacturedHinge> open_hinges() const {
+    model::ManufacturedHinge open = open_hinge(choice_.kind, sheet_.process, sheet_.linkage.size);
     if (choice_.kind == HingeKind::pin) open.height_mm *= choice_.height_share;
-    std::vector<model::MadeHinge> all(hinges(), open);
+    std::vector<model::ManufacturedHinge> all(hinges(), open);
     if (choice_.kind == HingeKind::pin) return all;
     double longest = 0;
     for (int h = 0; h < hinges(); ++h) longest = std::max(longest, all[h].gap_mm = gap_mm(all[h], h));
     if (choice_.alike)
-      for (model::MadeHinge& hinge : all) hinge.gap_mm = longest;
+      for (model::ManufacturedHinge& hinge : all) hinge.gap_mm = longest;
     return all;
   }
 
   void choose_hinges() {
-    const std::vector<model::MadeHinge> open = open_hinges();
+    const std::vector<model::ManufacturedHinge> open = open_hinges();
     const double furthest_mm = largest_offset_mm();
     sheet_.hinges.clear();
     for (int h = 0; h < hinges(); ++h) {
-      const model::MadeHinge made =
+      const model::ManufacturedHinge made =
           hinge_at(design_.hinge, design_.hinge_overrides, h).made.value_or(open[h]);
       check_process(sheet_.process, sheet_.linkage.size, made);
       validate(made, sheet_.linkage.size);
       sheet_.hinges.push_back(with_faces({.made = made,
-                                          .knuckle_wall_mm = sheet_.process.least_wall_mm,
+                                          .knuckle_wall_mm = sheet_.process.min_wall_mm,
                                           .turn = std::clamp(turns_[h], -widest_turn, widest_turn),
                                           .loose = is_loose(h, made),
                                           .cap_across_mm = choice_.caps || made.caps ? furthest_mm : 0},
@@ -190,9 +190,9 @@ model::CellSize resized(const model::CellSize& size, const PrintChoice& choice,
                         const model::Process& process) {
   if (!(choice.edge_mm > 0)) return size;
   const double clearance = choice.clearance_mm > 0 ? choice.clearance_mm : process.clearance_mm;
-  const double least_height = choice.kind == HingeKind::pin ? least_pin_height_mm(clearance, process) : 0;
-  return {choice.edge_mm, std::max(size.thickness_mm, process.least_wall_mm),
-          std::max(size.height_mm, least_height)};
+  const double min_height = choice.kind == HingeKind::pin ? min_pin_height_mm(clearance, process) : 0;
+  return {choice.edge_mm, std::max(size.thickness_mm, process.min_wall_mm),
+          std::max(size.height_mm, min_height)};
 }
 
 bool PrintSheet::has_soft() const {
@@ -232,7 +232,7 @@ HingeKind PrintSheet::kind() const {
                   [&](HingeKind a, HingeKind b) { return of(a) < of(b); });
 }
 
-int PrintSheet::usual_hinge() const {
+int PrintSheet::most_frequent_hinge() const {
   const auto first = std::find_if(hinges.begin(), hinges.end(), [most = kind()](const model::HingePrint& h) {
     return h.made.kind == most;
   });
@@ -327,14 +327,14 @@ model::HingePrint print_of(const model::AssemblyHinge& h) {
 /// Adds the motion to a sheet. A motion that ends before the drive's goal has no folded state, which a warning
 /// reports.
 /// @throws InvalidInput in this case if the folded state is requested
-void add_way(const Run& run, bool folded, PrintSheet& sheet) {
+void add_path_of_run(const Run& run, bool folded, PrintSheet& sheet) {
   for (const NamedState& s : run.states)
     if (s.name == "frame") {
       sheet.path.push_back(s.poses);
       sheet.thetas.push_back(s.theta);
     }
-  if (run.way->reached) return;
-  const std::string why = "it does not come to its drive's goal: " + run.way->words;
+  if (run.closed_path->reached) return;
+  const std::string why = "it does not come to its drive's goal: " + run.closed_path->description;
   if (folded) throw InvalidInput("--state folded: " + why);
   sheet.warnings.push_back(why);
 }
@@ -357,7 +357,7 @@ PrintSheet imported_sheet(const Design& design, const model::Process& process, b
   sheet.bodies.resize(a.bodies.size());
   sheet.rods.resize(a.hinges.size());
   sheet.tiles.of_body.assign(a.bodies.size(), 0);
-  add_way(run_design(design, Model::exact, {}), folded, sheet);
+  add_path_of_run(run_design(design, Model::exact, {}), folded, sheet);
   sheet.warnings.push_back("parts are written as they were imported: nothing was checked for a process");
   return sheet;
 }

@@ -32,7 +32,7 @@ struct PrintSheet {
   std::vector<model::TurnLaw> turns = {};              ///< of each hinge along that motion
   std::vector<int> jumps = {};                         ///< PrintPath::jumps
   bool is_path_exact = true;                           ///< else the equilibrium under the design's drive
-  std::string why_no_path = {};                        ///< reason if only the flat state is known
+  std::string no_path_reason = {};                     ///< reason if only the flat state is known
   std::vector<model::HingeStiffness> imported_k = {};  ///< of hinges between imported parts, from the design
   std::vector<std::string> warnings = {};              ///< for the user
 
@@ -49,7 +49,7 @@ struct PrintSheet {
   /// Returns the kind of most hinges; a pin for a sheet without hinges.
   model::HingeKind kind() const;
   /// Returns the first hinge of that kind. @pre there is a hinge
-  int usual_hinge() const;
+  int most_frequent_hinge() const;
 };
 
 /// Choices for hinges that the design does not describe, and for the size of the sheet.

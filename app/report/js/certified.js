@@ -17,11 +17,11 @@ function readCertified(raw) {
   return {isExact: raw.states_are_exact !== false, hasLeft: raw.states_have_left === true, design: readRange(raw.design), printed: readRange(raw.printed), covers: raw.covers_theta === true, coversPrinted: raw.covers_theta_printed === true};
 }
 
-function rangeWords({low, high}) {
+function describeRange({low, high}) {
   return `\u03b8 from ${degrees(low.theta)} to ${degrees(high.theta)}`;
 }
 
-function limitWords({walls, contact}, side) {
+function describeLimit({walls, contact}, side) {
   if (walls.length < 2) return `To ${side} \u03b8 the proof ends with the search.`;
   const seen = finite(contact) === null ? "come closer than rounding tells" : `do overlap at ${degrees(contact)}`;
   return `To ${side} \u03b8 it ends with walls ${walls[0]} and ${walls[1]}, which ${seen}.`;
@@ -51,13 +51,13 @@ function drawRanges({certified, metrics}, width) {
           svg("text", {class: "label", x: X(theta), y: height - 12, "text-anchor": "middle"}, `this state, ${degrees(theta)}`));
 }
 
-function leftOutWords({leftOut}) {
+function describeLeftOut({leftOut}) {
   return leftOut ? ` ${count(leftOut, "pair of plates touches", "pairs of plates touch")} as built, flat, and ${leftOut === 1 ? "is" : "are"} left out.` : "";
 }
 
-const ELASTIC_WORDS = " That is proven of the closed form; states shown are equilibria of elastic hinges near it.";
+const ELASTIC_TEXT = " That is proven of the closed form; states shown are equilibria of elastic hinges near it.";
 
-const LEFT_WORDS = "Of the state shown nothing is proven: the equilibrium has left the closed form, and only that form is looked at here. Of it is proven";
+const LEFT_TEXT = "Of the state shown nothing is proven: the equilibrium has left the closed form, and only that form is looked at here. Of it is proven";
 
 const isProvenOfOthers = ({certified}) => certified?.hasLeft === true;
 
@@ -66,10 +66,10 @@ function certifiedSection(data) {
   if (certified.whyNot) return html("p", {}, `No range of \u03b8 is proven: ${certified.whyNot}.`);
   const {design, printed} = certified;
   return [
-    html("p", {}, `${certified.hasLeft ? LEFT_WORDS : "Proven"} for every state between, not for samples of them: no two walls touch for ${rangeWords(design)}; this state ${
-        thetaPlace(certified.covers, certified)}.${certified.isExact || certified.hasLeft ? "" : ELASTIC_WORDS} ${limitWords(design.high, "positive")} ${limitWords(design.low, "negative")}${leftOutWords(design)}`),
+    html("p", {}, `${certified.hasLeft ? LEFT_TEXT : "Proven"} for every state between, not for samples of them: no two walls touch for ${describeRange(design)}; this state ${
+        thetaPlace(certified.covers, certified)}.${certified.isExact || certified.hasLeft ? "" : ELASTIC_TEXT} ${describeLimit(design.high, "positive")} ${describeLimit(design.low, "negative")}${describeLeftOut(design)}`),
     responsive((width) => drawRanges(data, width)),
-    html("p", {}, `With each wall up to ${millimetres(printed.growth)} out of place, three standard deviations of the process: ${rangeWords(printed)}; this state ${
+    html("p", {}, `With each wall up to ${millimetres(printed.growth)} out of place, three standard deviations of the process: ${describeRange(printed)}; this state ${
         thetaPlace(certified.coversPrinted, certified)}. Hinges themselves, their pins and films, are not walls.`)
   ];
 }

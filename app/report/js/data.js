@@ -51,7 +51,7 @@ function readHinge(raw, bodies) {
 }
 
 /** Describes the position of a wall. */
-function wallWords({name, along, column, row, ends}) {
+function nameWall({name, along, column, row, ends}) {
   return name ? name : along ? `column ${column}, row ${row}, wall along ${along}` :
                  `wall from vertex ${ends[0]} to ${ends[1]}`;
 }
@@ -143,7 +143,7 @@ function readVerdict(raw) {
 }
 
 /** Reads the print tolerance analysis; null without one. */
-function readAsMade(raw) {
+function readPrintTolerance(raw) {
   if (!raw || finite(raw.p95_mm) === null) return null;
   const sources = list(raw.sources).filter((source) => finite(source?.share) !== null);
   return {process: String(raw.process), rms: raw.rms_mm, designed: raw.designed_mm, p95: raw.p95_mm, tolerance: raw.tolerance_mm, holds: raw.holds === true,
@@ -159,7 +159,7 @@ function readPrint(raw) {
 }
 
 /** Reads the compensation for elastic hinges of a goal that was met exactly; null without elastic hinges. */
-function readMatter(raw) {
+function readCompensation(raw) {
   if (!raw || typeof raw !== "object") return null;
   return {before: finite(raw.before_mm), after: finite(raw.after_mm), tolerance: finite(raw.tolerance_mm),
     change: toDegrees(raw.largest_change_rad), why: typeof raw.why === "string" ? raw.why : ""};
@@ -197,11 +197,11 @@ function readResult(raw) {
     stable: readStable(raw.equilibrium, structure),
     states: kind?.place?.(raw, states) ?? states,
     verdict: readVerdict(raw),
-    asMade: readAsMade(raw.as_made),
+    printTolerance: readPrintTolerance(raw.as_made),
     certified: readCertified(raw.certified),
     print: readPrint(raw.print),
-    madeChoices: readMadeChoices(raw.robust),
-    matter: readMatter(raw.matter),
+    robustChoices: readRobustChoices(raw.robust),
+    matter: readCompensation(raw.matter),
     runs: list(optimiser.runs).map(readRun),
     fidelity: list(raw.fidelity).filter((entry) => entry && typeof entry === "object"),
     timing: dictionary(raw.timing_s),

@@ -96,7 +96,7 @@ function force(value, unit) {
   return `${figures(value)}${SPACE}${unit}`;
 }
 
-function driveWords(equilibrium, drive) {
+function describeDrive(equilibrium, drive) {
   return equilibrium.drive.words(drive);
 }
 
@@ -110,7 +110,7 @@ function equilibriumVerdict(data) {
   const {equilibrium} = data, load = force(equilibrium.last.load, equilibrium.unit);
   const reached = equilibrium.stop === "reached";
   const held = `${equilibrium.drive.holds} ${load} at ${
-      driveWords(equilibrium, equilibrium.last.drive)}; the hinges store ${
+      describeDrive(equilibrium, equilibrium.last.drive)}; the hinges store ${
       force(equilibrium.last.energy_Nmm, "N\u00a0mm")}.`;
   const {verified} = data.verdict, hasRun = Boolean(data.physics.status);
   if (!reached)
@@ -132,13 +132,13 @@ function equilibriumVerdict(data) {
       mark: "!",
       tone: "bad",
       title: "In equilibrium, but the physics run " + failing(data),
-      text: `${held} ${physicsWords(data)}`
+      text: `${held} ${describePhysics(data)}`
     };
   return {
     mark: hasRun ? "\u2713" : "i",
     tone: hasRun ? "good" : "unsure",
     title: hasRun ? "In equilibrium, and the physics run agrees" : "In equilibrium",
-    text: held + (hasRun ? " " + physicsWords(data) : " It was not checked by a physics run.")
+    text: held + (hasRun ? " " + describePhysics(data) : " It was not checked by a physics run.")
   };
 }
 
@@ -156,7 +156,7 @@ function equilibriumNumbers(data) {
   return [
     keyNumber(
         capital(equilibrium.drive.load), force(equilibrium.last.load, equilibrium.unit),
-        `at ${driveWords(equilibrium, equilibrium.last.drive)}`),
+        `at ${describeDrive(equilibrium, equilibrium.last.drive)}`),
     keyNumber("Energy", force(equilibrium.last.energy_Nmm, "N\u00a0mm"), shares.join(", ")),
     finite(metrics.exact_rms) !== null &&
         keyNumber(
@@ -245,7 +245,7 @@ function eventTable({equilibrium}) {
     return html("p", {class: "note"}, "Nothing happened on the way: one smooth branch.");
   const row = (event, k) => ({
     cells: [
-      String(k + 1), eventName(event), driveWords(equilibrium, event.drive),
+      String(k + 1), eventName(event), describeDrive(equilibrium, event.drive),
       degrees(toDegrees(event.theta_rad)), force(event.load, equilibrium.unit), event.what ?? ""
     ]
   });
@@ -262,7 +262,7 @@ function loadSection(data) {
   return [
     html(
         "p", {class: "lead"},
-        `From flat to ${driveWords(equilibrium, equilibrium.last.drive)} in ${
+        `From flat to ${describeDrive(equilibrium, equilibrium.last.drive)} in ${
             count(equilibrium.path.length - 1, "step", "steps")}, ` +
             `each an equilibrium (dots). Numbers mark the events in the table.`),
     responsive((width) => drawLoad(data, width)),
@@ -293,7 +293,7 @@ function drawHeat(data, part, width) {
     return svg(
         "circle", {class: "heat", cx, cy, r, fill: heatColour(most > 0 ? values[k] / most : 0)},
         svg("title", {},
-            `${wallWords(hinge)}: ${figures(values[k])} N mm`));
+            `${nameWall(hinge)}: ${figures(values[k])} N mm`));
   };
   const bar = Math.min(200, width - 120), x0 = (width - bar) / 2, y0 = map.height - 34, steps = 30;
   return drawing(

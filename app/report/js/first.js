@@ -143,8 +143,8 @@ function cellsText(structure) {
 }
 
 /** Describes the peak load of the drive, N or N mm, with its effort; null if no elastic model was run. */
-function forceText({equilibrium, raw, asMade}) {
-  if (!equilibrium) return takenForceText(asMade?.taken);
+function forceText({equilibrium, raw, printTolerance}) {
+  if (!equilibrium) return assumedForceText(printTolerance?.taken);
   const {effort} = raw.equilibrium, steps = list(raw.equilibrium.path).filter((step) => finite(step.load) !== null);
   if (effort === SHAPE_MEMORY_SPRINGS) return "nobody's: its own springs fold it";
   if (!steps.length) return null;
@@ -153,7 +153,7 @@ function forceText({equilibrium, raw, asMade}) {
 }
 
 /** Describes the load on assumed hinges, which the file leaves open; null if it is unknown. */
-function takenForceText(taken) {
+function assumedForceText(taken) {
   const load = someDictionary(taken?.load);
   if (!load || finite(load.value) === null) return null;
   const unit = load.unit === "N mm" ? `N${SPACE}mm` : "N";
@@ -166,9 +166,9 @@ function strainText({metrics: {strain_max: most, strain_allowed: allowed}}) {
   return `${figures(most, 2)} of the ${neat(allowed)} that the hinges' material bears${most > allowed ? ": more than it bears" : ""}`;
 }
 
-function asMadeText({asMade}) {
-  if (!asMade) return null;
-  return `${millimetres(asMade.rms)} off the goal by ${asMade.process}; 95 of 100 within ${millimetres(asMade.p95)}, allowed ${millimetres(asMade.tolerance)}`;
+function formatPrintTolerance({printTolerance}) {
+  if (!printTolerance) return null;
+  return `${millimetres(printTolerance.rms)} off the goal by ${printTolerance.process}; 95 of 100 within ${millimetres(printTolerance.p95)}, allowed ${millimetres(printTolerance.tolerance)}`;
 }
 
 function printText({print}) {
@@ -187,7 +187,7 @@ function firstFacts(data) {
     isBodies ? ["Bodies", `${structure.bodies.length}, with ${count(structure.hinges.length, "hinge", "hinges")}`] : ["Sheet", `${cellsText(structure)}; ${walls}`],
     ["Force", forceText(data)],
     ["Strain", strainText(data)],
-    ["As made", asMadeText(data)],
+    ["As made", formatPrintTolerance(data)],
     ["Print", printText(data)],
     ...(data.kind?.facts?.(data) ?? []),
   ].filter(([, value]) => value);

@@ -1,6 +1,6 @@
 // The verdict in plain words, and the key numbers.
 
-function physicsWords(data) {
+function describePhysics(data) {
   const {verify_rms: rms} = data.metrics, allowed = data.tolerance.verify;
   if (finite(rms) === null) {
     const why = typeof data.physics.why === "string" ? ` It says: ${data.physics.why}` : "";
@@ -19,52 +19,52 @@ function failing(data) {
 function designVerdict(data) {
   const {met, verified} = data.verdict;
   if (verified === false)
-    return {mark: "!", tone: "bad", title: "The physics run " + failing(data), text: physicsWords(data)};
-  const physics = verified ? ", and the physics run agrees" : "", text = verified ? physicsWords(data) : "";
+    return {mark: "!", tone: "bad", title: "The physics run " + failing(data), text: describePhysics(data)};
+  const physics = verified ? ", and the physics run agrees" : "", text = verified ? describePhysics(data) : "";
   if (met) return {mark: "\u2713", tone: "good", title: "The bodies end where they are pulled to" + physics, text};
   if (met === false) return {mark: "\u2715", tone: "bad", title: "The bodies do not end where they are pulled to", text};
   return {
     mark: "i",
     tone: "unsure",
     title: verified ? "One folded state, and the physics run agrees" : "One folded state",
-    text: verified && finite(data.metrics.verify_rms) !== null ? physicsWords(data) :
+    text: verified && finite(data.metrics.verify_rms) !== null ? describePhysics(data) :
                                                                  "There was no target to judge it by."
   };
 }
 
 /** Describes assumed hinges, which the file leaves open, in one sentence; "" if there are none. */
-function takenWords(taken) {
+function describeAssumedHinges(taken) {
   if (!taken) return "";
   return ` Its hinges are left open: they are taken for blocks of ${taken.material}, ${millimetres(taken.gap_mm)} long, that keep the ` +
       `turns of the design and are strained by ${figures(taken.strain, 2)} of ${neat(taken.strain_allowed)} that they bear.`;
 }
 
-const CONTACT_WORDS = " Walls of prints may meet on the way: its fold lies beyond what is proven free of contact with them out of place.";
+const CONTACT_TEXT = " Walls of prints may meet on the way: its fold lies beyond what is proven free of contact with them out of place.";
 
-const UNPROVEN_WORDS = " That walls of prints stay apart on the way is not proven.";
+const UNPROVEN_TEXT = " That walls of prints stay apart on the way is not proven.";
 
 /** Describes collisions of printed walls during the motion, in one sentence; "" if none are expected. */
-function contactWords({touching, mayTouch, isUnproven}) {
+function describeContact({touching, mayTouch, isUnproven}) {
   if (touching > 0) return ` Walls touch on the way to the fold in ${percent(touching)} of simulated prints.`;
-  return mayTouch ? CONTACT_WORDS : isUnproven ? UNPROVEN_WORDS : "";
+  return mayTouch ? CONTACT_TEXT : isUnproven ? UNPROVEN_TEXT : "";
 }
 
 /** Describes the print tolerance analysis; null without one. */
-function asMadeWords({asMade}) {
-  if (!asMade) return null;
-  const source = asMade.sources[0], place = asMade.places[0];
+function describePrintTolerance({printTolerance}) {
+  if (!printTolerance) return null;
+  const source = printTolerance.sources[0], place = printTolerance.places[0];
   const there = place === undefined ? "" : ` The ${parameterPlurals[place.parameter] ?? place.parameter} of ${place.place} make ${percent(place.share)} of what errors do.`;
-  const most = source === undefined ? "" : ` The largest single source is ${parameterWords[source.parameter] ?? source.parameter} of hinge ` +
+  const most = source === undefined ? "" : ` The largest single source is ${parameterNames[source.parameter] ?? source.parameter} of hinge ` +
           `${source.hinge} (${percent(source.share)} of what errors do).`;
-  const designed = finite(asMade.designed) === null ? "" : `, ${millimetres(asMade.designed)} as designed`;
-  return `Printed by ${asMade.process}, it ends up ${millimetres(asMade.rms)} from the goal (rms over points of the sheet and over ` +
-      `prints${designed}); 95 of 100 prints stay within ${millimetres(asMade.p95)}, and ${millimetres(asMade.tolerance)} are allowed.` + there + most +
-      (asMade.play ? ` Without the play of its pins it would be ${millimetres(asMade.play.rms_without_mm)}, and ${millimetres(asMade.play.p95_without_mm)}.` : "") +
-      takenWords(asMade.taken) + contactWords(asMade) + (asMade.confirmed ? "" : " That is to first order, and does not hold here: " + printsWords(asMade.prints));
+  const designed = finite(printTolerance.designed) === null ? "" : `, ${millimetres(printTolerance.designed)} as designed`;
+  return `Printed by ${printTolerance.process}, it ends up ${millimetres(printTolerance.rms)} from the goal (rms over points of the sheet and over ` +
+      `prints${designed}); 95 of 100 prints stay within ${millimetres(printTolerance.p95)}, and ${millimetres(printTolerance.tolerance)} are allowed.` + there + most +
+      (printTolerance.play ? ` Without the play of its pins it would be ${millimetres(printTolerance.play.rms_without_mm)}, and ${millimetres(printTolerance.play.p95_without_mm)}.` : "") +
+      describeAssumedHinges(printTolerance.taken) + describeContact(printTolerance) + (printTolerance.confirmed ? "" : " That is to first order, and does not hold here: " + describeSamplePrints(printTolerance.prints));
 }
 
 /** Describes the compensation for elastic hinges; null without one. */
-function matterWords({matter}) {
+function describeCompensation({matter}) {
   if (!matter) return null;
   if (matter.after === null) return `With hinges as elastic as they are made it finds no equilibrium: ${matter.why}.`;
   return `With hinges as elastic as they are made, the exact design would end up ${millimetres(matter.before)} from the goal ` +
@@ -72,17 +72,17 @@ function matterWords({matter}) {
       `${millimetres(matter.after)} from it; ${millimetres(matter.tolerance)} are allowed.`;
 }
 
-function printsWords({count, failed, kept, rms_mm: rms, p95_mm: p95}) {
+function describeSamplePrints({count, failed, kept, rms_mm: rms, p95_mm: p95}) {
   if (count === 0) return `none of ${failed} prints in the elastic model found an equilibrium near the design.`;
   const lost = failed > 0 ? `, and ${failed} more found no equilibrium near the design` : "";
   return `${count} prints in the elastic model came out ${millimetres(rms)} off the goal, ${finite(kept) ?? "95 of 100"} of them within ${millimetres(p95)}${lost}.`;
 }
 
 const parameterPlurals = {t: "places", alpha: "directions", beta: "tilts", offset: "offsets"};
-const parameterWords = {t: "the place", alpha: "the direction", beta: "the tilt", offset: "the offset"};
+const parameterNames = {t: "the place", alpha: "the direction", beta: "the tilt", offset: "the offset"};
 
 /** Makes the verdict red if any flag is false, and amber if there are warnings. */
-function judged(found, {verdict: {printable, reaches, warnings}}) {
+function summarise(found, {verdict: {printable, reaches, warnings}}) {
   if (found.tone === "bad") return found;
   const fault = reaches === false ? "but its drive does not take it there" : printable === false ? "but it cannot be printed like this" : null;
   if (fault) return {...found, mark: "\u2715", tone: "bad", title: `${found.title}, ${fault}`};
@@ -93,7 +93,7 @@ function judged(found, {verdict: {printable, reaches, warnings}}) {
 /** Returns the verdict: {mark, tone, title, text}. */
 function verdict(data) {
   const found = data.kind ? data.kind.verdict(data) : data.equilibrium ? equilibriumVerdict(data) : designVerdict(data);
-  return judged(found, data);
+  return summarise(found, data);
 }
 
 function keyNumber(name, value, note) {
@@ -156,11 +156,11 @@ function keyNumbers(data) {
 }
 
 /** Makes the section with the full verdict and all key numbers. */
-function wordsSection(data) {
+function verdictSection(data) {
   return [
     html("p", {}, verdict(data).text),
-    data.matter ? html("p", {}, matterWords(data)) : null,
-    data.asMade ? html("p", {}, asMadeWords(data)) : null,
+    data.matter ? html("p", {}, describeCompensation(data)) : null,
+    data.printTolerance ? html("p", {}, describePrintTolerance(data)) : null,
     keyNumbers(data),
   ];
 }

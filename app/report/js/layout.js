@@ -60,7 +60,7 @@ function hingeMark(structure, hinge, to, cellPx, largest) {
   return svg(
       "g", {},
       svg("title", {},
-          `${wallWords(hinge)}: tilt ${degrees(toDegrees(hinge.beta))}, hinge at ${figures(hinge.t, 2)} of the wall`),
+          `${nameWall(hinge)}: tilt ${degrees(toDegrees(hinge.beta))}, hinge at ${figures(hinge.t, 2)} of the wall`),
       tilted ? arrow(at, leanOf(structure, hinge), cellPx * 0.34, fillColour) : null,
       svg("circle", {class: "hinge", cx: at[0], cy: at[1], r: radius, fill: fillColour}));
 }
@@ -166,31 +166,31 @@ function drawEndView(structure) {
 }
 
 /** Describes hinge axes that lean within their walls; "" if there are none. */
-function slantWords({hinges}) {
+function describeSlant({hinges}) {
   const slant = Math.max(0, ...hinges.map((hinge) => Math.abs(hinge.alpha - Math.PI / 2)));
   return slant > 1e-4 ? `; hinge axes lean within their walls by up to ${degrees(toDegrees(slant))}` : "";
 }
 
 /** Describes the largest offset of hinges across their walls; "" if it is zero. */
-function offsetWords({hinges}) {
+function describeHingeOffsets({hinges}) {
   const most = Math.max(0, ...hinges.map((hinge) => Math.abs(hinge.offset)));
   return most > 1e-6 ? `; hinges sit up to ${millimetres(most)} to one side of the middle of their walls, across the wall` : "";
 }
 
-const LATTICE_WORDS = {graph: "cells of a drawing"};
+const LATTICE_NAMES = {graph: "cells of a drawing"};
 
 /** Describes the number of cells. They may not fill all columns and rows. */
-function squaresWords({columns, rows, cells, cell}) {
+function describeSquares({columns, rows, cells, cell}) {
   if (!cells || cells === columns * rows) return `${columns} \u00d7 ${rows} cells of ${millimetres(cell)}`;
   return `${count(cells, "cell", "cells")} of ${millimetres(cell)} in ${count(columns, "column", "columns")} and ${count(rows, "row", "rows")}`;
 }
 
 /** Describes the cells and the overall size, including the thickness of walls. */
-function sizeWords(data) {
+function describeSize(data) {
   const {structure} = data, [x, y] = boxOfPlates(standingFlat(data)).map(millimetres);
   const cells = structure.isSquare ?
-      squaresWords(structure) :
-      `${structure.cells} ${LATTICE_WORDS[structure.lattice] ?? `cells of a ${structure.lattice} lattice`}, ` +
+      describeSquares(structure) :
+      `${structure.cells} ${LATTICE_NAMES[structure.lattice] ?? `cells of a ${structure.lattice} lattice`}, ` +
           `cell edge ${millimetres(structure.cell)}`;
   return `${cells}, ${x} \u00d7 ${y}`;
 }
@@ -216,7 +216,7 @@ function layoutSection(data) {
   return [
     html(
         "p", {class: "lead"},
-        `Printed flat: ${sizeWords(data)}, ${wallText}. Front is at the bottom of the picture.`),
+        `Printed flat: ${describeSize(data)}, ${wallText}. Front is at the bottom of the picture.`),
     responsive((width) => drawLayout(data, width)),
     tilted ? keys : null,
     tilted ? legend(
@@ -225,7 +225,7 @@ function layoutSection(data) {
              legend(["rim", "wall, upright"], ["dot plain", "hinge"]),
     html(
         "p", {class: "note"},
-        !tilted ? `All walls stand upright${slantWords(structure)}${offsetWords(structure)}.` +
+        !tilted ? `All walls stand upright${describeSlant(structure)}${describeHingeOffsets(structure)}.` +
                 (structure.isSquare ? " Above each column its number." : "") :
             structure.isSquare ?
                   "Above each column its number, below it the tilt of its front wall" +

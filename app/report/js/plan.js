@@ -27,14 +27,14 @@ function title(key) {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
-function told(value) {
+function formatValue(value) {
   if (finite(value) !== null)
     return Math.abs(value) >= 1e-3 || value === 0 ?
         withSign(value, String(Number(Math.abs(value).toPrecision(6)))) :
         figures(value, 2);
   if (typeof value === "string") return words(value);
   if (typeof value === "boolean") return value ? "yes" : "no";
-  if (Array.isArray(value)) return value.map(told).join(", ");
+  if (Array.isArray(value)) return value.map(formatValue).join(", ");
   return DASH;
 }
 
@@ -52,7 +52,7 @@ function group(title, ...content) {
   return shown.length ? html("section", {class: "group"}, html("h3", {}, title), shown) : null;
 }
 
-function mobilityWords(mobility) {
+function describeMobility(mobility) {
   const m = dictionary(mobility);
   const part = (value, text) =>
       (finite(value) === null ? null : `${withSign(value, String(Math.abs(value)))} ${text}`);
@@ -62,7 +62,7 @@ function mobilityWords(mobility) {
       .join(", ");
 }
 
-function thetaWords(metrics) {
+function describeTheta(metrics) {
   const used = toDegrees(metrics.theta_rad), limit = toDegrees(metrics.theta_limit_rad);
   if (limit === null) return used === null ? null : `${degrees(used)} used`;
   return `0\u00b0 to ${degrees(limit)} before walls collide` +
@@ -78,8 +78,8 @@ function planGroup(data) {
         ["Model", MODELS[plan.model] ?? plan.model],
         ["Bodies", finite(plan.bodies) ?? (structure.bodies.length || null)],
         ["Hinges", finite(plan.hinges) ?? (structure.hinges.length || null)],
-        ["Degrees of freedom", mobilityWords(plan.mobility)],
-        ["Fold angle \u03b8", thetaWords(data.metrics)],
+        ["Degrees of freedom", describeMobility(plan.mobility)],
+        ["Fold angle \u03b8", describeTheta(data.metrics)],
       ].map(([name, value]) => [name, value === null || value === undefined ? null : String(value)])),
       why.length ? html("ul", {class: "why"}, why.map((line) => html("li", {}, line))) : null);
 }
@@ -98,27 +98,27 @@ function stiffnessGroup({equilibrium, structure}) {
 
 function searchGroup({optimiser}) {
   return group("Search", facts([
-                 ["Solver", told(optimiser.solver)],
-                 ["Starts", told(optimiser.starts)],
-                 ["Evaluations", told(optimiser.evaluations)],
-                 ["Status", told(optimiser.status)],
-                 ["Because", told(optimiser.why)],
+                 ["Solver", formatValue(optimiser.solver)],
+                 ["Starts", formatValue(optimiser.starts)],
+                 ["Evaluations", formatValue(optimiser.evaluations)],
+                 ["Status", formatValue(optimiser.status)],
+                 ["Because", formatValue(optimiser.why)],
                ]));
 }
 
 function physicsGroup({physics}) {
   const options =
-      Object.entries(dictionary(physics.options)).map(([key, value]) => [title(key), told(value)]);
+      Object.entries(dictionary(physics.options)).map(([key, value]) => [title(key), formatValue(value)]);
   return group("Physics run", facts([
-                 ["Status", told(physics.status)],
-                 ["Because", told(physics.why)],
+                 ["Status", formatValue(physics.status)],
+                 ["Because", formatValue(physics.why)],
                  ["Steps", finite(physics.steps) === null ? null : String(physics.steps)],
                  ["Simulated time", duration(physics.simulated_s)],
                  ...options,
                ]));
 }
 
-function metricWords(key, value) {
+function formatMetric(key, value) {
   if (key.endsWith("_rad"))
     return Math.abs(value) < 1e-4 ? `${figures(value, 2)} rad` : degrees(toDegrees(value));
   return figures(value, 3);
@@ -132,7 +132,7 @@ function metricsGroup({metrics}) {
       facts(known.map(
           ([key, value]) =>
               [title(key.replace(/_rad$/, "")),
-               typeof value === "boolean" ? told(value) : metricWords(key, value)])));
+               typeof value === "boolean" ? formatValue(value) : formatMetric(key, value)])));
 }
 
 function originGroup({raw, timing}) {
@@ -140,9 +140,9 @@ function originGroup({raw, timing}) {
                     .filter(([, value]) => finite(value) > 0)
                     .map(([key, value]) => ["Time to " + (TASKS[key] ?? words(key)), duration(value)]);
   return group("Origin", facts([
-                 ["kinetix", told(raw.kinetix_version)],
+                 ["kinetix", formatValue(raw.kinetix_version)],
                  ["Seed", finite(raw.seed) === null ? null : String(raw.seed)],
-                 ["Format", told(raw.schema)],
+                 ["Format", formatValue(raw.schema)],
                  ...times,
                ]));
 }

@@ -146,10 +146,10 @@ class SceneView {
     this.scene.show(this.motion.poses(theta));
     if (this.choices?.[this.select?.value]?.moves) this.paint();
     if (this.slider) this.slider.value = theta;
-    if (this.readout) this.readout.textContent = this.placeWords();
+    if (this.readout) this.readout.textContent = this.describePlace();
   }
 
-  placeWords() {
+  describePlace() {
     const {to, at, ofDrive} = this.motion, isEnd = Math.abs(this.theta - to) < 1e-9;
     return `${ofDrive && !isEnd ? "drive at " : ""}\u03b8 ${degrees(toDegrees(isEnd ? at : this.theta))}`;
   }
@@ -195,7 +195,7 @@ class SceneView {
     if (moves) {
       const steps = {min: Math.min(from, to), max: Math.max(from, to), step: "any", value: this.theta};
       this.slider = html("input", {type: "range", ...steps, "aria-label": "Fold angle", ...(to < from ? {dir: "rtl"} : {}), input: () => this.show(Number(this.slider.value))});
-      this.readout = html("output", {}, this.placeWords());
+      this.readout = html("output", {}, this.describePlace());
       this.button = html("button", {type: "button", click: () => this.play(!this.playing)}, "Play");
     }
     const [start, end] = this.data.structure.isBodies ? ["at rest", "moved "] : ["flat", "folded "];

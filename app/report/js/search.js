@@ -56,7 +56,7 @@ function startTable(data) {
           "Starts of the search"));
 }
 
-function searchWords(starts) {
+function describeSearch(starts) {
   if (starts === 1) return "The search started once.";
   return `The search started ${
       starts} times, from different designs. Each line is one start; the best is emphasised.`;
@@ -66,7 +66,7 @@ function searchSection(data) {
   if (!data.runs.length) return missing("The course of the search was not recorded.");
   const runs = data.runs.filter((run) => positive(run.history).length > 0);
   return [
-    html("p", {class: "lead"}, searchWords(data.runs.length)),
+    html("p", {class: "lead"}, describeSearch(data.runs.length)),
     runs.length ? responsive((width) => drawConvergence(data, runs, width)) : null,
     runs.length && legend(["start best", "best start"], data.runs.length > 1 && ["start", "other starts"]),
     startTable(data),

@@ -77,7 +77,7 @@ function stableFigure(data, state, index) {
   const facts = [
     `energy ${force(state.energy, "N\u00a0mm")}`,
     state.theta === null ? null : `\u03b8 ${degrees(toDegrees(state.theta))}`,
-    state.drive === null ? null : driveWords(equilibrium, state.drive),
+    state.drive === null ? null : describeDrive(equilibrium, state.drive),
     state.gap === null ? null : `hinge gap ${millimetres(state.gap * data.structure.cell)}`,
   ];
   return html(
@@ -87,7 +87,7 @@ function stableFigure(data, state, index) {
           ...(index > 0 ? [html("br"), state.how] : [])));
 }
 
-function barrierWords({between: [from, to], energy, balanced}) {
+function describeBarrier({between: [from, to], energy, balanced}) {
   const climb = (state) => force(energy - state.energy, "N\u00a0mm");
   return `Between ${from.letter} and ${to.letter} the energy rises to ${force(energy, "N\u00a0mm")}: ${
              climb(from)} above ${from.letter}, ${climb(to)} above ${to.letter}` +
@@ -104,7 +104,7 @@ function stableSection(data) {
     states.length > MOST_PICTURES ?
         html("p", {class: "note"}, `${states.length - MOST_PICTURES} more are in the result file.`) :
         null,
-    barriers.map((barrier) => html("p", {}, barrierWords(barrier))),
+    barriers.map((barrier) => html("p", {}, describeBarrier(barrier))),
     unresolved.length ? html("ul", {class: "why"}, unresolved.map((why) => html("li", {}, why))) : null,
   ].flat();
 }

@@ -180,7 +180,7 @@ function drawEffect(data, r, k, width) {
         ys = [...dots.map(([, y]) => y), ...levels.map((l) => l.mean)];
   if (xs.length === 0) return missing("No sample has this response.");
   const range = (values) => values.reduce(([a, b], v) => [Math.min(a, v), Math.max(b, v)], [Infinity, -Infinity]);
-  const of = named(response.name), by = factorSaid(data.factors[k]);
+  const of = named(response.name), by = factorWithUnit(data.factors[k]);
   const axes = plot({
     width,
     height: 230,

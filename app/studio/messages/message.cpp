@@ -178,39 +178,40 @@ Json size_json(const model::Assembly& assembly) {
   return {size.x(), size.y(), size.z()};
 }
 
-std::string end_words(const BodiesMotion& way, int end, const model::Assembly& assembly) {
-  if (way.opens[end] < 0) return "";
+std::string describe_motion_end(const BodiesMotion& motion, int end, const model::Assembly& assembly) {
+  if (motion.opens[end] < 0) return "";
   return fmt::format("Beyond {:.0f} degrees {} opens first.",
-                     to_degrees(end == 0 ? way.turns.front() : way.turns.back()),
-                     assembly.hinges[way.opens[end]].name);
+                     to_degrees(end == 0 ? motion.turns.front() : motion.turns.back()),
+                     assembly.hinges[motion.opens[end]].name);
 }
 
-std::string meeting_words(const Meeting& met, const model::Assembly& assembly) {
+std::string describe_collision(const Collision& met, const model::Assembly& assembly) {
   return fmt::format("At {:.0f} degrees {} and {} run into each other.", to_degrees(met.turn),
                      assembly.bodies[met.bodies[0]].name, assembly.bodies[met.bodies[1]].name);
 }
 
-Json why(const BodiesMotion& way, const model::Assembly& assembly) {
-  if (!way.followed) return {"How far it turns is being found."};
+Json why(const BodiesMotion& motion, const model::Assembly& assembly) {
+  if (!motion.followed) return {"How far it turns is being found."};
   Json out = Json::array();
-  for (const std::string& words : {end_words(way, 0, assembly), end_words(way, 1, assembly)})
+  for (const std::string& words :
+       {describe_motion_end(motion, 0, assembly), describe_motion_end(motion, 1, assembly)})
     if (!words.empty()) out.push_back(words);
   if (out.empty())
     out.push_back(fmt::format("All hinges stay closed from {:.0f} to {:.0f} degrees.",
-                              to_degrees(way.turns.front()), to_degrees(way.turns.back())));
-  if (!way.meets) return out;
-  const auto& [back, forth] = *way.meets;
+                              to_degrees(motion.turns.front()), to_degrees(motion.turns.back())));
+  if (!motion.meets) return out;
+  const auto& [back, forth] = *motion.meets;
   for (const auto& met : {back, forth})
-    if (met) out.push_back(meeting_words(*met, assembly));
+    if (met) out.push_back(describe_collision(*met, assembly));
   out.push_back(back || forth ? "The exact motion goes on through bodies that meet; the physics does not."
                               : "No two bodies meet on the way.");
   return out;
 }
 
-Json meets_json(const BodiesMotion& way) {
-  if (!way.meets) return nullptr;
+Json collisions_json(const BodiesMotion& motion) {
+  if (!motion.meets) return nullptr;
   Json out = Json::array();
-  for (const auto& met : *way.meets)
+  for (const auto& met : *motion.meets)
     out.push_back(met ? Json{{"turn_rad", met->turn}, {"bodies", met->bodies}} : Json(nullptr));
   return out;
 }
@@ -237,7 +238,7 @@ Json design_message(const Design& design, const Moving& moving) {
           {"name", design.name},
           {"structure", sheet_json(design)},
           {"theta_rad", design.theta},
-          {"theta_range_rad", {moving.least_theta, moving.most_theta}},
+          {"theta_range_rad", {moving.min_theta, moving.max_theta}},
           {"exact", static_cast<bool>(moving.exact)},
           {"family", moving.exact.name},
           {"why", moving.exact.why},
@@ -284,27 +285,27 @@ Json meshes_message(const model::Assembly& assembly) {
 
 Json bodies_message(const Design& design, const Moving& moving) {
   const model::Assembly& assembly = *design.structure.assembly();
-  const BodiesMotion& way = *moving.way;
+  const BodiesMotion& motion = *moving.motion;
   return {{"type", "design"},
           {"name", design.name},
           {"structure", shown_bodies_json(assembly)},
-          {"theta_rad", asked_theta(design, moving)},
-          {"theta_range_rad", {moving.least_theta, moving.most_theta}},
-          {"exact", way.turns.back() - way.turns.front() > rattles},
+          {"theta_rad", requested_theta(design, moving)},
+          {"theta_range_rad", {moving.min_theta, moving.max_theta}},
+          {"exact", motion.turns.back() - motion.turns.front() > rattles},
           {"family", moving.exact.name},
-          {"why", why(way, assembly)},
+          {"why", why(motion, assembly)},
           {"breaking", Json::array()},
           {"hinge", {{"kind", "bodies"}, {"text", "as they were imported"}}},
-          {"drive", way.pulled ? "bodies that are pulled" : "one hinge that is turned"},
+          {"drive", motion.pulled ? "bodies that are pulled" : "one hinge that is turned"},
           {"flat_mm", size_json(assembly)},
           {"bodies",
-           {{"driven", way.hinge},
-            {"pulled", way.pulled},
-            {"turn_per_theta", model::turn_at_theta(way.sense, 1)},
-            {"turn_range_rad", {way.turns.front(), way.turns.back()}},
-            {"opens", {opener(way.opens[0]), opener(way.opens[1])}},
-            {"meets", meets_json(way)},
-            {"following", !way.followed}}}};
+           {{"driven", motion.hinge},
+            {"pulled", motion.pulled},
+            {"turn_per_theta", model::turn_at_theta(motion.sense, 1)},
+            {"turn_range_rad", {motion.turns.front(), motion.turns.back()}},
+            {"opens", {opener(motion.opens[0]), opener(motion.opens[1])}},
+            {"meets", collisions_json(motion)},
+            {"following", !motion.followed}}}};
 }
 
 }  // namespace kinetix::app::studio

@@ -49,7 +49,7 @@ model::EquilibriumPathOptions Equilibria::options(const std::stop_token& stop) c
 
 double Equilibria::force_N(double theta, double load) const {
   const model::LinkageDrive drive = this->drive(theta);
-  if (!drive.acts_from_outside()) return 0;
+  if (!drive.is_external()) return 0;
   return drive.has_force() ? load : load / moving_.linkage.size.edge_mm;
 }
 
@@ -76,43 +76,43 @@ bool Equilibria::follow(model::DrivenState& at, double theta, const std::stop_to
   return true;
 }
 
-std::shared_ptr<KnownPath> Equilibria::from_flat(double theta, const std::stop_token& stop, const Seen& seen,
-                                                 std::string& why) const {
+std::shared_ptr<KnownEquilibria> Equilibria::from_flat(double theta, const std::stop_token& stop,
+                                                       const Seen& seen, std::string& why) const {
   const model::LinkageDrive drive = this->drive(theta);
-  auto way = std::make_shared<KnownPath>(KnownPath{{}, model::EnergyTurns(drive)});
+  auto known = std::make_shared<KnownEquilibria>(KnownEquilibria{{}, model::EnergyTurns(drive)});
   const auto see = [&](const model::EquilibriumStep& step, const model::State& state) {
-    way->turns.see(step, state);
-    way->states.push_back({step, state});
-    seen(way->states.back());
+    known->turns.see(step, state);
+    known->states.push_back({step, state});
+    seen(known->states.back());
   };
   const auto path =
       trace_equilibrium({moving_.linkage, drive, moving_.bodies ? model::ExactMotion{} : moving_.exact},
                         elasticity_, options(stop), see);
   if (path.stop != model::EquilibriumPath::Stop::reached)
     why = fmt::format("the equilibrium ends at theta {:.1f} deg: {}", to_degrees(path.theta), path.why);
-  return way;
+  return known;
 }
 
-std::shared_ptr<const KnownPath> Equilibria::go(double theta, const std::shared_ptr<const KnownPath>& way,
-                                                const std::stop_token& stop, const Seen& seen,
-                                                std::string& why) const {
-  const bool helps = way && !way->states.empty() && way->states.back().step.theta * theta >= 0;
+std::shared_ptr<const KnownEquilibria> Equilibria::trace_to(
+    double theta, const std::shared_ptr<const KnownEquilibria>& known, const std::stop_token& stop,
+    const Seen& seen, std::string& why) const {
+  const bool helps = known && !known->states.empty() && known->states.back().step.theta * theta >= 0;
   if (!helps) return from_flat(theta, stop, seen, why);
   const auto far = [&](const model::DrivenState& one) { return std::abs(one.step.theta - theta); };
-  model::DrivenState at = *std::min_element(way->states.begin(), way->states.end(),
+  model::DrivenState at = *std::min_element(known->states.begin(), known->states.end(),
                                             [&](const auto& a, const auto& b) { return far(a) < far(b); });
   seen(at);
-  if (std::abs(theta) <= std::abs(way->states.back().step.theta)) {
+  if (std::abs(theta) <= std::abs(known->states.back().step.theta)) {
     if (follow(at, theta, stop))
       seen(at);
     else if (!stop.stop_requested())
       from_flat(theta, stop, seen, why);
-    return way;
+    return known;
   }
-  auto longer = std::make_shared<KnownPath>(*way);
+  auto longer = std::make_shared<KnownEquilibria>(*known);
   while (std::abs(theta - at.step.theta) > same_theta) {
     if (!follow(at, next_theta(at.step.theta, theta), stop))
-      return stop.stop_requested() ? way : from_flat(theta, stop, seen, why);
+      return stop.stop_requested() ? known : from_flat(theta, stop, seen, why);
     longer->turns.see(at.step, at.state);
     longer->states.push_back(at);
     seen(at);
@@ -120,8 +120,9 @@ std::shared_ptr<const KnownPath> Equilibria::go(double theta, const std::shared_
   return longer;
 }
 
-std::vector<model::StableState> Equilibria::stable(const KnownPath& way, const std::stop_token& stop) const {
-  return stable_states(moving_.linkage, elasticity_, {way.turns}, {.path = options(stop)}).states;
+std::vector<model::StableState> Equilibria::stable(const KnownEquilibria& known,
+                                                   const std::stop_token& stop) const {
+  return stable_states(moving_.linkage, elasticity_, {known.turns}, {.path = options(stop)}).states;
 }
 
 }  // namespace kinetix::app::studio

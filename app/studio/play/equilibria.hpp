@@ -10,7 +10,7 @@
 namespace kinetix::app::studio {
 
 /// Known equilibria of a design from flat on, under its drive, or the default drive if it has none.
-struct KnownPath {
+struct KnownEquilibria {
   std::vector<model::DrivenState> states;  ///< sorted by increasing |theta| of the drive
   model::EnergyTurns turns;
 };
@@ -29,11 +29,13 @@ class Equilibria {
   /// path, including the last.
   /// @param way null: nothing is known   @param why set to a sentence if theta is not reached; else empty.
   /// @return known equilibria after the call: up to theta, unless the equilibrium path ends before it
-  std::shared_ptr<const KnownPath> go(double theta, const std::shared_ptr<const KnownPath>& way,
-                                      const std::stop_token& stop, const Seen& seen, std::string& why) const;
+  std::shared_ptr<const KnownEquilibria> trace_to(double theta,
+                                                  const std::shared_ptr<const KnownEquilibria>& known,
+                                                  const std::stop_token& stop, const Seen& seen,
+                                                  std::string& why) const;
 
   /// Finds the stable states that the structure reaches when it is released along the path.
-  std::vector<model::StableState> stable(const KnownPath& way, const std::stop_token& stop) const;
+  std::vector<model::StableState> stable(const KnownEquilibria& known, const std::stop_token& stop) const;
 
   /// Returns the load as an external force, N; a moment is divided by the cell edge. 0 for shape-memory
   /// springs.
@@ -43,8 +45,8 @@ class Equilibria {
   model::LinkageDrive drive(double theta) const;
   model::EquilibriumPathOptions options(const std::stop_token& stop) const;
   bool follow(model::DrivenState& at, double theta, const std::stop_token& stop) const;
-  std::shared_ptr<KnownPath> from_flat(double theta, const std::stop_token& stop, const Seen& seen,
-                                       std::string& why) const;
+  std::shared_ptr<KnownEquilibria> from_flat(double theta, const std::stop_token& stop, const Seen& seen,
+                                             std::string& why) const;
 
   Design design_;
   Moving moving_;

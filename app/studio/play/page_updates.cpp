@@ -29,7 +29,7 @@ void add_pose(Numbers& out, const model::Pose& pose) {
   for (const double v : {pose.p.x(), pose.p.y(), pose.p.z(), q.w(), q.x(), q.y(), q.z()}) out.add(v);
 }
 
-constexpr double most_owed_s = 0.1;  // s simulated: a delay of a tenth of a second is not visible
+constexpr double max_owed_s = 0.1;  // s simulated: a delay of a tenth of a second is not visible
 // Computing time between two frames: it leaves 20 frames per second, even if the engine is slow.
 constexpr std::chrono::milliseconds busy{30};
 
@@ -37,13 +37,13 @@ constexpr std::chrono::milliseconds busy{30};
 
 std::string frame_bytes(const Frame& frame, std::int64_t number, int client) {
   Numbers out(10 + 7 * frame.state.size());
-  const auto heard = frame.heard.find(client);
+  const auto processed = frame.processed.find(client);
   out.add(layout);
   out.add(static_cast<double>(number));
   out.add(frame.revision);
   out.add(frame.theta);
   out.add(frame.seconds);
-  out.add(heard == frame.heard.end() ? 0 : heard->second);
+  out.add(processed == frame.processed.end() ? 0 : processed->second);
   out.add(frame.force_N);
   out.add(frame.energy_Nmm);
   out.add(static_cast<double>(frame.mode));
@@ -53,17 +53,17 @@ std::string frame_bytes(const Frame& frame, std::int64_t number, int client) {
 }
 
 void PlayTime::restart() {
-  owed_s_ = 0;
+  pending_s_ = 0;
   played_ = Clock::now();
 }
 
 void PlayTime::pass(double speed, const std::function<bool()>& plays, const std::function<void()>& step) {
   const Clock::time_point now = Clock::now();
   const double passed = std::chrono::duration<double>(now - played_).count();
-  owed_s_ = std::min(owed_s_ + speed * passed, most_owed_s);
+  pending_s_ = std::min(pending_s_ + speed * passed, max_owed_s);
   played_ = now;
   if (!plays()) return;
-  for (; owed_s_ >= live_step_s && Clock::now() - now < busy; owed_s_ -= live_step_s) step();
+  for (; pending_s_ >= live_step_s && Clock::now() - now < busy; pending_s_ -= live_step_s) step();
 }
 
 namespace {
@@ -71,14 +71,14 @@ namespace {
 constexpr std::array<std::string_view, 7> present = {"hello", "meshes", "design",  "state",
                                                      "path",  "result", "progress"};
 
-bool adds_up(const Text& text) {
+bool accumulates(const Text& text) {
   return std::find(present.begin(), present.end(), text.type) == present.end();
 }
 
 }  // namespace
 
 void WaitingTexts::add(Text text) {
-  if (adds_up(text)) {
+  if (accumulates(text)) {
     counted_ += text.bytes->size();
     texts_.push_back(std::move(text));
     return;
@@ -99,7 +99,7 @@ void WaitingTexts::add(Text text) {
 Text WaitingTexts::take() {
   Text first = std::move(texts_.front());
   texts_.pop_front();
-  if (adds_up(first)) counted_ -= first.bytes->size();
+  if (accumulates(first)) counted_ -= first.bytes->size();
   return first;
 }
 

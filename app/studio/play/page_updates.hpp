@@ -25,7 +25,7 @@ struct Frame {
   double force_N = std::numeric_limits<double>::quiet_NaN();
   double energy_Nmm = std::numeric_limits<double>::quiet_NaN();  ///< N mm
   model::State state;                                            ///< mm
-  std::map<int, double> heard;  ///< per client: number of its last command whose effect this shows
+  std::map<int, double> processed;  ///< per client: number of its last command whose effect this shows
 };
 
 /// Returns the message of a frame, little-endian. @param number of the frame, which the client acknowledges
@@ -47,7 +47,7 @@ class PlayTime {
  private:
   using Clock = std::chrono::steady_clock;
 
-  double owed_s_ = 0;  ///< s, simulated
+  double pending_s_ = 0;  ///< s, simulated
   Clock::time_point played_ = Clock::now();
 };
 

@@ -12,8 +12,8 @@ namespace kinetix::app::studio {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double folded = 0.01;      // rad of theta: nearer to flat, the engine needs no drive
-constexpr double usual_rest = 0.35;  // rad of theta: typical rest angle of shape-memory springs
+constexpr double folded = 0.01;        // rad of theta: nearer to flat, the engine needs no drive
+constexpr double typical_rest = 0.35;  // rad of theta: typical rest angle of shape-memory springs
 
 }  // namespace
 
@@ -67,7 +67,7 @@ bool Player::has_custom_drive() const {
 double Player::sheet_theta() const {
   const bool is_known =
       mode_ == Mode::exact || (mode_ == Mode::equilibrium && (is_awaited_ || !has_custom_drive()));
-  const bool is_pulled = moving_->way && moving_->way->pulled;
+  const bool is_pulled = moving_->motion && moving_->motion->pulled;
   return is_known || is_pulled ? theta_ : moving_->theta_of(state_);
 }
 
@@ -82,10 +82,10 @@ double Player::drive_theta(double theta, const model::State& state) const {
 double Player::kept_by_springs() const {
   if (!has_custom_drive() || !moving_->exact) return 1;
   const model::LinkageDrive drive = drive_of(design_);
-  if (drive.acts_from_outside()) return 1;
+  if (drive.is_external()) return 1;
   const model::Elasticity elasticity = elasticity_of(design_);
   const double kept =
-      exact_theta({moving_->linkage, drive.to(usual_rest), moving_->exact}, elasticity) / usual_rest;
+      exact_theta({moving_->linkage, drive.to(typical_rest), moving_->exact}, elasticity) / typical_rest;
   return kept > 0 ? kept : 1;
 }
 
@@ -109,7 +109,7 @@ void Player::enter_engine(std::optional<double> driven) {
 void Player::drive_engine(double theta) {
   if (moving_->bodies) return live_->drive_to(moving_->turned(theta), state_);
   const model::LinkageDrive drive = drive_to(design_, theta);
-  if (!drive.acts_from_outside() && !springs()) set_springs(true);
+  if (!drive.is_external() && !springs()) set_springs(true);
   const model::State reference = moving_->exact ? moving_->exact.at(sheet_theta()) : state_;
   live_->drive_to(drive, reference);
 }
@@ -209,7 +209,7 @@ Frame Player::frame() const {
   frame.mode = mode_;
   frame.theta = theta();
   frame.state = state_;
-  frame.force_N = live_ ? live_->hand_force_N() : force_N_;
+  frame.force_N = live_ ? live_->pull_force_N() : force_N_;
   frame.energy_Nmm = live_ ? live_->hinge_energy_Nmm() : energy_Nmm_;
   frame.seconds = live_ ? live_->seconds() : 0;
   return frame;

@@ -21,7 +21,7 @@ class Player {
   void load(const Design& design);
   const Moving& moving() const { return *moving_; }
   /// Sets the known motion of the turned hinge. Its turn does not change.
-  void take(std::shared_ptr<const BodiesMotion> way) { moving_->take(std::move(way)); }
+  void take(std::shared_ptr<const BodiesMotion> motion) { moving_->take(std::move(motion)); }
   /// Sets the convex pieces for collisions of bodies.
   void take(std::shared_ptr<const sim::ContactParts> parts,
             std::shared_ptr<const model::ConvexBodies> pressing) {

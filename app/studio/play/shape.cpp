@@ -55,14 +55,14 @@ Pairs crossing_pairs(const model::Assembly& assembly, const model::State& state,
 }
 
 /// Interpolates between two known states and closes the hinges.
-model::State between_states(const model::Linkage& linkage, const BodiesMotion& way, double turn) {
+model::State between_states(const model::Linkage& linkage, const BodiesMotion& motion, double turn) {
   std::size_t k = 1;
-  while (k + 1 < way.turns.size() && way.turns[k] < turn) ++k;
-  if (k >= way.turns.size()) return way.states.front();
-  const double share = (turn - way.turns[k - 1]) / (way.turns[k] - way.turns[k - 1]);
-  model::State out = way.states[k - 1];
+  while (k + 1 < motion.turns.size() && motion.turns[k] < turn) ++k;
+  if (k >= motion.turns.size()) return motion.states.front();
+  const double share = (turn - motion.turns[k - 1]) / (motion.turns[k] - motion.turns[k - 1]);
+  model::State out = motion.states[k - 1];
   for (std::size_t b = 0; b < out.size(); ++b) {
-    const model::Pose& to = way.states[k][b];
+    const model::Pose& to = motion.states[k][b];
     out[b].p += share * (to.p - out[b].p);
     out[b].R = Eigen::Quaterniond(out[b].R).slerp(share, Eigen::Quaterniond(to.R)).toRotationMatrix();
   }
@@ -91,35 +91,36 @@ bool is_same(const model::AssemblyHinge& a, const model::AssemblyHinge& b) {
 Design turned_as_shown(Design design, const Moving& moving, double theta) {
   if (body_pull_of(design))
     throw InvalidInput("at_fold: bodies of this design are pulled. Save it without, or turn one hinge");
-  design.drive = model::HingeTurn{moving.way->hinge, model::turn_at_theta(moving.way->sense, theta) + 0.0};
+  design.drive =
+      model::HingeTurn{moving.motion->hinge, model::turn_at_theta(moving.motion->sense, theta) + 0.0};
   return design;
 }
 
 /// @pre the design has a drive
 void end_drive_at(Design& design, double drive_theta) {
-  design.drive = as_far_as(drive_to(design, drive_theta), *design.drive);
+  design.drive = limited_to(drive_to(design, drive_theta), *design.drive);
 }
 
 }  // namespace
 
-BodiesMotion way_at_rest(const model::Linkage& linkage, int hinge) {
+BodiesMotion motion_at_rest(const model::Linkage& linkage, int hinge) {
   return {hinge, linkage.bodies[linkage.hinges[hinge].lower].sense, {rest_state(linkage)}, {0}};
 }
 
-BodiesMotion way_of(const model::Linkage& linkage, int hinge, const std::optional<model::Pull>& pull,
-                    const std::function<bool()>& stop) {
-  BodiesMotion way = way_at_rest(linkage, hinge);
-  way.followed = true;
-  way.pulled = pull.has_value();
+BodiesMotion motion_of(const model::Linkage& linkage, int hinge, const std::optional<model::Pull>& pull,
+                       const std::function<bool()>& stop) {
+  BodiesMotion motion = motion_at_rest(linkage, hinge);
+  motion.followed = true;
+  motion.pulled = pull.has_value();
   if (pull) {
     model::DeploymentOptions options;
     options.stop = stop;
     const model::Deployment found = deploy(linkage, *pull, options);
     const double end = 2 * mean_half_turn(linkage, found.states.back());
-    way.states = found.states;
-    way.turns.clear();
-    for (const double share : found.shares) way.turns.push_back(share / found.shares.back() * end);
-    return way;
+    motion.states = found.states;
+    motion.turns.clear();
+    for (const double share : found.shares) motion.turns.push_back(share / found.shares.back() * end);
+    return motion;
   }
   model::AssemblyMotionOptions options;
   options.stop = stop;
@@ -127,46 +128,46 @@ BodiesMotion way_of(const model::Linkage& linkage, int hinge, const std::optiona
   for (const int side : {0, 1}) {
     const model::AssemblyMotion found =
         follow_turn(linkage, first, hinge, side == 0 ? -farthest : farthest, options);
-    way.opens[side] = found.broken;
-    way.states.insert(way.states.end(), found.states.begin() + 1, found.states.end());
-    way.turns.insert(way.turns.end(), found.turns.begin() + 1, found.turns.end());
+    motion.opens[side] = found.broken;
+    motion.states.insert(motion.states.end(), found.states.begin() + 1, found.states.end());
+    motion.turns.insert(motion.turns.end(), found.turns.begin() + 1, found.turns.end());
     if (side == 1) break;
-    std::reverse(way.states.begin(), way.states.end());
-    std::reverse(way.turns.begin(), way.turns.end());
-    way.rest = static_cast<int>(way.turns.size()) - 1;
+    std::reverse(motion.states.begin(), motion.states.end());
+    std::reverse(motion.turns.begin(), motion.turns.end());
+    motion.rest = static_cast<int>(motion.turns.size()) - 1;
   }
-  return way;
+  return motion;
 }
 
-std::optional<Meeting> first_meeting(const model::Assembly& assembly, const BodiesMotion& way, int direction,
-                                     const std::function<bool()>& stop) {
-  const int count = static_cast<int>(way.states.size());
-  const Pairs at_rest = crossing_pairs(assembly, way.states[way.rest], {}, true);
-  for (int k = way.rest + direction; k >= 0 && k < count && !(stop && stop()); k += direction)
-    if (const Pairs met = crossing_pairs(assembly, way.states[k], at_rest, false); !met.empty())
-      return Meeting{way.turns[k], met.front()};
+std::optional<Collision> first_collision(const model::Assembly& assembly, const BodiesMotion& motion,
+                                         int direction, const std::function<bool()>& stop) {
+  const int count = static_cast<int>(motion.states.size());
+  const Pairs at_rest = crossing_pairs(assembly, motion.states[motion.rest], {}, true);
+  for (int k = motion.rest + direction; k >= 0 && k < count && !(stop && stop()); k += direction)
+    if (const Pairs met = crossing_pairs(assembly, motion.states[k], at_rest, false); !met.empty())
+      return Collision{motion.turns[k], met.front()};
   return std::nullopt;
 }
 
-model::State state_at(const model::Linkage& linkage, const BodiesMotion& way, double turn) {
-  const double at = std::clamp(turn, way.turns.front(), way.turns.back());
-  if (way.pulled) return between_states(linkage, way, at);
+model::State state_at(const model::Linkage& linkage, const BodiesMotion& motion, double turn) {
+  const double at = std::clamp(turn, motion.turns.front(), motion.turns.back());
+  if (motion.pulled) return between_states(linkage, motion, at);
   const auto farther = [at](double a, double b) { return std::abs(a - at) < std::abs(b - at); };
-  const auto nearest = std::min_element(way.turns.begin(), way.turns.end(), farther);
-  const model::State& known = way.states[nearest - way.turns.begin()];
+  const auto nearest = std::min_element(motion.turns.begin(), motion.turns.end(), farther);
+  const model::State& known = motion.states[nearest - motion.turns.begin()];
   if (*nearest == at) return known;
-  return solve_closure(linkage, known, {model::HingeTurn{way.hinge, at}}).state;
+  return solve_closure(linkage, known, {model::HingeTurn{motion.hinge, at}}).state;
 }
 
-double nearest_turn(const model::Linkage& linkage, const BodiesMotion& way, double from, int body,
+double nearest_turn(const model::Linkage& linkage, const BodiesMotion& motion, double from, int body,
                     const Eigen::Vector3d& at, const Eigen::Vector3d& to) {
   const Eigen::Vector3d arm = at - linkage.rest_position(body);
   const auto place = [&](std::size_t k) {
-    return Eigen::Vector3d(way.states[k][body].p + way.states[k][body].R * arm);
+    return Eigen::Vector3d(motion.states[k][body].p + motion.states[k][body].R * arm);
   };
   double best = from, least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k + 1 < way.turns.size(); ++k) {
-    const double a = way.turns[k], b = way.turns[k + 1];
+  for (std::size_t k = 0; k + 1 < motion.turns.size(); ++k) {
+    const double a = motion.turns[k], b = motion.turns[k + 1];
     if (b < from - turn_window || a > from + turn_window) continue;
     const Eigen::Vector3d start = place(k), path = place(k + 1) - start;
     const double size = path.squaredNorm();
@@ -184,7 +185,7 @@ Moving::Moving(const Design& design) : linkage(design.structure), exact(exact_mo
     bodies = std::make_shared<const Design>(design);
     const model::HingeTurn* turn = turn_of(design);
     const int hinge = turn && turn->hinge >= 0 ? turn->hinge : std::max(0, first_motion(linkage).fastest);
-    take(std::make_shared<BodiesMotion>(way_at_rest(linkage, hinge)));
+    take(std::make_shared<BodiesMotion>(motion_at_rest(linkage, hinge)));
     return;
   }
   if (!exact) {
@@ -192,31 +193,31 @@ Moving::Moving(const Design& design) : linkage(design.structure), exact(exact_mo
     return;
   }
   const model::ContactRange range = theta_range(linkage, exact);
-  least_theta = range.negative.touches ? range.negative.theta : -largest_theta;
-  most_theta = range.positive.touches ? range.positive.theta : largest_theta;
+  min_theta = range.negative.touches ? range.negative.theta : -largest_theta;
+  max_theta = range.positive.touches ? range.positive.theta : largest_theta;
 }
 
 void Moving::take(std::shared_ptr<const BodiesMotion> found) {
-  way = std::move(found);
-  const auto [low, high] = std::minmax({model::theta_at_turn(way->sense, way->turns.front()),
-                                        model::theta_at_turn(way->sense, way->turns.back())});
-  least_theta = low;
-  most_theta = high;
-  exact = {[of = linkage, way = way](double theta) {
-             return state_at(of, *way, model::turn_at_theta(way->sense, theta));
+  motion = std::move(found);
+  const auto [low, high] = std::minmax({model::theta_at_turn(motion->sense, motion->turns.front()),
+                                        model::theta_at_turn(motion->sense, motion->turns.back())});
+  min_theta = low;
+  max_theta = high;
+  exact = {[of = linkage, motion = motion](double theta) {
+             return state_at(of, *motion, model::turn_at_theta(motion->sense, theta));
            },
            "none", ""};
 }
 
 void Moving::keep(const Moving& before) {
-  if (!have_one_shape(bodies.get(), before.bodies.get())) return;
+  if (!have_same_shape(bodies.get(), before.bodies.get())) return;
   parts = before.parts;
   pressing = before.pressing;
-  if (way->hinge == before.way->hinge && !body_pull_of(*bodies) == !body_pull_of(*before.bodies))
-    take(before.way);
+  if (motion->hinge == before.motion->hinge && !body_pull_of(*bodies) == !body_pull_of(*before.bodies))
+    take(before.motion);
 }
 
-bool have_one_shape(const Design* a, const Design* b) {
+bool have_same_shape(const Design* a, const Design* b) {
   if (a == b || !a || !b) return a && b;
   const model::Assembly &p = *a->structure.assembly(), &q = *b->structure.assembly();
   const auto same = [](const auto& x, const auto& y) { return is_same(x, y); };
@@ -224,37 +225,36 @@ bool have_one_shape(const Design* a, const Design* b) {
          std::equal(p.hinges.begin(), p.hinges.end(), q.hinges.begin(), q.hinges.end(), same);
 }
 
-double asked_theta(const Design& design, const Moving& moving) {
+double requested_theta(const Design& design, const Moving& moving) {
   if (!moving.bodies) return design.theta;
   const model::HingeTurn* turn = turn_of(design);
-  return turn ? model::theta_at_turn(moving.way->sense, turn->angle) : 0;
+  return turn ? model::theta_at_turn(moving.motion->sense, turn->angle) : 0;
 }
 
-double Moving::within(double theta) const {
-  return bodies ? std::clamp(theta, least_theta, most_theta) : theta;
-}
+double Moving::within(double theta) const { return bodies ? std::clamp(theta, min_theta, max_theta) : theta; }
 
 double Moving::theta_of(const model::State& state) const {
   if (!bodies) return model::mean_theta(linkage, state);
-  return model::theta_at_turn(way->sense, hinge_turn(linkage, state, way->hinge));
+  return model::theta_at_turn(motion->sense, hinge_turn(linkage, state, motion->hinge));
 }
 
 model::LinkageDrive Moving::turned(double theta) const {
-  if (way->pulled)
+  if (motion->pulled)
     throw InvalidInput("theta: bodies of this design are pulled; in the physics they go by hand");
-  return model::turned_hinge(way->hinge, way->sense, model::turn_at_theta(way->sense, within(theta)));
+  return model::turned_hinge(motion->hinge, motion->sense,
+                             model::turn_at_theta(motion->sense, within(theta)));
 }
 
 double nearest_theta(const Moving& moving, double from, int body, const Eigen::Vector3d& at,
                      const Eigen::Vector3d& to) {
   if (moving.bodies) {
-    const int sense = moving.way->sense;
+    const int sense = moving.motion->sense;
     const double turn = model::turn_at_theta(sense, from);
-    return model::theta_at_turn(sense, nearest_turn(moving.linkage, *moving.way, turn, body, at, to));
+    return model::theta_at_turn(sense, nearest_turn(moving.linkage, *moving.motion, turn, body, at, to));
   }
   const auto miss = [&](double theta) { return (carried(moving, theta, body, at) - to).squaredNorm(); };
-  const double low = std::max(from - theta_window, moving.least_theta);
-  const double high = std::min(from + theta_window, moving.most_theta);
+  const double low = std::max(from - theta_window, moving.min_theta);
+  const double high = std::min(from + theta_window, moving.max_theta);
   if (!(low < high)) return from;
   const auto [theta, least] = boost::math::tools::brent_find_minima(miss, low, high, theta_bits);
   return least < miss(from) ? theta : from;
@@ -275,7 +275,7 @@ Design design_at_shown_fold(Design design, const Moving& moving, double sheet_th
   return design;
 }
 
-Design saved_as_shown(Design design, const Moving& moving, double sheet_theta, double drive_theta) {
+Design design_for_saving(Design design, const Moving& moving, double sheet_theta, double drive_theta) {
   if (moving.bodies) return turned_as_shown(std::move(design), moving, sheet_theta);
   if (design.drive && sheet_theta != 0) end_drive_at(design, drive_theta);
   // A design without exact motion is opened by its drive, whose theta can differ from the sheet's.

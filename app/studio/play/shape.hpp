@@ -19,7 +19,7 @@
 namespace kinetix::app::studio {
 
 /// Two bodies that collide during the motion.
-struct Meeting {
+struct Collision {
   double turn = 0;  ///< turn of the driven hinge, rad, in the first known state where they collide
   std::array<int, 2> bodies = {};
 };
@@ -35,31 +35,31 @@ struct BodiesMotion {
   bool pulled = false;                  ///< bodies are pulled; turns are then fractions of the path
   bool followed = false;                ///< the whole motion is known; otherwise rest only
   /// First collisions in the negative and positive direction; empty until they are computed.
-  std::optional<std::array<std::optional<Meeting>, 2>> meets = {};
+  std::optional<std::array<std::optional<Collision>, 2>> meets = {};
 };
 
 /// Returns the motion of bodies known only at rest.
-BodiesMotion way_at_rest(const model::Linkage& linkage, int hinge);
+BodiesMotion motion_at_rest(const model::Linkage& linkage, int hinge);
 
 /// Computes the motion until one angle no longer defines it, or until a hinge opens.
 /// @param pull pulls the bodies instead of turning a hinge: turns are then the path's fraction times twice
 /// mean_half_turn at the end
 /// @param stop called between steps
-BodiesMotion way_of(const model::Linkage& linkage, int hinge, const std::optional<model::Pull>& pull,
-                    const std::function<bool()>& stop = {});
+BodiesMotion motion_of(const model::Linkage& linkage, int hinge, const std::optional<model::Pull>& pull,
+                       const std::function<bool()>& stop = {});
 
 /// Finds the first collision in the negative (-1) or positive (1) direction. Surfaces must cross by more than
 /// 0.01 mm; walls of one height cross some hundredths later. Bodies that cross at rest do not count.
 /// @param stop called between states
-std::optional<Meeting> first_meeting(const model::Assembly& assembly, const BodiesMotion& way, int direction,
-                                     const std::function<bool()>& stop = {});
+std::optional<Collision> first_collision(const model::Assembly& assembly, const BodiesMotion& motion,
+                                         int direction, const std::function<bool()>& stop = {});
 
 /// Returns the state with this turn of the hinge, rad, limited to the known motion. Closes the hinges anew.
-model::State state_at(const model::Linkage& linkage, const BodiesMotion& way, double turn);
+model::State state_at(const model::Linkage& linkage, const BodiesMotion& motion, double turn);
 
 /// Finds the turn, rad, near `from`, at which the point `at` of a body (rest place, mm) is nearest to `to`
 /// (mm). Points move straight between known states.
-double nearest_turn(const model::Linkage& linkage, const BodiesMotion& way, double from, int body,
+double nearest_turn(const model::Linkage& linkage, const BodiesMotion& motion, double from, int body,
                     const Eigen::Vector3d& at, const Eigen::Vector3d& to);
 
 /// Design with the known part of its motion.
@@ -83,20 +83,20 @@ struct Moving {
   model::ExactMotion exact;
   std::optional<model::NearestDesign> nearest;  ///< set only without exact motion, if one is known.
   /// Range in rad without contact between walls on the exact path; of bodies the known motion.
-  double least_theta = 0, most_theta = 0;
+  double min_theta = 0, max_theta = 0;
   std::shared_ptr<const Design> bodies;                 ///< null for sheets, and so are the members below
-  std::shared_ptr<const BodiesMotion> way;              ///< as far as it is known
+  std::shared_ptr<const BodiesMotion> motion;           ///< as far as it is known
   std::shared_ptr<const sim::ContactParts> parts;       ///< for collisions; null until they are cut
   std::shared_ptr<const model::ConvexBodies> pressing;  ///< convex pieces for contact in equilibrium
 };
 
 /// Returns whether both are designs of bodies with equal shape and hinges. Stiffness and drive may differ.
 /// Null: a sheet.
-bool have_one_shape(const Design* a, const Design* b);
+bool have_same_shape(const Design* a, const Design* b);
 
 /// Returns the theta that the design requests, rad; for bodies half the turn of the hinge that its drive
 /// turns.
-double asked_theta(const Design& design, const Moving& moving);
+double requested_theta(const Design& design, const Moving& moving);
 
 /// Finds the theta, rad, near `from` and within the range, at which the point `at` of a body (rest place, mm)
 /// is nearest to `to` (mm) on the exact path. @pre moving.exact
@@ -114,7 +114,7 @@ model::LinkageDrive drive_to(const Design& design, double theta);
 Design design_at_shown_fold(Design design, const Moving& moving, double sheet_theta, double drive_theta);
 
 /// Returns the design at the shown fold for its file. The drive is kept and ends at that fold.
-Design saved_as_shown(Design design, const Moving& moving, double sheet_theta, double drive_theta);
+Design design_for_saving(Design design, const Moving& moving, double sheet_theta, double drive_theta);
 
 /// Returns a flat design in the interactive engine.
 /// @param springs hinges are as elastic as the design says; not for bodies

@@ -123,7 +123,7 @@ std::optional<double> theta_reached(const Json& message) {
 Json earlier_result(const std::string& design_file, const Design& design) {
   const fs::path file = fs::path(design_file).parent_path() / "result.json";
   Json result = read(file);
-  if (!is_of_search(result) || !is_of_sheet(result, design, rounding)) return nullptr;
+  if (!is_of_search(result) || !matches_sheet(result, design, rounding)) return nullptr;
   const Json judged = result.value("verdict", Json(nullptr));  // null in results of earlier versions
   const Json met = judged.is_object() ? judged.value("met", Json(nullptr)) : Json(nullptr);
   const bool stopped = result.value("stopped", false);
@@ -134,10 +134,7 @@ Json earlier_result(const std::string& design_file, const Design& design) {
 
 namespace {
 
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
-constexpr int most_places = 100;  // studios of one source at the same time
+constexpr int max_places = 100;  // studios of one source at the same time
 constexpr std::string_view kept_heading = "# Kept by the studio until it is saved: ";
 
 std::string kept_text(const std::string& text, const std::string& save_file) {
@@ -179,7 +176,7 @@ Autosave::Autosave(const fs::path& state, const std::string& source) {
     throw InvalidInput("this folder cannot be made, so that designs are not kept", {state.string()});
   fs::permissions(state, fs::perms::owner_all, failure);
   const std::string name = place_name(source);
-  for (int k = 1; k <= most_places; ++k) {
+  for (int k = 1; k <= max_places; ++k) {
     folder_ = state / (k == 1 ? name : fmt::format("{}_{}", name, k));
     lock_ = LockFile::acquire(folder_.string() + ".lock");
     if (lock_) return;
@@ -200,16 +197,16 @@ std::optional<AutosavedDesign> Autosave::kept() const {
   }
 }
 
-void Autosave::keep(const Design& design, const std::string& save_file, const Json& told) {
+void Autosave::keep(const Design& design, const std::string& save_file, const Json& result_message) {
   const std::lock_guard guard(mutex_);
   if (has_ended_) return;
   FileSet files(folder_.string());
   for (const NamedContent& one : design_files(design))
     files.add(one.name, one.name == "design.yaml" ? kept_text(one.content, save_file) : one.content);
-  if (told.is_object()) files.add("result.json", told["result"].dump(1) + "\n");
+  if (result_message.is_object()) files.add("result.json", result_message["result"].dump(1) + "\n");
   files.commit();
   std::error_code ignored;
-  if (!told.is_object()) fs::remove(folder_ / "result.json", ignored);
+  if (!result_message.is_object()) fs::remove(folder_ / "result.json", ignored);
 }
 
 void Autosave::forget() {

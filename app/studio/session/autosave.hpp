@@ -42,7 +42,7 @@ class Autosave {
   /// Reads the design that a killed studio left; empty if there is none, or it cannot be read.
   std::optional<AutosavedDesign> kept() const;
   /// @param told message of its result; null: none   @throws InvalidInput if it cannot be written
-  void keep(const Design& design, const std::string& save_file, const nlohmann::ordered_json& told);
+  void keep(const Design& design, const std::string& save_file, const nlohmann::ordered_json& result_message);
   /// Removes the kept design after a save.
   void forget();
   /// Moves the design aside at the end of the program: the next studio does not open it. Later calls keep

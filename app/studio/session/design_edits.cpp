@@ -16,7 +16,7 @@ namespace {
 
 constexpr double rounded_share = 1e-9;      // of a length: error of its digits in a file
 constexpr double farthest_stiffness = 1e9;  // N/mm and N mm/rad, and its inverse: beyond all hinges
-constexpr int most_cells_per_side = 200;    // a page shows this many at 15 frames per second
+constexpr int max_cells_per_side = 200;     // a page shows this many at 15 frames per second
 
 const targets::KeyTable& only_hinge() {
   static const targets::KeyTable keys(
@@ -76,11 +76,11 @@ void copy_requested_fields(const Message& message, const model::HingeParameters&
 void change_images(const std::vector<int>& hinges, const model::SheetSymmetry& symmetry,
                    const Message& message, model::Lattice& sheet) {
   const model::Structure before = *sheet.squares();
-  std::set<int> told;
+  std::set<int> listed;
   for (const int h : hinges) {
     const auto other = symmetry.image(before, h);
-    if (!other || *other == h || told.count(h) > 0) continue;
-    told.insert(*other);
+    if (!other || *other == h || listed.count(h) > 0) continue;
+    listed.insert(*other);
     copy_requested_fields(message, symmetry.image(before, h, *other), sheet.hinge(*other));
   }
 }
@@ -101,7 +101,7 @@ void fit_to_walls(HingeSection& hinge, const model::CellSize& before, const mode
 /// Replaces the cells. Other cells remove the drive; other sizes scale it with the edge.
 Design with_cells(Design design, std::vector<model::Cell> cells, const model::CellSize& size) {
   const model::CellSize before = design.structure.size();
-  auto [structure, from] = model::redrawn(squares_of(design), std::move(cells), size);
+  auto [structure, from] = model::with_changed_cells(squares_of(design), std::move(cells), size);
   std::map<int, HingeSection> own;
   for (std::size_t h = 0; h < from.size(); ++h)
     if (const auto section = from[h] ? design.hinge_overrides.find(*from[h]) : design.hinge_overrides.end();
@@ -134,7 +134,7 @@ void alternate(const model::Structure& squares, const std::vector<int>& hinges, 
 }
 
 /// Checks hinge offsets: a hinge too far off its wall would make the file unreadable.
-Design with_offsets_that_fit(Design design) {
+Design with_limited_offsets(Design design) {
   for (int h = 0; h < design.structure.hinges(); ++h)
     if (const auto why = find_offset_misfit(design, h))
       throw InvalidInput(fmt::format("wall {}: {}", wall_name(design.structure, h), *why));
@@ -144,7 +144,7 @@ Design with_offsets_that_fit(Design design) {
 /// Reads one `cell`, or the `cells` of a stroke.
 std::vector<model::Cell> painted(const Message& message) {
   const bool many = message.has("cells");
-  const std::vector<int> at = message.integers(many ? "cells" : "cell", 0, most_cells_per_side - 1);
+  const std::vector<int> at = message.integers(many ? "cells" : "cell", 0, max_cells_per_side - 1);
   if (at.empty() || at.size() % 2 != 0 || (!many && at.size() != 2))
     throw InvalidInput(many ? "cells: must be [i, j, i, j, ...]" : "cell: must be [i, j]");
   std::vector<model::Cell> out;
@@ -196,7 +196,7 @@ Design with_hinges(Design design, const Message& message) {
   if (const model::SheetSymmetry symmetry = symmetry_of(message, design); symmetry.any())
     change_images(hinges, symmetry, message, design.structure);
   validate_hinges(design.structure);
-  return with_offsets_that_fit(std::move(design));
+  return with_limited_offsets(std::move(design));
 }
 
 Design with_cell(Design design, const Message& message) {
@@ -227,17 +227,17 @@ Design with_sheet(Design design, const Message& message) {
   const model::Structure& squares = squares_of(design);
   std::array<int, 2> extent = model::extent(squares);
   const bool is_new = message.has("columns") || message.has("rows");
-  if (message.has("columns")) extent[0] = message.integer("columns", 1, most_cells_per_side);
-  if (message.has("rows")) extent[1] = message.integer("rows", 1, most_cells_per_side);
+  if (message.has("columns")) extent[0] = message.integer("columns", 1, max_cells_per_side);
+  if (message.has("rows")) extent[1] = message.integer("rows", 1, max_cells_per_side);
   model::CellSize size = squares.size;
   if (message.has("cell_mm")) size = with_edge(size, message.number("cell_mm", 0.1, 1000));
   if (message.has("thickness_mm")) size.thickness_mm = message.number("thickness_mm", 0.01, 100);
   if (message.has("height_mm")) size.height_mm = message.number("height_mm", 0.01, 1000);
   std::vector<model::Cell> cells = is_new ? model::full_sheet(extent) : squares.cells;
-  return with_offsets_that_fit(with_cells(std::move(design), std::move(cells), size));
+  return with_limited_offsets(with_cells(std::move(design), std::move(cells), size));
 }
 
-Design with_made_hinges(Design design, const Message& message) {
+Design with_manufactured_hinges(Design design, const Message& message) {
   if (design.structure.assembly())
     throw InvalidInput("made: is of sheets. Give hinges of bodies their stiffness with `hinge`");
   design.hinge_overrides.clear();
@@ -250,7 +250,7 @@ Design with_made_hinges(Design design, const Message& message) {
   const std::string text = fmt::format("hinge: {{{}}}\n", entries);
   const targets::Section document(targets::parse_document(text, "the studio"), only_hinge());
   design.hinge = read_hinge_section(document, design.structure.size());
-  return with_offsets_that_fit(std::move(design));
+  return with_limited_offsets(std::move(design));
 }
 
 Design with_driven_hinge(Design design, const Message& message) {
@@ -293,10 +293,10 @@ DesignHistory::DesignHistory(Design first) {
   designs_.push_back({std::move(first), 0, {}});
 }
 
-void DesignHistory::add(Design design, int thing, Finding finding) {
+void DesignHistory::add(Design design, int thing, DesignResult design_result) {
   designs_.resize(at_ + 1);
   if (saved_ > static_cast<int>(at_)) saved_ = -1;
-  designs_.push_back({std::move(design), thing, std::move(finding)});
+  designs_.push_back({std::move(design), thing, std::move(design_result)});
   std::size_t bytes = 0;
   for (const Entry& entry : designs_) bytes += size_of(entry.design);
   while (designs_.size() > longest || (bytes > most_bytes && designs_.size() > 2)) {

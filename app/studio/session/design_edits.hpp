@@ -14,7 +14,7 @@ namespace kinetix::app::studio {
 Design with_hinges(Design design, const Message& message);
 Design with_cell(Design design, const Message& message);
 Design with_sheet(Design design, const Message& message);
-Design with_made_hinges(Design design, const Message& message);
+Design with_manufactured_hinges(Design design, const Message& message);
 Design with_driven_hinge(Design design, const Message& message);
 
 }  // namespace kinetix::app::studio
@@ -26,9 +26,9 @@ struct Run;
 namespace kinetix::app::studio {
 
 /// Result that a design belongs to.
-struct Finding {
+struct DesignResult {
   std::shared_ptr<const Run> run = {};  ///< search of this session; null: none
-  nlohmann::ordered_json told = {};     ///< message of the result; null: none
+  nlohmann::ordered_json message = {};  ///< message of the result; null: none
   double theta = 0;                     ///< theta of the design when it was found, rad
 };
 
@@ -39,11 +39,13 @@ class DesignHistory {
 
   const Design& current() const { return designs_[at_].design; }
   int thing() const { return designs_[at_].thing; }
-  const Finding& finding() const { return designs_[at_].finding; }
+  const DesignResult& design_result() const { return designs_[at_].design_result; }
   /// Sets the finding of the present design. Undo and redo keep it.
-  void set_finding(Finding finding) { designs_[at_].finding = std::move(finding); }
+  void set_design_result(DesignResult design_result) {
+    designs_[at_].design_result = std::move(design_result);
+  }
   /// Adds the next design and drops those that were undone.
-  void add(Design design, int thing, Finding finding = {});
+  void add(Design design, int thing, DesignResult design_result = {});
   bool can_undo() const { return at_ > 0; }
   bool can_redo() const { return at_ + 1 < designs_.size(); }
   /// @return whether a step could be undone
@@ -57,7 +59,7 @@ class DesignHistory {
   struct Entry {
     Design design;
     int thing;
-    Finding finding;
+    DesignResult design_result;
   };
 
   std::vector<Entry> designs_;

@@ -26,8 +26,10 @@ constexpr double same_fold = 1e-6;       // rad of theta: a smaller change from 
 
 /// Returns the theta (rad) where the equilibrium of a result ended, which can differ from the requested
 /// theta. Empty for other results: their designs are shown as saved.
-std::optional<double> theta_of_equilibrium(const Json& told) {
-  return told.is_object() && told["result"].contains("equilibrium") ? theta_reached(told) : std::nullopt;
+std::optional<double> theta_of_equilibrium(const Json& result_message) {
+  return result_message.is_object() && result_message["result"].contains("equilibrium")
+             ? theta_reached(result_message)
+             : std::nullopt;
 }
 
 /// Creates a folder with a new name. If that fails, writing to the returned name fails later.
@@ -43,43 +45,43 @@ fs::path new_folder(const fs::path& inside, const std::string& name) {
 }  // namespace
 
 void require_showable(const Design& design) {
-  if (design.structure.bodies() <= most_bodies) return;
+  if (design.structure.bodies() <= max_bodies) return;
   throw InvalidInput(fmt::format(
       "structure.cells: {} bodies are more than the {} that a page can show. Take fewer cells, or "
       "use `kinetix-opt check`, `simulate` and `export`.",
-      design.structure.bodies(), most_bodies));
+      design.structure.bodies(), max_bodies));
 }
 
-Session::Session(Opened opened, MessageSink outlet)
+Session::Session(SessionInput opened, MessageSink outlet)
     : SessionLoop(std::move(outlet)),
-      opened_(std::move(opened)),
-      history_(opened_.design),
-      save_files_{opened_.save_file},
-      player_(opened_.design) {
-  history_.set_finding({.told = opened_.result, .theta = opened_.design.theta});
+      input_(std::move(opened)),
+      history_(input_.design),
+      save_files_{input_.save_file},
+      player_(input_.design) {
+  history_.set_design_result({.message = input_.result, .theta = input_.design.theta});
   std::optional<AutosavedDesign> kept;
-  if (opened_.autosave) kept = opened_.autosave->kept();
+  if (input_.autosave) kept = input_.autosave->kept();
   if (kept) {
-    if (kept->save_file != opened_.save_file) save_files_.push_back(kept->save_file);
+    if (kept->save_file != input_.save_file) save_files_.push_back(kept->save_file);
     history_.add(kept->design, static_cast<int>(save_files_.size()) - 1,
-                 {.told = kept->result, .theta = kept->design.theta});
+                 {.message = kept->result, .theta = kept->design.theta});
     player_ = Player(kept->design);
     restored_ = revision_;
   }
   meshes_of_ = player_.moving().bodies;
   follow();
-  const Json& result = history_.finding().told;
+  const Json& result = history_.design_result().message;
   if (const auto theta = theta_of_equilibrium(result); theta && player_.mode() == Mode::exact)
     player_.fold_to(*theta);
   if (player_.mode() == Mode::equilibrium) enqueue([this] { trace(player_.theta()); });
-  if (!opened_.target_file.empty() && !kept) enqueue([this] { search_for(opened_.target_file, nullptr); });
+  if (!input_.target_file.empty() && !kept) enqueue([this] { search_for(input_.target_file, nullptr); });
 }
 
 void Session::welcome(int client) {
   Json hello = hello_message(history_.current().name);
-  if (opened_.autosave) hello["autosave"] = opened_.autosave->folder().string();
-  tell(hello, client);
-  if (meshes_of_) tell(meshes_message(*meshes_of_->structure.assembly()), client);
+  if (input_.autosave) hello["autosave"] = input_.autosave->folder().string();
+  send_message(hello, client);
+  if (meshes_of_) send_message(meshes_message(*meshes_of_->structure.assembly()), client);
   if (design_text_.bytes)
     send_text(design_text_, client);
   else
@@ -89,7 +91,7 @@ void Session::welcome(int client) {
   send_path(client);
 }
 
-void Session::obey(const Message& message) {
+void Session::execute(const Message& message) {
   const auto command = commands().find(message.type());
   if (command == commands().end()) throw InvalidInput("type: unknown command '" + message.type() + "'");
   if (!is_sent_) send_design();
@@ -125,7 +127,7 @@ void Session::start(Job& job, double id, const std::string& about, const Job::Wo
           work(asked);
         } catch (const std::exception& e) {
           enqueue([this, client, id, about, what = failure_message(e)] {
-            tell(error_message(what, id, about), client);
+            send_message(error_message(what, id, about), client);
           });
         }
       },
@@ -135,12 +137,13 @@ void Session::start(Job& job, double id, const std::string& about, const Job::Wo
 const std::map<std::string, Session::Command>& Session::commands() {
   using S = Session;
   using M = Message;
-  const auto told = [](const Command& change) {  // sends the state to everybody, since the command changes it
-    return [change](S& s, const M& m) {
-      change(s, m);
-      s.send_state();
-    };
-  };
+  const auto then_send_state =
+      [](const Command& change) {  // sends the state to everybody, since the command changes it
+        return [change](S& s, const M& m) {
+          change(s, m);
+          s.send_state();
+        };
+      };
   static const std::map<std::string, Command> all = {
       {"mode", [](S& s, const M& m) { s.set_mode(m); }},
       {"theta",
@@ -148,18 +151,18 @@ const std::map<std::string, Session::Command>& Session::commands() {
          s.fold_to(m.number("deg", -steepest_deg, steepest_deg) * radians_per_degree);
        }},
       {"drag", [](S& s, const M& m) { s.drag(m); }},
-      {"release", told([](S& s, const M&) { s.player_.release(); })},
-      {"fix", told([](S& s, const M& m) { s.player_.fix(s.body_of(m), m.boolean("fixed")); })},
+      {"release", then_send_state([](S& s, const M&) { s.player_.release(); })},
+      {"fix", then_send_state([](S& s, const M& m) { s.player_.fix(s.body_of(m), m.boolean("fixed")); })},
       {"push",
        [](S& s, const M& m) {
          s.player_.push(s.body_of(m), m.point("at"), m.number("force_N", -largest_push_N, largest_push_N));
        }},
-      {"gravity", told([](S& s, const M& m) { s.player_.set_gravity(m.boolean("on")); })},
-      {"pause", told([](S& s, const M& m) { s.player_.set_paused(m.boolean("on")); })},
+      {"gravity", then_send_state([](S& s, const M& m) { s.player_.set_gravity(m.boolean("on")); })},
+      {"pause", then_send_state([](S& s, const M& m) { s.player_.set_paused(m.boolean("on")); })},
       {"step", [](S& s, const M&) { s.player_.step(); }},
-      {"speed", told([](S& s, const M& m) { s.player_.set_speed(m.number("factor", 0.05, 1)); })},
-      {"springs", told([](S& s, const M& m) { s.player_.set_springs(m.boolean("on")); })},
-      {"reset", told([](S& s, const M&) {
+      {"speed", then_send_state([](S& s, const M& m) { s.player_.set_speed(m.number("factor", 0.05, 1)); })},
+      {"springs", then_send_state([](S& s, const M& m) { s.player_.set_springs(m.boolean("on")); })},
+      {"reset", then_send_state([](S& s, const M&) {
          s.tracer_.stop_current();
          ++s.traces_;  // discards its states that wait to be shown
          s.player_.reset();
@@ -168,14 +171,14 @@ const std::map<std::string, Session::Command>& Session::commands() {
       {"hinge", [](S& s, const M& m) { s.take(with_hinges(s.history_.current(), m)); }},
       {"paint", [](S& s, const M& m) { s.take(with_cell(s.history_.current(), m)); }},
       {"sheet", [](S& s, const M& m) { s.take(with_sheet(s.history_.current(), m)); }},
-      {"made", [](S& s, const M& m) { s.take(with_made_hinges(s.history_.current(), m)); }},
-      {"nearest", [](S& s, const M&) { s.take_nearest(); }},
-      {"undo", [](S& s, const M&) { s.go_back(false); }},
-      {"redo", [](S& s, const M&) { s.go_back(true); }},
+      {"made", [](S& s, const M& m) { s.take(with_manufactured_hinges(s.history_.current(), m)); }},
+      {"nearest", [](S& s, const M&) { s.apply_nearest_design(); }},
+      {"undo", [](S& s, const M&) { s.step_history(false); }},
+      {"redo", [](S& s, const M&) { s.step_history(true); }},
       {"open", [](S& s, const M& m) { s.open(m); }},
       {"save", [](S& s, const M& m) { s.save(m); }},
       {"search", [](S& s, const M& m) { s.search(m); }},
-      {"part", [](S& s, const M& m) { s.take_part(m); }},
+      {"part", [](S& s, const M& m) { s.receive_part(m); }},
       {"stop", [](S& s, const M&) { s.searcher_.stop_current(); }},
       {"driven", [](S& s, const M& m) { s.take(with_driven_hinge(s.history_.current(), m)); }},
       {"export", [](S& s, const M& m) { s.export_files(m); }},
@@ -194,9 +197,9 @@ void Session::set_mode(const Message& message) {
   const Mode mode = name == "exact" ? Mode::exact : name == "bullet" ? Mode::bullet : Mode::equilibrium;
   const Moving& moving = player_.moving();
   if (moving.bodies && mode == Mode::equilibrium)
-    require_one_axis(*moving.bodies->structure.assembly(), moving.way->pulled);
+    require_one_axis(*moving.bodies->structure.assembly(), moving.motion->pulled);
   awaited_.reset();
-  if (moving.bodies && mode != Mode::exact && !moving.parts) return cut_for(mode);
+  if (moving.bodies && mode != Mode::exact && !moving.parts) return cut_pieces_for(mode);
   enter(mode);
 }
 
@@ -220,24 +223,24 @@ void Session::drag(const Message& message) {
   if (player_.mode() == Mode::equilibrium) trace(player_.theta());
 }
 
-void Session::take(Design design, Finding finding) {
-  add(std::move(design), history_.thing(), std::move(finding));
+void Session::take(Design design, DesignResult design_result) {
+  add(std::move(design), history_.thing(), std::move(design_result));
 }
 
 /// Adds a design that does not derive from the present one. `save` must not overwrite the present one's file.
-void Session::take_other(Design design, Finding finding) {
+void Session::replace_design(Design design, DesignResult design_result) {
   save_files_.emplace_back();
-  add(std::move(design), static_cast<int>(save_files_.size()) - 1, std::move(finding));
+  add(std::move(design), static_cast<int>(save_files_.size()) - 1, std::move(design_result));
 }
 
 /// Adds and shows a design. If it cannot be loaded, for example for lack of memory, the one before stays.
-void Session::add(Design design, int thing, Finding finding) {
+void Session::add(Design design, int thing, DesignResult design_result) {
   player_.load(design);
-  history_.add(std::move(design), thing, std::move(finding));
+  history_.add(std::move(design), thing, std::move(design_result));
   design_changed();
 }
 
-void Session::go_back(bool forth) {
+void Session::step_history(bool forth) {
   const auto go = [this](bool on) { return on ? history_.redo() : history_.undo(); };
   if (!go(forth)) return;
   try {
@@ -254,7 +257,7 @@ void Session::design_changed() {
   tracer_.stop_current();
   ++revision_;
   stable_.clear();
-  way_.reset();
+  known_equilibria_.reset();
   path_ = nullptr;
   ++traces_;  // running traces belong to another design
   changed_ = true;
@@ -270,19 +273,20 @@ void Session::design_changed() {
 
 /// Keeps the unsaved design on the disk: a studio opens it after a crash.
 void Session::keep_unsaved() {
-  if (!opened_.autosave) return;
+  if (!input_.autosave) return;
   try {
     if (history_.is_saved())
-      opened_.autosave->forget();
+      input_.autosave->forget();
     else
-      opened_.autosave->keep(history_.current(), save_files_[history_.thing()], history_.finding().told);
+      input_.autosave->keep(history_.current(), save_files_[history_.thing()],
+                            history_.design_result().message);
     not_kept_.clear();
   } catch (const std::exception& e) {
     not_kept_ = failure_message(e);
   }
 }
 
-void Session::take_nearest() {
+void Session::apply_nearest_design() {
   const auto& moving = player_.moving();
   if (moving.exact) throw InvalidInput("nearest: the design moves exactly as it is");
   if (!moving.nearest) throw InvalidInput("nearest: no exact design is known near this one");
@@ -292,28 +296,29 @@ void Session::take_nearest() {
 }
 
 void Session::open(const Message& message) {
-  if (message.has("template")) return take_other(template_design(message.text("template")));
+  if (message.has("template")) return replace_design(template_design(message.text("template")));
   const targets::Node root = targets::parse_document(message.text("yaml"), "design");
   if (lists_bodies(root))
     throw InvalidInput("open: a design of bodies has meshes beside it: `kinetix-opt view` its file");
   Design design = read_design(root);
   require_showable(design);
-  take_other(std::move(design));
+  replace_design(std::move(design));
 }
 
 /// Returns the path to save the present design to; creates a results folder on first save.
 fs::path Session::save_file() {
   std::string& file = save_files_[history_.thing()];
-  if (file.empty()) file = (new_folder(opened_.results, history_.current().name) / "design.yaml").string();
+  if (file.empty()) file = (new_folder(input_.results, history_.current().name) / "design.yaml").string();
   return file;
 }
 
 /// Saves a result that was kept with its design, unless the folder has a result.json.
 void Session::save_result_beside(const std::string& folder) const {
-  const Json& told = history_.finding().told;
+  const Json& result_message = history_.design_result().message;
   const fs::path file = fs::path(folder) / "result.json";
   std::error_code none;
-  if (told.is_object() && !fs::exists(file, none)) write_file(file.string(), told["result"].dump(1) + "\n");
+  if (result_message.is_object() && !fs::exists(file, none))
+    write_file(file.string(), result_message["result"].dump(1) + "\n");
 }
 
 /// Saves the design. `at_fold` saves it at the shown fold, which changes the design.
@@ -322,17 +327,17 @@ void Session::save(const Message& message) {
   Design design = history_.current();
   if (at_fold)
     design =
-        saved_as_shown(std::move(design), player_.moving(), player_.sheet_theta(), player_.drive_theta());
+        design_for_saving(std::move(design), player_.moving(), player_.sheet_theta(), player_.drive_theta());
   const fs::path file = save_file();
   std::error_code ignored;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
-  const Finding finding = history_.finding();
-  const bool has_results = finding.run && file.filename() == "design.yaml";
+  const DesignResult design_result = history_.design_result();
+  const bool has_results = design_result.run && file.filename() == "design.yaml";
   if (has_results)
-    write_results(*finding.run, file.parent_path().string());
+    write_results(*design_result.run, file.parent_path().string());
   else if (file.filename() == "design.yaml")
     save_result_beside(file.parent_path().string());
-  const bool is_moved = has_results && std::abs(design.theta - finding.theta) > same_fold;
+  const bool is_moved = has_results && std::abs(design.theta - design_result.theta) > same_fold;
   if (!has_results || is_moved) {
     FileSet files(file.parent_path().string());
     for (const NamedContent& one : design_files(design))
@@ -340,53 +345,53 @@ void Session::save(const Message& message) {
     files.commit();
   }
   if (design.theta != history_.current().theta || design.drive != history_.current().drive)
-    history_.add(design, history_.thing(), finding);
+    history_.add(design, history_.thing(), design_result);
   history_.mark_saved();
   keep_unsaved();
-  tell({{"type", "saved"},
-        {"path", file.string()},
-        {"theta_rad", asked_theta(design, player_.moving())},
-        {"at_fold", at_fold}});
+  send_message({{"type", "saved"},
+                {"path", file.string()},
+                {"theta_rad", requested_theta(design, player_.moving())},
+                {"at_fold", at_fold}});
   send_design();
 }
 
 /// Sends the newest design. If bodies changed their shape, their meshes are sent to everybody before it.
 void Session::send_design(int client) {
   const auto& bodies = player_.moving().bodies;
-  if (bodies && !have_one_shape(bodies.get(), meshes_of_.get())) {
+  if (bodies && !have_same_shape(bodies.get(), meshes_of_.get())) {
     meshes_of_ = bodies;
-    tell(meshes_message(*bodies->structure.assembly()));
+    send_message(meshes_message(*bodies->structure.assembly()));
   }
   Json out = design_message(history_.current(), player_.moving());
   out["revision"] = revision_;
   out["undo"] = history_.can_undo();
   out["redo"] = history_.can_redo();
   out["unsaved"] = !history_.is_saved();
-  out["kept"] = opened_.autosave && not_kept_.empty();
+  out["kept"] = input_.autosave && not_kept_.empty();
   if (!not_kept_.empty()) out["not_kept"] = not_kept_;
   out["restored"] = restored_ == revision_ && !history_.is_saved();
-  out["has_result"] = !history_.finding().told.is_null();
+  out["has_result"] = !history_.design_result().message.is_null();
   design_text_ = text_of(out);
   send_text(design_text_, client);
-  if (client == everybody) is_sent_ = true;
+  if (client == all_clients) is_sent_ = true;
 }
 
 /// Sends the result of the present design, if any.
 void Session::send_last_result(int client) const {
-  Json told = history_.finding().told;
-  if (told.is_null()) return;
-  told["revision"] = revision_;
-  tell(told, client);
+  Json result_message = history_.design_result().message;
+  if (result_message.is_null()) return;
+  result_message["revision"] = revision_;
+  send_message(result_message, client);
 }
 
 void Session::send_path(int client) const {
-  if (!path_.is_null()) tell({{"type", "path"}, {"revision", revision_}, {"rows", path_}}, client);
+  if (!path_.is_null()) send_message({{"type", "path"}, {"revision", revision_}, {"rows", path_}}, client);
 }
 
 void Session::send_state(int client) const {
   Json state = state_message(player_);
   state["searching"] = searching_;
-  tell(state, client);
+  send_message(state, client);
 }
 
 }  // namespace kinetix::app::studio

@@ -15,7 +15,7 @@
 namespace kinetix::app::studio {
 
 /// Input of a session: the design that `view` opens and its options.
-struct Opened {
+struct SessionInput {
   Design design;
   std::string save_file;    ///< file of the design, where `save` writes it; empty: none
   std::string target_file;  ///< searched for at the start; may be empty
@@ -28,14 +28,14 @@ struct Opened {
 
 /// Bodies of the largest sheet that is opened: 500 x 500 cells. Its message has 150 MB; browsers cannot read
 /// much more than twice that.
-inline constexpr int most_bodies = 300'000;
+inline constexpr int max_bodies = 300'000;
 /// @throws InvalidInput for a design that the page cannot show
 void require_showable(const Design& design);
 
 /// A design in the studio, its present shape, and its running work.
 class Session : public SessionLoop {
  public:
-  Session(Opened opened, MessageSink outlet);
+  Session(SessionInput opened, MessageSink outlet);
 
  private:
   using Command = std::function<void(Session& session, const Message& message)>;
@@ -43,7 +43,7 @@ class Session : public SessionLoop {
 
   void welcome(int client) override;
   void forget(int client) override { parts_.erase(client); }
-  void obey(const Message& message) override;
+  void execute(const Message& message) override;
   bool moves() const override { return player_.plays(); }
   bool play() override;
   void halt() override;
@@ -55,24 +55,24 @@ class Session : public SessionLoop {
   void enter(Mode mode);
   void fold_to(double theta);
   void drag(const Message& message);
-  void take(Design design, Finding finding = {});
-  void take_other(Design design, Finding finding = {});
-  void add(Design design, int thing, Finding finding);
-  void go_back(bool forth);
+  void take(Design design, DesignResult design_result = {});
+  void replace_design(Design design, DesignResult design_result = {});
+  void add(Design design, int thing, DesignResult design_result);
+  void step_history(bool forth);
   void design_changed();
-  void take_nearest();
+  void apply_nearest_design();
   void open(const Message& message);
   void save(const Message& message);
   void save_result_beside(const std::string& folder) const;
   void keep_unsaved();
   std::filesystem::path save_file();
-  void take_part(const Message& message);
+  void receive_part(const Message& message);
   void search(const Message& message);
   void export_files(const Message& message);
 
   void follow();
-  void take(std::shared_ptr<const BodiesMotion> way, double theta);
-  void cut_for(Mode mode);
+  void take(std::shared_ptr<const BodiesMotion> motion, double theta);
+  void cut_pieces_for(Mode mode);
 
   void start(Job& job, double id, const std::string& about, const Job::Work& work);
   void show_flat();
@@ -84,12 +84,12 @@ class Session : public SessionLoop {
   void search_for(const std::string& file, std::shared_ptr<const void> keeps);
   void found(std::shared_ptr<Run> run);
 
-  void send_design(int client = everybody);
-  void send_last_result(int client = everybody) const;
-  void send_path(int client = everybody) const;
-  void send_state(int client = everybody) const;
+  void send_design(int client = all_clients);
+  void send_last_result(int client = all_clients) const;
+  void send_path(int client = all_clients) const;
+  void send_state(int client = all_clients) const;
 
-  const Opened opened_;
+  const SessionInput input_;
   DesignHistory history_;
   std::vector<std::string> save_files_;  ///< by thing of the history; empty: not chosen yet
   int revision_ = 1;
@@ -98,11 +98,11 @@ class Session : public SessionLoop {
   Text design_text_;      ///< newest message `design`
   bool is_sent_ = true;   ///< everybody has the newest design
   Player player_;
-  std::shared_ptr<const KnownPath> way_;        ///< known equilibria of the present design
-  std::shared_ptr<const KnownPath> stable_of_;  ///< source of the stable states
-  nlohmann::ordered_json path_;                 ///< rows of the equilibrium path for the page; null: none
-  int traces_ = 0;                              ///< number of traces; results of older ones are ignored
-  std::vector<model::StableState> stable_;      ///< reached from the last equilibrium path
+  std::shared_ptr<const KnownEquilibria> known_equilibria_;  ///< known equilibria of the present design
+  std::shared_ptr<const KnownEquilibria> stable_of_;         ///< source of the stable states
+  nlohmann::ordered_json path_;             ///< rows of the equilibrium path for the page; null: none
+  int traces_ = 0;                          ///< number of traces; results of older ones are ignored
+  std::vector<model::StableState> stable_;  ///< reached from the last equilibrium path
   std::size_t next_stable_ = 0;
 
   bool searching_ = false, exporting_ = false;

@@ -23,9 +23,9 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using SteadyClock = std::chrono::steady_clock;
 
-constexpr std::chrono::milliseconds between_words{
-    500};                                // of a search, on screen: as often as people read them
-constexpr std::size_t most_senders = 8;  // pages whose parts of files are kept
+constexpr std::chrono::milliseconds between_progress_texts{
+    500};                               // of a search, on screen: as often as people read them
+constexpr std::size_t max_senders = 8;  // pages whose parts of files are kept
 
 double seconds_since(SteadyClock::time_point start) {
   return std::chrono::duration<double>(SteadyClock::now() - start).count();
@@ -41,8 +41,8 @@ std::string plain_name(const std::string& name) {
 
 }  // namespace
 
-void Session::take_part(const Message& message) {
-  if (parts_.count(client_) == 0 && parts_.size() >= most_senders) parts_.erase(parts_.begin());
+void Session::receive_part(const Message& message) {
+  if (parts_.count(client_) == 0 && parts_.size() >= max_senders) parts_.erase(parts_.begin());
   constexpr double farthest = 1e15;  // largest whole number allowed here; Parts has a separate limit
   parts_[client_].add(plain_name(message.text("name")),
                       static_cast<std::int64_t>(message.number("at", 0, farthest)),
@@ -68,11 +68,11 @@ void Session::search_for(const std::string& file, std::shared_ptr<const void> ke
   searcher_.start([this, file, keeps](const std::stop_token& stop) {
     std::string stage_shown;
     TimeLeft left;
-    std::mutex words;
+    std::mutex text_mutex;
     const auto start = SteadyClock::now();
     SteadyClock::time_point stage_start = start, next = start;
     const auto progress = [&](const std::string& stage, double done, const std::string& so_far) {
-      const std::lock_guard lock(words);
+      const std::lock_guard lock(text_mutex);
       if (stage != stage_shown) {
         stage_shown = stage;
         stage_start = next = SteadyClock::now();
@@ -80,17 +80,17 @@ void Session::search_for(const std::string& file, std::shared_ptr<const void> ke
       }
       left.update(seconds_since(stage_start), done);
       if (SteadyClock::now() < next) return;
-      next = SteadyClock::now() + between_words;
+      next = SteadyClock::now() + between_progress_texts;
       Json out = progress_message("search", stage, done, so_far);
       if (const auto seconds = left.at(seconds_since(stage_start)); seconds && done < 1)
         out["left_s"] = *seconds;
-      tell(out);
+      send_message(out);
     };
     try {
       const Target target = read_target(file);
       RunOptions options;
-      options.threads = opened_.threads;
-      options.seed = opened_.seed;
+      options.threads = input_.threads;
+      options.seed = input_.seed;
       options.progress = progress;
       options.stop = stop;
       options.engine = &engine_;
@@ -100,7 +100,7 @@ void Session::search_for(const std::string& file, std::shared_ptr<const void> ke
     } catch (const std::exception& e) {
       enqueue([this, what = failure_message(e)] {
         searching_ = false;
-        tell(error_message(what, 0, "search"));
+        send_message(error_message(what, 0, "search"));
         send_state();
       });
     }
@@ -113,17 +113,17 @@ void Session::found(std::shared_ptr<Run> run) {
   searching_ = false;
   Design design = written_design(*run);
   const bool is_other = design.name != history_.current().name;
-  Finding finding{run,
-                  {{"type", "result"},
-                   {"result", result_json(*run)},
-                   {"summary", summary(*run)},
-                   {"met", verdict_of(*run).met.value_or(false)},
-                   {"stopped", run->stopped}},
-                  design.theta};
+  DesignResult design_result{run,
+                             {{"type", "result"},
+                              {"result", result_json(*run)},
+                              {"summary", summary(*run)},
+                              {"met", verdict_of(*run).met.value_or(false)},
+                              {"stopped", run->stopped}},
+                             design.theta};
   if (is_other)
-    take_other(std::move(design), std::move(finding));
+    replace_design(std::move(design), std::move(design_result));
   else
-    take(std::move(design), std::move(finding));
+    take(std::move(design), std::move(design_result));
   fold_to(run->theta);
   send_state();
   changed_ = true;
@@ -131,12 +131,10 @@ void Session::found(std::shared_ptr<Run> run) {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Returns the rows of an equilibrium path that the page draws.
-Json path_rows(const KnownPath& way, const Equilibria& equilibria) {
+Json path_rows(const KnownEquilibria& path, const Equilibria& equilibria) {
   Json rows = Json::array();
-  for (const model::DrivenState& at : way.states)
+  for (const model::DrivenState& at : path.states)
     rows.push_back({{"theta_rad", at.step.theta},
                     {"force_N", equilibria.force_N(at.step.theta, at.step.load)},
                     {"energy_Nmm", at.step.energy},
@@ -158,41 +156,42 @@ void Session::trace(double theta) {
   if (theta == 0) return show_flat();
   const int client = client_, number = ++traces_;
   const double id = std::exchange(id_, 0);
-  start(tracer_, id, "theta",
-        [this, client, number, id, theta, design = history_.current(), moving = player_.moving(),
-         known = way_, is_settled = stable_of_ == way_](const std::stop_token& stop) {
-          if (stop.stop_requested()) return dropped(client, id);
-          const Equilibria equilibria(design, moving);
-          const auto newest = std::make_shared<NewestShape>();
-          const auto see = [&](const model::DrivenState& at) {
-            const double force = equilibria.force_N(at.step.theta, at.step.load);
-            const std::lock_guard lock(newest->mutex);
-            const bool is_awaited = newest->at.has_value();
-            newest->at.emplace(at, force);
-            if (!is_awaited) enqueue([this, number, newest] { show_newest(number, *newest); });
-          };
-          std::string why;
-          const auto way = equilibria.go(theta, known, stop, see, why);
-          if (stop.stop_requested()) return dropped(client, id);
-          Json rows = path_rows(*way, equilibria);
-          enqueue([this, number, client, id, way, why, rows = std::move(rows)] {
-            note_heard(client, id);
-            changed_ = true;
-            if (number != traces_) return;
-            way_ = way;
-            path_ = rows;
-            send_path();
-            if (!why.empty()) tell(error_message(why, 0, "equilibrium"), client);
-          });
-          if (way == known && is_settled) return;
-          auto states = equilibria.stable(*way, stop);
-          if (stop.stop_requested()) return;
-          enqueue([this, number, way, states = std::move(states)] {
-            if (number != traces_) return;
-            stable_ = states;
-            stable_of_ = way;
-          });
+  start(
+      tracer_, id, "theta",
+      [this, client, number, id, theta, design = history_.current(), moving = player_.moving(),
+       known = known_equilibria_, is_settled = stable_of_ == known_equilibria_](const std::stop_token& stop) {
+        if (stop.stop_requested()) return dropped(client, id);
+        const Equilibria equilibria(design, moving);
+        const auto newest = std::make_shared<NewestShape>();
+        const auto see = [&](const model::DrivenState& at) {
+          const double force = equilibria.force_N(at.step.theta, at.step.load);
+          const std::lock_guard lock(newest->mutex);
+          const bool is_awaited = newest->at.has_value();
+          newest->at.emplace(at, force);
+          if (!is_awaited) enqueue([this, number, newest] { show_newest(number, *newest); });
+        };
+        std::string why;
+        const auto path = equilibria.trace_to(theta, known, stop, see, why);
+        if (stop.stop_requested()) return dropped(client, id);
+        Json rows = path_rows(*path, equilibria);
+        enqueue([this, number, client, id, path, why, rows = std::move(rows)] {
+          note_processed(client, id);
+          changed_ = true;
+          if (number != traces_) return;
+          known_equilibria_ = path;
+          path_ = rows;
+          send_path();
+          if (!why.empty()) send_message(error_message(why, 0, "equilibrium"), client);
         });
+        if (path == known && is_settled) return;
+        auto states = equilibria.stable(*path, stop);
+        if (stop.stop_requested()) return;
+        enqueue([this, number, path, states = std::move(states)] {
+          if (number != traces_) return;
+          stable_ = states;
+          stable_of_ = path;
+        });
+      });
 }
 
 /// Shows the flat state, which needs no search: nothing is strained.
@@ -218,7 +217,7 @@ void Session::show_newest(int number, NewestShape& newest) {
 /// Reports the command as done: newer work replaced it.
 void Session::dropped(int client, double id) {
   enqueue([this, client, id] {
-    note_heard(client, id);
+    note_processed(client, id);
     changed_ = true;
   });
 }
@@ -235,62 +234,57 @@ void Session::snap() {
 
 /// Computes the motion of bodies if it is not known yet, and then its collisions.
 void Session::follow() {
-  if (!player_.moving().bodies || player_.moving().way->meets) return;
+  if (!player_.moving().bodies || player_.moving().motion->meets) return;
   const Design& design = history_.current();
-  const double theta = player_.moving().way->followed ? 0 : asked_theta(design, player_.moving());
+  const double theta = player_.moving().motion->followed ? 0 : requested_theta(design, player_.moving());
   start(follower_, 0, type_,
         [this, revision = revision_, theta, pull = pull_of(design),
          moving = player_.moving()](const std::stop_token& asked) {
           const auto stop = [&] { return asked.stop_requested(); };
-          const auto send_motion = [&](const BodiesMotion& way, double to) {
+          const auto send_motion = [&](const BodiesMotion& path, double to) {
             if (stop()) return;
-            enqueue([this, revision, to, way = std::make_shared<const BodiesMotion>(way)] {
-              if (revision == revision_) take(way, to);
+            enqueue([this, revision, to, path = std::make_shared<const BodiesMotion>(path)] {
+              if (revision == revision_) take(path, to);
             });
           };
-          BodiesMotion way = *moving.way;
-          if (!way.followed) send_motion(way = way_of(moving.linkage, way.hinge, pull, stop), theta);
+          BodiesMotion path = *moving.motion;
+          if (!path.followed) send_motion(path = motion_of(moving.linkage, path.hinge, pull, stop), theta);
           const model::Assembly& assembly = *moving.bodies->structure.assembly();
-          way.meets = {first_meeting(assembly, way, -1, stop), first_meeting(assembly, way, 1, stop)};
-          send_motion(way, 0);
+          path.meets = {first_collision(assembly, path, -1, stop), first_collision(assembly, path, 1, stop)};
+          send_motion(path, 0);
         });
 }
 
-void Session::take(std::shared_ptr<const BodiesMotion> way, double theta) {
-  player_.take(std::move(way));
+void Session::take(std::shared_ptr<const BodiesMotion> motion, double theta) {
+  player_.take(std::move(motion));
   send_design();
   if (theta != 0) fold_to(theta);
   changed_ = true;
 }
 
 /// Cuts bodies into convex pieces for collisions, once and in the background, and then enters the mode.
-void Session::cut_for(Mode mode) {
+void Session::cut_pieces_for(Mode mode) {
   awaited_ = mode;
   const double id = std::exchange(id_, 0);
   start(cutter_, id, type_, [this, client = client_, id, moving = player_.moving()](const std::stop_token&) {
     const model::Assembly& assembly = *moving.bodies->structure.assembly();
-    const BodyPieces pieces = pieces_of(assembly, opened_.threads);
+    const BodyPieces pieces = pieces_of(assembly, input_.threads);
     const auto parts = std::make_shared<const sim::ContactParts>(contact_parts(pieces, assembly));
     std::unique_lock alone(engine_);
     const auto pressing =
         std::make_shared<const model::ConvexBodies>(convex_bodies(pieces, assembly, moving.linkage));
     alone.unlock();
     enqueue([this, client, id, of = moving.bodies, parts, pressing] {
-      const bool is_shown = have_one_shape(of.get(), player_.moving().bodies.get());
+      const bool is_shown = have_same_shape(of.get(), player_.moving().bodies.get());
       if (is_shown) player_.take(parts, pressing);
-      note_heard(client, id);
+      note_processed(client, id);
       changed_ = true;
       if (const auto wanted = std::exchange(awaited_, {}); wanted && is_shown) enter(*wanted);
     });
   });
 }
 
-namespace {
-
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
-}  // namespace
+namespace {}  // namespace
 
 void Session::export_files(const Message& message) {
   if (exporting_) throw InvalidInput("export: one is going on; wait for it");
@@ -312,31 +306,31 @@ void Session::export_files(const Message& message) {
   const std::string folder = (beside / (design.name + "_print")).string();
   const int client = client_;
   const double id = std::exchange(id_, 0);
-  exporter_.start([this, client, id, theta = asked_theta(design, player_.moving()),
+  exporter_.start([this, client, id, theta = requested_theta(design, player_.moving()),
                    design = std::move(design), request, folder, at_fold,
                    revision = revision_](const std::stop_token&) {
     const auto progress = [this](const std::string& stage, double done, const std::string& so_far) {
       const Json out = progress_message("export", stage, done, so_far);
-      enqueue([this, out] { tell(out); });
+      enqueue([this, out] { send_message(out); });
     };
     try {
       const Exported out = export_design(design, request, folder, progress);
       enqueue([this, client, id, out, at_fold, revision, theta] {
         exporting_ = false;
-        note_heard(client, id);
+        note_processed(client, id);
         changed_ = true;
-        tell({{"type", "exported"},
-              {"folder", out.folder},
-              {"files", out.files},
-              {"summary", out.text},
-              {"revision", revision},
-              {"theta_rad", theta},
-              {"at_fold", at_fold}});
+        send_message({{"type", "exported"},
+                      {"folder", out.folder},
+                      {"files", out.files},
+                      {"summary", out.text},
+                      {"revision", revision},
+                      {"theta_rad", theta},
+                      {"at_fold", at_fold}});
       });
     } catch (const std::exception& e) {
       enqueue([this, client, id, what = failure_message(e)] {
         exporting_ = false;
-        tell(error_message(what, id, "export"), client);
+        send_message(error_message(what, id, "export"), client);
       });
     }
   });

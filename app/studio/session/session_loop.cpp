@@ -17,29 +17,29 @@ constexpr std::chrono::milliseconds between_shows{30};  // while commands wait: 
 
 void SessionLoop::post(int client, std::string text) {
   enqueue(client, [this, client, text = std::move(text)] {
-    obey(client, text);
+    execute(client, text);
     outlet_.took(client, text.size());
   });
 }
 
-void SessionLoop::greet(int client) {
+void SessionLoop::add_client(int client) {
   enqueue(client, [this, client] {
-    heard_[client] = 0;
+    processed_[client] = 0;
     welcome(client);
     changed_ = true;
   });
 }
 
-void SessionLoop::dismiss(int client) {
+void SessionLoop::remove_client(int client) {
   enqueue(client, [this, client] {
-    heard_.erase(client);
+    processed_.erase(client);
     forget(client);
   });
 }
 
-void SessionLoop::note_heard(int client, double id) {
-  const auto page = heard_.find(client);
-  if (page != heard_.end()) page->second = std::max(page->second, id);
+void SessionLoop::note_processed(int client, double id) {
+  const auto page = processed_.find(client);
+  if (page != processed_.end()) page->second = std::max(page->second, id);
 }
 
 void SessionLoop::enqueue(int client, Task work) {
@@ -76,7 +76,7 @@ std::deque<SessionLoop::Task> SessionLoop::next_tasks() {
   for (auto& [client, queue] : queues_) do {
       tasks.push_back(std::move(queue.front()));
       queue.pop_front();
-    } while (client == everybody && !queue.empty());
+    } while (client == all_clients && !queue.empty());
   std::erase_if(queues_, [](const auto& queue) { return queue.second.empty(); });
   return tasks;
 }
@@ -90,7 +90,7 @@ void SessionLoop::do_queued() {
   } while (SteadyClock::now() < end);
 }
 
-void SessionLoop::obey(int client, const std::string& text) {
+void SessionLoop::execute(int client, const std::string& text) {
   client_ = client;
   id_ = 0;
   type_.clear();
@@ -99,13 +99,13 @@ void SessionLoop::obey(int client, const std::string& text) {
     const Message message(text);
     id = id_ = message.id();
     type_ = message.type();
-    obey(message);
-    note_heard(client, id_);
+    execute(message);
+    note_processed(client, id_);
     changed_ = true;
   } catch (const std::exception& e) {
-    attempt([&] { tell(error_message(failure_message(e), id, type_), client); });
+    attempt([&] { send_message(error_message(failure_message(e), id, type_), client); });
   }
-  client_ = everybody;
+  client_ = all_clients;
 }
 
 void SessionLoop::play_on() {
@@ -117,7 +117,7 @@ void SessionLoop::play_on() {
 
 void SessionLoop::show() {
   auto shown = std::make_shared<Frame>(frame());
-  shown->heard = heard_;
+  shown->processed = processed_;
   outlet_.show(std::move(shown));
   changed_ = false;
 }
@@ -129,7 +129,7 @@ bool SessionLoop::attempt(const Task& work) const {
     return true;
   } catch (const std::exception& e) {
     try {
-      tell(error_message(failure_message(e), 0, ""));
+      send_message(error_message(failure_message(e), 0, ""));
     } catch (const std::exception&) {
       // Even the error report failed, for lack of memory.
     }
@@ -143,7 +143,7 @@ Text SessionLoop::text_of(const nlohmann::ordered_json& message) {
               message.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace))};
 }
 
-void SessionLoop::tell(const nlohmann::ordered_json& message, int client) const {
+void SessionLoop::send_message(const nlohmann::ordered_json& message, int client) const {
   send_text(text_of(message), client);
 }
 

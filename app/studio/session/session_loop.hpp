@@ -99,11 +99,11 @@ class Job {
   std::thread thread_;
 };
 
-inline constexpr int everybody = -1;  ///< in place of a client's number: all clients
+inline constexpr int all_clients = -1;  ///< in place of a client's number: all clients
 
 /// Connection from a session to its pages. Calls come from several threads.
 struct MessageSink {
-  std::function<void(int client, Text text)> tell;
+  std::function<void(int client, Text text)> send_message;
   std::function<void(std::shared_ptr<const Frame> frame)> show;
   /// Reports that a command of this size no longer waits.
   std::function<void(int client, std::size_t bytes)> took = [](int, std::size_t) {};
@@ -123,51 +123,52 @@ class SessionLoop {
   /// Queues a command of a page; from any thread.
   void post(int client, std::string text);
   /// Adds a page and sends it everything; from any thread.
-  void greet(int client);
+  void add_client(int client);
   /// Removes a page; from any thread. The engine rests while there is none.
-  void dismiss(int client);
+  void remove_client(int client);
   /// Runs until a stop is requested.
   void run(const std::stop_token& stop);
 
  protected:
   using Task = std::function<void()>;
 
-  void enqueue(Task work) { enqueue(everybody, std::move(work)); }
+  void enqueue(Task work) { enqueue(all_clients, std::move(work)); }
   /// Sends a message to a client, or to everybody; from any thread.
-  void tell(const nlohmann::ordered_json& message, int client = everybody) const;
-  void send_text(Text text, int client = everybody) const { outlet_.tell(client, std::move(text)); }
+  void send_message(const nlohmann::ordered_json& message, int client = all_clients) const;
+  void send_text(Text text, int client = all_clients) const { outlet_.send_message(client, std::move(text)); }
   /// Returns the message as text that can be sent repeatedly.
   static Text text_of(const nlohmann::ordered_json& message);
-  void note_heard(int client, double id);
+  void note_processed(int client, double id);
 
-  int client_ = everybody;  ///< sender of the present command
-  double id_ = 0;           ///< of that command; 0 if the answer comes later
-  std::string type_;        ///< of that command
-  bool changed_ = true;     ///< a new frame must be shown
+  int client_ = all_clients;  ///< sender of the present command
+  double id_ = 0;             ///< of that command; 0 if the answer comes later
+  std::string type_;          ///< of that command
+  bool changed_ = true;       ///< a new frame must be shown
 
  private:
-  virtual void welcome(int client) = 0;           ///< sends everything to a new page
-  virtual void forget(int client) = 0;            ///< removes the data of a page that left
-  virtual void obey(const Message& message) = 0;  ///< @throws InvalidInput for a refused command
-  virtual bool moves() const = 0;                 ///< whether the engine has work to do
-  virtual bool play() = 0;                        ///< advances the engine; returns whether it did
-  virtual void halt() = 0;                        ///< stops the engine after a failure
-  virtual Frame frame() const = 0;                ///< without `heard`
+  virtual void welcome(int client) = 0;              ///< sends everything to a new page
+  virtual void forget(int client) = 0;               ///< removes the data of a page that left
+  virtual void execute(const Message& message) = 0;  ///< @throws InvalidInput for a refused command
+  virtual bool moves() const = 0;                    ///< whether the engine has work to do
+  virtual bool play() = 0;                           ///< advances the engine; returns whether it did
+  virtual void halt() = 0;                           ///< stops the engine after a failure
+  virtual Frame frame() const = 0;                   ///< without `heard`
   virtual void stop_jobs() = 0;
 
-  bool plays() const { return !heard_.empty() && moves(); }  ///< false without pages
+  bool plays() const { return !processed_.empty() && moves(); }  ///< false without pages
   void enqueue(int client, Task work);
   void wait_for_work(const std::stop_token& stop);
   std::deque<Task> next_tasks();
   void do_queued();
-  void obey(int client, const std::string& text);
+  void execute(int client, const std::string& text);
   void play_on();
   void show();
   bool attempt(const Task& work) const;
 
   const MessageSink outlet_;
-  std::map<int, double> heard_;  ///< per connected client: largest id of its commands whose effect is visible
-  std::mutex mutex_;             ///< guards the queues
+  std::map<int, double>
+      processed_;     ///< per connected client: largest id of its commands whose effect is visible
+  std::mutex mutex_;  ///< guards the queues
   std::condition_variable_any arrived_;
   std::map<int, std::deque<Task>>
       queues_;  ///< per client; results of long work under everybody. None is empty.

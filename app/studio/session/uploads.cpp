@@ -32,14 +32,14 @@ void Parts::add(const std::string& name, std::int64_t at, const std::string& con
         fmt::format("at: {} of the {} bytes of {} that came; send it again from 0", at, came, name));
   auto all = static_cast<std::int64_t>(content.size());
   for (const auto& [other, text] : files_) all += static_cast<std::int64_t>(text.size());
-  if (all > most_part_bytes)
+  if (all > max_part_bytes)
     refuse(
         fmt::format("content: files of a search may have {} MiB in all; name larger ones in a target file "
                     "and start the studio with that",
-                    most_part_bytes >> 20));
-  if (here == files_.end() && files_.size() >= most_part_files)
+                    max_part_bytes >> 20));
+  if (here == files_.end() && files_.size() >= max_part_files)
     refuse(fmt::format("name: a search takes at most {} files; send those alone that its target names",
-                       most_part_files));
+                       max_part_files));
   files_[name] += content;
 }
 

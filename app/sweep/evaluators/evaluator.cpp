@@ -52,7 +52,7 @@ void SearchEvaluator::evaluate(SampleRow& row) {
   seen.state = &state->poses;
   seen.is_closed_form = state->model == to_string(Model::exact);
   for (std::size_t k = 0; k < plan_.responses.size(); ++k) row.responses[k] = plan_.responses[k].of(seen);
-  take_verdict(verdict_of(run), row);
+  copy_verdict(verdict_of(run), row);
 }
 
 /// Runs a design forwards by the sweep's model, as `simulate` does, without writing files. Convex pieces of
@@ -168,7 +168,7 @@ void DesignEvaluator::compute_by_run(const Design& design, SampleRow& row) {
   seen_.theta = run_.states.front().theta;
   seen_.state = &run_.states.front().poses;
   if (run_.equilibrium) seen_.equilibrium = &*run_.equilibrium;
-  take_verdict(verdict_of(run_), row);
+  copy_verdict(verdict_of(run_), row);
 }
 
 void DesignEvaluator::compute_near_base(const Design& design, SampleRow& row) {
@@ -189,7 +189,7 @@ void DesignEvaluator::see_equilibrium(const Design& design, model::EquilibriumPa
   seen_.equilibrium = &*equilibrium_;
   RunVerdict verdict;
   verdict.set(&RunVerdict::reaches, drive_reasons(*equilibrium_, seen_.theta), "elastic");
-  take_verdict(verdict, row);
+  copy_verdict(verdict, row);
 }
 
 void DesignEvaluator::see_physics(SampleRow& row) {
@@ -198,7 +198,7 @@ void DesignEvaluator::see_physics(SampleRow& row) {
   seen_.state = &v.physics.state;
   seen_.physics = &v.physics;
   seen_.from_model = v.distance;
-  take_verdict(verdict_of(run_), row);
+  copy_verdict(verdict_of(run_), row);
 }
 
 void fail(SampleRow& row, const SweepPlan& plan, const std::string& why) {
@@ -228,7 +228,7 @@ std::unique_ptr<Evaluator> make_evaluator(const SweepPlan& plan) {
   return std::make_unique<DesignEvaluator>(plan);
 }
 
-void take_verdict(const RunVerdict& verdict, SampleRow& row) {
+void copy_verdict(const RunVerdict& verdict, SampleRow& row) {
   const ExitCode code = exit_code(verdict);
   row.status = code == target_missed       ? SampleStatus::missed
                : code == physics_disagrees ? SampleStatus::disagrees

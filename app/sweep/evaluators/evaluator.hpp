@@ -42,7 +42,7 @@ std::unique_ptr<Evaluator> make_evaluator(const SweepPlan& plan);
 using EvaluatorMaker = std::function<std::unique_ptr<Evaluator>(const SweepPlan&)>;
 
 /// Sets the row's status and, unless it is ok, its reason.
-void take_verdict(const RunVerdict& verdict, SampleRow& row);
+void copy_verdict(const RunVerdict& verdict, SampleRow& row);
 
 /// Computes sample number `sample` of the plan. The text of an exception becomes the row's reason.
 SampleRow run_sample(const SweepPlan& plan, Evaluator& evaluator, std::int64_t sample) noexcept;

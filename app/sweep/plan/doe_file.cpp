@@ -15,7 +15,7 @@ namespace value = targets::value;
 using targets::needed;
 using targets::otherwise;
 
-constexpr int most_levels = 1'000'000;  // per factor; their product has a separate limit
+constexpr int max_levels = 1'000'000;  // per factor; their product has a separate limit
 // Values of the key `model`.
 constexpr targets::Word<Model> models[] = {
     {"exact", Model::exact}, {"equilibrium", Model::equilibrium}, {"bullet", Model::bullet}};
@@ -35,11 +35,11 @@ const targets::KeyTable& method_keys() {
   static const optim::SamplingOptions usual{};
   static const targets::KeyTable keys({
       {"kind", value::choice(methods), needed, "how samples are laid out ([methods](#methods-of-a-sweep))"},
-      {"samples", value::integer(1, static_cast<int>(most_samples)),
+      {"samples", value::integer(1, static_cast<int>(max_samples)),
        targets::by_default(static_cast<double>(usual.samples)),
        "how many; of `saltelli` the base N of N (d + 2) rows for d factors, of `morris` the number of "
        "trajectories; `factorial` and `one_at_a_time` do not use it"},
-      {"levels", value::integer(2, most_levels),
+      {"levels", value::integer(2, max_levels),
        targets::by_default(static_cast<double>(optim::Factor{}.levels)),
        "levels of a grid, of factors that give none of their own"},
       {"seed", value::integer(0, std::numeric_limits<int>::max()), targets::by_default(0.0),
@@ -80,7 +80,7 @@ const targets::KeyTable& factor_keys() {
           {"name", value::text("heading"), otherwise("the first path"),
            "heading of the factor's column; not with `each`"},
           {"range", value::range({}), {}, "evenly spread values between two ends"},
-          {"levels", value::integer(2, most_levels), otherwise("`method.levels`"),
+          {"levels", value::integer(2, max_levels), otherwise("`method.levels`"),
            "levels of a grid; not with `values`"},
           {"normal", normal_keys(), "normally distributed values"},
           {"values", value::list(value::number(), "a list of numbers"), {}, "these values and no others"},
@@ -114,7 +114,7 @@ bool read_start(const targets::Section& root, Model model) {
 }
 
 std::uint64_t read_count(const targets::Node& node) {
-  const double count = node.number(targets::from_to(1, static_cast<double>(most_samples), "samples"));
+  const double count = node.number(targets::from_to(1, static_cast<double>(max_samples), "samples"));
   if (count != std::floor(count)) throw node.error("is not a whole number of samples");
   return static_cast<std::uint64_t>(count);
 }
@@ -168,7 +168,7 @@ optim::Factor read_values(const targets::Section& factor) {
         "needs exactly one of `range: [lower, upper]`, `normal: {mean: m, sd: s}` and `values: [...]`");
   if (const auto levels = factor.optional("levels")) {
     if (list) throw levels->error("a list of values has as many levels as values; leave this out");
-    values.levels = levels->integer(2, most_levels);
+    values.levels = levels->integer(2, max_levels);
   }
   if (list)
     values.distribution = optim::ValueList{read_list(*list)};

@@ -56,7 +56,7 @@ struct DoeFile {
 };
 
 /// Rows of a table: ten levels of seven factors. The limit rejects a mistyped grid before it is laid out.
-inline constexpr std::int64_t most_samples = 10'000'000;
+inline constexpr std::int64_t max_samples = 10'000'000;
 
 /// Returns every key of a doe.yaml.
 const targets::KeyTable& doe_keys();

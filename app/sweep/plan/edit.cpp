@@ -68,7 +68,7 @@ std::set<std::string> patterns(const SweepBase& base, const targets::DocumentEdi
 void add_numbers(const targets::ValueType& type, const std::string& path, std::vector<std::string>& paths) {
   if (type.is_numeric()) paths.push_back(path);
   if (type.kind == targets::ValueType::Kind::either)
-    for (const targets::ValueType& way : type.parts) add_numbers(way, path, paths);
+    for (const targets::ValueType& alternative : type.parts) add_numbers(alternative, path, paths);
   if (type.kind != targets::ValueType::Kind::map) return;
   for (const targets::Key& key : type.keys->keys())
     if (key.fallback.kind != targets::Default::Kind::needed || !key.type.is_numeric())
@@ -84,8 +84,8 @@ std::vector<std::string> optional_keys(const SweepBase& base) {
   return paths;
 }
 
-std::string no_such_path(const SweepBase& base, const targets::DocumentEditor& editor,
-                         const targets::DocumentPath& path) {
+std::string describe_unknown_path(const SweepBase& base, const targets::DocumentEditor& editor,
+                                  const targets::DocumentPath& path) {
   const std::string asked = pattern(path);
   for (const targets::RemovedKey& key : physics_keys().removed())
     if (asked == "physics." + key.name) return fmt::format("`{}` {}", asked, key.answer);
@@ -174,7 +174,7 @@ std::vector<Match> lines(const model::Structure& structure, const targets::Docum
     for (const int k : hinges_on_line(structure, axis, line)) {
       const model::Wall& wall = structure.hinges[k].wall;
       const bool by_class = kind == Kind::t || kind == Kind::t_mm || kind == Kind::offset_mm;
-      match.edits.push_back({kind, k, by_class ? starts_in_class_b(wall) : alternation(wall) < 0});
+      match.edits.push_back({kind, k, by_class ? starts_in_sublattice_b(wall) : alternation(wall) < 0});
     }
     if (!match.edits.empty()) matches.push_back(std::move(match));
   };
@@ -239,7 +239,7 @@ std::vector<Match> find_matches(const SweepBase& base, targets::DocumentEditor& 
   if (!matches.empty()) return matches;
   const auto items = is_optional_key(base, path) ? editor.find_or_add(path) : editor.find(path);
   for (const int item : items) matches.push_back({editor.path(item), {{Kind::document, item}}});
-  if (matches.empty()) throw InvalidInput(no_such_path(base, editor, path));
+  if (matches.empty()) throw InvalidInput(describe_unknown_path(base, editor, path));
   return matches;
 }
 

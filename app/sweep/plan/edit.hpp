@@ -29,8 +29,8 @@ std::vector<std::string> optional_keys(const SweepBase& base);
 
 /// Returns a message such as "the base has no number at `design.tetha_deg`; the nearest is
 /// `design.theta_deg`".
-std::string no_such_path(const SweepBase& base, const targets::DocumentEditor& editor,
-                         const targets::DocumentPath& path);
+std::string describe_unknown_path(const SweepBase& base, const targets::DocumentEditor& editor,
+                                  const targets::DocumentPath& path);
 
 /// A number of the base that a factor writes.
 struct Edit {

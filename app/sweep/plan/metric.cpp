@@ -247,7 +247,7 @@ std::vector<std::string> search_names() {
 }
 
 /// Lists the kinds of goals that measure any state by a number of this name.
-std::vector<std::string_view> kinds_that_measure(std::string_view name) {
+std::vector<std::string_view> kinds_with_metric(std::string_view name) {
   std::vector<std::string_view> kinds;
   for (const GoalKind* kind : goal_kinds())
     for (const GoalMeasure& measure : kind->measures)
@@ -322,7 +322,7 @@ Metric find_metric(const std::string& name, const MetricContext& context) {
     if (metric.name == name) return metric;
   const auto names = metric_names(context);
   const std::vector<std::string_view> views(names.begin(), names.end());
-  const auto kinds = kinds_that_measure(name);
+  const auto kinds = kinds_with_metric(name);
   if (!context.goal && !context.searches && !kinds.empty())
     throw InvalidInput(fmt::format("{} needs `goal: FILE.yaml`, the {} target to measure against",
                                    targets::in_ticks(name), fmt::join(kinds, " or ")));

@@ -162,9 +162,9 @@ optim::SamplePlan make_samples(const DoeFile& doe, const Columns& columns, std::
   if (options.method == optim::SamplingMethod::one_factor) options.base = base_of(columns);
   optim::SamplePlan samples =
       doe.method.node.located([&] { return optim::SamplePlan(columns.factors, options); });
-  if (samples.size() > static_cast<std::uint64_t>(most_samples))
+  if (samples.size() > static_cast<std::uint64_t>(max_samples))
     throw doe.method.node.error(fmt::format("{:.3g} samples are too many; at most {}",
-                                            static_cast<double>(samples.size()), most_samples));
+                                            static_cast<double>(samples.size()), max_samples));
   return samples;
 }
 

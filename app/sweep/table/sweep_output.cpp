@@ -65,10 +65,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Method = optim::SamplingMethod;
 
-constexpr std::int64_t most_scatter = 2000;  // points: more would only overlap in the report
-constexpr std::size_t histogram_bars = 24;   // equal parts of a response's range: the page shows no more
-constexpr std::size_t most_failures = 100;   // listed one by one: more would hide their common causes
-constexpr std::int64_t most_numbers = 40'000'000;  // factors and responses in memory at once: 320 MB
+constexpr std::int64_t max_scatter = 2000;        // points: more would only overlap in the report
+constexpr std::size_t histogram_bars = 24;        // equal parts of a response's range: the page shows no more
+constexpr std::size_t max_failures = 100;         // listed one by one: more would hide their common causes
+constexpr std::int64_t max_numbers = 40'000'000;  // factors and responses in memory at once: 320 MB
 
 /// Factors that differ only in a number of their path.
 struct Family {
@@ -294,11 +294,11 @@ Json response_json(const SweepPlan& plan, const Numbers& numbers, std::size_t r)
   return out;
 }
 
-/// Returns all samples, or `most_scatter` of them chosen at random, ascending. Every k-th sample of a grid
+/// Returns all samples, or `max_scatter` of them chosen at random, ascending. Every k-th sample of a grid
 /// would show only a few levels of the factors that vary fastest.
 std::vector<std::int64_t> shown_samples(std::int64_t samples) {
   const optim::RandomOrder order(static_cast<std::uint64_t>(samples), 0);
-  std::vector<std::int64_t> shown(static_cast<std::size_t>(std::min(samples, most_scatter)));
+  std::vector<std::int64_t> shown(static_cast<std::size_t>(std::min(samples, max_scatter)));
   for (std::size_t k = 0; k < shown.size(); ++k) shown[k] = static_cast<std::int64_t>(order(k));
   std::sort(shown.begin(), shown.end());
   return shown;
@@ -321,7 +321,7 @@ void add_counts(Json& out, const SweepTable& table) {
   std::array<std::int64_t, 4> counts{};
   table.read([&](const SampleRow& row) {
     ++counts[static_cast<std::size_t>(row.status)];
-    if (row.status == SampleStatus::ok || failures.size() >= most_failures) return;
+    if (row.status == SampleStatus::ok || failures.size() >= max_failures) return;
     failures.push_back({{"sample", row.sample},
                         {"status", to_string(row.status)},
                         {"factors", row.factors},
@@ -354,7 +354,7 @@ Json sweep_json(const SweepPlan& plan, const SweepIdentity& identity, const Swee
   add_counts(out, table);
   out["responses"] = Json::array();
   const auto columns = static_cast<std::int64_t>(factors.size() + plan.responses.size());
-  if (plan.size() * columns > most_numbers) {
+  if (plan.size() * columns > max_numbers) {
     out["not_analysed"] =
         "the table is too large to be analysed in memory; samples.csv and sweep.sqlite hold it all";
     return out;

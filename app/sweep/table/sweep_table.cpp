@@ -27,8 +27,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t most_shares = 100000;  // tasks of the largest job arrays
-constexpr std::size_t rows_at_once = 10000;   // per transaction: a few MB
+constexpr std::int64_t max_shares = 100000;  // tasks of the largest job arrays
+constexpr std::size_t rows_at_once = 10000;  // per transaction: a few MB
 
 /// Reads a text that is a whole number and nothing else.
 std::optional<std::int64_t> whole(std::string_view text) {
@@ -53,9 +53,9 @@ Share read_share(const std::string& text) {
   const std::size_t slash = std::min(text.find('/'), text.size());
   const auto number = whole(std::string_view(text).substr(0, slash));
   const auto count = whole(std::string_view(text).substr(std::min(slash + 1, text.size())));
-  if (!number || !count || *count < 1 || *count > most_shares || *number < 1 || *number > *count)
+  if (!number || !count || *count < 1 || *count > max_shares || *number < 1 || *number > *count)
     throw InvalidInput(
-        fmt::format("--share: '{}' is not K/N with K from 1 to N, N at most {}", text, most_shares));
+        fmt::format("--share: '{}' is not K/N with K from 1 to N, N at most {}", text, max_shares));
   return {*number - 1, *count};
 }
 
@@ -70,8 +70,8 @@ std::vector<ShareTable> shares_in(const std::string& folder, const SweepPlan& pl
   return shares;
 }
 
-void take_over(const std::string& share, SweepTable& table, const SweepPlan& plan,
-               const SweepIdentity& identity) {
+void merge_share(const std::string& share, SweepTable& table, const SweepPlan& plan,
+                 const SweepIdentity& identity) {
   std::vector<SampleRow> rows;
   const auto store = [&] {
     if (!rows.empty()) table.add(rows);
@@ -85,8 +85,6 @@ void take_over(const std::string& share, SweepTable& table, const SweepPlan& pla
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 // Bytes, 1 GiB, of a file that a sweep names: more than any reader accepts, meshes (256 MiB) included.
 constexpr std::size_t max_file_bytes = std::size_t{1} << 30;
@@ -275,7 +273,7 @@ SweepTable::SweepTable(const std::string& folder, const SweepPlan& plan, const S
     sqlite3_db_config(database_, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
     run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
     const bool is_there = Statement(database_, "SELECT 1 FROM sqlite_master WHERE name = 'meta'").step();
-    if (is_there) check_made("meta", meta_sql);
+    if (is_there) check_definition("meta", meta_sql);
     if (is_there) check(identity);
     if (is_there) check_samples(plan);
     if (is_there) find_done(plan);
@@ -329,7 +327,7 @@ void SweepTable::create(const SweepPlan& plan, const SweepIdentity& identity) {
   done_.assign(static_cast<std::size_t>(plan.size()), false);
 }
 
-void SweepTable::check_made(const std::string& table, const std::string& sql) const {
+void SweepTable::check_definition(const std::string& table, const std::string& sql) const {
   Statement made(database_, "SELECT sql FROM sqlite_master WHERE name = ?");
   made.bind(1, table);
   if (!made.step() || made.text(0) != sql || made.step())
@@ -354,7 +352,7 @@ void SweepTable::check_samples(const SweepPlan& plan) const {
         "was written by an earlier version, without a checksum per row, and damage to it cannot be seen; "
         "compute the sweep into another -o",
         {file_});
-  check_made("samples", samples_sql(plan));
+  check_definition("samples", samples_sql(plan));
 }
 
 void SweepTable::find_done(const SweepPlan& plan) {

@@ -64,7 +64,7 @@ class SweepTable {
   struct Lock;
 
   void create(const SweepPlan& plan, const SweepIdentity& identity);
-  void check_made(const std::string& table, const std::string& sql) const;
+  void check_definition(const std::string& table, const std::string& sql) const;
   void check(const SweepIdentity& identity) const;
   void check_samples(const SweepPlan& plan) const;
   void find_done(const SweepPlan& plan);
@@ -110,7 +110,7 @@ std::vector<ShareTable> shares_in(const std::string& folder, const SweepPlan& pl
 
 /// Copies to the table of a sweep the rows of a share that it lacks.
 /// @throws InvalidInput if the share is still being computed, or belongs to another sweep
-void take_over(const std::string& share, SweepTable& table, const SweepPlan& plan,
-               const SweepIdentity& identity);
+void merge_share(const std::string& share, SweepTable& table, const SweepPlan& plan,
+                 const SweepIdentity& identity);
 
 }  // namespace kinetix::app

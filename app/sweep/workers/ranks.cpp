@@ -19,7 +19,7 @@ namespace {
 constexpr int request_tag = 1, answer_tag = 2;  // tags of MPI messages; any two different numbers
 // Time between two polls for a request. It is short against chunks of a tenth of a second (thread_pool.cpp),
 // and long enough to leave the core to the work.
-constexpr std::chrono::microseconds between_looks{200};
+constexpr std::chrono::microseconds poll_interval{200};
 
 /// Returns whether the environment has a variable that launchers of the common implementations set.
 bool is_launched() {
@@ -51,7 +51,7 @@ std::string exchange(const std::string& request) {
 /// Returns the next request of any rank. Waits without keeping a core busy.
 std::string next_request(int& from) {
   MPI_Status status;
-  for (int there = 0;; std::this_thread::sleep_for(between_looks)) {
+  for (int there = 0;; std::this_thread::sleep_for(poll_interval)) {
     MPI_Iprobe(MPI_ANY_SOURCE, request_tag, MPI_COMM_WORLD, &there, &status);
     if (there) break;
   }

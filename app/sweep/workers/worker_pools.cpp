@@ -117,19 +117,19 @@ namespace {
 
 void put_row(std::string& bytes, const SampleRow& row) {
   put(bytes, row.sample);
-  put_all(bytes, row.factors.data(), row.factors.size());
-  put_all(bytes, row.responses.data(), row.responses.size());
+  append_all(bytes, row.factors.data(), row.factors.size());
+  append_all(bytes, row.responses.data(), row.responses.size());
   put(bytes, row.status);
-  put_all(bytes, row.reason.data(), row.reason.size());
+  append_all(bytes, row.reason.data(), row.reason.size());
 }
 
 SampleRow get_row(ByteReader& reader) {
   SampleRow row;
   row.sample = reader.get<std::int64_t>();
-  row.factors = reader.get_all<std::vector<double>>();
-  row.responses = reader.get_all<std::vector<double>>();
+  row.factors = reader.extract_all<std::vector<double>>();
+  row.responses = reader.extract_all<std::vector<double>>();
   row.status = reader.get<SampleStatus>();
-  row.reason = reader.get_all<std::string>();
+  row.reason = reader.extract_all<std::string>();
   return row;
 }
 
@@ -138,7 +138,7 @@ SampleRow get_row(ByteReader& reader) {
 std::string to_bytes(const WorkRequest& request) {
   std::string bytes;
   put(bytes, request.wanted);
-  put_all(bytes, request.farewell.data(), request.farewell.size());
+  append_all(bytes, request.farewell.data(), request.farewell.size());
   put(bytes, request.rows.size());
   for (const SampleRow& row : request.rows) put_row(bytes, row);
   return bytes;
@@ -146,7 +146,7 @@ std::string to_bytes(const WorkRequest& request) {
 
 std::string to_bytes(const std::vector<std::int64_t>& samples) {
   std::string bytes;
-  put_all(bytes, samples.data(), samples.size());
+  append_all(bytes, samples.data(), samples.size());
   return bytes;
 }
 
@@ -154,19 +154,19 @@ WorkRequest read_request(std::string_view bytes) {
   ByteReader reader(bytes);
   WorkRequest request;
   request.wanted = reader.get<std::size_t>();
-  request.farewell = reader.get_all<std::string>();
+  request.farewell = reader.extract_all<std::string>();
   request.rows.resize(reader.get<std::size_t>());
   for (SampleRow& row : request.rows) row = get_row(reader);
   return request;
 }
 
 std::vector<std::int64_t> read_samples(std::string_view bytes) {
-  return ByteReader(bytes).get_all<std::vector<std::int64_t>>();
+  return ByteReader(bytes).extract_all<std::vector<std::int64_t>>();
 }
 
 void work_for(const SweepPlan& plan, int threads,
               const std::function<std::string(const std::string&)>& exchange,
-              const std::function<void(const std::string&)>& tell) {
+              const std::function<void(const std::string&)>& send_to_root) {
   std::vector<SampleRow> rows;
   WorkRequest farewell;
   const WorkSource source = {
@@ -185,7 +185,7 @@ void work_for(const SweepPlan& plan, int threads,
     farewell.farewell = e.what();
   }
   farewell.rows = std::move(rows);
-  tell(to_bytes(farewell));
+  send_to_root(to_bytes(farewell));
 }
 
 namespace {
@@ -317,7 +317,7 @@ class ProcessPool {
   void run(int processes) {
     for (int k = 0; k < processes; ++k)
       if (!start_next(nullptr)) break;
-    while (!pool_.empty()) hear(wait());
+    while (!pool_.empty()) receive_next(wait());
   }
 
  private:
@@ -339,7 +339,7 @@ class ProcessPool {
     return 0;
   }
 
-  void hear(std::size_t k) {
+  void receive_next(std::size_t k) {
     const auto message = receive_message(pool_[k]->socket());
     const bool lives = message.has_value();
     if (lives) {

@@ -69,7 +69,7 @@ std::vector<std::int64_t> read_samples(std::string_view bytes);
 /// @param tell sends a request without an answer
 void work_for(const SweepPlan& plan, int threads,
               const std::function<std::string(const std::string&)>& exchange,
-              const std::function<void(const std::string&)>& tell);
+              const std::function<void(const std::string&)>& send_to_root);
 
 /// Runs all samples in separate processes, one at a time in each, for models that keep global state. If a
 /// process dies, its sample fails and another process replaces it.

@@ -16,7 +16,7 @@ constexpr double passing_margin = 0.5;  // cell edges: a point further away may 
 // Cell edges: rounding difference of a point's position between two ways to compute it.
 constexpr double summed_otherwise = 1e-9;
 // Rad: a smaller turn has no defined axis.
-constexpr double least_turn = 1e-6;
+constexpr double min_turn = 1e-6;
 // Fraction of half the thickness. Shallower contact between two states may only seem so, since the actual
 // motion differs from the screw.
 constexpr double unseen = 0.05;
@@ -141,15 +141,15 @@ void ContactSearch::add_if_inside(Contact contact) {
   const Vector3d y = in_box(contact);
   if (!is_within(y, contact.other, 0)) return;
   const double to_end = all_.plates[contact.other].to_end(y[0], y[2]),
-               to_rim = all_.half_height - std::abs(y[2]);
+               to_edge = all_.half_height - std::abs(y[2]);
   contact.face = y[1] > 0 ? Face::side_plus : Face::side_minus;
   contact.depth = all_.half_thickness - std::abs(y[1]);
   if (to_end < contact.depth) {
     contact.depth = to_end;
     contact.face = Face::wall_tip_end;
   }
-  if (!all_.planar && to_rim < contact.depth) {
-    contact.depth = to_rim;
+  if (!all_.planar && to_edge < contact.depth) {
+    contact.depth = to_edge;
     contact.face = y[2] > 0 ? Face::top : Face::bottom;
   }
   if (contact.depth > 0) found_.push_back(contact);
@@ -202,7 +202,7 @@ bool ContactSearch::is_over(const Vector3d& y, int other) const {
          y[0] < all_.plates[other].length_at(std::copysign(all_.half_height, y[2]));
 }
 
-bool ContactSearch::is_past_rim(const Vector3d& y, int other) const {
+bool ContactSearch::is_past_edge(const Vector3d& y, int other) const {
   const double to_side = all_.half_thickness - std::abs(y[1]);
   return is_within(y, other, 0) && to_side > deep * all_.half_thickness &&
          to_side < all_.half_height - std::abs(y[2]);
@@ -281,7 +281,7 @@ bool ContactSearch::sweeps_through(const PlatePair& pair, const Box& before, con
   const Vector3d shift = middle(after) - middle(before), axis = turn.axis();
   const double along = shift.dot(axis);
   // Vector from the middle to the screw axis. A turn by this angle about it moves the middle by `across`.
-  const bool is_screw = std::abs(turn.angle()) > least_turn;
+  const bool is_screw = std::abs(turn.angle()) > min_turn;
   const Vector3d across = shift - along * axis;
   const Vector3d to_axis =
       is_screw ? Vector3d((across + axis.cross(across) / std::tan(turn.angle() / 2)) / 2) : Vector3d::Zero();
@@ -318,7 +318,7 @@ bool ContactSearch::went_through(const PlatePair& pair, const Box& before, const
     const Vector3d from = point_of(before, pair.plate, point), to = point_of(after, pair.plate, point);
     if (!is_within(from, pair.other, passing_margin)) continue;
     if (side_of(from, pair.other) * side_of(to, pair.other) < 0) return true;
-    if (!all_.planar && is_over(from, pair.other) && is_past_rim(to, pair.other)) return true;
+    if (!all_.planar && is_over(from, pair.other) && is_past_edge(to, pair.other)) return true;
   }
   return false;
 }
@@ -358,7 +358,6 @@ bool ContactSearch::sweep_through(const State& before, const State& after) {
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::Vector3d;
 
 }  // namespace
 

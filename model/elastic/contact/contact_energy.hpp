@@ -116,7 +116,7 @@ class ContactSearch {
   bool is_over(const Eigen::Vector3d& y, int other) const;
   /// Returns whether a point is so deep inside that contact pushes it out through a side, if it entered from
   /// above or below.
-  bool is_past_rim(const Eigen::Vector3d& y, int other) const;
+  bool is_past_edge(const Eigen::Vector3d& y, int other) const;
   bool is_within(const Eigen::Vector3d& y, int other, double margin) const;
   void add_if_inside(Contact contact);
   /// Adds all points of a plate that are inside the other one.

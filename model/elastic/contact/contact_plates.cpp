@@ -10,20 +10,20 @@ namespace {
 using Eigen::Vector3d;
 
 // Limit of points along top or bottom of a half wall, on one side.
-constexpr double most_rim_points = 80;
+constexpr double max_edge_points = 80;
 
 /// Returns the number of points along top or bottom of a half wall, without that of the wall tip. It depends
 /// on whole walls, whose lengths do not change with the positions of hinges: the energy must not jump with t.
-int rim_points(const ContactPlates& all, const Linkage& structure) {
+int edge_points(const ContactPlates& all, const Linkage& structure) {
   double longest = 0;
   for (std::size_t k = 0; k + 1 < structure.plates.size(); k += 2)
     longest = std::max(longest, structure.plates[k].length + structure.plates[k + 1].length);
   // The length of a wall is 1 up to rounding.
   return static_cast<int>(
-      std::clamp(std::ceil(longest / (2 * all.half_thickness) - 1e-6), 1.0, most_rim_points));
+      std::clamp(std::ceil(longest / (2 * all.half_thickness) - 1e-6), 1.0, max_edge_points));
 }
 
-std::vector<ContactPoint> contact_points(const ContactPlates& all, int along_rim) {
+std::vector<ContactPoint> contact_points(const ContactPlates& all, int edge_point_count) {
   std::vector<ContactPoint> points;
   const auto add = [&](double part, double side, double level) {
     points.push_back({part, side * all.half_thickness, level * all.half_height});
@@ -31,9 +31,9 @@ std::vector<ContactPoint> contact_points(const ContactPlates& all, int along_rim
   for (const double side : {1.0, -1.0})
     for (const double level : all.planar ? std::vector<double>{0} : std::vector<double>{-1, 0, 1})
       add(1, side, level);
-  for (int k = 0; k < along_rim; ++k)
+  for (int k = 0; k < edge_point_count; ++k)
     for (const double side : {1.0, -1.0})
-      for (const double level : {1.0, -1.0}) add(static_cast<double>(k) / along_rim, side, level);
+      for (const double level : {1.0, -1.0}) add(static_cast<double>(k) / edge_point_count, side, level);
   return points;
 }
 
@@ -135,7 +135,7 @@ ContactPlates contact_plates(const Linkage& structure, bool planar) {
   all.planar = planar;
   all.plates.reserve(structure.plates.size());
   for (const Plate& plate : structure.plates) all.plates.push_back(contact_plate(plate));
-  all.points = contact_points(all, planar ? 0 : rim_points(all, structure));
+  all.points = contact_points(all, planar ? 0 : edge_points(all, structure));
   return all;
 }
 

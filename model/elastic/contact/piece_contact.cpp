@@ -15,16 +15,16 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double point_spacing = 0.1;     // cell edges: fine enough for contact between corners
-constexpr int most_points_per_edge = 12;  // points along an edge: more would only crowd long edges
-constexpr double one_plane = 1e-4;        // of the radius, and rad: same plane, for faces and corners
-constexpr double just_outside = 1e-3;  // of the radius: distance at which the body's next piece is searched
+constexpr double point_spacing = 0.1;    // cell edges: fine enough for contact between corners
+constexpr int max_points_per_edge = 12;  // points along an edge: more would only crowd long edges
+constexpr double one_plane = 1e-4;       // of the radius, and rad: same plane, for faces and corners
+constexpr double just_outside = 1e-3;    // of the radius: distance at which the body's next piece is searched
 
 /// Corners of a piece on one of its faces, in order around it; empty for slivers without a polygon.
 using FacePolygon = std::vector<int>;
 
 int points_in(double length) {
-  return std::clamp(static_cast<int>(std::ceil(length / point_spacing)), 2, most_points_per_edge + 1);
+  return std::clamp(static_cast<int>(std::ceil(length / point_spacing)), 2, max_points_per_edge + 1);
 }
 
 /// Removes faces that lie in the plane of an earlier one.
@@ -201,8 +201,6 @@ std::vector<PieceSurface> piece_surfaces(const ConvexBodies& bodies, double edge
 
 namespace {
 
-using Eigen::Vector3d;
-
 // Cell edges: a wider margin lists more pairs, a narrower one needs new searches more often.
 constexpr double listed_margin = 0.3;
 // Cell edges: the chord of a point's path may cut a corner by this much although the path itself goes around
@@ -217,11 +215,11 @@ bool has_same_poses(const State& a, const State& b) {
 Vector3d carried(const Pose& pose, const Vector3d& p) { return pose.R * p + pose.p; }
 
 /// Part of a straight path inside a piece, as fractions of the path, and the face by which it enters.
-struct WayInside {
+struct SegmentInside {
   double from = 0, to = 1;  // dimensionless, [0, 1]
   int entry = -1;
 
-  WayInside(const PieceSurface& piece, const Vector3d& start, const Vector3d& end) {
+  SegmentInside(const PieceSurface& piece, const Vector3d& start, const Vector3d& end) {
     for (int f = 0; f < piece.faces.rows(); ++f) {
       const double a = piece.gap(f, start), b = piece.gap(f, end);
       if (a >= 0 && b >= 0) to = -1;
@@ -340,7 +338,7 @@ bool PieceContact::went_through(int piece, int other, const State& before, const
   const Pose first = seen_from(other, piece, before), last = seen_from(other, piece, after);
   return std::any_of(own.points.begin(), own.points.end(), [&](const SurfacePoint& point) {
     const Vector3d start = carried(first, point.at), end = carried(last, point.at);
-    const WayInside inside(in, start, end);
+    const SegmentInside inside(in, start, end);
     if (!(inside.from < inside.to) || inside.entry < 0) return false;
     const double deep = inside.to < 1 ? (inside.from + inside.to) / 2 : 1;
     const Vector3d p = start + deep * (end - start);

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 constexpr double flat = 1e-9;  // fraction of the trace: a flat sheet has no spread across it
 // Cell edges: smaller tiles have too few bodies to be worth their comparison.
-constexpr double least_tile = 4;
+constexpr double min_tile = 4;
 constexpr double tiles_along = 16;  // limit along the longest side: all pairs of tiles are compared
 
 /// Returns the displacement gradient that fits the shifts between two states best, by least squares.
@@ -43,7 +43,7 @@ void RelativeMotion::remember(const State& state) {
   tiles_.clear();
   Eigen::AlignedBox3d all;
   for (const Pose& pose : state) all.extend(pose.p / edge_mm_);
-  const double side = std::max(least_tile, all.sizes().maxCoeff() / tiles_along);
+  const double side = std::max(min_tile, all.sizes().maxCoeff() / tiles_along);
   std::map<std::array<int, 3>, std::size_t> tile_at;
   for (int b = 0; b < static_cast<int>(state.size()); ++b) {
     const Vector3d place = state[b].p / edge_mm_;

@@ -103,7 +103,7 @@ constexpr double nearly_lost = 0.25;
 
 std::string rounded(double number) { return number_text(std::round(10 * number) / 10); }
 
-std::string energy_words(const ElasticSystem& system, const State& state, const State& exact) {
+std::string describe_energies(const ElasticSystem& system, const State& state, const State& exact) {
   const double spared = 1 - system.elastic_energy(state) / system.elastic_energy(exact);
   if (!(spared > 0)) return "";
   return ", with " + rounded(100 * spared) + " % less energy";
@@ -120,8 +120,8 @@ std::string cause(const Linkage& linkage, const State& exact) {
 
 }  // namespace
 
-std::optional<double> DepartureWatch::see(const State& state, double theta, bool came_along) {
-  if (came_along) place_ = Place::on_it;
+std::optional<double> BranchingDetector::see(const State& state, double theta, bool followed_closed_form) {
+  if (followed_closed_form) place_ = Place::on_it;
   if (place_ == Place::elsewhere) return {};
   const auto exact = closed_form_.at(theta);
   if (!exact) return {};
@@ -133,11 +133,11 @@ std::optional<double> DepartureWatch::see(const State& state, double theta, bool
   return off;
 }
 
-std::string departure_words(const ElasticSystem& system, const ClosedForm& closed_form, const State& state,
-                            double theta, double turn) {
+std::string describe_branching(const ElasticSystem& system, const ClosedForm& closed_form, const State& state,
+                               double theta, double turn) {
   const State exact = *closed_form.at(theta);
   return "left the closed form: hinges turn by up to " + rounded(to_degrees(turn)) + " deg otherwise" +
-         energy_words(system, state, exact) + "; " + cause(system.structure(), exact);
+         describe_energies(system, state, exact) + "; " + cause(system.structure(), exact);
 }
 
 }  // namespace kinetix::model

@@ -51,18 +51,18 @@ struct OffClosedForm {
 /// Detector for a path that leaves the closed form that it followed. This may happen without instability. If
 /// the hinge points no longer prevent a second motion, only the springs decide. The equilibrium then bends
 /// smoothly to the motion of less energy.
-class DepartureWatch {
+class BranchingDetector {
  public:
   /// Keeps system and closed form by reference. @param on_closed_form whether the path starts on it
-  DepartureWatch(const ElasticSystem& system, const ClosedForm& closed_form, bool on_closed_form)
+  BranchingDetector(const ElasticSystem& system, const ClosedForm& closed_form, bool on_closed_form)
       : system_(system),
         closed_form_(closed_form),
         place_(on_closed_form ? Place::on_it : Place::elsewhere) {}
 
   /// Processes a new state of the path at theta, rad. A closed form with contact cannot be left.
-  /// @param came_along whether the path followed the closed form up to here, and is near it.
+  /// @param followed_closed_form whether the path followed the closed form up to here, and is near it.
   /// @return distance from it, rad of a hinge, on the first step that leaves it: more than 0.1
-  std::optional<double> see(const State& state, double theta, bool came_along);
+  std::optional<double> see(const State& state, double theta, bool followed_closed_form);
   /// Returns whether the path is near the closed form, or was when the closed form came into contact.
   bool is_back() const { return place_ != Place::left; }
 
@@ -77,9 +77,9 @@ class DepartureWatch {
 /// Describes how far a path is from the closed form that it left, and why. Causes: several motions start in
 /// the flat state, a second motion starts near here, or the hinges give way. A second motion shows as a
 /// smallest singular value of the closure equations (NullSpace) below a quarter of that of flat.
-/// @param turn as returned by DepartureWatch, rad   @param theta of the state, rad
+/// @param turn as returned by BranchingDetector, rad   @param theta of the state, rad
 /// @pre there is a closed form at theta
-std::string departure_words(const ElasticSystem& system, const ClosedForm& closed_form, const State& state,
-                            double theta, double turn);
+std::string describe_branching(const ElasticSystem& system, const ClosedForm& closed_form, const State& state,
+                               double theta, double turn);
 
 }  // namespace kinetix::model

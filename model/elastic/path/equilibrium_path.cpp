@@ -82,7 +82,7 @@ class PathTracer {
   /// Returns whether a step may be taken without an event on it that must be located.
   bool is_plain(const Attempt& attempt) const;
   /// Moves the head to just before the event on a short step, and takes the step after it.
-  Outcome take_event(Attempt event);
+  Outcome accept_event(Attempt event);
   /// Bisects for an event. @return the shortest attempt from the head with the event; the head moves to just
   /// before it
   Attempt locate(Attempt event);
@@ -92,12 +92,12 @@ class PathTracer {
   /// @param located as in Arrival
   /// @param multiplier of the head
   /// @return false if the jump leads to the side that is not requested
-  bool look_back(Attempt& landed, bool located, double multiplier);
+  bool retrace_jump(Attempt& landed, bool located, double multiplier);
   /// @param located as in Arrival
   void take(Attempt attempt, bool located = false);
   void refuse(const Attempt& attempt);
   /// Returns to the head after a refused attempt.
-  void go_back(double multiplier);
+  void step_history(double multiplier);
 
   MeasuredSystem system_;
   const ClosedForm closed_form_;
@@ -116,8 +116,8 @@ class PathTracer {
 };
 
 constexpr double back_step = 1e-3;  // rad of theta
-constexpr int least_steps = 10,
-              most_steps = 64;      // backwards over a jump: bounds of the number of steps
+constexpr int min_steps = 10,
+              max_steps = 64;       // backwards over a jump: bounds of the number of steps
 constexpr double same_turn = 1e-3;  // rad of a hinge
 /// Fraction of the energy before: tolerance between two settled states.
 constexpr double same_energy = 1e-6;
@@ -125,13 +125,13 @@ constexpr double same_energy = 1e-6;
 Retrace::Finding Retrace::back(const Place& after, const Place& before) {
   if (!system_) system_.emplace(driven_.linkage, elasticity_, driven_.drive, options_);
   ElasticSystem& elastic = system_->elastic;
-  const double way = before.theta - after.theta;
+  const double distance = before.theta - after.theta;
   const int steps =
-      std::clamp(static_cast<int>(std::ceil(std::abs(way) / back_step)), least_steps, most_steps);
+      std::clamp(static_cast<int>(std::ceil(std::abs(distance) / back_step)), min_steps, max_steps);
   State state = after.state;
   elastic.set_multiplier(after.multiplier);
   for (int k = 0; k <= steps; ++k)
-    if (!settle(after.theta + way * k / steps, state)) return Finding::unknown;
+    if (!settle(after.theta + distance * k / steps, state)) return Finding::unknown;
   State first = before.state;
   elastic.set_multiplier(before.multiplier);
   if (!settle(before.theta, first)) return Finding::unknown;
@@ -187,7 +187,7 @@ PathTracer::Outcome PathTracer::advance(const NextStep& next) {
   double multiplier = system_.elastic.multiplier();
   Attempt first = attempt(next);
   if (next.is_short && !is_plain(first)) {
-    go_back(multiplier);
+    step_history(multiplier);
     if (settle_head()) {
       multiplier = system_.elastic.multiplier();
       first = attempt(next);
@@ -197,14 +197,14 @@ PathTracer::Outcome PathTracer::advance(const NextStep& next) {
     take(std::move(first));
     return Outcome::taken;
   }
-  go_back(multiplier);
+  step_history(multiplier);
   // A search that does not converge is not an event as long as a shorter step can be tried.
   const bool may_be_event = first.trial.newton.converged || next.is_shortest;
-  if (next.is_short && may_be_event) return take_event(std::move(first));
+  if (next.is_short && may_be_event) return accept_event(std::move(first));
   if (next.to_goal) {
     // The attempt of a longer path at this point.
     Attempt beyond = attempt(length_.next_beyond(head_.theta()));
-    go_back(multiplier);
+    step_history(multiplier);
     if (!is_plain(beyond)) first = std::move(beyond);
   }
   refuse(first);
@@ -221,8 +221,8 @@ bool PathTracer::settle_head() {
   Trial settled = solver_.find(here, head_, head_.state());
   record_.count(settled.iterations);
   const NewtonResult& newton = settled.newton;
-  if (!newton.converged || !newton.stable || newton.met_negative) {
-    go_back(multiplier);
+  if (!newton.converged || !newton.stable || newton.was_indefinite) {
+    step_history(multiplier);
     return false;
   }
   at_ = system_.measured(settled.state, settled.theta, true);
@@ -248,24 +248,24 @@ bool PathTracer::is_plain(const Attempt& attempt) const {
   if (head_.is_flat() && system_.has_branch_at_flat()) return true;
   const NewtonResult& newton = attempt.trial.newton;
   const bool turned_unstable =
-      attempt.trial.descent || newton.met_negative || (attempt.next.locates && !newton.stable);
+      attempt.trial.descent || newton.was_indefinite || (attempt.next.locates && !newton.stable);
   return !turned_unstable && !attempt.permitted->snapped && !attempt.permitted->touches &&
-         !attempt.permitted->bends && !record_.would_happen(at_, attempt.permitted->step);
+         !attempt.permitted->bends && !record_.would_cause_event(at_, attempt.permitted->step);
 }
 
-PathTracer::Outcome PathTracer::take_event(Attempt event) {
+PathTracer::Outcome PathTracer::accept_event(Attempt event) {
   if (head_.is_flat() && system_.has_branch_at_flat()) return land(false);
   event = locate(std::move(event));
   if (at_.theta != record_.last().theta) record_.add(at_, {{}, false, head_.on_closed_form()});
   const double multiplier = system_.elastic.multiplier();
   Attempt behind = attempt(event.next);
   const bool stays = behind.permitted && !behind.permitted->snapped && behind.trial.newton.stable &&
-                     !behind.trial.newton.met_negative && !behind.trial.descent;
+                     !behind.trial.newton.was_indefinite && !behind.trial.descent;
   if (stays) {
     take(std::move(behind));
     return Outcome::taken;
   }
-  go_back(multiplier);
+  step_history(multiplier);
   return land(true);
 }
 
@@ -285,7 +285,7 @@ PathTracer::Attempt PathTracer::locate(Attempt event) {
       head_.move_to(std::move(tried.trial), false);
       continue;
     }
-    go_back(multiplier);
+    step_history(multiplier);
     event = std::move(tried);
   }
 }
@@ -293,18 +293,18 @@ PathTracer::Attempt PathTracer::locate(Attempt event) {
 PathTracer::Outcome PathTracer::land(bool located) {
   for (double length = options_.longest_step_touching;; length /= 2) {
     const double multiplier = system_.elastic.multiplier();
-    Attempt landed = attempt(length_.landing(head_.theta(), std::max(length, options_.least_step)));
-    if (landed.permitted && (head_.is_flat() || look_back(landed, located, multiplier))) {
+    Attempt landed = attempt(length_.landing(head_.theta(), std::max(length, options_.min_step)));
+    if (landed.permitted && (head_.is_flat() || retrace_jump(landed, located, multiplier))) {
       take(std::move(landed), located);
       return Outcome::taken;
     }
     refuse(landed);
-    go_back(multiplier);
-    if (length <= options_.least_step) return Outcome::ended;
+    step_history(multiplier);
+    if (length <= options_.min_step) return Outcome::ended;
   }
 }
 
-bool PathTracer::look_back(Attempt& landed, bool located, double multiplier) {
+bool PathTracer::retrace_jump(Attempt& landed, bool located, double multiplier) {
   Trial& trial = landed.trial;
   PermittedStep& step = *landed.permitted;
   if (located && !trial.descent) step.snapped = check_.loses_energy(at_, step.step);
@@ -332,10 +332,10 @@ void PathTracer::take(Attempt taken, bool located) {
 void PathTracer::refuse(const Attempt& refused) {
   const bool far_off = refused.faults.jumped || refused.faults.tunnelled;
   length_.shorten(refused.next, length_.growth(far_off ? refused.faults.jump : NAN, refused.order));
-  refusal_ = {refused.faults, refused.trial.newton, system_.elastic.touching_words(refused.trial.state)};
+  refusal_ = {refused.faults, refused.trial.newton, system_.elastic.describe_touching(refused.trial.state)};
 }
 
-void PathTracer::go_back(double multiplier) {
+void PathTracer::step_history(double multiplier) {
   system_.elastic.set_multiplier(multiplier);
   head_.restore_tangent();
 }
@@ -348,8 +348,8 @@ void EquilibriumPathOptions::validate() const {
   require("longest_step", longest_step, longest_step > 0 && longest_step <= 0.5, "in (0, 0.5] rad");
   require("longest_step_touching", longest_step_touching,
           longest_step_touching > 0 && longest_step_touching <= 0.5, "in (0, 0.5] rad");
-  require("least_step", least_step,
-          least_step > 0 && least_step <= std::min({first_step, longest_step, longest_step_touching}),
+  require("least_step", min_step,
+          min_step > 0 && min_step <= std::min({first_step, longest_step, longest_step_touching}),
           "above 0 and at most first_step, longest_step and longest_step_touching");
   require("longest_jump", longest_jump, longest_jump > 0, "positive");
   require("gap_limit", gap_limit, gap_limit > 0, "positive");

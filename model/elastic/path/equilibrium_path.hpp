@@ -25,7 +25,7 @@ struct EquilibriumPathOptions {
   /// Longest step while walls touch, rad, (0, 0.5]. A jump to another state is first narrowed down to a step
   /// of this length, then taken and reported.
   double longest_step_touching = 0.02;
-  double least_step = 1e-3;   ///< rad, > 0
+  double min_step = 1e-3;     ///< rad, > 0
   double longest_jump = 0.1;  ///< rad a hinge turns beyond the prediction; more is a jump to another branch
   double gap_limit = 0.3;     ///< cell edges: the path ends if a hinge opens more
   NewtonOptions newton;

@@ -9,7 +9,7 @@ Eigen::VectorXd path_direction(const ElasticSystem& system, const State& state, 
   Eigen::VectorXd pull = tangent.multiply_all(system.place_rate(placed_at));
   if (system.holds_coordinate())
     pull += -ElasticSystem::grip * system.driven_rate(placed_at) * system.driven_gradient(state);
-  if (!system.drive().acts_from_outside())
+  if (!system.drive().is_external())
     pull += system.drive().coordinate_rate(theta) * system.spring_gradient(state);
   const Eigen::VectorXd reduced = system.dofs().restrict(pull);
   Eigen::VectorXd along = tangent.solve(reduced);
@@ -39,7 +39,7 @@ constexpr double difference = 2e-5;  // rad of theta: of central differences
 // iteration leaves an error of about the square of that distance.
 constexpr int refinements = 2;
 // k_point edge or edge^2: for smaller loads, the residual of Newton's method would dominate a difference.
-constexpr double least_load = 1e-7;
+constexpr double min_load = 1e-7;
 
 /// Returns the load of a state in equilibrium to first order, without the multiplier.
 double load_of(const ElasticSystem& system, const State& state, double theta) {
@@ -50,7 +50,7 @@ double load_of(const ElasticSystem& system, const State& state, double theta) {
 
 }  // namespace
 
-bool turns_softly(const ElasticSystem& system) { return system.stiffness().least_turn() < soft_turning; }
+bool turns_softly(const ElasticSystem& system) { return system.stiffness().min_turn() < soft_turning; }
 
 double load_along_path(const ElasticSystem& system, const State& state, double theta,
                        const TangentStiffness& tangent) {
@@ -62,7 +62,7 @@ double load_along_path(const ElasticSystem& system, const State& state, double t
 double load_stiffness(const ElasticSystem& system, const State& state, double theta,
                       const TangentStiffness& tangent) {
   const double rate = system.drive().coordinate_rate(theta);
-  if (rate == 0 || !(std::abs(system.load(state, theta)) > least_load)) return NAN;
+  if (rate == 0 || !(std::abs(system.load(state, theta)) > min_load)) return NAN;
   const Eigen::VectorXd along =
       system.place_rate(theta) + path_direction(system, state, theta, theta, tangent, refinements);
   const auto load = [&](double by) { return load_of(system, system.retract(state, by * along), theta + by); };
@@ -71,7 +71,7 @@ double load_stiffness(const ElasticSystem& system, const State& state, double th
 
 double drive_load(const ElasticSystem& system, const State& state, double theta,
                   const TangentStiffness& tangent, bool stable) {
-  const bool has_path = stable && theta != 0 && system.drive().acts_from_outside();
+  const bool has_path = stable && theta != 0 && system.drive().is_external();
   return has_path && turns_softly(system) ? load_along_path(system, state, theta, tangent)
                                           : system.load(state, theta);
 }

@@ -11,7 +11,7 @@ namespace kinetix::model {
 namespace {
 
 // Fractions of the whole change: first step, halved if no equilibrium is near, and least step.
-constexpr double first_part = 0.25, least_part = 1.0 / 256;
+constexpr double first_part = 0.25, min_part = 1.0 / 256;
 
 /// Finds the minimum near a state, at the drive's goal.
 EquilibriumPath settled(const DrivenLinkage& driven, const Elasticity& elasticity,
@@ -75,7 +75,7 @@ EquilibriumPath follow_change(const State& state, const std::function<DrivenLink
     EquilibriumPath path = settled(changed, elasticity, same, last);
     path.iterations = iterations += path.iterations;
     if (path.stop != EquilibriumPath::Stop::reached) {
-      if ((part /= 2) < least_part) return path;
+      if ((part /= 2) < min_part) return path;
       continue;
     }
     if (next >= 1) return path;
@@ -88,7 +88,7 @@ namespace {
 
 // Rounds of the active set. If hinges hardly open, rows of 13 bodies need two to four, with all changes at
 // once.
-constexpr int most_rounds = 100, rounds_with_all = 5;
+constexpr int max_rounds = 100, rounds_with_all = 5;
 // Fraction of the largest force of a plate on a body. A smaller pull is the residual of Newton's method.
 constexpr double no_pull = 1e-6;
 // Cell edges: tolerance for rounding, within which a body is on its plate.
@@ -222,7 +222,7 @@ EquilibriumPath trace_pressed(const DrivenLinkage& driven, const Elasticity& ela
   if (path.stop != EquilibriumPath::Stop::reached) return path;
   EquilibriumPathOptions same = options;
   same.planar = path.planar;
-  for (int k = 0; k < most_rounds; ++k) {
+  for (int k = 0; k < max_rounds; ++k) {
     const ElasticSystem system(now.linkage, elasticity, now.drive, path.planar, options.contact,
                                options.bodies);
     std::vector<Wrong> wrong = all_wrong(driven.drive.gripped, system, path.state, path.theta);

@@ -52,7 +52,7 @@ namespace {
 
 // Largest turn of a hinge per theta of the drive. It is 2 for a basic sheet, and larger if the sheet bends or
 // its tendon hardly shortens.
-constexpr double most_turn = 8;
+constexpr double max_turn = 8;
 
 }  // namespace
 
@@ -84,7 +84,7 @@ std::optional<State> PathHead::closed_form_ahead(double theta) const {
   std::optional<State> exact = closed_form_.at(theta);
   if (!exact) return {};
   const double turn = turn_distance(system_.elastic.structure(), state_, *exact);
-  if (!(turn <= most_turn * std::abs(theta - theta_) + ClosedForm::near)) return {};
+  if (!(turn <= max_turn * std::abs(theta - theta_) + ClosedForm::near)) return {};
   return exact;
 }
 

@@ -14,7 +14,7 @@ using Kind = PathEvent::Kind;
 using Descent = Branch::Descent;
 
 // Change of the drive. Over a smaller change, the difference of two loads is the residual of Newton's method.
-constexpr double least_change = 1e-6;
+constexpr double min_change = 1e-6;
 constexpr double steep = 30;  // times the steepest slope of the load before contact: jamming
 // Fraction of the largest tension on the path. A smaller compression is the residual of Newton's method.
 constexpr double no_push = 1e-6;
@@ -32,32 +32,33 @@ std::string words(Descent descent, bool on_closed_form) {
 
 }  // namespace
 
-std::optional<double> LockWatch::look(const EquilibriumStep& before, const EquilibriumStep& after) const {
+std::optional<double> JammingDetector::peek(const EquilibriumStep& before,
+                                            const EquilibriumStep& after) const {
   if (locked_ || after.contacts == 0 || !(free_slope_ > 0)) return {};
   double slope = after.stiffness;
   if (std::isnan(slope)) {
     const double change = after.drive - before.drive;
-    if (before.contacts == 0 || !(std::abs(change) >= least_change)) return {};
+    if (before.contacts == 0 || !(std::abs(change) >= min_change)) return {};
     slope = (after.load - before.load) / change;
   }
   if (!(slope > steep * free_slope_)) return {};
   return slope / free_slope_;
 }
 
-std::optional<double> LockWatch::see(const EquilibriumStep& before, const EquilibriumStep& after) {
+std::optional<double> JammingDetector::see(const EquilibriumStep& before, const EquilibriumStep& after) {
   const double change = after.drive - before.drive;
-  if (after.contacts == 0 && std::abs(change) >= least_change)
+  if (after.contacts == 0 && std::abs(change) >= min_change)
     free_slope_ = std::max(free_slope_, std::abs((after.load - before.load) / change));
-  const auto times = look(before, after);
+  const auto times = peek(before, after);
   locked_ = locked_ || times;
   return times;
 }
 
-bool SlackWatch::look(const EquilibriumStep& step) const {
+bool SlackDetector::peek(const EquilibriumStep& step) const {
   return !slack_ && step.load < -no_push * std::max(largest_, std::abs(step.load));
 }
 
-bool SlackWatch::see(const EquilibriumStep& step) {
+bool SlackDetector::see(const EquilibriumStep& step) {
   largest_ = std::max(largest_, std::abs(step.load));
   const bool was_slack = std::exchange(slack_, step.load < -no_push * largest_);
   return slack_ && !was_slack;
@@ -77,7 +78,7 @@ void PathEvents::see(const EquilibriumStep& before, const EquilibriumStep& after
   } else if (arrival.snapped)
     happened(Kind::snap, "jumped to another state at nearly the same drive");
   if (auto words = departure(after, state, arrival)) happened(Kind::departure, std::move(*words));
-  if (before.contacts == 0 && after.contacts > 0) happened(Kind::contact, system_.touching_words(state));
+  if (before.contacts == 0 && after.contacts > 0) happened(Kind::contact, system_.describe_touching(state));
   if (before.contacts > 0 && after.contacts == 0)
     happened(Kind::release, system_.touching_kind() + " no longer touch");
   if (system_.drive().only_pulls() && slack_.see(after))
@@ -92,12 +93,12 @@ void PathEvents::see(const EquilibriumStep& before, const EquilibriumStep& after
 
 std::optional<std::string> PathEvents::departure(const EquilibriumStep& after, const State& state,
                                                  const Arrival& arrival) {
-  const auto turn = departure_.see(state, after.theta, arrival.on_closed_form);
-  if (departure_.is_back() && !off_.unstable) off_ = {};
+  const auto turn = branching_.see(state, after.theta, arrival.on_closed_form);
+  if (branching_.is_back() && !off_.unstable) off_ = {};
   if (!turn || off_.unstable) return {};
   off_ = {after.theta, false};
   if (arrival.descent || arrival.snapped) return {};
-  return departure_words(system_, closed_form_, state, after.theta, *turn);
+  return describe_branching(system_, closed_form_, state, after.theta, *turn);
 }
 
 void PathEvents::end_locked(const EquilibriumStep& last, const std::string& touching,
@@ -140,8 +141,9 @@ using Stop = EquilibriumPath::Stop;
 std::string degrees(double theta) { return number_text(to_degrees(theta)) + " deg"; }
 
 std::string place(const EquilibriumStep& last, const LinkageDrive& drive, const OffClosedForm& off) {
-  const std::string at = " at theta " + degrees(last.theta) + (drive.tells_fold() ? "" : " of the drive") +
-                         ", load " + number_text(last.load) + " " + drive.load_unit();
+  const std::string at = " at theta " + degrees(last.theta) +
+                         (drive.determines_fold() ? "" : " of the drive") + ", load " +
+                         number_text(last.load) + " " + drive.load_unit();
   if (!std::isfinite(off.since)) return at;
   return at + "; off the closed form since theta " + degrees(off.since) +
          (off.unstable ? ", where that is unstable" : "");

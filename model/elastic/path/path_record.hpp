@@ -15,13 +15,13 @@
 namespace kinetix::model {
 
 /// Detector for jamming: with contact, the load rises far more steeply with the drive than without.
-class LockWatch {
+class JammingDetector {
  public:
   /// Processes a step. @return ratio of slopes with and without contact, on the step that first shows
   /// jamming. The step must end in contact; if the slope at its end is unknown, it must also start in contact
   std::optional<double> see(const EquilibriumStep& before, const EquilibriumStep& after);
   /// Returns what see() would return for a step that is not taken yet.
-  std::optional<double> look(const EquilibriumStep& before, const EquilibriumStep& after) const;
+  std::optional<double> peek(const EquilibriumStep& before, const EquilibriumStep& after) const;
   bool has_locked() const { return locked_; }
 
  private:
@@ -30,12 +30,12 @@ class LockWatch {
 };
 
 /// Detector for a tendon that would have to push.
-class SlackWatch {
+class SlackDetector {
  public:
   /// Processes a step. @return true if the tendon would have to push, but not at the step before
   bool see(const EquilibriumStep& step);
   /// Returns what see() would return for a step that is not taken yet.
-  bool look(const EquilibriumStep& step) const;
+  bool peek(const EquilibriumStep& step) const;
 
  private:
   double largest_ = 0;  ///< load magnitude on the path, N
@@ -55,20 +55,20 @@ class PathEvents {
  public:
   /// Keeps system and closed form by reference. @param on_closed_form whether the path starts on it
   PathEvents(const ElasticSystem& system, const ClosedForm& closed_form, bool on_closed_form)
-      : system_(system), closed_form_(closed_form), departure_(system, closed_form, on_closed_form) {}
+      : system_(system), closed_form_(closed_form), branching_(system, closed_form, on_closed_form) {}
 
   /// Processes a step. @param state that of `after`
   void see(const EquilibriumStep& before, const EquilibriumStep& after, const State& state,
            const Arrival& arrival);
   /// Adds the events of a path that ends jammed at `last`.
   /// @param touching description of the contact in the next, refused state, as from
-  ///   ElasticSystem::touching_words
+  ///   ElasticSystem::describe_touching
   /// @param why reason, as a sentence
   void end_locked(const EquilibriumStep& last, const std::string& touching, const std::string& why);
 
   /// Returns whether a step that is not taken yet would jam the structure or slacken a tendon.
-  bool would_happen(const EquilibriumStep& before, const EquilibriumStep& after) const {
-    return lock_.look(before, after) || (system_.drive().only_pulls() && slack_.look(after));
+  bool would_cause_event(const EquilibriumStep& before, const EquilibriumStep& after) const {
+    return lock_.peek(before, after) || (system_.drive().only_pulls() && slack_.peek(after));
   }
 
   const std::vector<PathEvent>& events() const { return events_; }
@@ -83,9 +83,9 @@ class PathEvents {
   const ElasticSystem& system_;
   const ClosedForm& closed_form_;
   std::vector<PathEvent> events_;
-  LockWatch lock_;
-  SlackWatch slack_;
-  DepartureWatch departure_;
+  JammingDetector lock_;
+  SlackDetector slack_;
+  BranchingDetector branching_;
   OffClosedForm off_;
 };
 
@@ -123,9 +123,9 @@ class PathRecord {
 
   /// Records that the head has reached a new state.
   void add(const EquilibriumStep& step, const Arrival& arrival);
-  /// Returns whether a step that is not taken yet would cause an event, as PathEvents::would_happen.
-  bool would_happen(const EquilibriumStep& before, const EquilibriumStep& after) const {
-    return events_.would_happen(before, after);
+  /// Returns whether a step that is not taken yet would cause an event, as PathEvents::would_cause_event.
+  bool would_cause_event(const EquilibriumStep& before, const EquilibriumStep& after) const {
+    return events_.would_cause_event(before, after);
   }
   /// Adds iterations of Newton's method, including those of refused steps.
   void count(int iterations) { path_.iterations += iterations; }

@@ -113,7 +113,7 @@ class Collector {
       else if (!top || turn.before.step.kept_energy() > top->before.step.kept_energy())
         top = turn;
     }
-    if (path.ends_falling() && !path_options_.stop.stop_requested())
+    if (path.ends_descending() && !path_options_.stop.stop_requested())
       arrive({path.last().step, path.foot() ? path.foot()->state : path.last().state});
   }
 
@@ -158,12 +158,11 @@ class Collector {
 
 }  // namespace
 
-void follow_fall(const DrivenLinkage& driven, const Elasticity& elasticity,
-                 const EquilibriumPathOptions& options, EnergyTurns& path) {
+void follow_descent(const DrivenLinkage& driven, const Elasticity& elasticity,
+                    const EquilibriumPathOptions& options, EnergyTurns& path) {
   const double goal = driven.drive.theta();
-  const bool came_there = path.ends_falling() && path.last().step.theta == goal;
-  if (!came_there || driven.drive.press || !driven.drive.acts_from_outside() || std::abs(goal) >= furthest)
-    return;
+  const bool came_there = path.ends_descending() && path.last().step.theta == goal;
+  if (!came_there || driven.drive.press || !driven.drive.is_external() || std::abs(goal) >= furthest) return;
   const DrivenLinkage further{driven.linkage, driven.drive.to(std::copysign(furthest, goal)), driven.exact};
   EnergyTurns longer(further.drive);
   std::stop_source found;
@@ -171,7 +170,7 @@ void follow_fall(const DrivenLinkage& driven, const Elasticity& elasticity,
   same.stop = found.get_token();
   trace_equilibrium(further, elasticity, same, [&](const EquilibriumStep& step, const State& state) {
     longer.see(step, state);
-    const bool has_fallen = std::abs(step.theta) > std::abs(goal) && !longer.ends_falling();
+    const bool has_fallen = std::abs(step.theta) > std::abs(goal) && !longer.ends_descending();
     if (has_fallen || options.stop.stop_requested()) found.request_stop();
   });
   if (options.stop.stop_requested()) return;
@@ -195,7 +194,7 @@ StableStates find_stable_states(const std::vector<DrivenLinkage>& drives, const 
     EnergyTurns& path = paths.emplace_back(driven.drive);
     trace_equilibrium(driven, elasticity, options.path,
                       [&](const EquilibriumStep& step, const State& state) { path.see(step, state); });
-    follow_fall(driven, elasticity, options.path, path);
+    follow_descent(driven, elasticity, options.path, path);
   }
   return stable_states(drives.front().linkage, elasticity, paths, options);
 }

@@ -33,8 +33,8 @@ struct StableStateOptions {
 /// releases the structure there, so that a state does not depend on the drive's goal. Does nothing for other
 /// paths, plates that press and shape memory.
 /// @param options those of the path
-void follow_fall(const DrivenLinkage& driven, const Elasticity& elasticity,
-                 const EquilibriumPathOptions& options, EnergyTurns& path);
+void follow_descent(const DrivenLinkage& driven, const Elasticity& elasticity,
+                    const EquilibriumPathOptions& options, EnergyTurns& path);
 
 /// Finds stable states with driven paths of trace_equilibrium(), made with the same structure, elasticity and
 /// options. The result has flat, and the states after releases at each energy minimum along a path. If the

@@ -11,11 +11,11 @@
 namespace kinetix::model {
 namespace {
 
-constexpr double most_growth = 2;      // times the last step: one small error is not enough for more
-constexpr double least_growth = 0.25;  // times the last step: a large error does not tell how much less
-constexpr double aimed_jump = 0.4;    // ratio to longest_jump: near 1 more steps fail, near 0 more are needed
-constexpr double least_jump = 1e-12;  // rad: below is rounding, and most_growth is reached long before
-constexpr double rounding = 1e-9;     // fraction of a step or of the remaining path: less is rounding
+constexpr double max_growth = 2;     // times the last step: one small error is not enough for more
+constexpr double min_growth = 0.25;  // times the last step: a large error does not tell how much less
+constexpr double aimed_jump = 0.4;   // ratio to longest_jump: near 1 more steps fail, near 0 more are needed
+constexpr double min_jump = 1e-12;   // rad: below is rounding, and max_growth is reached long before
+constexpr double rounding = 1e-9;    // fraction of a step or of the remaining path: less is rounding
 
 }  // namespace
 
@@ -33,7 +33,7 @@ NextStep StepLength::landing(double from, double length) const {
   const double left = std::abs(goal_ - from);
   NextStep step = to(length >= left ? goal_ : from + std::copysign(length, goal_), from);
   step.is_short = step.leaves = true;
-  step.is_shortest = length <= options_.least_step;
+  step.is_shortest = length <= options_.min_step;
   return step;
 }
 
@@ -42,25 +42,25 @@ NextStep StepLength::to(double theta, double from) const {
   next.theta = theta;
   next.length = std::abs(theta - from);
   next.to_goal = theta == goal_;
-  next.is_shortest = step_ <= options_.least_step || step_ < rounding * std::abs(goal_ - from);
+  next.is_shortest = step_ <= options_.min_step || step_ < rounding * std::abs(goal_ - from);
   next.is_short = next.is_shortest || next.length <= options_.longest_step_touching * (1 + rounding);
   return next;
 }
 
 double StepLength::growth(double jump, int order) const {
-  if (!std::isfinite(jump)) return least_growth;
-  const double room = aimed_jump * options_.longest_jump / std::max(jump, least_jump);
-  return std::clamp(std::pow(room, 1.0 / (order + 1)), least_growth, most_growth);
+  if (!std::isfinite(jump)) return min_growth;
+  const double room = aimed_jump * options_.longest_jump / std::max(jump, min_jump);
+  return std::clamp(std::pow(room, 1.0 / (order + 1)), min_growth, max_growth);
 }
 
 void StepLength::change(double growth, bool touching) {
   const double longest =
       touching ? std::min(options_.longest_step, options_.longest_step_touching) : options_.longest_step;
-  step_ = std::clamp(step_ * growth, options_.least_step, longest);
+  step_ = std::clamp(step_ * growth, options_.min_step, longest);
 }
 
 void StepLength::shorten(const NextStep& refused, double growth) {
-  step_ = std::max(refused.length * std::min(0.5, growth), options_.least_step);
+  step_ = std::max(refused.length * std::min(0.5, growth), options_.min_step);
 }
 
 namespace {
@@ -68,7 +68,7 @@ namespace {
 constexpr double bent_load = 0.01;      // fraction of the work of a step: its loads are not exactly linear
 constexpr double bent_stiffness = 0.1;  // fraction of the change of load: stiffness is not exactly linear
 /// Rad of theta: over a shorter step, derivatives do not match those at its ends.
-constexpr double least_step = 1e-4;
+constexpr double min_step = 1e-4;
 /// Fraction of a load: rough states before the goal differ by this much without an event.
 constexpr double load_noise = 1e-3;
 constexpr double difference_noise = 1e-13;  // fraction of the energy and of k_point edge^2: rounding
@@ -112,20 +112,20 @@ bool StepCheck::keeps_energy(const EquilibriumStep& before, const EquilibriumSte
 }
 
 bool StepCheck::loses_energy(const EquilibriumStep& before, const EquilibriumStep& after) const {
-  const double way =
+  const double drive_change =
       (after.drive - before.drive) * system_.elastic.drive().travel(system_.elastic.structure());
   const double bend = std::isfinite(after.stiffness) ? after.stiffness * (after.drive - before.drive) / 2 : 0;
   // Energy of the other branch at the start of the step.
-  const double energy = after.energy - way * (after.load - bend);
-  const double work = std::abs(way) * std::max(std::abs(before.load), std::abs(after.load));
+  const double energy = after.energy - drive_change * (after.load - bend);
+  const double work = std::abs(drive_change) * std::max(std::abs(before.load), std::abs(after.load));
   return before.energy - energy > bent_load * work + difference_noise * (system_.unit + before.energy);
 }
 
 bool StepCheck::keeps_load(const EquilibriumStep& before, const EquilibriumStep& after) {
   const bool known = std::isfinite(before.stiffness) && std::isfinite(after.stiffness);
-  if (!known || !(std::abs(after.theta - before.theta) >= least_step)) return true;
-  const double way = after.drive - before.drive, change = after.load - before.load;
-  const auto [least, most] = std::minmax({before.stiffness * way, after.stiffness * way});
+  if (!known || !(std::abs(after.theta - before.theta) >= min_step)) return true;
+  const double drive_change = after.drive - before.drive, change = after.load - before.load;
+  const auto [least, most] = std::minmax({before.stiffness * drive_change, after.stiffness * drive_change});
   const double slack = (most - least) / 2 + bent_stiffness * std::max(std::abs(least), std::abs(most)) +
                        load_noise * std::max(std::abs(before.load), std::abs(after.load));
   return change >= least - slack && change <= most + slack;
@@ -152,7 +152,7 @@ constexpr int snap_iterations = 400;
 constexpr double same_depth = 1e-7;
 constexpr double equally_far = 2;    // ratio of distances to two branches: up to it, a path is on neither
 constexpr double same_state = 1e-3;  // rad of a hinge, cell edges
-constexpr int most_saddles = 5;      // left in a row at one theta: with more, there is no equilibrium to take
+constexpr int max_saddles = 5;       // left in a row at one theta: with more, there is no equilibrium to take
 
 /// Returns the twists, rad and cell edges, that move each body from one state to another.
 VectorXd twists_between(const Linkage& structure, const State& from, const State& to) {
@@ -186,9 +186,9 @@ Trial StepSolver::find(const NextStep& next, const PathHead& head, const State& 
 
 // Before the goal, the error after a step of `rough_step` is quadratically small, which is sufficient to
 // continue.
-NewtonOptions StepSolver::newton_options(const NextStep& next, bool may_stray) const {
+NewtonOptions StepSolver::newton_options(const NextStep& next, bool may_leave_branch) const {
   NewtonOptions options = options_.newton;
-  if (!may_stray) options.most_moved = strayed * options_.longest_jump;
+  if (!may_leave_branch) options.most_moved = strayed * options_.longest_jump;
   if (next.is_shortest) options.max_iterations = std::max(options.max_iterations, snap_iterations);
   if (next.to_goal || next.locates) return options;
   options.step_tolerance = std::max(options.step_tolerance, rough_step);
@@ -239,7 +239,7 @@ void StepSolver::choose_side(const NextStep& next, const PathHead& head, const S
                              Trial& trial) {
   if (!trial.newton.converged || trial.descent || (head.is_flat() && system_.has_branch_at_flat())) return;
   const Linkage& structure = system_.elastic.structure();
-  if (!next.leaves && !trial.newton.met_negative &&
+  if (!next.leaves && !trial.newton.was_indefinite &&
       !(turn_distance(structure, prediction, trial.state) > options_.longest_jump))
     return;
   if (!polish(trial)) return;
@@ -250,7 +250,7 @@ void StepSolver::choose_side(const NextStep& next, const PathHead& head, const S
   Trial twin = trial;
   State mirrored = system_.elastic.retract(from, -off);
   system_.elastic.place(trial.theta, mirrored);
-  bool takes_twin = false;
+  bool uses_twin = false;
   if (search_from(std::move(mirrored), twin) &&
       (next.leaves ? differ(trial, twin) : are_twins(trial, twin))) {
     const double to_trial = turn_distance(structure, head.state(), trial.state),
@@ -258,12 +258,12 @@ void StepSolver::choose_side(const NextStep& next, const PathHead& head, const S
     const bool begins_here = std::max(to_trial, to_twin) <= equally_far * std::min(to_trial, to_twin);
     if (begins_here) {
       trial.descent = Descent::lowest_mode;
-      takes_twin = branch_.side_of(twists_between(structure, twin.state, trial.state)) < 0;
+      uses_twin = branch_.side_of(twists_between(structure, twin.state, trial.state)) < 0;
     } else {
-      takes_twin = !next.leaves && to_twin < to_trial;
+      uses_twin = !next.leaves && to_twin < to_trial;
     }
   }
-  if (takes_twin) {
+  if (uses_twin) {
     trial.state = std::move(twin.state);
     trial.newton = twin.newton;
     return;
@@ -303,7 +303,7 @@ bool StepSolver::are_twins(const Trial& one, const Trial& other) const {
 void StepSolver::leave_saddles(const NextStep& next, Trial& trial) {
   NewtonResult& newton = trial.newton;
   for (int left = 0; newton.converged && !newton.stable; ++left) {
-    newton.converged = left < most_saddles;
+    newton.converged = left < max_saddles;
     if (!newton.converged) return;
     Branch::Start start = branch_.leave(trial.theta, trial.state, system_.tangent);
     if (start.descent == Descent::none) return;

@@ -114,8 +114,8 @@ class StepSolver {
   Trial find(const NextStep& next, const PathHead& head, const State& prediction);
 
  private:
-  /// @param may_stray whether the search may move far from the prediction
-  NewtonOptions newton_options(const NextStep& next, bool may_stray) const;
+  /// @param may_leave_branch whether the search may move far from the prediction
+  NewtonOptions newton_options(const NextStep& next, bool may_leave_branch) const;
   /// Returns options with fewer iterations if a shorter step may still be tried.
   NewtonOptions first_options(const NextStep& next) const;
   void search(const NewtonOptions& options, bool factorised, Trial& trial);

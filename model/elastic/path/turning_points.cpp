@@ -16,7 +16,7 @@ constexpr double prominent = 0.02;  // fraction of the largest load so far: leas
 constexpr double theta_accuracy = 1e-7;  // rad of theta: the energy error at a maximum is only its square
 constexpr double vanishing = 1e-4;  // ratio to the larger load at both ends: a larger residual means a jump
 /// Bisection alone needs 24 equilibria from 1 rad to the accuracy of theta.
-constexpr int most_equilibria = 60;
+constexpr int max_equilibria = 60;
 
 class Summit {
  public:
@@ -27,7 +27,7 @@ class Summit {
   /// Finds the limit point of the load in a turn.
   std::optional<EquilibriumStep> limit(const LoadTurns::Turn& turn) {
     Side low{turn.before, turn.before.step.stiffness}, high{turn.after, turn.after.step.stiffness};
-    for (int k = 0; k < most_equilibria; ++k) {
+    for (int k = 0; k < max_equilibria; ++k) {
       const double theta = (low.theta() * high.load - high.theta() * low.load) / (high.load - low.load);
       const double from_low = std::abs(theta - low.theta()), from_high = std::abs(theta - high.theta());
       const auto next = equilibrium(theta, from_low < from_high ? low.at.state : high.at.state);
@@ -44,8 +44,8 @@ class Summit {
     Side low{turn.before, turn.before.step.load}, high{turn.after, turn.after.step.load};
     const double scale = std::max(std::abs(low.load), std::abs(high.load));
     EnergyBarrier best = barrier(low.at.step.kept_energy() > high.at.step.kept_energy() ? low.at : high.at);
-    if (!system_.elastic.drive().acts_from_outside() || (low.load > 0) == (high.load > 0)) return best;
-    for (int k = 0; k < most_equilibria; ++k) {
+    if (!system_.elastic.drive().is_external() || (low.load > 0) == (high.load > 0)) return best;
+    for (int k = 0; k < max_equilibria; ++k) {
       const double theta = (low.theta() * high.load - high.theta() * low.load) / (high.load - low.load);
       const double from_low = std::abs(theta - low.theta()), from_high = std::abs(theta - high.theta());
       const auto next = equilibrium(theta, from_low < from_high ? low.at.state : high.at.state);
@@ -123,7 +123,7 @@ Loads signed_loads(const EquilibriumPath& path, double sign) {
 
 /// Returns whether a load, times `sign`, is a prominent maximum among those of the path up to the next larger
 /// one.
-bool stands_out(const std::vector<EquilibriumStep>& steps, std::size_t place, double load, double sign) {
+bool is_distinct(const std::vector<EquilibriumStep>& steps, std::size_t place, double load, double sign) {
   double largest = std::abs(load), lowest_before = sign * load, lowest_behind = sign * load;
   for (std::size_t k = 0; k < place; ++k) largest = std::max(largest, std::abs(steps[k].load));
   for (std::size_t k = place; k-- > 0 && sign * steps[k].load <= sign * load;)
@@ -164,7 +164,7 @@ std::vector<PathEvent> located_limit_points(const Linkage& structure, const Elas
     const auto place = std::find_if(steps.begin(), steps.end(), [&](const EquilibriumStep& step) {
       return std::abs(step.theta) >= std::abs(after);
     });
-    if (stands_out(steps, static_cast<std::size_t>(place - steps.begin()), limit->load, maximum ? 1 : -1))
+    if (is_distinct(steps, static_cast<std::size_t>(place - steps.begin()), limit->load, maximum ? 1 : -1))
       found.push_back({PathEvent::Kind::limit_point, *limit, before,
                        maximum ? "the load reached a maximum" : "the load reached a minimum"});
   }
@@ -175,7 +175,7 @@ void EnergyTurns::see(const EquilibriumStep& step, const State& state) {
   DrivenState now{step, state};
   if (std::exchange(started_, true)) {
     const double change = step.kept_energy() - last_.step.kept_energy();
-    const double slope = drive_.acts_from_outside() ? step.load * (step.drive - last_.step.drive) : change;
+    const double slope = drive_.is_external() ? step.load * (step.drive - last_.step.drive) : change;
     const bool fell = change < 0;
     if (slope_ > 0 && (slope < 0 || fell)) turns_.push_back({true, last_, now});
     if (slope > 0 && (slope_ < 0 || (slope_ > 0 && fell))) turns_.push_back({false, last_, now});

@@ -38,7 +38,7 @@ class EnergyTurns {
   /// Last state seen. @pre a state was seen
   const DrivenState& last() const { return last_; }
   /// Returns whether the energy still falls at the end.
-  bool ends_falling() const { return slope_ < 0; }
+  bool ends_descending() const { return slope_ < 0; }
   /// State at which the energy stops falling if the drive continues beyond the end, if known.
   const std::optional<DrivenState>& foot() const { return foot_; }
   void set_foot(DrivenState foot) { foot_ = std::move(foot); }

@@ -79,7 +79,7 @@ class March {
   MarchedMesh<T> run() {
     for (int j = 0; j < q_; ++j)
       for (int i = 0; i < p_; ++i) step(i, j);
-    add_rim();
+    add_boundary();
     add_multipliers();
     return std::move(out_);
   }
@@ -153,7 +153,7 @@ class March {
     point(i, j) = point(i, j - 1) + cross(between, right) / cross(up, right) * up;
   }
 
-  void add_rim() {
+  void add_boundary() {
     QuadMeshOf<T>& m = out_.mesh;
     const int n = m.columns, r = m.rows;
     for (int j = 0; j < q_; ++j) {

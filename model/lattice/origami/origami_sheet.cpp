@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 // Distance of a hinge from a vertex, ratio to its crease's length: below half of it
 constexpr double most_of_crease = 0.42;
 // Least distance of the two hinges of a crease that ends at the boundary, ratio to its length
-constexpr double rim_room = 0.25;
+constexpr double boundary_room = 0.25;
 
 Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
@@ -88,7 +88,7 @@ class Places {
     const double length = edge.norm();
     const Vector2d along = edge / length, across(-along.y(), along.x());
     const double near = c.radius * std::cos(c.beside[crease]), half = c.radius * std::sin(c.beside[crease]);
-    const double far = std::max(layout_.rim * length, near + rim_room * length);
+    const double far = std::max(layout_.rim * length, near + boundary_room * length);
     left = inner + far * along + half * across;
     right = inner + far * along - half * across;
   }

@@ -105,10 +105,10 @@ struct Notch {
 };
 
 /// Boundary of a graph, and its notches.
-class Rim {
+class Boundary {
  public:
-  explicit Rim(const PlanarGraph& graph)
-      : graph_(graph), rim_(outer_rim(graph).vertices), mean_(mean_length(graph)) {}
+  explicit Boundary(const PlanarGraph& graph)
+      : graph_(graph), boundary_(outer_boundary(graph).vertices), mean_(mean_length(graph)) {}
 
   /// Returns the notches that can be filled, of three walls first, then sharpest first.
   std::vector<Notch> notches() const {
@@ -126,8 +126,8 @@ class Rim {
   }
 
  private:
-  int size() const { return static_cast<int>(rim_.size()); }
-  int at(int k) const { return rim_[(k % size() + size()) % size()]; }
+  int size() const { return static_cast<int>(boundary_.size()); }
+  int at(int k) const { return boundary_[(k % size() + size()) % size()]; }
   const Vector2d& place(int k) const { return graph_.vertices[at(k)]; }
 
   /// Returns the outer angle, rad, in (0, 2 pi).
@@ -166,7 +166,7 @@ class Rim {
   }
 
   const PlanarGraph& graph_;
-  std::vector<int> rim_;
+  std::vector<int> boundary_;
   double mean_;  ///< mean length of a wall, cell edges
 };
 
@@ -214,7 +214,7 @@ bool fill(const Notch& notch, const Before& before, double room, Growing& sheet)
 
 /// Fills notches without common vertices, until the graph has one degree of freedom. @return true if there were any
 bool fill_notches(Growing& sheet) {
-  const std::vector<Notch> notches = Rim(sheet.graph).notches();
+  const std::vector<Notch> notches = Boundary(sheet.graph).notches();
   const Before before = {sheet.graph.vertices.size(), sheet.graph.edges.size()};
   const double room = apart * mean_length(sheet.graph);
   std::vector<bool> is_used(sheet.graph.vertices.size(), false);
@@ -257,11 +257,11 @@ bool add_bars(Growing& sheet) {
   PlanarGraph& graph = sheet.graph;
   const double room = apart * mean_length(graph);
   bool added = false;
-  std::vector<bool> on_rim(graph.edges.size(), false);
-  for (const int e : outer_rim(graph).edges) on_rim[e] = true;
+  std::vector<bool> on_boundary(graph.edges.size(), false);
+  for (const int e : outer_boundary(graph).edges) on_boundary[e] = true;
   std::vector<GraphFace> faces = bounded_faces(graph);
   std::stable_partition(faces.begin(), faces.end(), [&](const GraphFace& face) {
-    return std::any_of(face.edges.begin(), face.edges.end(), [&](int e) { return on_rim[e]; });
+    return std::any_of(face.edges.begin(), face.edges.end(), [&](int e) { return on_boundary[e]; });
   });
   for (const GraphFace& face : faces) {
     if (sheet.dofs.count() <= 1) break;
@@ -280,7 +280,7 @@ int counted_dofs(const PlanarGraph& graph) {
   return 3 * static_cast<int>(graph.vertices.size()) - 2 * static_cast<int>(graph.edges.size()) - 3;
 }
 
-PlanarGraph closed_rim(PlanarGraph graph) {
+PlanarGraph closed_boundary(PlanarGraph graph) {
   if (counted_dofs(graph) <= 1) return graph;
   Growing sheet{graph, WallDofs(graph)};
   while (sheet.dofs.count() > 1 && fill_notches(sheet)) {

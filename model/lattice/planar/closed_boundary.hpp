@@ -39,6 +39,6 @@ int counted_dofs(const PlanarGraph& graph);
 /// parallelogram fills the corner of a notch of two. Without further notches, walls divide cells of six and more
 /// walls, along the boundary first. All faces stay even. A graph with at most one degree of freedom is unchanged. The
 /// process stops early if nothing more can be added.
-PlanarGraph closed_rim(PlanarGraph graph);
+PlanarGraph closed_boundary(PlanarGraph graph);
 
 }  // namespace kinetix::model

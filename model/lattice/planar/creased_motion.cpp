@@ -71,7 +71,7 @@ std::string nearest_t(const PlanarStructure& before) {
     changed += change(h) > on_its_line;
     if (change(h) > change(most)) most = h;
   }
-  const RedrawingFit fit = redrawing_of(after);
+  const ParallelDrawingFit fit = parallel_drawing_of(after);
   for (const PlanarCrease& crease : find_creases(after).list)
     if (!is_on_wall || !fit.is_closed() || !(opened(left_line(after, fit.y, crease), crease) <= on_its_line))
       return "; the nearest t that keep all creases straight lie off their walls";
@@ -80,7 +80,8 @@ std::string nearest_t(const PlanarStructure& before) {
          " instead of " + number_text(before.hinges[most].t);
 }
 
-std::string why_not_straight(const PlanarStructure& s, const Redrawing& y, const PlanarCreases& creases) {
+std::string why_not_straight(const PlanarStructure& s, const ParallelDrawing& y,
+                             const PlanarCreases& creases) {
   for (const PlanarCrease& crease : creases.list) {
     const CreaseOffset left = left_line(s, y, crease);
     if (opened(left, crease) <= on_its_line) continue;
@@ -94,7 +95,7 @@ std::string why_not_straight(const PlanarStructure& s, const Redrawing& y, const
 }
 
 /// Returns the product of turns about the creases on a walk around the face.
-Isometry3d round_trip(const PlanarStructure& s, const Redrawing& y, const PlanarCreases& creases,
+Isometry3d round_trip(const PlanarStructure& s, const ParallelDrawing& y, const PlanarCreases& creases,
                       const GraphFace& face, double theta) {
   Isometry3d trip = Isometry3d::Identity();
   for (std::size_t k = 0; k < face.edges.size(); ++k) {
@@ -109,37 +110,37 @@ Isometry3d round_trip(const PlanarStructure& s, const Redrawing& y, const Planar
 double turn_of(const Isometry3d& trip) { return Eigen::AngleAxisd(trip.linear()).angle(); }
 
 /// Returns the displacement of the face's first vertex by a trip, cell edges.
-double way_of(const PlanarStructure& s, const GraphFace& face, const Isometry3d& trip) {
+double shift_of(const PlanarStructure& s, const GraphFace& face, const Isometry3d& trip) {
   const Vector2d corner = s.graph.vertices[face.vertices[0]];
   const Vector3d at(corner.x(), corner.y(), 0);
   return (trip * at - at).norm();
 }
 
-bool leads_home(const PlanarStructure& s, const Redrawing& y, const PlanarCreases& creases,
+bool leads_home(const PlanarStructure& s, const ParallelDrawing& y, const PlanarCreases& creases,
                 const GraphFace& face) {
   for (const double theta : probe_thetas) {
     const Isometry3d trip = round_trip(s, y, creases, face, theta);
     const double scale = 1 + s.graph.vertices[face.vertices[0]].norm();
-    if (!(turn_of(trip) <= leads_back && way_of(s, face, trip) <= leads_back * scale)) return false;
+    if (!(turn_of(trip) <= leads_back && shift_of(s, face, trip) <= leads_back * scale)) return false;
   }
   return true;
 }
 
-std::string why_not_round(const PlanarStructure& s, const Redrawing& y, const PlanarCreases& creases) {
+std::string why_not_round(const PlanarStructure& s, const ParallelDrawing& y, const PlanarCreases& creases) {
   for (const GraphFace& face : s.faces) {
     if (leads_home(s, y, creases, face)) continue;
     const Isometry3d trip = round_trip(s, y, creases, face, meets);
     return "creases meet in " + to_string(face) +
            " where no flat-foldable vertex of four creases is: turned about each of them in turn at theta " +
            number_text(meets) + " rad the sheet is off by " + number_text(to_degrees(turn_of(trip))) +
-           " deg and " + number_text(way_of(s, face, trip)) + " cell edges";
+           " deg and " + number_text(shift_of(s, face, trip)) + " cell edges";
   }
   return {};
 }
 
 /// Rejects plates whose gripped rows leave the planes normal to their axis.
-void refuse_rows_that_bend(const LinkageDrive& drive, const Linkage& linkage,
-                           const std::function<State(double)>& at) {
+void reject_bent_rows(const LinkageDrive& drive, const Linkage& linkage,
+                      const std::function<State(double)>& at) {
   if (!drive.has_plates()) return;
   const int part = component(drive.axis);
   for (const double theta : probe_thetas) {
@@ -177,7 +178,7 @@ FacetTree facet_tree(const PlanarCreases& creases) {
   return tree;
 }
 
-std::vector<Isometry3d> facet_frames(const PlanarStructure& s, const Redrawing& y,
+std::vector<Isometry3d> facet_frames(const PlanarStructure& s, const ParallelDrawing& y,
                                      const PlanarCreases& creases, const FacetTree& tree, double theta) {
   std::vector<Isometry3d> frames(creases.facets, Isometry3d::Identity());
   for (const auto& [facet, parent, c, side] : tree.links) {
@@ -188,8 +189,8 @@ std::vector<Isometry3d> facet_frames(const PlanarStructure& s, const Redrawing& 
   return frames;
 }
 
-State fold(const PlanarStructure& s, const Redrawing& y, const PlanarCreases& creases, const FacetTree& tree,
-           double theta) {
+State fold(const PlanarStructure& s, const ParallelDrawing& y, const PlanarCreases& creases,
+           const FacetTree& tree, double theta) {
   const std::vector<Isometry3d> frames = facet_frames(s, y, creases, tree, theta);
   State state = fold(s, y, theta);
   for (std::size_t v = 0; v < state.size(); ++v) {
@@ -200,7 +201,8 @@ State fold(const PlanarStructure& s, const Redrawing& y, const PlanarCreases& cr
   return state;
 }
 
-std::string why_not_creased(const PlanarStructure& s, const Redrawing& y, const PlanarCreases& creases) {
+std::string why_not_creased(const PlanarStructure& s, const ParallelDrawing& y,
+                            const PlanarCreases& creases) {
   if (!creases.loose.empty())
     return "the hinge on wall " + wall(s, creases.loose.front()) +
            " does not stand upright, and upright hinges join what lies on both sides of it: a crease runs "
@@ -211,7 +213,7 @@ std::string why_not_creased(const PlanarStructure& s, const Redrawing& y, const 
   return why_not_round(s, y, creases);
 }
 
-ExactMotion creased_motion(const PlanarStructure& structure, const Redrawing& y) {
+ExactMotion creased_motion(const PlanarStructure& structure, const ParallelDrawing& y) {
   const PlanarCreases creases = find_creases(structure);
   if (const std::string why = why_not_creased(structure, y, creases); !why.empty())
     return {{}, "none", "no exact family: " + why};
@@ -219,7 +221,7 @@ ExactMotion creased_motion(const PlanarStructure& structure, const Redrawing& y)
     return fold(structure, y, creases, tree, theta);
   };
   const auto theta = [structure, at](const LinkageDrive& drive) {
-    refuse_rows_that_bend(drive, structure, at);
+    reject_bent_rows(drive, structure, at);
     return theta_of(drive, structure, at);
   };
   return {at, creased_family,
@@ -229,9 +231,6 @@ ExactMotion creased_motion(const PlanarStructure& structure, const Redrawing& y)
 }
 
 namespace {
-
-using Eigen::Vector2d;
-using Eigen::Vector3d;
 
 /// Vertex of the pattern: a body at the boundary, the hinge at which a crease reaches the boundary, or the face in
 /// which creases meet.
@@ -247,8 +246,8 @@ struct Corner {
 }
 
 /// Returns the intersection of the lines of two creases at theta, in the plane of the sheet without its folds.
-Vector2d meeting(const PlanarStructure& s, const Redrawing& y, const PlanarCrease& a, const PlanarCrease& b,
-                 double theta) {
+Vector2d meeting(const PlanarStructure& s, const ParallelDrawing& y, const PlanarCrease& a,
+                 const PlanarCrease& b, double theta) {
   const Vector2d p = hinge_path(s, y, a.hinges.front()).at(theta).head<2>(),
                  q = hinge_path(s, y, b.hinges.front()).at(theta).head<2>();
   Eigen::Matrix2d lines;
@@ -258,8 +257,9 @@ Vector2d meeting(const PlanarStructure& s, const Redrawing& y, const PlanarCreas
 
 class CreaseDrawing {
  public:
-  CreaseDrawing(const PlanarStructure& s, const Redrawing& y) : s_(s), y_(y), creases_(find_creases(s)) {
-    walk_rim();
+  CreaseDrawing(const PlanarStructure& s, const ParallelDrawing& y)
+      : s_(s), y_(y), creases_(find_creases(s)) {
+    walk_boundary();
     add_creases();
   }
 
@@ -291,9 +291,9 @@ class CreaseDrawing {
     edges_.push_back({from, to, -1, 0});
   }
 
-  void walk_rim() {
+  void walk_boundary() {
     sides_.resize(creases_.facets);
-    const GraphFace rim = outer_rim(s_.graph);
+    const GraphFace rim = outer_boundary(s_.graph);
     for (std::size_t k = 0; k < rim.edges.size(); ++k) {
       const int here = rim.vertices[k], next = rim.vertices[(k + 1) % rim.vertices.size()],
                 hinge = rim.edges[k];
@@ -304,7 +304,7 @@ class CreaseDrawing {
         join(from, to, facet);
         continue;
       }
-      if (!at_rim_.insert(hinge).second) refuse(s_, hinge);
+      if (!at_boundary_.insert(hinge).second) refuse(s_, hinge);
       const int between = number({Corner::Kind::hinge, hinge}, facet);
       join(from, between, facet);
       join(between, to, beyond);
@@ -317,7 +317,7 @@ class CreaseDrawing {
     const auto end = [&](int crease, const Corner& corner) {
       ends[crease].push_back(number(corner, creases_.list[crease].from));
     };
-    for (const int hinge : at_rim_) end(creases_.of_hinge[hinge], {Corner::Kind::hinge, hinge});
+    for (const int hinge : at_boundary_) end(creases_.of_hinge[hinge], {Corner::Kind::hinge, hinge});
     for (int f = 0; f < static_cast<int>(s_.faces.size()); ++f) {
       std::set<int> here;
       for (const int e : s_.faces[f].edges)
@@ -376,7 +376,7 @@ class CreaseDrawing {
   Vector2d place(const Corner& corner, double theta) const {
     if (corner.kind == Corner::Kind::hinge) return hinge_path(s_, y_, corner.index).at(theta).head<2>();
     if (corner.kind == Corner::Kind::body)
-      return redrawn_pose(s_.graph.vertices[corner.index], y_[corner.index], s_.senses[corner.index], theta)
+      return parallel_pose(s_.graph.vertices[corner.index], y_[corner.index], s_.senses[corner.index], theta)
           .p.head<2>();
     const std::vector<int>& here = meets_.at(corner.index);
     const PlanarCrease &first = creases_.list[here[0]], *other = &creases_.list[here[1]];
@@ -390,12 +390,12 @@ class CreaseDrawing {
   }
 
   const PlanarStructure& s_;
-  const Redrawing& y_;
+  const ParallelDrawing& y_;
   PlanarCreases creases_;
   std::map<Corner, int> known_;
   std::vector<Corner> corners_;
   std::vector<int> facet_of_;  ///< one of the facets at each corner
-  std::set<int> at_rim_;
+  std::set<int> at_boundary_;
   std::map<int, std::vector<int>> meets_;
   std::vector<std::vector<std::pair<int, int>>> sides_;
   std::vector<CreasePattern::Edge> edges_;
@@ -403,7 +403,7 @@ class CreaseDrawing {
 
 }  // namespace
 
-CreasePattern crease_pattern(const PlanarStructure& structure, const Redrawing& y, double theta) {
+CreasePattern crease_pattern(const PlanarStructure& structure, const ParallelDrawing& y, double theta) {
   return CreaseDrawing(structure, y).at(theta);
 }
 

@@ -26,13 +26,13 @@ struct FacetTree {
 FacetTree facet_tree(const PlanarCreases& creases);
 
 /// Returns the motion of each facet as a whole, from the plane in which it moves without folds, mm.
-std::vector<Eigen::Isometry3d> facet_frames(const PlanarStructure& structure, const Redrawing& y,
+std::vector<Eigen::Isometry3d> facet_frames(const PlanarStructure& structure, const ParallelDrawing& y,
                                             const PlanarCreases& creases, const FacetTree& tree,
                                             double theta);
 
 /// Returns the state at theta, mm. The facet of body 0 stays in the plane z = 0.
 /// @pre why_not_creased() is empty: otherwise hinges off the tree do not close
-State fold(const PlanarStructure& structure, const Redrawing& y, const PlanarCreases& creases,
+State fold(const PlanarStructure& structure, const ParallelDrawing& y, const PlanarCreases& creases,
            const FacetTree& tree, double theta);
 
 /// Explains why the creases of a structure that moves exactly in its plane do not fold it exactly. The sentence names
@@ -41,11 +41,11 @@ State fold(const PlanarStructure& structure, const Redrawing& y, const PlanarCre
 /// - Its hinges have one lean and stay on its line.
 /// - Creases meet only where the turns about all of them in sequence cancel, as for the four of a flat-foldable
 /// vertex (kinematics.md section 6).
-std::string why_not_creased(const PlanarStructure& structure, const Redrawing& y,
+std::string why_not_creased(const PlanarStructure& structure, const ParallelDrawing& y,
                             const PlanarCreases& creases);
 
-/// Returns the exact motion of structures with leaning hinges. @pre y is that of redrawing_of(structure), and closes
-ExactMotion creased_motion(const PlanarStructure& structure, const Redrawing& y);
+/// Returns the exact motion of structures with leaning hinges. @pre y is that of parallel_drawing_of(structure), and closes
+ExactMotion creased_motion(const PlanarStructure& structure, const ParallelDrawing& y);
 
 /// Facets of a creased sheet as polygons. Boundaries run through the outermost bodies.
 struct CreasePattern {
@@ -64,6 +64,6 @@ struct CreasePattern {
 /// Computes the crease pattern at theta. @param theta rad   @pre creased_motion(structure, y) has a motion
 /// @throws InvalidInput for a sheet whose facets are not polygons. Examples are a single projecting wall, a hole
 /// enclosed by facets, or a crease of a single hinge on a bridge
-CreasePattern crease_pattern(const PlanarStructure& structure, const Redrawing& y, double theta);
+CreasePattern crease_pattern(const PlanarStructure& structure, const ParallelDrawing& y, double theta);
 
 }  // namespace kinetix::model

@@ -73,7 +73,7 @@ VectorXd ExactDesigns::smallest_change(const VectorXd& sums) const {
 PlanarStructure nearest_exact(PlanarStructure s) {
   const std::vector<WallCondition> creases = straight_lines(s, find_creases(s));
   VectorXd sums(2 * s.faces.size() + creases.size());
-  for (std::size_t f = 0; f < s.faces.size(); ++f) sums.segment<2>(2 * f) = -redrawn_sum(s, s.faces[f]);
+  for (std::size_t f = 0; f < s.faces.size(); ++f) sums.segment<2>(2 * f) = -parallel_sum(s, s.faces[f]);
   for (std::size_t c = 0; c < creases.size(); ++c) sums[2 * s.faces.size() + c] = creases[c].missing;
   const VectorXd change = ExactDesigns(s, creases).smallest_change(sums);
   for (std::size_t h = 0; h < s.hinges.size(); ++h)

@@ -19,7 +19,7 @@ int class_a(const PlanarStructure& s, int hinge) {
 }
 
 /// Returns the edge from sublattice A to sublattice B.
-Vector2d from_class_a(const PlanarStructure& s, int hinge) {
+Vector2d from_sublattice_a(const PlanarStructure& s, int hinge) {
   return s.senses[s.graph.edges[hinge].from] * s.graph.along(hinge);
 }
 
@@ -48,9 +48,9 @@ void sort_along(const PlanarStructure& s, PlanarCrease& crease) {
 }
 
 /// Walls of a shortest path from one vertex to another, +1 for walls traversed from their first vertex.
-class ShortWays {
+class ShortestPaths {
  public:
-  explicit ShortWays(const PlanarGraph& graph) : graph_(graph), edges_at_(graph.vertices.size()) {
+  explicit ShortestPaths(const PlanarGraph& graph) : graph_(graph), edges_at_(graph.vertices.size()) {
     for (int e = 0; e < static_cast<int>(graph.edges.size()); ++e)
       for (const int end : {graph.edges[e].from, graph.edges[e].to}) edges_at_[end].push_back(e);
   }
@@ -80,26 +80,27 @@ class ShortWays {
 WallCondition on_line(const PlanarStructure& s, int before, int hinge, const Vector2d& across) {
   const auto point = [&](int h) {
     const auto [from, to] = s.graph.edges[h];
-    return Vector2d((s.graph.vertices[from] + s.graph.vertices[to] + s.senses[from] * redrawn(s, h)) / 2);
+    return Vector2d((s.graph.vertices[from] + s.graph.vertices[to] + s.senses[from] * parallel_edge(s, h)) /
+                    2);
   };
-  return {
-      {{hinge, across.dot(from_class_a(s, hinge)) / 2}, {before, -across.dot(from_class_a(s, before)) / 2}},
-      -across.dot(point(hinge) - point(before))};
+  return {{{hinge, across.dot(from_sublattice_a(s, hinge)) / 2},
+           {before, -across.dot(from_sublattice_a(s, before)) / 2}},
+          -across.dot(point(hinge) - point(before))};
 }
 
 /// Returns the condition that a hinge stays on the line in motion, by the difference of the q of both hinges along
 /// the line. The y of their vertices follow from the walls between them.
-WallCondition stays_on_line(const PlanarStructure& s, const ShortWays& ways, int before, int hinge,
+WallCondition stays_on_line(const PlanarStructure& s, const ShortestPaths& ways, int before, int hinge,
                             const Vector2d& along) {
   const auto half = [&](int h) {
-    return Vector2d((from_class_a(s, h) + s.senses[s.graph.edges[h].from] * redrawn(s, h)) / 2);
+    return Vector2d((from_sublattice_a(s, h) + s.senses[s.graph.edges[h].from] * parallel_edge(s, h)) / 2);
   };
-  WallCondition out{
-      {{hinge, along.dot(from_class_a(s, hinge)) / 2}, {before, -along.dot(from_class_a(s, before)) / 2}},
-      -along.dot(half(hinge) - half(before))};
+  WallCondition out{{{hinge, along.dot(from_sublattice_a(s, hinge)) / 2},
+                     {before, -along.dot(from_sublattice_a(s, before)) / 2}},
+                    -along.dot(half(hinge) - half(before))};
   for (const auto& [wall, walked] : ways.between(class_a(s, before), class_a(s, hinge))) {
     out.parts.push_back({wall, walked * along.dot(s.graph.along(wall))});
-    out.missing -= walked * along.dot(redrawn(s, wall));
+    out.missing -= walked * along.dot(parallel_edge(s, wall));
   }
   return out;
 }
@@ -161,7 +162,7 @@ Eigen::Vector3d HingePath::at(double theta) const {
   return {now.x(), now.y(), 0};
 }
 
-HingePath hinge_path(const PlanarStructure& s, const Redrawing& y, int hinge) {
+HingePath hinge_path(const PlanarStructure& s, const ParallelDrawing& y, int hinge) {
   const int a = class_a(s, hinge), b = s.graph.edges[hinge].from + s.graph.edges[hinge].to - a;
   const auto& x = s.graph.vertices;
   return {(x[a] + x[b] + y[b] - y[a]) / 2, (x[b] - x[a] + y[b] + y[a]) / 2};
@@ -169,7 +170,7 @@ HingePath hinge_path(const PlanarStructure& s, const Redrawing& y, int hinge) {
 
 double CreaseOffset::worst() const { return larger(at_rest, moving); }
 
-CreaseOffset left_line(const PlanarStructure& s, const Redrawing& y, const PlanarCrease& crease) {
+CreaseOffset left_line(const PlanarStructure& s, const ParallelDrawing& y, const PlanarCrease& crease) {
   const Vector2d along = crease.line.normalized();
   const HingePath first = hinge_path(s, y, crease.hinges.front());
   CreaseOffset worst;
@@ -183,7 +184,7 @@ CreaseOffset left_line(const PlanarStructure& s, const Redrawing& y, const Plana
 }
 
 std::vector<WallCondition> straight_lines(const PlanarStructure& s, const PlanarCreases& creases) {
-  const ShortWays ways(s.graph);
+  const ShortestPaths ways(s.graph);
   std::vector<WallCondition> all;
   for (const PlanarCrease& crease : creases.list) {
     const Vector2d along = crease.line.normalized();

@@ -45,7 +45,7 @@ struct HingePath {
   Eigen::Vector2d p, q;
   Eigen::Vector3d at(double theta) const;
 };
-HingePath hinge_path(const PlanarStructure& structure, const Redrawing& y, int hinge);
+HingePath hinge_path(const PlanarStructure& structure, const ParallelDrawing& y, int hinge);
 
 /// Distance of a hinge from the line of its crease, cell edges: at rest, and as the factor of sin(theta) in motion.
 struct CreaseOffset {
@@ -54,7 +54,8 @@ struct CreaseOffset {
   double worst() const;
 };
 /// Returns the largest distance of a crease's hinges from the line through the first one.
-CreaseOffset left_line(const PlanarStructure& structure, const Redrawing& y, const PlanarCrease& crease);
+CreaseOffset left_line(const PlanarStructure& structure, const ParallelDrawing& y,
+                       const PlanarCrease& crease);
 
 /// A linear condition on s = 2 t_A - 1 of some walls: the sum of rate times change of s is `missing`.
 struct WallCondition {

@@ -237,7 +237,7 @@ std::vector<GraphFace> bounded_faces(const PlanarGraph& graph) {
   return faces;
 }
 
-GraphFace outer_rim(const PlanarGraph& graph) {
+GraphFace outer_boundary(const PlanarGraph& graph) {
   const Walks walks(graph);
   GraphFace rim;
   double least = 0;

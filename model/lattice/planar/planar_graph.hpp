@@ -43,7 +43,7 @@ std::vector<GraphFace> bounded_faces(const PlanarGraph& graph);
 
 /// Returns the walk around the outside, counter-clockwise, with the vertices and edges of a face: edge k joins
 /// vertices k and k + 1. A single projecting wall is traversed in both directions.
-GraphFace outer_rim(const PlanarGraph& graph);
+GraphFace outer_boundary(const PlanarGraph& graph);
 
 /// Returns +1 (sublattice A) or -1 for each vertex, different at both ends of every edge; the first vertex has +1.
 /// @throws InvalidInput for a loop of an odd number of walls, naming the face and its vertices

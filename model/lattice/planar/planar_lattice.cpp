@@ -103,7 +103,7 @@ std::vector<LatticeCell> lattice_cells(int columns, int rows) {
 PlanarGraph lattice_graph(const LatticeSheet& sheet) {
   LatticeDrawing drawing;
   for (const auto& [i, j] : sheet.cells) drawing.add_cell(sheet.lattice->corners(i, j, sheet.angle));
-  return sheet.closed_rim ? closed_rim(drawing.graph()) : drawing.graph();
+  return sheet.closed_boundary ? closed_boundary(drawing.graph()) : drawing.graph();
 }
 
 PlanarGraph lattice_graph(const PlanarLattice& lattice, int columns, int rows, double angle) {
@@ -122,8 +122,6 @@ PlanarGraph trimmed(const PlanarGraph& graph, const std::function<bool(const Vec
 }
 
 namespace {
-
-using Eigen::Vector2d;
 
 // Extra columns around the rectangle, and extra pairs of rows, which are lower: room for slightly larger regions.
 constexpr int margin = 2;

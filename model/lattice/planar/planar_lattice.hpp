@@ -19,7 +19,7 @@ struct PlanarLattice {
   /// Corners of cell [column, row], which may be negative, counter-clockwise, cell edges. @param angle rad, for
   /// lattices with an angle
   std::vector<Eigen::Vector2d> (*corners)(int column, int row, double angle);
-  bool takes_angle = false;  ///< true if the shape of its cells depends on the angle
+  bool needs_angle = false;  ///< true if the shape of its cells depends on the angle
 };
 
 /// [column, row], from [0, 0].
@@ -36,7 +36,7 @@ struct LatticeSheet {
   const PlanarLattice* lattice = nullptr;
   std::vector<LatticeCell> cells;
   double angle = std::numbers::pi / 3;  ///< rad, for lattices with an angle
-  bool closed_rim = false;              ///< true: closed_rim() was applied to them
+  bool closed_boundary = false;         ///< true: closed_boundary() was applied to them
 };
 
 /// Returns the walls of these cells; vertices are ordered from below, and from the left in a row. A shared wall is

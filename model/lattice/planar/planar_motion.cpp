@@ -24,30 +24,30 @@ double longest_wall(const PlanarStructure& s, const GraphFace& face) {
 
 }  // namespace
 
-Vector2d redrawn(const PlanarStructure& structure, int edge) {
+Vector2d parallel_edge(const PlanarStructure& structure, int edge) {
   const HingeParameters& hinge = structure.hinges[edge];
   const Vector2d along = structure.graph.along(edge);
   const Vector2d part = (2 * hinge.t - 1) * along + 2 * hinge.offset * turned_by_90(along.normalized());
   return structure.senses[structure.graph.edges[edge].from] * part;
 }
 
-Vector2d redrawn_sum(const PlanarStructure& structure, const GraphFace& face) {
+Vector2d parallel_sum(const PlanarStructure& structure, const GraphFace& face) {
   Vector2d sum = Vector2d::Zero();
   for (std::size_t k = 0; k < face.edges.size(); ++k)
-    sum += walked(structure.graph, face, k) * redrawn(structure, face.edges[k]);
+    sum += walked(structure.graph, face, k) * parallel_edge(structure, face.edges[k]);
   return sum;
 }
 
 // The edge and its parallel drawing both change sign from B to A, so their quotient is independent of the direction.
-WallChange change_of(const PlanarStructure& structure, const Redrawing& y, int edge) {
+WallChange change_of(const PlanarStructure& structure, const ParallelDrawing& y, int edge) {
   const auto [from, to] = structure.graph.edges[edge];
   const Vector2d along = structure.graph.along(edge), part = y[to] - y[from];
   const double square = along.squaredNorm();
   return {part.dot(along) / square, turned_by_90(along).dot(part) / (2 * square)};
 }
 
-RedrawingFit redrawing_of(const PlanarStructure& structure) {
-  RedrawingFit fit;
+ParallelDrawingFit parallel_drawing_of(const PlanarStructure& structure) {
+  ParallelDrawingFit fit;
   fit.y.assign(structure.graph.vertices.size(), Vector2d::Zero());
   std::vector<std::vector<int>> edges_at(structure.graph.vertices.size());
   for (int e = 0; e < static_cast<int>(structure.graph.edges.size()); ++e)
@@ -62,11 +62,11 @@ RedrawingFit redrawing_of(const PlanarStructure& structure) {
       const int next = from == open[k] ? to : from;
       if (is_known[next]) continue;
       is_known[next] = true;
-      fit.y[next] = fit.y[open[k]] + (next == to ? 1 : -1) * redrawn(structure, e);
+      fit.y[next] = fit.y[open[k]] + (next == to ? 1 : -1) * parallel_edge(structure, e);
       open.push_back(next);
     }
   for (int f = 0; f < static_cast<int>(structure.faces.size()); ++f) {
-    const double misfit = redrawn_sum(structure, structure.faces[f]).norm(),
+    const double misfit = parallel_sum(structure, structure.faces[f]).norm(),
                  longest = longest_wall(structure, structure.faces[f]);
     if (misfit * fit.longest <= fit.misfit * longest) continue;
     fit.misfit = misfit;
@@ -77,20 +77,20 @@ RedrawingFit redrawing_of(const PlanarStructure& structure) {
   return fit;
 }
 
-void place_hinge(const Vector2d& edge, const Vector2d& redrawn, int sense, HingeParameters& hinge) {
-  const Vector2d part = sense * redrawn;
+void place_hinge(const Vector2d& edge, const Vector2d& parallel_edge, int sense, HingeParameters& hinge) {
+  const Vector2d part = sense * parallel_edge;
   hinge.t = (1 + part.dot(edge) / edge.squaredNorm()) / 2;
   hinge.offset = turned_by_90(edge.normalized()).dot(part) / 2;
 }
 
-void place_hinges(const Redrawing& y, PlanarStructure& structure) {
+void place_hinges(const ParallelDrawing& y, PlanarStructure& structure) {
   for (int e = 0; e < static_cast<int>(structure.hinges.size()); ++e) {
     const auto [from, to] = structure.graph.edges[e];
     place_hinge(structure.graph.along(e), y[to] - y[from], structure.senses[from], structure.hinges[e]);
   }
 }
 
-Pose redrawn_pose(const Vector2d& x, const Vector2d& y, int sense, double theta) {
+Pose parallel_pose(const Vector2d& x, const Vector2d& y, int sense, double theta) {
   const double c = std::cos(theta), s = std::sin(theta);
   const Vector2d at = c * x + s * turned_by_90(y);
   Pose pose;
@@ -99,17 +99,17 @@ Pose redrawn_pose(const Vector2d& x, const Vector2d& y, int sense, double theta)
   return pose;
 }
 
-State fold(const PlanarStructure& structure, const Redrawing& y, double theta) {
+State fold(const PlanarStructure& structure, const ParallelDrawing& y, double theta) {
   State state(y.size());
   for (std::size_t v = 0; v < y.size(); ++v) {
-    state[v] = redrawn_pose(structure.graph.vertices[v], y[v], structure.senses[v], theta);
+    state[v] = parallel_pose(structure.graph.vertices[v], y[v], structure.senses[v], theta);
     state[v].p *= structure.size.edge_mm;
   }
   return state;
 }
 
 ExactMotion exact_motion(const PlanarStructure& structure) {
-  RedrawingFit fit = redrawing_of(structure);
+  ParallelDrawingFit fit = parallel_drawing_of(structure);
   if (!fit.is_closed())
     return {{},
             "none",
@@ -118,7 +118,7 @@ ExactMotion exact_motion(const PlanarStructure& structure) {
   if (!all_vertical(structure)) return creased_motion(structure, fit.y);
   const auto at = [structure, y = fit.y](double theta) { return fold(structure, y, theta); };
   const auto theta = [structure, at, y = fit.y](const LinkageDrive& drive) {
-    refuse_rows_that_curve(drive, y);
+    reject_curved_rows(drive, y);
     return theta_of(drive, structure, at);
   };
   return {at, "planar", "planar: all axes vertical, every face closes: each body on a path of its own",
@@ -153,7 +153,7 @@ bool can_grip(const GrippedRows& rows) { return rows[0].size() > 1 && rows[1].si
 
 /// Returns the distance of the rows at theta over that at rest. Along x a body is at cos(theta) x - sin(theta) y_y,
 /// along y at cos(theta) y + sin(theta) y_x.
-double closing(const PlanarStructure& s, const Redrawing& y, Axis axis, const GrippedRows& rows,
+double closing(const PlanarStructure& s, const ParallelDrawing& y, Axis axis, const GrippedRows& rows,
                double theta) {
   const int first = rows[0].front(), last = rows[1].front(), along = component(axis);
   const double rest = s.graph.vertices[last][along] - s.graph.vertices[first][along];
@@ -171,7 +171,7 @@ int first_upright(const PlanarStructure& s) {
 
 }  // namespace
 
-GrippedRows rim_rows(const PlanarStructure& structure, Axis axis) {
+GrippedRows boundary_rows(const PlanarStructure& structure, Axis axis) {
   GrippedRows rows = outermost_rows(structure, axis);
   if (can_grip(rows)) return rows;
   const int single = rows[0].size() > 1 ? rows[1].front() : rows[0].front();
@@ -184,7 +184,7 @@ GrippedRows rim_rows(const PlanarStructure& structure, Axis axis) {
 
 LinkageDrive plate_drive(const PlanarStructure& structure, Axis axis, double compression, int branch) {
   validate_hinges(structure);
-  return plates_between(rim_rows(structure, axis), axis, compression, branch,
+  return plates_between(boundary_rows(structure, axis), axis, compression, branch,
                         static_cast<int>(structure.graph.vertices.size()));
 }
 
@@ -195,7 +195,8 @@ LinkageDrive hinge_drive(const PlanarStructure& structure, int hinge, double ang
 
 LinkageDrive drive_to(const PlanarStructure& structure, double theta) {
   require("theta", theta, std::abs(theta) < pi / 2, "in (-pi/2, pi/2) rad");
-  if (const RedrawingFit fit = redrawing_of(structure); fit.is_closed() && all_vertical(structure))
+  if (const ParallelDrawingFit fit = parallel_drawing_of(structure);
+      fit.is_closed() && all_vertical(structure))
     for (const Axis axis : {Axis::y, Axis::x}) {
       const GrippedRows rows = outermost_rows(structure, axis);
       if (!can_grip(rows) || !keeps_rows_straight(fit.y, axis, rows)) continue;
@@ -207,17 +208,17 @@ LinkageDrive drive_to(const PlanarStructure& structure, double theta) {
                      turn_at_theta(structure.senses[structure.graph.edges[hinge].from], theta));
 }
 
-bool keeps_rows_straight(const Redrawing& y, Axis axis, const GrippedRows& rows) {
+bool keeps_rows_straight(const ParallelDrawing& y, Axis axis, const GrippedRows& rows) {
   const int part = 1 - component(axis);
   const auto is_straight = [&](const std::vector<int>& row) {
     return std::all_of(row.begin(), row.end(), [&](int b) {
-      return std::abs(y[b][part] - y[row.front()][part]) <= RedrawingFit::closed;
+      return std::abs(y[b][part] - y[row.front()][part]) <= ParallelDrawingFit::closed;
     });
   };
   return is_straight(rows[0]) && is_straight(rows[1]);
 }
 
-void refuse_rows_that_curve(const LinkageDrive& drive, const Redrawing& y) {
+void reject_curved_rows(const LinkageDrive& drive, const ParallelDrawing& y) {
   if (keeps_rows_straight(y, drive.axis, drive.gripped)) return;
   throw InvalidInput("plates normal to " + std::string(to_string(drive.axis)) +
                          " would hold rows straight that curve in this panel's exact motion; allowed: "

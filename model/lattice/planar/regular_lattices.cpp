@@ -33,8 +33,6 @@ const PlanarLattice honeycomb_lattice = {
 
 namespace {
 
-using Eigen::Vector2d;
-
 std::vector<Vector2d> brick_corners(int i, int j, double) {
   const Vector2d at(2 * i + odd_row(j), j);
   std::vector<Vector2d> out;
@@ -54,8 +52,6 @@ const PlanarLattice brick_lattice = {
 
 namespace {
 
-using Eigen::Vector2d;
-
 std::vector<Vector2d> octagon_corners(int i, int j, double) {
   const double pitch = 1 + std::sqrt(2.0);
   return regular_polygon(8, pi / 8, {pitch * i, pitch * j});
@@ -68,8 +64,6 @@ const PlanarLattice octagon_lattice = {"octagon", "regular octagons with the squ
                                        octagon_corners};
 
 namespace {
-
-using Eigen::Vector2d;
 
 std::vector<Vector2d> rhombus_corners(int i, int j, double angle) {
   const Vector2d along(1, 0), across(std::cos(angle), std::sin(angle)), at = i * along + j * across;

@@ -30,8 +30,8 @@ HingeParameters carried_to(const Wall& wall, const Hinge& hinge) {
   return out;
 }
 
-Redrawn redrawn(const Structure& before, std::vector<Cell> cells, const CellSize& size) {
-  Redrawn out{make_structure(std::move(cells), size), {}};
+ChangedCells with_changed_cells(const Structure& before, std::vector<Cell> cells, const CellSize& size) {
+  ChangedCells out{make_structure(std::move(cells), size), {}};
   for (Hinge& hinge : out.structure.hinges) {
     out.from.push_back(like(before, hinge.wall));
     if (const auto old = out.from.back()) hinge.parameters = carried_to(hinge.wall, before.hinges[*old]);

@@ -13,7 +13,7 @@ namespace kinetix::model {
 HingeParameters carried_to(const Wall& wall, const Hinge& hinge);
 
 /// A sheet with changed cells.
-struct Redrawn {
+struct ChangedCells {
   Structure structure;
   std::vector<std::optional<int>> from;  ///< per hinge: the source hinge in the previous sheet
 };
@@ -21,7 +21,7 @@ struct Redrawn {
 /// Returns the design on other cells. Walls that remain keep their hinges, new walls get the hinges of their crease.
 /// Without such a crease in the previous sheet, hinges are in the middle and upright.
 /// @throws InvalidInput if there are no cells, repeated cells or unconnected cells
-Redrawn redrawn(const Structure& before, std::vector<Cell> cells, const CellSize& size);
+ChangedCells with_changed_cells(const Structure& before, std::vector<Cell> cells, const CellSize& size);
 
 /// Returns the numbers of columns and rows up to the last cells, counted from 0.
 std::array<int, 2> extent(const Structure& structure);

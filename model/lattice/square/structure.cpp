@@ -276,7 +276,7 @@ std::vector<int> hinges_on_line(const Structure& structure, Axis axis, int line)
   return hinges;
 }
 
-bool starts_in_class_b(const Wall& wall) { return !wall.from.is_class_a(); }
+bool starts_in_sublattice_b(const Wall& wall) { return !wall.from.is_in_sublattice_a(); }
 
 std::vector<std::vector<int>> body_columns(const Structure& structure) {
   std::vector<std::vector<int>> columns;

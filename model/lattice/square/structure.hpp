@@ -16,9 +16,9 @@ struct Vertex {
   int i = 0, j = 0;
   auto operator<=>(const Vertex&) const = default;
   /// Returns true for sublattice A of the checkerboard: i + j even.
-  bool is_class_a() const { return ((i + j) & 1) == 0; }
+  bool is_in_sublattice_a() const { return ((i + j) & 1) == 0; }
   /// Returns +1 for sublattice A, -1 for B: in planar motion A turns by +theta, B by -theta.
-  int sense() const { return is_class_a() ? 1 : -1; }
+  int sense() const { return is_in_sublattice_a() ? 1 : -1; }
 };
 
 /// A lattice cell, named by its bottom-left vertex.
@@ -126,7 +126,7 @@ int line_of(const Wall& wall);
 /// Returns the hinges of the x-walls of column `line`, or of the y-walls of row `line`; ascending.
 std::vector<int> hinges_on_line(const Structure& structure, Axis axis, int line);
 /// Returns true if a wall's lower vertex is of sublattice B: its t is then 1 minus the fraction of sublattice A.
-bool starts_in_class_b(const Wall& wall);
+bool starts_in_sublattice_b(const Wall& wall);
 
 /// Returns the bodies of each column of vertices with bodies, both ascending.
 std::vector<std::vector<int>> body_columns(const Structure& structure);

@@ -105,16 +105,17 @@ TEST(Check, TellsSizesOfAnyLatticeThetaAndCreases) {
     const std::string words = kinetix_opt("check " + scratch.write("in.yaml", target)).out;
     std::smatch said;
     ASSERT_TRUE(std::regex_search(words, said, std::regex("cells of ([0-9.]+) mm"))) << words;
-    const double told = std::stod(said[1]);
-    EXPECT_NEAR(told, edge, 0.25 * edge) << lattice;
+    const double reported = std::stod(said[1]);
+    EXPECT_NEAR(reported, edge, 0.25 * edge) << lattice;
   }
   for (const std::string box :
        {"box: [3, 2, 2]}\nvariables: {theta: {range_deg: [10, 20]}}\n",
         "box: [1, 4, 2], open: bottom, crease_columns: 3}\nstructure: {cell_mm: 5}\n"}) {
     const std::string target = "kinetix: 1\ntarget: {kind: fold, " + box;
-    const Json edges = found(target)["fold"]["edges_mm"], told = checked(target)["expected"]["folded_mm"];
+    const Json edges = found(target)["fold"]["edges_mm"], reported = checked(target)["expected"]["folded_mm"];
     for (int k = 0; k < 3; ++k)
-      EXPECT_NEAR(told[k].get<double>(), edges[k].get<double>(), 0.06 * edges[k].get<double>()) << box << k;
+      EXPECT_NEAR(reported[k].get<double>(), edges[k].get<double>(), 0.06 * edges[k].get<double>())
+          << box << k;
   }
 }
 

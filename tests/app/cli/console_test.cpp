@@ -26,21 +26,21 @@ TEST(Console, SaysOfStagesThatTakeLongAloneWhereItIsAskedTo) {
 
 TEST(TimeLeft, CountsDownAndNeverGoesUp) {
   app::TimeLeft left;
-  EXPECT_EQ(left.words(0), "");
+  EXPECT_EQ(left.text(0), "");
   left.update(0, 0.5);  // progress of an earlier run that is resumed: no evidence of the speed
-  EXPECT_EQ(left.words(3), "");
+  EXPECT_EQ(left.text(3), "");
   left.update(10, 0.6);
-  EXPECT_EQ(left.words(10), "about 40 s left");
-  EXPECT_EQ(left.words(25), "about 25 s left");
+  EXPECT_EQ(left.text(10), "about 40 s left");
+  EXPECT_EQ(left.text(25), "about 25 s left");
   left.update(26, 0.7);  // extrapolation would give 39 s
-  EXPECT_EQ(left.words(26), "takes longer than it seemed");
+  EXPECT_EQ(left.text(26), "takes longer than it seemed");
   left.update(30, 0.9);
-  EXPECT_EQ(left.words(30), "about 7.5 s left");
+  EXPECT_EQ(left.text(30), "about 7.5 s left");
   left.update(31, 0.9);  // repeats the share, so it adds no evidence
-  EXPECT_EQ(left.words(31), "about 6.5 s left");
-  EXPECT_EQ(left.words(40), "takes longer than it seemed");
+  EXPECT_EQ(left.text(31), "about 6.5 s left");
+  EXPECT_EQ(left.text(40), "takes longer than it seemed");
   left.update(41, 1);
-  EXPECT_EQ(left.words(41), "");
+  EXPECT_EQ(left.text(41), "");
 }
 
 TEST(TimeLeft, StandsWhereALaterShareIsALittleSlower) {

@@ -64,11 +64,12 @@ std::pair<std::string, int> interrupted_after(const std::vector<std::string>& wo
   return {said, status};
 }
 
-TEST(Program, LeavesNoHalfWrittenFileWhenItIsInterruptedOrKilled) {
+/// Stops the program at moments of its first 60 ms, and checks that what it left is whole.
+void expect_whole_files(int between_moments_us) {
   const Scratch scratch;
   const std::string target = scratch.write("bow.yaml", bow);
   for (const int signal_number : {SIGTERM, SIGPIPE, SIGKILL})
-    for (int after_us = 0; after_us < 60000; after_us += 1500) {
+    for (int after_us = 0; after_us < 60000; after_us += between_moments_us) {
       const std::string folder = scratch / fmt::format("out-{}-{}", signal_number, after_us);
       interrupt(target, folder, after_us, signal_number);
       const std::string result = folder + "/result.json", design = folder + "/design.yaml";
@@ -85,16 +86,17 @@ TEST(Program, LeavesNoHalfWrittenFileWhenItIsInterruptedOrKilled) {
     }
 }
 
-/// The search of sixty candidates would take half a minute.
-constexpr const char* long_search = R"(kinetix: 1
-target: {kind: outline, points: [[30, 0], [4, 6], [-20, 25], [-8, 0], [-25, -30], [4, -6]]}
-structure: {cells: [36, 36]}
-)";
+TEST(Program, LeavesNoHalfWrittenFileWhenItIsInterruptedOrKilled) { expect_whole_files(6000); }
+
+TEST(ProgramSoak, LeavesNoHalfWrittenFileAtManyMoments) { expect_whole_files(1500); }
+
+/// A search of so many starts takes many times longer than the limit below.
+const std::string long_search = std::string(bow) + "tolerance: {shape: 1e-9}\nsolver: {starts: 10000}\n";
 
 TEST(Program, KeepsTheBestSoFarWhenItsTimeIsUp) {
   const Scratch scratch;
   const std::string folder = scratch / "out";
-  const Outcome run = kinetix_opt(scratch.write("long.yaml", long_search) + " --time-limit 0.5 -o " + folder);
+  const Outcome run = kinetix_opt(scratch.write("long.yaml", long_search) + " --time-limit 0.1 -o " + folder);
   EXPECT_EQ(run.code, 3) << run.out << run.err;
   EXPECT_THAT(run.err, HasSubstr("the time is up: keeping the best so far"));
   EXPECT_THAT(run.out, HasSubstr("\n  warning    stopped before its end"));
@@ -105,13 +107,23 @@ TEST(Program, KeepsTheBestSoFarWhenItsTimeIsUp) {
   EXPECT_TRUE(fs::exists(folder + "/design.yaml"));
 }
 
-TEST(Program, KeepsTheBestSoFarAtCtrlC) {
+/// Sends Ctrl-C during the search and checks that its best result is written.
+void expect_best_so_far(const std::string& goal) {
   const Scratch scratch;
   const std::string folder = scratch / "out";
-  EXPECT_THAT(
-      interrupted_after({"search ..."}, {scratch.write("long.yaml", long_search), "-o", folder}).first,
-      HasSubstr("interrupted: keeping the best so far"));
+  EXPECT_THAT(interrupted_after({"search ..."}, {scratch.write("long.yaml", goal), "-o", folder}).first,
+              HasSubstr("interrupted: keeping the best so far"));
   EXPECT_EQ(Json::parse(text_of(folder + "/result.json"))["stopped"], true);
+}
+
+TEST(Program, KeepsTheBestSoFarAtCtrlC) { expect_best_so_far(long_search); }
+
+/// The search of an outline reports itself after its first two candidates.
+TEST(ProgramSoak, KeepsTheBestOutlineSoFarAtCtrlC) {
+  expect_best_so_far(R"(kinetix: 1
+target: {kind: outline, points: [[30, 0], [4, 6], [-20, 25], [-8, 0], [-25, -30], [4, -6]]}
+structure: {cells: [36, 36]}
+)");
 }
 
 TEST(Program, EndsAtTheSecondCtrlC) {

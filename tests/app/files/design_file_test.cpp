@@ -65,11 +65,11 @@ TEST(DesignFile, TakesHingesAsTheyAreMade) {
            "{wall: [[1, 0], [2, 0]], hinge: {kind: pin, diameter_mm: 1, play: true}}, {wall: [[2, 0], [3, "
            "0]], hinge: {k: {axial: 3, shear: 1, along: 2, turn: 0.1, rock: 5, twist: 4}, reach_mm: 2}}]}\n");
   EXPECT_EQ(file.hinge.model, HingeSection::Model::elastic);
-  const model::MadeHinge block{.kind = model::HingeKind::block,
-                               .material = *model::find_material("tango"),
-                               .gap_mm = 1,
-                               .thickness_mm = 1,
-                               .height_mm = 6};
+  const model::ManufacturedHinge block{.kind = model::HingeKind::block,
+                                       .material = *model::find_material("tango"),
+                                       .gap_mm = 1,
+                                       .thickness_mm = 1,
+                                       .height_mm = 6};
   EXPECT_EQ(file.hinge.made, block);
   EXPECT_EQ(framed_stiffness(file.hinge), stiffness(block));
   ASSERT_EQ(file.hinge_overrides.size(), 3u);
@@ -159,11 +159,11 @@ TEST(DesignFile, WritesHingesAsMadeBitForBit) {
   for (int round = 0; round < 30; ++round) {
     Design file = read(strip + "name: made\n");
     const auto beam = [&](model::HingeKind kind) {
-      return model::MadeHinge{.kind = kind,
-                              .material = {"", 100 * unit(random), unit(random) / 2, unit(random)},
-                              .gap_mm = 1 + unit(random),
-                              .thickness_mm = 0.8 * unit(random),
-                              .height_mm = 6 * unit(random)};
+      return model::ManufacturedHinge{.kind = kind,
+                                      .material = {"", 100 * unit(random), unit(random) / 2, unit(random)},
+                                      .gap_mm = 1 + unit(random),
+                                      .thickness_mm = 0.8 * unit(random),
+                                      .height_mm = 6 * unit(random)};
     };
     file.hinge.model = HingeSection::Model::elastic;
     file.hinge.made = beam(model::HingeKind::block);
@@ -178,7 +178,7 @@ TEST(DesignFile, WritesHingesAsMadeBitForBit) {
       file.process = model::processes()[round % 4];
       if (round % 3 == 0) file.process.clearance_mm = unit(random);
       if (round % 3 == 1) file.process.sd.tilt_deg = unit(random);
-      if (round % 5 == 0) file.process.least_pin_mm = 1 + unit(random);
+      if (round % 5 == 0) file.process.min_pin_mm = 1 + unit(random);
     }
     expect_same(read(design_text(file)), file);
   }

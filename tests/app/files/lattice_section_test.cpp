@@ -188,7 +188,7 @@ TEST(LatticeSection, RefusesAGapThatIsLongerThanItsOwnWall) {
 TEST(LatticeSection, DrawsRegularLatticesAsTheModelDoes) {
   const Design file = read(structure("lattice: honeycomb, cells: [4, 3], rim: closed, cell_mm: 20") +
                            "design: {hinges: [{wall: [0, 4], t: 0.25, offset_mm: 3}]}\n");
-  const model::PlanarGraph graph = closed_rim(lattice_graph(model::honeycomb_lattice, 4, 3));
+  const model::PlanarGraph graph = closed_boundary(lattice_graph(model::honeycomb_lattice, 4, 3));
   ASSERT_EQ(file.structure.bodies(), static_cast<int>(graph.vertices.size()));
   EXPECT_EQ(file.structure.planar()->graph.edges, graph.edges);
   EXPECT_EQ(file.structure.size().edge_mm, 20);

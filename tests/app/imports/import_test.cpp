@@ -102,11 +102,12 @@ TEST(Import, WritesTheRockingAndTwistOfABlock) {
   imported(scratch, scratch.write("pair.obj", pair_of_walls()));
   const std::string design = (scratch / "out/design.yaml").string();
   const model::HingeStiffness k = app::read_design(design).structure.assembly()->hinges.front().k;
-  const model::HingeStiffness block = stiffness(model::MadeHinge{.kind = model::HingeKind::block,
-                                                                 .material = *model::find_material("tango"),
-                                                                 .gap_mm = 1,
-                                                                 .thickness_mm = 0.8,
-                                                                 .height_mm = 6});
+  const model::HingeStiffness block =
+      stiffness(model::ManufacturedHinge{.kind = model::HingeKind::block,
+                                         .material = *model::find_material("tango"),
+                                         .gap_mm = 1,
+                                         .thickness_mm = 0.8,
+                                         .height_mm = 6});
   ASSERT_TRUE(k.rock && k.twist);
   EXPECT_NEAR(*k.rock / *block.rock, 1, 1e-6);
   EXPECT_NEAR(*k.twist / *block.twist, 1, 1e-6);
@@ -488,10 +489,10 @@ TEST(Import, IsSimulatedInEquilibriumAndVerified) {
   EXPECT_EQ(result["equilibrium"]["stop"], "reached");
   EXPECT_LT(result["metrics"]["exact_rms"], 1e-9);
   EXPECT_EQ(result["states"][1]["model"], "exact");
-  const Outcome told = kinetix_opt("simulate --model equilibrium --theta-deg 10 " + design + " -o " +
-                                   (scratch / "run").string());
-  EXPECT_THAT(told.out, HasSubstr(fmt::format("load       {:.4g} N mm at hinge angle", -k_turn * angle)));
-  EXPECT_THAT(told.out, HasSubstr(fmt::format("energy     {:.4g} N mm", k_turn * angle * angle / 2)));
+  const Outcome reported = kinetix_opt("simulate --model equilibrium --theta-deg 10 " + design + " -o " +
+                                       (scratch / "run").string());
+  EXPECT_THAT(reported.out, HasSubstr(fmt::format("load       {:.4g} N mm at hinge angle", -k_turn * angle)));
+  EXPECT_THAT(reported.out, HasSubstr(fmt::format("energy     {:.4g} N mm", k_turn * angle * angle / 2)));
   const Outcome drives = kinetix_opt("simulate --model equilibrium --drives " + design);
   EXPECT_EQ(drives.code, 2);
   EXPECT_THAT(drives.err, HasSubstr("--drives compares drives of sheets"));

@@ -35,10 +35,10 @@ struct WidthMeasure final : Measure {
 };
 
 struct WidthOutcome final : GoalOutcome {
-  double asked_mm = 0;
+  double required_mm = 0;
 
   void add_sections(const Run& run, Json& result) const override {
-    result["target"] = {{"kind", "width"}, {"width_mm", asked_mm}};
+    result["target"] = {{"kind", "width"}, {"width_mm", required_mm}};
     result["width"] = {{"reasons", run.violations}};
   }
   void add_metrics(const Run& run, Json& metrics) const override {
@@ -69,8 +69,8 @@ struct WidthGoal final : Goal {
 
   Forecast forecast() const override { return {sheet()}; }
 
-  Found search(const RunOptions&) const override {
-    Found out;
+  SearchResult search(const RunOptions&) const override {
+    SearchResult out;
     out.design.structure = sheet();
     const model::ExactMotion exact = exact_motion(out.design.structure);
     double narrow = widest_theta, wide = 0;
@@ -79,7 +79,7 @@ struct WidthGoal final : Goal {
       (width(out.design.structure, exact.at(out.theta)) > width_mm_ ? wide : narrow) = out.theta;
     }
     auto outcome = std::make_unique<WidthOutcome>();
-    outcome->asked_mm = width_mm_;
+    outcome->required_mm = width_mm_;
     out.tolerances = {{"width_mm", 1e-9}};
     out.goal = std::move(outcome);
     return out;

@@ -25,10 +25,10 @@ std::string helix_design(double theta_deg) {
     for (int j = 0; j < 2; ++j) {
       const std::string wall = "{wall: [[" + std::to_string(c) + ", " + std::to_string(j) + "], [" +
                                std::to_string(c + 1) + ", " + std::to_string(j) + "]], ";
-      const bool is_class_a = (c + j) % 2 == 0;
+      const bool is_in_sublattice_a = (c + j) % 2 == 0;
       hinges += "    - " + wall +
                 (c % 2 == 0 ? std::string("beta_deg: ") + (j == 0 ? "35" : "-35")
-                            : std::string("t: ") + (is_class_a ? "0.35" : "0.65")) +
+                            : std::string("t: ") + (is_in_sublattice_a ? "0.35" : "0.65")) +
                 "}\n";
     }
   return "kinetix: 1\nname: helix\nstructure: {cells: [24, 1], cell_mm: 10, wall_mm: {thickness: 0.8, "
@@ -37,19 +37,19 @@ std::string helix_design(double theta_deg) {
          std::to_string(theta_deg) + "\n  hinges:\n" + hinges;
 }
 
-struct Told {
+struct Reported {
   Json result;
   std::string words;
 };
 
-Told report_of(const std::string& text, const std::string& model) {
+Reported report_of(const std::string& text, const std::string& model) {
   const Scratch scratch;
   const Outcome run = kinetix_opt("simulate " + scratch.write("in.yaml", text) + " --model " + model +
                                   " --quiet -o " + (scratch / "out").string());
   EXPECT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
-  Told told{Json::parse(text_of(scratch / "out/result.json")), run.out};
-  EXPECT_EQ(schema_errors(told.result), "");
-  return told;
+  Reported reported{Json::parse(text_of(scratch / "out/result.json")), run.out};
+  EXPECT_EQ(schema_errors(reported.result), "");
+  return reported;
 }
 
 const std::string small_panel =
@@ -57,8 +57,8 @@ const std::string small_panel =
     "0.8, height: 6}}\ndesign: {theta_deg: 20}\n";
 
 TEST(Certify, TellsTheClosedFormsEndOfAPanel) {
-  const Told told = report_of(small_panel, "exact");
-  const Json& certified = told.result["certified"];
+  const Reported reported = report_of(small_panel, "exact");
+  const Json& certified = reported.result["certified"];
   const double closed = std::atan(1 - 0.08);
   EXPECT_NEAR(certified["design"]["high"]["theta_rad"].get<double>(), closed, 3e-7);
   EXPECT_LT(certified["design"]["high"]["theta_rad"].get<double>(), closed);
@@ -68,7 +68,8 @@ TEST(Certify, TellsTheClosedFormsEndOfAPanel) {
   const double g = certified["printed"]["growth_mm"];
   EXPECT_NEAR(certified["printed"]["high"]["theta_rad"].get<double>(),
               std::atan((10 - 0.8 - 2 * g) / (10 + 2 * g)), 3e-7);
-  EXPECT_THAT(told.words, HasSubstr("free of contact for theta -42.61 to 42.61 deg, limited by walls [["));
+  EXPECT_THAT(reported.words,
+              HasSubstr("free of contact for theta -42.61 to 42.61 deg, limited by walls [["));
 }
 
 /// Three standard deviations of PolyJet: 0.05 mm, and 0.25 deg at the corner of a plate 5 mm long and 6 mm high.
@@ -96,44 +97,45 @@ TEST(Certify, GrowsWallsByWhatTheirPinsPlay) {
 }
 
 TEST(Certify, SeesWhatSamplesMissOnTheWayToAHelix) {
-  const Told told = report_of(helix_design(28), "exact");
-  const Json& high = told.result["certified"]["design"]["high"];
+  const Reported reported = report_of(helix_design(28), "exact");
+  const Json& high = reported.result["certified"]["design"]["high"];
   EXPECT_LT(to_degrees(high["contact_rad"].get<double>()), 25.2);
-  EXPECT_EQ(told.result["metrics"]["theta_limit_rad"], high["theta_rad"]);
-  EXPECT_THAT(told.result["plan"]["why"].dump(), HasSubstr("walls touch at theta 25.13 deg already"));
-  EXPECT_THAT(told.words, HasSubstr("overlap at theta 25.126 deg, on the way to 28.000 deg"));
-  EXPECT_EQ(told.result["certified"]["covers_theta"], false);
-  EXPECT_THAT(told.words, HasSubstr("NOT PROVEN"));
+  EXPECT_EQ(reported.result["metrics"]["theta_limit_rad"], high["theta_rad"]);
+  EXPECT_THAT(reported.result["plan"]["why"].dump(), HasSubstr("walls touch at theta 25.13 deg already"));
+  EXPECT_THAT(reported.words, HasSubstr("overlap at theta 25.126 deg, on the way to 28.000 deg"));
+  EXPECT_EQ(reported.result["certified"]["covers_theta"], false);
+  EXPECT_THAT(reported.words, HasSubstr("NOT PROVEN"));
   EXPECT_EQ(report_of(helix_design(25), "exact").result["certified"]["covers_theta"], true);
 }
 
 TEST(Certify, SaysThatElasticHingesComeNearTheClosedFormAlone) {
-  const Told told = report_of(small_panel + "hinge: {model: elastic}\n", "equilibrium");
-  EXPECT_EQ(told.result["certified"]["states_are_exact"], false);
-  EXPECT_EQ(told.result["certified"]["states_have_left"], false);
-  EXPECT_THAT(told.words, HasSubstr("of the closed form: equilibria of elastic hinges come near it"));
+  const Reported reported = report_of(small_panel + "hinge: {model: elastic}\n", "equilibrium");
+  EXPECT_EQ(reported.result["certified"]["states_are_exact"], false);
+  EXPECT_EQ(reported.result["certified"]["states_have_left"], false);
+  EXPECT_THAT(reported.words, HasSubstr("of the closed form: equilibria of elastic hinges come near it"));
 }
 
 /// One wall drives the bricks beyond the bifurcation. The closed form is free of contact, but too far from the
 /// equilibrium to prove anything about it.
 TEST(Certify, ProvesNothingOfAnEquilibriumThatHasLeftTheClosedForm) {
-  const Told told = report_of(
+  const Reported reported = report_of(
       "kinetix: 1\nname: bricks\nstructure: {lattice: brick, cells: [3, 3], rim: closed, wall_mm: "
       "{thickness: 0.4}}\n"
       "design: {theta_deg: 30}\ndrive: {kind: hinge, wall: [0, 1], angle_deg: -60}\nhinge: {model: "
       "elastic}\n",
       "equilibrium");
-  const Json& events = told.result["equilibrium"]["events"];
+  const Json& events = reported.result["equilibrium"]["events"];
   ASSERT_EQ(events.size(), 1u) << events;
   EXPECT_EQ(events[0]["kind"], "departure");
-  EXPECT_THAT(told.result["equilibrium"]["why"].get<std::string>(),
+  EXPECT_THAT(reported.result["equilibrium"]["why"].get<std::string>(),
               HasSubstr("off the closed form since theta"));
-  EXPECT_THAT(told.words, HasSubstr("event      departure at hinge angle -27.5 deg, theta 13.75 deg"));
-  EXPECT_THAT(told.words, HasSubstr("NOT PROVEN free of contact"));
-  EXPECT_THAT(told.words,
+  EXPECT_THAT(reported.words, HasSubstr("event      departure at hinge angle -27.5 deg, theta 13.75 deg"));
+  EXPECT_THAT(reported.words, HasSubstr("NOT PROVEN free of contact"));
+  EXPECT_THAT(reported.words,
               HasSubstr("the equilibrium has left the closed form, and of its states nothing is"));
-  EXPECT_THAT(told.words, HasSubstr("the closed form, which these states are not, is free of it for theta"));
-  EXPECT_EQ(told.result["certified"]["states_have_left"], true);
+  EXPECT_THAT(reported.words,
+              HasSubstr("the closed form, which these states are not, is free of it for theta"));
+  EXPECT_EQ(reported.result["certified"]["states_have_left"], true);
 }
 
 TEST(Certify, SaysWhyNothingIsProvenWithoutAClosedForm) {
@@ -151,14 +153,14 @@ TEST(Certify, FindsWallsThatOverlapAsBuilt) {
   for (int j = 0; j < 4; ++j)
     hinges += "    - {wall: [[2, " + std::to_string(j) + "], [3, " + std::to_string(j) +
               "]], beta_deg: " + (j % 2 == 0 ? "50" : "-50") + "}\n";
-  const Told told = report_of(
+  const Reported reported = report_of(
       "kinetix: 1\nstructure: {cells: [6, 3], cell_mm: 10, wall_mm: {thickness: 0.8, height: "
       "14}}\ndesign:\n  theta_deg: 15\n  hinges:\n" +
           hinges,
       "exact");
-  EXPECT_THAT(told.words, HasSubstr("NOT PROVEN"));
-  EXPECT_THAT(told.words, HasSubstr("walls [[2, 0], [2, 1]] and [[2, 1], [3, 1]] overlap as built"));
-  const Json& certified = told.result["certified"];
+  EXPECT_THAT(reported.words, HasSubstr("NOT PROVEN"));
+  EXPECT_THAT(reported.words, HasSubstr("walls [[2, 0], [2, 1]] and [[2, 1], [3, 1]] overlap as built"));
+  const Json& certified = reported.result["certified"];
   EXPECT_EQ(certified["covers_theta"], false);
   EXPECT_EQ(certified["design"]["high"]["contact_rad"], 0.0);
   EXPECT_EQ(certified["design"]["low"]["theta_rad"], 0.0);
@@ -194,8 +196,8 @@ TEST(Certify, IsPartOfACheck) {
   const Scratch scratch;
   const std::string file = scratch.write("in.yaml", helix_design(28));
   EXPECT_THAT(kinetix_opt("check " + file).out, HasSubstr("NOT PROVEN"));
-  const Json told = Json::parse(kinetix_opt("check --json " + file).out);
-  EXPECT_EQ(told["certified"]["covers_theta"], false);
+  const Json reported = Json::parse(kinetix_opt("check --json " + file).out);
+  EXPECT_EQ(reported["certified"]["covers_theta"], false);
   EXPECT_FALSE(
       Json::parse(kinetix_opt("check --json " +
                               std::string(scratch.write("e.yaml", small_panel + "hinge: {model: elastic}\n")))

@@ -202,12 +202,12 @@ TEST(AsMadeResult, SaysWhatCannotBePrinted) {
   EXPECT_EQ(result["made_problems"][0]["what"], result["as_made"]["why"][0]);
 }
 
-struct Found {
+struct SearchResult {
   Json result;
   std::string out, folder;
 };
 
-Found found(const Scratch& scratch, const std::string& goal, const std::string& options = "") {
+SearchResult found(const Scratch& scratch, const std::string& goal, const std::string& options = "") {
   const std::string folder = scratch / "out";
   const Outcome run = kinetix_opt(scratch.write("goal.yaml", "kinetix: 1\n" + goal) + " -o " + folder +
                                   " --no-verify --quiet" + options);
@@ -224,7 +224,7 @@ TEST(AsMadeResult, OfNoPrintThatSettlesSaysSoAndNoNumbers) {
        {"target: {kind: curve, points: [[0, 0], [200000, 150000], [450000, 220000], [700000, 150000], "
         "[900000, 0]]}\n",
         "target: {kind: outline, points: [[0, 0], [0.05, 0], [0.05, 0.05], [0, 0.05]]}\n"}) {
-    const Found one = found(scratch, goal);
+    const SearchResult one = found(scratch, goal);
     const Json& made = one.result["as_made"];
     EXPECT_EQ(made["prints"]["count"], 0);
     EXPECT_EQ(made["prints"]["failed"], 20);
@@ -245,7 +245,7 @@ TEST(AsMadeResult, CanBePrintedOnlyWhereExportWritesIt) {
                   "structure: {cells: [12, 1]}\n",
                   true},
         {"target: {kind: space_block, factor: [0.82, 0.86, 0.88], size_mm: [120, 120, 120]}\n", false}}) {
-    const Found one = found(scratch, goal);
+    const SearchResult one = found(scratch, goal);
     const Json& made = one.result["as_made"];
     const Outcome print =
         kinetix_opt("export " + one.folder + " --format stl --quiet -o " + std::string(scratch / "print"));
@@ -268,7 +268,7 @@ TEST(AsMadeResult, SaysWhetherWallsOfPrintsMayMeet) {
         {"target: {kind: curve, points: [[0, 0], [30, 12], [60, 16], [90, 12], [120, 0]]}\n"
          "structure: {cells: [12, 1]}\n",
          true}}) {
-    const Found one = found(scratch, goal);
+    const SearchResult one = found(scratch, goal);
     EXPECT_EQ(one.result["as_made"]["free_of_contact"], is_free) << one.out;
     EXPECT_EQ(one.result["certified"]["covers_theta_printed"], is_free);
     EXPECT_EQ(one.out.find("walls of prints may meet: theta") == std::string::npos, is_free) << one.out;
@@ -296,7 +296,7 @@ TEST(AsMadeResult, ReportsTheShareOfPrintsThatTouch) {
   };
   double before = 1;
   for (const double gap_mm : {2.2, 4.0, 12.0}) {
-    const Found one = ring(gap_mm, "sla");
+    const SearchResult one = ring(gap_mm, "sla");
     const Json& made = one.result["as_made"];
     const double share = made["touching_share"];
     EXPECT_LT(share, before) << "wider gaps, fewer that touch";
@@ -378,7 +378,7 @@ TEST(AsMadeResult, JudgesGoalsOfEveryKindBySoftBlocks) {
         "target: {kind: outline, points: " + octagon + "}\nstructure: {cells: [8, 8], cell_mm: 10}\n",
         "target: {kind: space_curve, points: [[0, 0, 0], [50, 0, 10], [100, 15, 12], [150, 40, 10]]}\n"
         "structure: {cells: [30, 1]}\n"s}) {
-    const Found one = found(scratch, goal, " --monte-carlo 200");
+    const SearchResult one = found(scratch, goal, " --monte-carlo 200");
     const Json& made = one.result["as_made"];
     ASSERT_TRUE(made.contains("taken")) << one.out;
     EXPECT_EQ(made["taken"]["material"], "tango");
@@ -393,12 +393,12 @@ TEST(AsMadeResult, JudgesGoalsOfEveryKindBySoftBlocks) {
 }
 
 /// Returns the assumed block of a result whose file does not specify hinges.
-model::MadeHinge block_of(const Json& taken) {
+model::ManufacturedHinge block_of(const Json& assumed) {
   return {.kind = model::HingeKind::block,
           .material = *model::find_material("tango"),
-          .gap_mm = taken["gap_mm"],
-          .thickness_mm = taken["thickness_mm"],
-          .height_mm = taken["height_mm"]};
+          .gap_mm = assumed["gap_mm"],
+          .thickness_mm = assumed["thickness_mm"],
+          .height_mm = assumed["height_mm"]};
 }
 
 // In a plane every hinge turns by twice theta, as the driven hinge does.
@@ -411,15 +411,15 @@ TEST(AsMadeResult, SaysWhatHoldsAFoldOfSoftBlocks) {
                   " -o " + folder + " --no-verify");
   ASSERT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
   const Json result = Json::parse(text_of(folder + "/result.json"));
-  const Json& taken = result["as_made"]["taken"];
-  const model::MadeHinge block = block_of(taken);
+  const Json& assumed = result["as_made"]["taken"];
+  const model::ManufacturedHinge block = block_of(assumed);
   const double theta = result["metrics"]["theta_rad"],
                moment = static_cast<double>(result["structure"]["hinges"].size()) * stiffness(block).turn *
                         2 * std::abs(theta);
-  EXPECT_NEAR(std::abs(taken["load"]["value"].get<double>()), moment, 1e-6 * moment);
-  EXPECT_EQ(taken["load"]["unit"], "N mm");
-  EXPECT_EQ(taken["load"]["effort"], "fingers");
-  EXPECT_NEAR(taken["strain"], strain(block, 2 * theta), 1e-12);
+  EXPECT_NEAR(std::abs(assumed["load"]["value"].get<double>()), moment, 1e-6 * moment);
+  EXPECT_EQ(assumed["load"]["unit"], "N mm");
+  EXPECT_EQ(assumed["load"]["effort"], "fingers");
+  EXPECT_NEAR(assumed["strain"], strain(block, 2 * theta), 1e-12);
 }
 
 // The block's rotors turn by twice theta. Plates close in by 1 - cos(2 theta) of the rotors, not by 1 - cos(theta) of
@@ -436,14 +436,14 @@ TEST(AsMadeResult, SaysWhatHoldsABlockInSpace) {
       " -o " + folder + " --no-verify");
   ASSERT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
   const Json result = Json::parse(text_of(folder + "/result.json"));
-  const Json& taken = result["as_made"]["taken"];
-  const model::MadeHinge block = block_of(taken);
+  const Json& assumed = result["as_made"]["taken"];
+  const model::ManufacturedHinge block = block_of(assumed);
   const double theta = result["metrics"]["theta_rad"], hinges = 72;
   ASSERT_EQ(result["structure"]["hinges"].size(), hinges);
   const double energy_by_theta = hinges * stiffness(block).turn * 2 * theta * 2;
   const double way_by_theta = size_mm * (1 - pressed) / (1 - std::cos(2 * theta)) * 2 * std::sin(2 * theta);
-  EXPECT_EQ(taken["load"]["unit"], "N");
-  EXPECT_NEAR(std::abs(taken["load"]["value"].get<double>()), energy_by_theta / way_by_theta,
+  EXPECT_EQ(assumed["load"]["unit"], "N");
+  EXPECT_NEAR(std::abs(assumed["load"]["value"].get<double>()), energy_by_theta / way_by_theta,
               1e-6 * energy_by_theta / way_by_theta);
 }
 

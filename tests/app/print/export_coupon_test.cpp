@@ -17,14 +17,14 @@ using Json = nlohmann::json;
 TEST(Export, TakesTheClearanceOfACouponInsteadOfTheProcesss) {
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, panel, "--format stl --process sla --hinge pin --clearance 0.15").code, 0);
-  const Json json = said_of(scratch);
+  const Json json = print_json_of(scratch);
   EXPECT_EQ(json["clearance_mm"], 0.15);
   EXPECT_EQ(json["process"], "sla");
   EXPECT_NEAR(json["path"]["in_hinges"]["mm"], 0.15, 0.01) << "measured on the solids";
   const std::string described =
       std::string(panel) + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.2}\n";
   ASSERT_EQ(exported(scratch, described, "--format stl --process sla --clearance 0.15").code, 0);
-  EXPECT_EQ(said_of(scratch)["clearance_mm"], 0.2) << "the design's own, which this printer can";
+  EXPECT_EQ(print_json_of(scratch)["clearance_mm"], 0.2) << "the design's own, which this printer can";
   EXPECT_THAT(text_of(scratch / "out/print.txt"),
               HasSubstr("--clearance 0.15 leaves the design's own pins as they are"));
   expect_refused(described, "--format stl --process sla --clearance 0.3",

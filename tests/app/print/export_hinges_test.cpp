@@ -91,7 +91,7 @@ TEST(Export, MakesBlocksWherePinsDoNotFitAndSaysWhy) {
                  not_printable);
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, design, "--format stl --process fdm").code, 0);
-  const Json json = said_of(scratch);
+  const Json json = print_json_of(scratch);
   EXPECT_EQ(json["hinge"], "block");
   EXPECT_THAT(std::string(json["warnings"][0]), HasSubstr("hinges are blocks, as pins do not fit: "));
   EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("blocks of tpu95a"))
@@ -107,7 +107,7 @@ drive: {kind: plates, axis: y, compression: 0.03}
 )";
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, design, "--format stl --hinge block").code, 0);
-  const Json json = said_of(scratch);
+  const Json json = print_json_of(scratch);
   EXPECT_GE(json["path"]["states"], 10);
   EXPECT_NEAR(json["path"]["theta_deg"], std::acos(1 - 0.03) * 180 / M_PI, 1e-6);
   EXPECT_THAT(json["warnings"].dump(), HasSubstr("along the equilibrium of the design's hinges"));
@@ -115,9 +115,9 @@ drive: {kind: plates, axis: y, compression: 0.03}
       HasSubstr("hinges of mjcf turn and do not stretch, as those of the design do on the way");
   EXPECT_THAT(json["warnings"].dump(), Not(rigid));
   ASSERT_EQ(exported(scratch, design, "--format stl,mjcf --hinge block").code, 0);
-  EXPECT_THAT(said_of(scratch)["warnings"].dump(), rigid);
+  EXPECT_THAT(print_json_of(scratch)["warnings"].dump(), rigid);
   ASSERT_EQ(exported(scratch, panel, "--format mjcf").code, 0);
-  EXPECT_THAT(said_of(scratch)["warnings"].dump(), Not(rigid)) << "it has an exact motion";
+  EXPECT_THAT(print_json_of(scratch)["warnings"].dump(), Not(rigid)) << "it has an exact motion";
 }
 
 TEST(Export, SaysThatAFoldOfOtherCellsIsTheEquilibriumOfItsOwn) {
@@ -127,7 +127,7 @@ design: {theta_deg: 15, hinges: [{wall: [[0, 0], [1, 0]], t: 0.45}]}
 )";
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, design, "--format stl --hinge block --cell-mm 30").code, 0);
-  EXPECT_THAT(said_of(scratch)["warnings"].dump(),
+  EXPECT_THAT(print_json_of(scratch)["warnings"].dump(),
               HasSubstr("its fold is the equilibrium at its own size, scaled"));
 }
 
@@ -138,7 +138,7 @@ TEST(Export, SaysHowFarTheEquilibriumIsFromAFoldByTheClosedForm) {
     const Scratch scratch;
     const std::string design = std::string(panel) + fmt::format("hinge: {{model: elastic, {}}}\n", hinge);
     EXPECT_EQ(exported(scratch, design, std::string("--format stl --hinge block --state ") + state).code, 0);
-    return said_of(scratch)["warnings"].dump();
+    return print_json_of(scratch)["warnings"].dump();
   };
   EXPECT_THAT(warnings("k_point: 2, k_turn: 5", "folded"), HasSubstr(words));
   EXPECT_THAT(warnings("k_point: 2, k_turn: 5", "flat"), Not(HasSubstr(words)));
@@ -157,7 +157,7 @@ drive: {kind: plates, axis: y, compression: 0.45}
                  "--state folded: how the design looks when it is folded is not known");
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, design, "--format stl --hinge block").code, 0);
-  EXPECT_EQ(said_of(scratch)["state"], "flat");
+  EXPECT_EQ(print_json_of(scratch)["state"], "flat");
 }
 
 /// Blocks are sized for the largest turn during the motion. Some hinges turn back before its end.
@@ -206,7 +206,7 @@ design:
   ASSERT_FALSE(sheet.is_path_exact);
   for (const model::State& state : sheet.path)
     for (int h = 0; h < 4; ++h) {
-      const model::MadeHinge& made = sheet.hinges[h].made;
+      const model::ManufacturedHinge& made = sheet.hinges[h].made;
       EXPECT_LE(hinge_strain(made, sheet.linkage, state, h), made.material.strain_max + 1e-9) << h;
     }
 }
@@ -277,7 +277,7 @@ TEST(Export, HoldsPinsBesideABlockToTheirOwnClearance) {
   design.replace(design.find("38"), 2, "20");
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, design, "--format stl --hinge pin").code, 0);
-  const Json json = said_of(scratch);
+  const Json json = print_json_of(scratch);
   EXPECT_EQ(json["path"]["in_hinges"]["asked_mm"], 0.05);
   EXPECT_EQ(json["path"]["elsewhere"]["asked_mm"], 0.05);
   EXPECT_TRUE(json["swelling_mm"].is_null()) << "its parts are joined";
@@ -331,10 +331,10 @@ TEST(Export, SaysTheClearanceAndStiffnessOfMostHinges) {
   ASSERT_EQ(exported(mixed, design, "--format stl --process polyjet").code, 0);
   const std::string of_pins = std::string(panel) + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.1}\n";
   ASSERT_EQ(exported(pins, of_pins, "--format stl --process polyjet").code, 0);
-  const Json said = said_of(mixed);
+  const Json said = print_json_of(mixed);
   EXPECT_EQ(said["hinge"], "pin");
   EXPECT_EQ(said["clearance_mm"], 0.1);
-  EXPECT_EQ(said["k"], said_of(pins)["k"]);
+  EXPECT_EQ(said["k"], print_json_of(pins)["k"]);
 }
 
 TEST(Export, SaysThatSlsPrintsFilmsOfItsOwnMaterial) {
@@ -343,11 +343,12 @@ TEST(Export, SaysThatSlsPrintsFilmsOfItsOwnMaterial) {
                  "{theta_deg: 10}\nhinge: {kind: film, material: pp, gap_mm: 2.5, thickness_mm: 0.5}");
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, design, "--format stl --process sls").code, 0);
-  EXPECT_THAT(said_of(scratch)["warnings"].dump(), HasSubstr("sls prints walls and films in one, of pa12"));
+  EXPECT_THAT(print_json_of(scratch)["warnings"].dump(),
+              HasSubstr("sls prints walls and films in one, of pa12"));
 }
 
 TEST(Export, SaysThatANozzleLaysNoFilmsThinnerThanItsLine) {
-  for (const auto& [process, mm, told] :
+  for (const auto& [process, mm, reported] :
        {std::tuple{"fdm", "0.3", true}, {"fdm", "0.4", false}, {"sla", "0.3", false}}) {
     const Scratch scratch;
     const std::string hinge =
@@ -355,9 +356,9 @@ TEST(Export, SaysThatANozzleLaysNoFilmsThinnerThanItsLine) {
     ASSERT_EQ(
         exported(scratch, std::string(panel) + hinge, std::string("--format stl --process ") + process).code,
         0);
-    const std::string warnings = said_of(scratch)["warnings"].dump(),
+    const std::string warnings = print_json_of(scratch)["warnings"].dump(),
                       words = "films of 0.3 mm are thinner than the line of 0.4 mm";
-    EXPECT_EQ(warnings.find(words) != std::string::npos, told) << process << mm << warnings;
+    EXPECT_EQ(warnings.find(words) != std::string::npos, reported) << process << mm << warnings;
   }
 }
 
@@ -368,12 +369,12 @@ TEST(PathClearance, CountsBlocks) {
       app::prepared(app::read_design(scratch.write("panel.yaml", panel)), *model::find_process("polyjet"),
                     {.kind = model::HingeKind::block}, false);
   app::PrintSheet& sheet = print.job.sheet;
-  ASSERT_TRUE(is_kept(print.clearance));
-  ASSERT_TRUE(is_kept(path_clearance(sheet))) << "as it was";
+  ASSERT_TRUE(has_required_clearance(print.clearance));
+  ASSERT_TRUE(has_required_clearance(path_clearance(sheet))) << "as it was";
   for (Eigen::Vector3d& p : sheet.soft[0].points) p.x() += p.x() > 6 ? 12 : 0;
   const app::PathClearance wrong = path_clearance(sheet);
-  EXPECT_FALSE(is_kept(wrong));
-  EXPECT_EQ(wrong.first_too_near->theta, 0);
+  EXPECT_FALSE(has_required_clearance(wrong));
+  EXPECT_EQ(wrong.first_violation->theta, 0);
   EXPECT_THAT(part_name(sheet, std::max(wrong.least().first, wrong.least().second)),
               HasSubstr("soft part of "));
 }
@@ -409,7 +410,7 @@ TEST(Export, RefusesPinsWithoutRoomForAnEyeAndSaysHowHighTheirWallsHaveToBe) {
                  not_printable);
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, low, pins + " --cell-mm 30.5").code, 0);
-  EXPECT_NEAR(double(said_of(scratch)["bounds_mm"][2]), 2.12, 1e-6) << "in floats";
+  EXPECT_NEAR(double(print_json_of(scratch)["bounds_mm"][2]), 2.12, 1e-6) << "in floats";
 }
 
 /// All walls lean to the same side. The sheet has no exact motion, so its hinges stretch.

@@ -50,7 +50,7 @@ TEST(Export, TakesADesignBehindItsOptions) {
 TEST(Export, SaysTheVolumesOfItsFiles) {
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge block").code, 0);
-  const Json json = said_of(scratch);
+  const Json json = print_json_of(scratch);
   EXPECT_EQ(json["schema"], "kinetix-print/1");
   EXPECT_EQ(json["bodies"], 12);
   EXPECT_EQ(json["hinges"], 17);
@@ -69,7 +69,7 @@ TEST(Export, NamesTheSettingsThatKeepGapsOpen) {
     const Scratch scratch;
     const std::string choice = std::string("--hinge pin --process ") + process;
     ASSERT_EQ(exported(scratch, panel, "--format 3mf " + choice).code, 0);
-    const Json said = said_of(scratch)["gap_settings"];
+    const Json said = print_json_of(scratch)["gap_settings"];
     EXPECT_NEAR(said["closing_radius_mm"], radius_mm, 1e-12);
     EXPECT_EQ(said["elephant_foot_compensation_mm"], foot_mm);
     EXPECT_EQ(said["xy_compensation_mm"], 0);
@@ -84,7 +84,7 @@ TEST(Export, NamesTheSettingsThatKeepGapsOpen) {
   }
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, panel, "--format 3mf --hinge block").code, 0);
-  EXPECT_TRUE(said_of(scratch)["gap_settings"].is_null());
+  EXPECT_TRUE(print_json_of(scratch)["gap_settings"].is_null());
 }
 
 TEST(Export, RefusesOptionsThatAreNoNumbersInOneLine) {
@@ -98,17 +98,18 @@ TEST(Export, SaysWhichOptionsChangeNothing) {
   const std::string described =
       std::string(panel) + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.2}\n";
   ASSERT_EQ(exported(scratch, described, "--format stl --hinge block").code, 0);
-  EXPECT_EQ(said_of(scratch)["hinge"], "pin");
-  EXPECT_THAT(said_of(scratch)["warnings"].dump(), HasSubstr("--hinge changes nothing: the design says"));
+  EXPECT_EQ(print_json_of(scratch)["hinge"], "pin");
+  EXPECT_THAT(print_json_of(scratch)["warnings"].dump(),
+              HasSubstr("--hinge changes nothing: the design says"));
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge block --clearance 0.2 --loose-rods").code, 0);
-  const std::string said = said_of(scratch)["warnings"].dump();
+  const std::string said = print_json_of(scratch)["warnings"].dump();
   EXPECT_THAT(said, HasSubstr("--clearance changes nothing: no hinge is a pin"));
   EXPECT_THAT(said, HasSubstr("--loose-rods changes nothing: no hinge is a pin"));
   ASSERT_EQ(exported(scratch, panel, "--format stl --caps").code, 0);
-  EXPECT_THAT(said_of(scratch)["warnings"].dump(),
+  EXPECT_THAT(print_json_of(scratch)["warnings"].dump(),
               HasSubstr("--caps changes nothing: all axes are in the middle"));
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge pin --clearance 0.2 --loose-rods").code, 0);
-  EXPECT_EQ(said_of(scratch)["warnings"].dump().find("changes nothing"), std::string::npos);
+  EXPECT_EQ(print_json_of(scratch)["warnings"].dump().find("changes nothing"), std::string::npos);
 }
 
 TEST(Export, SaysThatOtherCellsMakeTheSheetLargerOrSmaller) {
@@ -121,24 +122,24 @@ TEST(Export, SaysThatOtherCellsMakeTheSheetLargerOrSmaller) {
          "are 0.75 times as large; for the size that its goal asked for search again with more cells"}}) {
     ASSERT_EQ(exported(scratch, panel, std::string("--format stl --hinge block --cell-mm ") + edge_mm).code,
               0);
-    EXPECT_THAT(said_of(scratch)["warnings"].dump(), HasSubstr(words));
+    EXPECT_THAT(print_json_of(scratch)["warnings"].dump(), HasSubstr(words));
     EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr(words));
   }
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge block --cell-mm 12").code, 0);
-  EXPECT_EQ(said_of(scratch)["warnings"].dump().find("times as large"), std::string::npos);
+  EXPECT_EQ(print_json_of(scratch)["warnings"].dump().find("times as large"), std::string::npos);
 }
 
 TEST(Export, SaysThatDrawingsAreAlwaysFlat) {
   const Scratch scratch;
   const std::string folded = "--hinge block --state folded --format ";
   ASSERT_EQ(exported(scratch, panel, folded + "svg,dxf,stl").code, 0);
-  EXPECT_THAT(said_of(scratch)["warnings"].dump(),
+  EXPECT_THAT(print_json_of(scratch)["warnings"].dump(),
               HasSubstr("--state folded changes nothing in svg and dxf, where the sheet is always flat"));
   ASSERT_EQ(exported(scratch, panel, folded + "mjcf").code, 0);
-  EXPECT_THAT(said_of(scratch)["warnings"].dump(),
+  EXPECT_THAT(print_json_of(scratch)["warnings"].dump(),
               HasSubstr("--state folded changes nothing in mjcf, where the sheet is always flat"));
   ASSERT_EQ(exported(scratch, panel, folded + "stl").code, 0);
-  EXPECT_EQ(said_of(scratch)["warnings"].dump().find("changes nothing"), std::string::npos);
+  EXPECT_EQ(print_json_of(scratch)["warnings"].dump().find("changes nothing"), std::string::npos);
   EXPECT_THAT(text_of(scratch / "out/print.txt"),
               HasSubstr("orientation  folded, as its motion leaves it, as it"));
 }
@@ -156,7 +157,7 @@ TEST(Export, AsksForSupportsWhereTheProcessNeedsThem) {
         {"--process sls --hinge pin --cell-mm 30", "none to plan: the powder carries the {:.1f} mm2"}}) {
     const Scratch scratch;
     ASSERT_EQ(exported(scratch, panel, std::string("--format stl ") + options).code, 0);
-    const double hangs = said_of(scratch)["overhang_mm2"]["flat"];
+    const double hangs = print_json_of(scratch)["overhang_mm2"]["flat"];
     EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr(fmt::format(fmt::runtime(words), hangs)))
         << options;
   }
@@ -166,9 +167,9 @@ TEST(Export, MakesADesignForItsOwnProcess) {
   const Scratch scratch;
   const std::string design = std::string(panel) + "process: sla\n";
   ASSERT_EQ(exported(scratch, design, "--format stl --hinge pin").code, 0);
-  EXPECT_EQ(said_of(scratch)["process"], "sla");
+  EXPECT_EQ(print_json_of(scratch)["process"], "sla");
   ASSERT_EQ(exported(scratch, design, "--format stl --hinge pin --process polyjet").code, 0);
-  EXPECT_EQ(said_of(scratch)["process"], "polyjet");
+  EXPECT_EQ(print_json_of(scratch)["process"], "polyjet");
   expect_refused(std::string(panel) + "process: fdmm\n", "--format stl", "did you mean `fdm`?");
   const std::string folder = scratch / "result";
   ASSERT_EQ(kinetix_opt("simulate " + scratch.write("own.yaml", design) + " -o " + folder).code, 0);
@@ -200,7 +201,8 @@ TEST(Export, KeepsToTheLimitsOfOnesOwnPrinter) {
 TEST(Export, SaysHowFarPartsMaySwell) {
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge pin --process sla").code, 0);
-  EXPECT_NEAR(said_of(scratch)["swelling_mm"], 0.25 / 2, 1e-9) << "rods and bores, and eyes between forks";
+  EXPECT_NEAR(print_json_of(scratch)["swelling_mm"], 0.25 / 2, 1e-9)
+      << "rods and bores, and eyes between forks";
 }
 
 /// Rounding can give a pin the least margin over its clearance although another pin fuses first.
@@ -211,7 +213,8 @@ TEST(Export, SaysWhatTheNarrowestPinLeaves) {
                  "clearance_mm: 0.4}}]}\nhinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.1}");
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, design, "--format stl --cell-mm 20").code, 0);
-  EXPECT_NEAR(said_of(scratch)["swelling_mm"], 0.1 / 2, 0.005) << "polygons leave their circles by 0.01 mm";
+  EXPECT_NEAR(print_json_of(scratch)["swelling_mm"], 0.1 / 2, 0.005)
+      << "polygons leave their circles by 0.01 mm";
   EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("fold         0.1"));
   const Outcome coupon = kinetix_opt("export --coupon -o " + std::string(scratch / "coupon"));
   ASSERT_EQ(coupon.code, 0) << coupon.err;
@@ -228,7 +231,8 @@ TEST(Export, SaysWhereThePrintIsHigherThanUsualPrinters) {
         height);
     const Scratch scratch;
     ASSERT_EQ(exported(scratch, design, "--format stl --process fdm --hinge block").code, 0);
-    EXPECT_EQ(said_of(scratch)["warnings"].dump().find(words) != std::string::npos, is_reported) << height;
+    EXPECT_EQ(print_json_of(scratch)["warnings"].dump().find(words) != std::string::npos, is_reported)
+        << height;
   }
 }
 
@@ -243,7 +247,7 @@ TEST(Export, AdvisesNoTilesOfTheFold) {
         exported(scratch, design, std::string("--format stl --process fdm --hinge block --state ") + state)
             .code,
         0);
-    const std::string notes = said_of(scratch)["warnings"].dump();
+    const std::string notes = print_json_of(scratch)["warnings"].dump();
     EXPECT_THAT(notes, HasSubstr(words)) << state;
     EXPECT_EQ(notes.find(advice) != std::string::npos, is_advised) << state;
   }
@@ -261,7 +265,7 @@ TEST(Export, RefusesAFolderThatCannotBeWritten) {
 TEST(Schema, OfPrintsRefusesWhatIsMissingOrOutOfRange) {
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, panel, "--format stl").code, 0);
-  const Json json = said_of(scratch);
+  const Json json = print_json_of(scratch);
   for (const auto& [key, value] : json.items()) {
     Json less = json;
     less.erase(key);

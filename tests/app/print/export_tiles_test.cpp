@@ -26,7 +26,7 @@ std::pair<int, int> whole_mm(const Json& json) {
 TEST(Export, CutsALargeSheetIntoTilesThatTheBedHolds) {
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, panel, "--format stl,3mf --hinge pin --bed 28,30").code, 0);
-  const Json json = said_of(scratch);
+  const Json json = print_json_of(scratch);
   EXPECT_EQ(json["tiles"], Json::array({2, 1}));
   EXPECT_EQ(json["loose_rods"], 3) << "between the two columns in the middle";
   double tiles = 0;
@@ -59,15 +59,15 @@ TEST(Export, LeavesASheetWholeThatTheBedHolds) {
     const Scratch scratch;
     const std::string options = std::string("--format stl --hinge ") + hinge;
     ASSERT_EQ(exported(scratch, panel, options).code, 0);
-    const auto [x, y] = whole_mm(said_of(scratch));
+    const auto [x, y] = whole_mm(print_json_of(scratch));
     for (const std::string& bed : {fmt::format("{},{}", x, y), fmt::format("{},{}", y, x)}) {
       ASSERT_EQ(exported(scratch, panel, options + " --bed " + bed).code, 0);
-      EXPECT_EQ(said_of(scratch)["tiles"], Json::array({1, 1})) << hinge << " " << bed;
+      EXPECT_EQ(print_json_of(scratch)["tiles"], Json::array({1, 1})) << hinge << " " << bed;
       EXPECT_FALSE(fs::exists(scratch / "out/tile_1.stl"));
     }
     EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("holds the whole, turned on it by a quarter"));
     ASSERT_EQ(exported(scratch, panel, options + fmt::format(" --bed {},{}", x - 1, y)).code, 0);
-    EXPECT_EQ(said_of(scratch)["tiles"], Json::array({2, 1})) << hinge;
+    EXPECT_EQ(print_json_of(scratch)["tiles"], Json::array({2, 1})) << hinge;
     for (const char* tile : {"out/tile_1.stl", "out/tile_2.stl"})
       EXPECT_GT(volume_of_stl(text_of(scratch / tile)), 0) << hinge;
   }
@@ -80,7 +80,7 @@ TEST(Export, SaysThatTheBedIsTooSmallAndNotThatLargerCellsAreNone) {
   EXPECT_THAT(run.err, HasSubstr("smaller cells (kinetix-opt export --cell-mm)"));
   EXPECT_EQ(run.err.find("larger cell"), std::string::npos) << run.err;
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge pin --bed 15,15").code, 0);
-  EXPECT_EQ(said_of(scratch)["tiles"], Json::array({4, 3})) << "a body each";
+  EXPECT_EQ(print_json_of(scratch)["tiles"], Json::array({4, 3})) << "a body each";
 }
 
 /// Optional files of an earlier sheet would be mistaken for parts of the new one.
@@ -104,7 +104,7 @@ TEST(Export, TakesAwayTilesOfAnEarlierExportThatAreNotItsOwn) {
 TEST(Export, GluesBlocksBetweenTiles) {
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge block --bed 28,30").code, 0);
-  const Json json = said_of(scratch);
+  const Json json = print_json_of(scratch);
   double soft = 0;
   for (const char* name : {"out/tile_1_soft.stl", "out/tile_2_soft.stl"})
     soft += volume_of_stl(text_of(scratch / name));

@@ -42,7 +42,7 @@ inline void expect_refused(const std::string& design, const std::string& options
 }
 
 /// Returns print.json and checks it against its schema.
-inline nlohmann::json said_of(const Scratch& scratch) {
+inline nlohmann::json print_json_of(const Scratch& scratch) {
   nlohmann::json json = nlohmann::json::parse(text_of(scratch / "out/print.json"));
   EXPECT_EQ(schema_errors(json, "print"), "");
   return json;

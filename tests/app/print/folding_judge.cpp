@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -30,6 +31,7 @@ struct Part {
   std::vector<std::array<int, 3>> triangles;
   std::set<int> bodies;
   double radius = 0;  // largest distance of a point from its body's rest position, mm
+  std::map<int, Eigen::AlignedBox3d> boxes;  // around the points of each body, relative to its rest position, mm
 };
 
 class File {
@@ -57,6 +59,7 @@ class File {
     for (Part& part : out) {
       part.bodies.insert(part.body.begin(), part.body.end());
       for (const Vector3d& p : part.points) part.radius = std::max(part.radius, p.norm());
+      for (std::size_t k = 0; k < part.points.size(); ++k) part.boxes[part.body[k]].extend(part.points[k]);
     }
     return out;
   }
@@ -298,8 +301,50 @@ class Folding {
         }
         if (worst.mm > enough_mm) return;
       }
-      step += std::max(1, each > 0 ? static_cast<int>(std::min(1e6, std::floor(gap / each))) : steps_);
+      step = next_step(a, b, step, gap);
     }
+  }
+
+  /// Returns the next step at which the parts may touch: until then they move by less than their gap.
+  int next_step(std::size_t a, std::size_t b, int step, double gap) const {
+    const double each = largest_step_[a] + largest_step_[b];
+    double left = gap;
+    int next = step;
+    do {
+      next += std::max(1, each > 0 ? static_cast<int>(std::min(1e6, std::floor(left / each))) : steps_);
+      if (next < steps_) left = gap - relative_motion(a, b, step, next);
+    } while (next < steps_ && left > 0);
+    return next;
+  }
+
+  /// Bounds how much two parts approach each other between two steps, mm: the sum of the largest displacements of their
+  /// points in the frame of a body. A displacement is affine in the point, so it is largest at a corner of a box.
+  double relative_motion(std::size_t a, std::size_t b, int from, int to) const {
+    const int frame = *parts_[a].bodies.begin();
+    double sum = 0;
+    for (const Part* part : {&parts_[a], &parts_[b]}) {
+      double most = 0;
+      for (const auto& [body, box] : part->boxes) {
+        if (body == frame) continue;
+        const model::Pose before = seen_from(frame, body, from), after = seen_from(frame, body, to);
+        const Eigen::Matrix3d turned = after.R - before.R;
+        const Vector3d moved = after.p - before.p;
+        for (int corner = 0; corner < 8; ++corner)
+          most = std::max(most,
+                          (turned * box.corner(Eigen::AlignedBox3d::CornerType(corner)) + moved).norm());
+      }
+      sum += most;
+    }
+    return sum;
+  }
+
+  /// Returns the pose of a body in the frame of another.
+  model::Pose seen_from(int frame, int body, int step) const {
+    const model::Pose &at = states_[step][frame], &pose = states_[step][body];
+    model::Pose out;
+    out.R = at.R.transpose() * pose.R;
+    out.p = at.R.transpose() * (pose.p - at.p);
+    return out;
   }
 
   double distance(std::size_t a, std::size_t b, int step) const {

@@ -19,8 +19,8 @@ struct Crossing {
 
 /// Folds the meshes of a glTF file: each body with the poses of a state, and each block with its two bodies. FCL
 /// computes the distances of the triangle meshes.
-/// The solids, convex pieces and motion bounds of kinetix are not used. A pair is skipped for as many steps as its
-/// parts need to close the measured distance, at the largest step of each. A block is not tested against its own two
+/// The solids, convex pieces and motion bounds of kinetix are not used. A pair is skipped while its parts
+/// have moved relative to each other by less than their measured distance. A block is not tested against its own two
 /// bodies.
 /// @param steps number of states, counted from 0
 /// @param state returns one pose per body, in the file's order, mm

@@ -86,7 +86,7 @@ Judged judged(const app::Design& design, const app::PrintRequest& asked) {
                     [&](int k) { return app::with_edge({exact.at(design.theta * share(k))}, scale).front(); },
                     allowed_mm)};
   const app::PrintPath path = app::print_path(design);
-  if (path.states.size() < 2) return {path.why_flat_alone, {}};
+  if (path.states.size() < 2) return {path.flat_only_reason, {}};
   return {"", fold_and_compare(
                   glb, steps,
                   [&](int k) { return app::with_edge({between(path, share(k))}, edge * scale).front(); },
@@ -229,9 +229,9 @@ TEST(Folding, NoExportOfRandomSheetsCrosses) {
       app::Design printed = design;
       printed.process = *model::find_process(process);
       const app::PrintAnswer answer = answer_of_export(printed);
-      EXPECT_EQ(answer.is_taken, found.refused.empty())
+      EXPECT_EQ(answer.is_accepted, found.refused.empty())
           << "sheet " << k << ": " << answer.why << found.refused;
-      EXPECT_EQ(answer.why.empty(), answer.is_taken) << "sheet " << k;
+      EXPECT_EQ(answer.why.empty(), answer.is_accepted) << "sheet " << k;
     }
   }
   RecordProperty("exported", exported);

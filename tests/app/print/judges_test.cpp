@@ -30,7 +30,7 @@ using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
 /// Returns both output streams of a program. Fails if the program is missing.
-std::string said_by(const std::string& command) {
+std::string command_output(const std::string& command) {
   std::string out;
   FILE* pipe = popen((command + " 2>&1").c_str(), "r");
   char text[4096];
@@ -123,7 +123,7 @@ TEST_P(Judges, TheSchemaAllowsWhatIsSaidOfThePrint) { EXPECT_EQ(schema_errors(gi
 TEST_P(Judges, AdmeshFindsNothingToRepair) {
   for (const char* name : {"all.stl", "hard.stl", "soft.stl"}) {
     if (!fs::exists(given().file(name))) continue;
-    const std::string said = said_by("admesh " + given().file(name));
+    const std::string said = command_output("admesh " + given().file(name));
     for (const char* what : {"Degenerate facets", "Edges fixed", "Facets removed", "Facets added",
                              "Facets reversed", "Backwards edges", "Normals fixed"})
       EXPECT_EQ(number_after(said, std::string(what) + R"(\s*:)"), 0) << name << ": " << what << "\n" << said;
@@ -144,13 +144,13 @@ TEST_P(Judges, AdmeshFindsNothingToRepair) {
 TEST_P(Judges, CgalFindsNoTwoFacesThatCross) {
   for (const char* name : {"hard.stl", "soft.stl"}) {
     if (!fs::exists(given().file(name))) continue;
-    const std::string said = said_by(std::string(KINETIX_SELF_CROSSING) + " " + given().file(name));
+    const std::string said = command_output(std::string(KINETIX_SELF_CROSSING) + " " + given().file(name));
     EXPECT_THAT(said, HasSubstr("manifold 1\nclosed 1\ncrossing 0")) << name;
   }
 }
 
 TEST_P(Judges, PrusaSlicerSeesEveryBodyAndTheirVolume) {
-  const std::string said = said_by("prusa-slicer --info " + given().of(".3mf"));
+  const std::string said = command_output("prusa-slicer --info " + given().of(".3mf"));
   EXPECT_THAT(said, HasSubstr("manifold = yes"));
   EXPECT_EQ(number_after(said, "number_of_parts ="), given().bodies() + given().blocks());
   const Json volume = given().json()["volume_mm3"];
@@ -209,9 +209,9 @@ TEST_P(AllFormats, AssimpFindsEveryBodyAndItsMotion) {
 }
 
 TEST_P(AllFormats, BlenderOpensEveryBodyAndMovesAllButOne) {
-  const std::string said = said_by("blender -b --factory-startup --python " KINETIX_SOURCE
-                                   "/tests/app/print/blender_judge.py -- " +
-                                   given().of(".glb"));
+  const std::string said = command_output("blender -b --factory-startup --python " KINETIX_SOURCE
+                                          "/tests/app/print/blender_judge.py -- " +
+                                          given().of(".glb"));
   EXPECT_EQ(number_after(said, "objects"), given().bodies() + (given().blocks() > 0)) << said;
   EXPECT_GE(number_after(said, "moved"), given().bodies() - 1) << said;
   EXPECT_EQ(number_after(said, "materials"), given().blocks() > 0 ? 2 : 1) << said;
@@ -270,17 +270,17 @@ TEST_P(Judges, MujocoFoldsItToTheExactShape) {
 }
 
 TEST_P(Judges, EzdxfAndRsvgReadTheDrawings) {
-  const std::string said =
-      said_by("/usr/bin/python3 -c \"import ezdxf; d = ezdxf.readfile('" + given().of(".dxf") +
-              "'); print('errors', len(d.audit().errors), 'unit', d.header['\\$INSUNITS'], 'numbers', "
-              "len(d.modelspace().query('TEXT')), 'open', sum(not p.is_closed for p in "
-              "d.modelspace().query('POLYLINE')), 'outlines', len(d.modelspace().query('POLYLINE')))\"");
+  const std::string said = command_output(
+      "/usr/bin/python3 -c \"import ezdxf; d = ezdxf.readfile('" + given().of(".dxf") +
+      "'); print('errors', len(d.audit().errors), 'unit', d.header['\\$INSUNITS'], 'numbers', "
+      "len(d.modelspace().query('TEXT')), 'open', sum(not p.is_closed for p in "
+      "d.modelspace().query('POLYLINE')), 'outlines', len(d.modelspace().query('POLYLINE')))\"");
   const int parts = given().bodies() + given().blocks();
   EXPECT_THAT(said, HasSubstr("errors 0 unit 4 numbers " + std::to_string(int(given().json()["hinges"])) +
                               " open 0"));
   EXPECT_GE(number_after(said, "outlines"), parts);
   const std::string png = given().scratch / "drawing.png";
-  said_by("rsvg-convert " + given().of(".svg") + " -o " + png);
+  command_output("rsvg-convert " + given().of(".svg") + " -o " + png);
   EXPECT_GT(fs::file_size(png), 1000U);
 }
 
@@ -348,7 +348,7 @@ TEST(Slices, OfLooseRodsAreBodiesAndRods) {
   EXPECT_EQ(pieces, 20);
   EXPECT_EQ(printed_pieces(sliced(scratch.path(), scratch / "out/rods.stl", {80, 80})), rods);
   for (const char* name : {"tile_1.stl", "rods.stl", "hard.stl"}) {
-    const std::string said = said_by("admesh " + std::string(scratch / "out") + "/" + name);
+    const std::string said = command_output("admesh " + std::string(scratch / "out") + "/" + name);
     EXPECT_THAT(said, HasSubstr("Facets with 3 disconnected edges :     0")) << name << said;
     EXPECT_EQ(number_after(said, R"(Normals fixed\s*:)"), 0) << name;
   }
@@ -391,7 +391,7 @@ hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.1}
 )");
   const std::string out = scratch / "out";
   ASSERT_EQ(kinetix_opt("export " + design + " --format mjcf -o " + out).code, 0);
-  model::MadeHinge block;
+  model::ManufacturedHinge block;
   block.kind = model::HingeKind::block;
   block.material = *model::find_material("tango");
   block.gap_mm = 1.6;
@@ -451,12 +451,12 @@ TEST(Coupon, IsCleanWithItsRaisedNumbers) {
                                                 std::string(scratch / process)));
     ASSERT_EQ(run.code, 0) << run.err;
     const std::string file = scratch / (std::string(process) + "/all.stl");
-    const std::string said = said_by("admesh " + file);
+    const std::string said = command_output("admesh " + file);
     EXPECT_THAT(said, HasSubstr("Facets with 3 disconnected edges :     0")) << said;
     EXPECT_EQ(number_after(said, R"(Number of parts\s*:)"), 36);
     for (const char* what : {"Degenerate facets", "Edges fixed", "Facets removed", "Facets reversed"})
       EXPECT_EQ(number_after(said, std::string(what) + R"(\s*:)"), 0) << what << said;
-    EXPECT_THAT(said_by(std::string(KINETIX_SELF_CROSSING) + " " + file),
+    EXPECT_THAT(command_output(std::string(KINETIX_SELF_CROSSING) + " " + file),
                 HasSubstr("manifold 1\nclosed 1\ncrossing 0"));
   }
 }
@@ -487,11 +487,11 @@ TEST(Caps, HideWhereTheAxesAreAndFoldAsWell) {
   EXPECT_EQ(json["hinge"], "pin");
   EXPECT_GE(double(json["path"]["in_hinges"]["mm"]), 0.25 - 0.01);
   EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("bores in round caps of "));
-  const std::string admesh = said_by("admesh " + out + "/hard.stl");
+  const std::string admesh = command_output("admesh " + out + "/hard.stl");
   EXPECT_THAT(admesh, HasSubstr("Facets with 3 disconnected edges :     0"));
   EXPECT_EQ(number_after(admesh, R"(Normals fixed\s*:)"), 0);
   EXPECT_EQ(number_after(admesh, R"(Number of parts\s*:)"), 16);
-  EXPECT_THAT(said_by(std::string(KINETIX_SELF_CROSSING) + " " + out + "/hard.stl"),
+  EXPECT_THAT(command_output(std::string(KINETIX_SELF_CROSSING) + " " + out + "/hard.stl"),
               HasSubstr("manifold 1\nclosed 1\ncrossing 0"));
   const StepVerdict step = read_step(out + "/dot.step");
   EXPECT_TRUE(step.valid);

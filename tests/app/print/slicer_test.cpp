@@ -27,7 +27,7 @@ TEST(Slicer, TellsTimeAndAsMuchMaterialAsThereIsVolume) {
     ASSERT_EQ(
         exported(scratch, panel, std::string("--format stl --hinge block --slice --process ") + process).code,
         0);
-    const Json json = said_of(scratch);
+    const Json json = print_json_of(scratch);
     ASSERT_TRUE(json["slicer"].contains("seconds")) << json["slicer"];
     const double own = double(json["volume_mm3"]["hard"]) + double(json["volume_mm3"]["soft"]);
     EXPECT_NEAR(double(json["slicer"]["material_mm3"]) / own, 1, 0.15) << process;
@@ -42,7 +42,7 @@ TEST(Slicer, TellsTimeAndAsMuchMaterialAsThereIsVolume) {
 TEST(Slicer, CountsLooseRods) {
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge pin --process sla --loose-rods --slice").code, 0);
-  const Json json = said_of(scratch);
+  const Json json = print_json_of(scratch);
   ASSERT_TRUE(json["slicer"].contains("seconds")) << json["slicer"];
   const double hard = json["volume_mm3"]["hard"], rods = volume_of_stl(text_of(scratch / "out/rods.stl"));
   ASSERT_GT(rods, 0.02 * hard);
@@ -62,11 +62,11 @@ TEST(Slicer, IsQuotedByTheReportOfTheSameSheet) {
   const Outcome run = kinetix_opt(print);
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("report       " + page));
-  const Json told = Json::parse(app::data_of_report(text_of(page)))["print"],
+  const Json reported = Json::parse(app::data_of_report(text_of(page)))["print"],
              slicer = Json::parse(text_of(scratch / "print/print.json"))["slicer"];
-  EXPECT_EQ(told["process"], "sla");
-  EXPECT_EQ(told["hinges"], "block");
-  for (const char* key : {"seconds", "material_mm3", "prints"}) EXPECT_EQ(told[key], slicer[key]) << key;
+  EXPECT_EQ(reported["process"], "sla");
+  EXPECT_EQ(reported["hinges"], "block");
+  for (const char* key : {"seconds", "material_mm3", "prints"}) EXPECT_EQ(reported[key], slicer[key]) << key;
 
   const std::string before = text_of(page);
   const Outcome larger = kinetix_opt(print + " --cell-mm 15");
@@ -91,16 +91,16 @@ TEST(Slicer, ThatIsNotThereIsSaidInWords) {
   const Scratch scratch;
   const app::PreparedPrint print = app::prepared(app::read_design(scratch.write("panel.yaml", panel)),
                                                  *model::find_process("sla"), {}, false);
-  const app::SlicerAnswer answer = app::ask_slicer(print.job, "no-such-slicer");
+  const app::SlicerAnswer answer = app::estimate_by_slicer(print.job, "no-such-slicer");
   EXPECT_FALSE(answer.estimate);
-  EXPECT_EQ(answer.why_none, "no slicer found: no-such-slicer is not on PATH");
-  EXPECT_THAT(app::ask_slicer(print.job, "false").why_none, HasSubstr("gave up"));
+  EXPECT_EQ(answer.no_estimate_reason, "no slicer found: no-such-slicer is not on PATH");
+  EXPECT_THAT(app::estimate_by_slicer(print.job, "false").no_estimate_reason, HasSubstr("gave up"));
 }
 
 TEST(Slicer, WithoutAProcessThatItKnowsIsNotAsked) {
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, panel, "--format stl --slice").code, 0);
-  EXPECT_EQ(said_of(scratch)["slicer"]["why_none"], "no slicer found for polyjet");
+  EXPECT_EQ(print_json_of(scratch)["slicer"]["why_none"], "no slicer found for polyjet");
 }
 
 TEST(Slicer, TimesAreReadInDaysHoursMinutesAndSeconds) {
@@ -132,7 +132,7 @@ TEST(Orientation, OfASheetThatIsLaidOnItsFaceIsThatOfItsFiles) {
       "[1, 1]], beta_deg: -20}, {wall: [[0, 2], [1, 2]], beta_deg: 20}]");
   ASSERT_EQ(exported(flat, leaning, "--format stl --hinge block").code, 0);
   ASSERT_EQ(exported(over, leaning, "--format stl --hinge block --orient over").code, 0);
-  const Json one = said_of(flat), other = said_of(over);
+  const Json one = print_json_of(flat), other = print_json_of(over);
   EXPECT_EQ(one["orientation"], "flat");
   EXPECT_EQ(other["orientation"], "over");
   EXPECT_EQ(one["overhang_mm2"], other["overhang_mm2"]) << "of the same sheet";
@@ -148,15 +148,15 @@ TEST(Orientation, LeavesTheSceneWhereItsMotionIs) {
   ASSERT_EQ(exported(over, panel, "--format glb --hinge block --orient over").code, 0);
   EXPECT_EQ(text_of(over / "out/panel.glb"), text_of(flat / "out/panel.glb"));
   const std::string note = "--orient over changes nothing in glb, where the sheet is in its own place";
-  EXPECT_THAT(said_of(over)["warnings"].dump(), HasSubstr(note));
+  EXPECT_THAT(print_json_of(over)["warnings"].dump(), HasSubstr(note));
   EXPECT_THAT(text_of(over / "out/print.txt"), HasSubstr(note));
-  EXPECT_EQ(said_of(flat)["warnings"].dump().find("--orient"), std::string::npos);
+  EXPECT_EQ(print_json_of(flat)["warnings"].dump().find("--orient"), std::string::npos);
 }
 
 TEST(Orientation, ThatIsProposedHasTheLeastOverhang) {
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge pin --orient best").code, 0);
-  const Json json = said_of(scratch);
+  const Json json = print_json_of(scratch);
   const double here = json["overhang_mm2"][std::string(json["orientation"])];
   for (const auto& [way, area] : json["overhang_mm2"].items()) EXPECT_GE(double(area), here) << way;
   ASSERT_EQ(json["orientation"], "flat") << "both sides of upright pins are alike";

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using app::studio::Autosave;
-using app::studio::Opened;
+using app::studio::SessionInput;
 using nlohmann::json;
 
 /// A design on the disk that is opened repeatedly. The studio is killed each time, so it cannot clean up.
@@ -23,8 +23,8 @@ class KilledStudio : public ::testing::Test {
   std::shared_ptr<Autosave> place(const std::string& source = "design.yaml") const {
     return std::make_shared<Autosave>(folder.path("state"), folder.path(source));
   }
-  Opened opened() const {
-    Opened out{app::studio::template_design("strip"), folder.path("design.yaml"), ""};
+  SessionInput opened() const {
+    SessionInput out{app::studio::template_design("strip"), folder.path("design.yaml"), ""};
     out.results = folder.path("results");
     out.autosave = place();
     return out;
@@ -165,7 +165,7 @@ TEST_F(KilledStudio, PutsAsideWhatAStudioThatEndsHasNotSaved) {
 }
 
 TEST_F(KilledStudio, SaysWhereNothingCanBeKept) {
-  Opened strip = opened();
+  SessionInput strip = opened();
   const fs::path kept = strip.autosave->folder();
   OpenStudio studio(std::move(strip));
   folder.write(fs::relative(kept, folder.path("")).string(), "a file in the place of the folder");
@@ -173,15 +173,15 @@ TEST_F(KilledStudio, SaysWhereNothingCanBeKept) {
   ASSERT_TRUE(page.open(studio.token));
   page.text("design");
   page.send(hinge(0.3).dump());
-  json told = page.text("design");
-  EXPECT_EQ(t_of(told), 0.3) << "the edit is made all the same";
-  EXPECT_EQ(told["kept"], false);
-  EXPECT_THAT(told["not_kept"].get<std::string>(), ::testing::HasSubstr(kept.string()));
+  json reported = page.text("design");
+  EXPECT_EQ(t_of(reported), 0.3) << "the edit is made all the same";
+  EXPECT_EQ(reported["kept"], false);
+  EXPECT_THAT(reported["not_kept"].get<std::string>(), ::testing::HasSubstr(kept.string()));
   fs::remove(kept);
   page.send(hinge(0.35).dump());
-  told = page.text("design");
-  EXPECT_EQ(told["kept"], true);
-  EXPECT_FALSE(told.contains("not_kept"));
+  reported = page.text("design");
+  EXPECT_EQ(reported["kept"], true);
+  EXPECT_FALSE(reported.contains("not_kept"));
 }
 
 }  // namespace

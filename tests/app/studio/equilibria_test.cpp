@@ -11,26 +11,26 @@ namespace kinetix::testing {
 namespace {
 
 using app::studio::Equilibria;
-using app::studio::KnownPath;
+using app::studio::KnownEquilibria;
 
 constexpr double deg = radians_per_degree;  // rad: thetas of the tests are in degrees
 
-const auto nobody = [](const model::DrivenState&) {};
+const auto ignore_state = [](const model::DrivenState&) {};
 
 TEST(StudioEquilibria, GoesOnFromWhereItCameToAndEndsAsFromFlat) {
   const app::Design design = app::studio::template_design("strip");
   const Equilibria equilibria(design, app::studio::Moving(design));
   std::string why;
-  const auto first = equilibria.go(12 * deg, nullptr, {}, nobody, why);
+  const auto first = equilibria.trace_to(12 * deg, nullptr, {}, ignore_state, why);
   ASSERT_EQ(why, "");
   model::DrivenState last;
   int states = 0;
-  const auto longer = equilibria.go(
+  const auto longer = equilibria.trace_to(
       20 * deg, first, {}, [&](const model::DrivenState& at) { last = at, ++states; }, why);
   ASSERT_EQ(why, "");
   EXPECT_EQ(longer->states.size(), first->states.size() + static_cast<std::size_t>(states) - 1);
   EXPECT_NEAR(last.step.theta, 20 * deg, 1e-6);
-  const auto anew = equilibria.go(20 * deg, nullptr, {}, nobody, why);
+  const auto anew = equilibria.trace_to(20 * deg, nullptr, {}, ignore_state, why);
   EXPECT_LE(turn_distance(design.structure, last.state, anew->states.back().state), 1e-5);
   EXPECT_NEAR(last.step.load, anew->states.back().step.load, 1e-4 * std::abs(anew->states.back().step.load));
 }
@@ -39,12 +39,12 @@ TEST(StudioEquilibria, ComesBackWithoutAWayFromFlat) {
   const app::Design design = app::studio::template_design("strip");
   const Equilibria equilibria(design, app::studio::Moving(design));
   std::string why;
-  const auto way = equilibria.go(20 * deg, nullptr, {}, nobody, why);
+  const auto known = equilibria.trace_to(20 * deg, nullptr, {}, ignore_state, why);
   model::DrivenState last;
   int states = 0;
-  EXPECT_EQ(equilibria.go(
-                7 * deg, way, {}, [&](const auto& at) { last = at, ++states; }, why),
-            way);
+  EXPECT_EQ(equilibria.trace_to(
+                7 * deg, known, {}, [&](const auto& at) { last = at, ++states; }, why),
+            known);
   EXPECT_EQ(states, 2) << "the nearest one known, and the one asked for";
   EXPECT_NEAR(last.step.theta, 7 * deg, 1e-6);
 }
@@ -70,13 +70,13 @@ TEST(StudioEquilibria, GoesUnderTheDesignsOwnDrive) {
     const model::LinkageDrive drive = app::studio::drive_to(design, 15 * deg);
     const Equilibria equilibria(design, app::studio::Moving(design));
     std::string why;
-    const auto first = equilibria.go(10 * deg, nullptr, {}, nobody, why);
+    const auto first = equilibria.trace_to(10 * deg, nullptr, {}, ignore_state, why);
     model::DrivenState last;
-    equilibria.go(
+    equilibria.trace_to(
         15 * deg, first, {}, [&](const auto& at) { last = at; }, why);
     ASSERT_EQ(why, "");
     EXPECT_NEAR(last.step.theta, 15 * deg, 1e-6);
-    const auto anew = equilibria.go(15 * deg, nullptr, {}, nobody, why);
+    const auto anew = equilibria.trace_to(15 * deg, nullptr, {}, ignore_state, why);
     EXPECT_LE(turn_distance(design.structure, last.state, anew->states.back().state), 1e-5);
     const model::Linkage linkage = design.structure;
     const double load = last.step.load, force = equilibria.force_N(last.step.theta, load);
@@ -99,13 +99,13 @@ TEST(StudioEquilibria, StopsOnItsWayWhenItIsTold) {
   const Equilibria equilibria(design, app::studio::Moving(design));
   std::stop_source source;
   std::string why;
-  const auto way = equilibria.go(
+  const auto known = equilibria.trace_to(
       20 * deg, nullptr, source.get_token(),
       [&](const model::DrivenState& at) {
         if (at.step.theta > 5 * deg) source.request_stop();
       },
       why);
-  EXPECT_LT(way->states.back().step.theta, 15 * deg);
+  EXPECT_LT(known->states.back().step.theta, 15 * deg);
   EXPECT_NE(why.find("told to stop"), std::string::npos) << why;
 }
 

@@ -42,9 +42,9 @@ class Waiting : public app::studio::SessionLoop {
   std::atomic<int> came = 0, done = 0;
 
  private:
-  void welcome(int client) override { tell({{"type", "hello"}}, client); }
+  void welcome(int client) override { send_message({{"type", "hello"}}, client); }
   void forget(int) override {}
-  void obey(const app::studio::Message&) override {
+  void execute(const app::studio::Message&) override {
     goes_on.wait();
     ++done;
   }
@@ -220,9 +220,9 @@ TEST_F(Studio, OutlivesASaveIntoAPlaceThatIsGone) {
 
 TEST_F(Studio, RefusesASheetThatNoPageCanShow) {
   app::Design large = file;
-  large.structure.squares()->bodies.resize(app::studio::most_bodies);
+  large.structure.squares()->bodies.resize(app::studio::max_bodies);
   EXPECT_NO_THROW(app::studio::require_showable(large));
-  large.structure.squares()->bodies.resize(app::studio::most_bodies + 1);
+  large.structure.squares()->bodies.resize(app::studio::max_bodies + 1);
   try {
     app::studio::require_showable(large);
     ADD_FAILURE() << "it is opened";

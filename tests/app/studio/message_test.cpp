@@ -57,7 +57,7 @@ TEST(StudioFrame, HoldsTenNumbersAndSevenABody) {
   frame.revision = 3;
   frame.theta = 0.5;
   frame.mode = app::studio::Mode::bullet;
-  frame.heard[2] = 9;
+  frame.processed[2] = 9;
   frame.state.resize(2);
   frame.state[1].p = {1, 2, 3};
   frame.state[1].R = Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitZ()).toRotationMatrix();

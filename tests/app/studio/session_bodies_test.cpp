@@ -112,7 +112,7 @@ class StudioOfBodies : public ::testing::Test {
   void expect_state(const json& command, const char* key, const json& value) {
     client.send(command.dump());
     json state;
-    for (int told = 0; told < 5 && state[key] != value; ++told) state = client.text("state");
+    for (int reported = 0; reported < 5 && state[key] != value; ++reported) state = client.text("state");
     EXPECT_EQ(state[key], value) << command;
   }
 
@@ -355,7 +355,7 @@ TEST_F(StudioOfALoop, TurnsByAnotherHinge) {
 TEST(StudioOfBodiesOpened, KeepsWhatIsNotSaved) {
   const TemporaryFolder folder;
   const auto opened = [&] {
-    app::studio::Opened out{pair_of_walls(), folder.path("design.yaml"), ""};
+    app::studio::SessionInput out{pair_of_walls(), folder.path("design.yaml"), ""};
     out.autosave = std::make_shared<app::studio::Autosave>(folder.path("state"), folder.path("design.yaml"));
     return out;
   };
@@ -450,7 +450,7 @@ TEST(StudioOfBodiesOpened, RefusesABrokenFileWithItsPlace) {
   for (const app::NamedContent& content : design_files(pair_of_walls()))
     if (content.name == "design.yaml") app::write_file(file, content.content);
   try {
-    app::view_command({}, {.source = file, .opens_page = false});
+    app::view_command({}, {.source = file, .opens_browser = false});
     ADD_FAILURE() << "opened without its meshes";
   } catch (const InvalidInput& e) {
     EXPECT_THAT(e.what(), HasSubstr("parts/left.stl"));

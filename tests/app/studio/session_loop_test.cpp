@@ -36,7 +36,7 @@ class Failing : public SessionLoop {
   }
   void welcome(int) override { fail("welcome"); }
   void forget(int) override { fail("forget"); }
-  void obey(const Message& message) override {
+  void execute(const Message& message) override {
     const std::string type = message.type();
     if (type == "memory") throw std::bad_alloc();
     if (type == "file")
@@ -51,8 +51,8 @@ class Failing : public SessionLoop {
     if (type == "bad") throw InvalidInput("bad input");
     if (type == "later") enqueue([] { throw std::bad_alloc(); });
     if (type == "fails_in") fails_in = message.text("place");
-    if (fails_in == "welcome") greet(7);
-    if (fails_in == "forget") dismiss(7);
+    if (fails_in == "welcome") add_client(7);
+    if (fails_in == "forget") remove_client(7);
     done.push_back(type);
   }
   bool moves() const override { return !halted && fails_in == "play"; }
@@ -68,9 +68,9 @@ class Failing : public SessionLoop {
   void stop_jobs() override {}
 };
 
-struct Told {
+struct Reported {
   std::vector<json> texts;
-  std::vector<double> heard;  ///< counters of client 1's commands, in frames
+  std::vector<double> processed;  ///< counters of client 1's commands, in frames
   std::vector<std::string> done;
   bool halted = false;
 };
@@ -78,23 +78,23 @@ struct Told {
 using Commands = std::vector<std::pair<int, json>>;
 
 /// Collects the replies to clients 1 and 2, which send all their commands at once.
-Told report_of(const Commands& commands) {
-  Told told;
+Reported report_of(const Commands& commands) {
+  Reported reported;
   std::stop_source stop;
   std::size_t left = commands.size();
-  Failing session({[&](int, const Text& text) { told.texts.push_back(json::parse(*text.bytes)); },
+  Failing session({[&](int, const Text& text) { reported.texts.push_back(json::parse(*text.bytes)); },
                    [&](const std::shared_ptr<const Frame>& frame) {
-                     if (frame->heard.count(1)) told.heard.push_back(frame->heard.at(1));
+                     if (frame->processed.count(1)) reported.processed.push_back(frame->processed.at(1));
                    },
                    [&](int, std::size_t) {
                      if (--left == 0) stop.request_stop();
                    }});
-  for (const int client : {1, 2}) session.greet(client);
+  for (const int client : {1, 2}) session.add_client(client);
   for (const auto& [client, command] : commands) session.post(client, command.dump());
   session.run(stop.get_token());
-  told.done = session.done;
-  told.halted = session.halted;
-  return told;
+  reported.done = session.done;
+  reported.halted = session.halted;
+  return reported;
 }
 
 TEST(SessionLoop, TellsOfACommandThatFailsForWhateverReasonAndGoesOn) {
@@ -109,39 +109,40 @@ TEST(SessionLoop, TellsOfACommandThatFailsForWhateverReasonAndGoesOn) {
   for (const auto& [type, words] : failures)
     commands.push_back({1, {{"type", type}, {"id", commands.size() + 1}}});
   commands.push_back({1, {{"type", "fine"}, {"id", 100}}});
-  const Told told = report_of(commands);
-  ASSERT_EQ(told.texts.size(), std::size(failures));
+  const Reported reported = report_of(commands);
+  ASSERT_EQ(reported.texts.size(), std::size(failures));
   for (std::size_t k = 0; k < std::size(failures); ++k) {
-    EXPECT_THAT(told.texts[k]["message"].get<std::string>(), ::testing::HasSubstr(failures[k].second));
-    EXPECT_THAT(told.texts[k]["message"].get<std::string>(), ::testing::Not(::testing::HasSubstr("library")));
-    EXPECT_EQ(told.texts[k]["id"], k + 1);
-    EXPECT_EQ(told.texts[k]["about"], failures[k].first);
+    EXPECT_THAT(reported.texts[k]["message"].get<std::string>(), ::testing::HasSubstr(failures[k].second));
+    EXPECT_THAT(reported.texts[k]["message"].get<std::string>(),
+                ::testing::Not(::testing::HasSubstr("library")));
+    EXPECT_EQ(reported.texts[k]["id"], k + 1);
+    EXPECT_EQ(reported.texts[k]["about"], failures[k].first);
   }
-  EXPECT_EQ(told.done, std::vector<std::string>{"fine"});
+  EXPECT_EQ(reported.done, std::vector<std::string>{"fine"});
 }
 
 TEST(SessionLoop, GoesOnWhateverElseFails) {
   for (const char* place : {"welcome", "forget", "play", "frame", "later"}) {
     SCOPED_TRACE(place);
-    const Told told = report_of(
+    const Reported reported = report_of(
         {{1, {{"type", "fails_in"}, {"place", place}}}, {1, {{"type", "later"}}}, {1, {{"type", "fine"}}}});
-    EXPECT_EQ(told.done.back(), "fine");
-    EXPECT_GE(told.texts.size(), place == std::string("later") ? 1u : 2u);
-    EXPECT_THAT(told.texts.back()["message"].get<std::string>(), ::testing::HasSubstr("memory"));
-    EXPECT_EQ(told.halted, place == std::string("play"));
+    EXPECT_EQ(reported.done.back(), "fine");
+    EXPECT_GE(reported.texts.size(), place == std::string("later") ? 1u : 2u);
+    EXPECT_THAT(reported.texts.back()["message"].get<std::string>(), ::testing::HasSubstr("memory"));
+    EXPECT_EQ(reported.halted, place == std::string("play"));
   }
 }
 
 /// An equilibrium that is found late answers an older command.
 TEST(SessionLoop, NeverGoesBackInTheCommandsThatItHasHeard) {
-  Told told;
+  Reported reported;
   for (const auto& ids : {std::vector{5, 3}, std::vector{1, 2, 7, 4, 6}, std::vector{2, 2, 1}}) {
     Commands commands;
     for (const int id : ids) commands.push_back({1, {{"type", "fine"}, {"id", id}}});
-    told = report_of(commands);
-    ASSERT_FALSE(told.heard.empty());
-    EXPECT_TRUE(std::is_sorted(told.heard.begin(), told.heard.end()));
-    EXPECT_EQ(told.heard.back(), *std::max_element(ids.begin(), ids.end()));
+    reported = report_of(commands);
+    ASSERT_FALSE(reported.processed.empty());
+    EXPECT_TRUE(std::is_sorted(reported.processed.begin(), reported.processed.end()));
+    EXPECT_EQ(reported.processed.back(), *std::max_element(ids.begin(), ids.end()));
   }
 }
 

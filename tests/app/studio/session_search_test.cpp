@@ -135,7 +135,7 @@ TEST_F(Studio, KnowsTheGoalOfADesignThatLiesBesideItsResult) {
   EXPECT_EQ(other.text("result")["result"]["name"], "hook") << "pages that come later know of it as well";
   saved.theta = 0.1;
   OpenStudio later{[&](app::studio::MessageSink outlet) {
-    return std::make_unique<app::studio::Session>(app::studio::Opened{saved, path, "", 2, 0, again},
+    return std::make_unique<app::studio::Session>(app::studio::SessionInput{saved, path, "", 2, 0, again},
                                                   std::move(outlet));
   }};
   Client page(later.port());

@@ -135,15 +135,15 @@ TEST_F(Studio, MarksWhatBreaksTheMotionAndMendsIt) {
   client.ask({{"type", "theta"}, {"deg", 20}});
   client.ask({{"type", "hinge"}, {"index", 2}, {"beta_deg", 33}});
   client.send(R"({"type": "undo"})");
-  json told = client.text("design");
-  EXPECT_TRUE(told["exact"]);
+  json reported = client.text("design");
+  EXPECT_TRUE(reported["exact"]);
   client.send(R"({"type": "redo"})");
-  told = client.text("design");
-  EXPECT_FALSE(told["exact"]);
-  EXPECT_EQ(told["breaking"].size(), 1u);
+  reported = client.text("design");
+  EXPECT_FALSE(reported["exact"]);
+  EXPECT_EQ(reported["breaking"].size(), 1u);
   client.send(R"({"type": "nearest"})");
-  told = client.text("design");
-  EXPECT_TRUE(told["exact"]);
+  reported = client.text("design");
+  EXPECT_TRUE(reported["exact"]);
   EXPECT_EQ(client.text("state")["mode"], "exact");
 }
 
@@ -170,9 +170,9 @@ TEST_F(Studio, ShowsAnEditedColumnAsItsSavedDesignFolds) {
 TEST_F(Studio, SavesTheDesignWhereverTheSliderStands) {
   const auto saved = [&](Client& page, const char* command) {
     page.send(command);
-    const json told = page.text("saved");
-    const double theta = app::read_design(told["path"].get<std::string>()).theta;
-    EXPECT_EQ(told["theta_rad"].get<double>(), theta);
+    const json reported = page.text("saved");
+    const double theta = app::read_design(reported["path"].get<std::string>()).theta;
+    EXPECT_EQ(reported["theta_rad"].get<double>(), theta);
     return theta;
   };
   client.ask({{"type", "theta"}, {"deg", 30}});
@@ -234,10 +234,10 @@ TEST_F(Studio, SavesOverNoOtherDesign) {
 
 TEST_F(Studio, GrowsAlongItsCreases) {
   client.send(R"({"type": "sheet", "columns": 6, "rows": 4})");
-  const json told = client.text("design");
-  EXPECT_TRUE(told["exact"]);
-  EXPECT_EQ(told["family"], "F2");
-  EXPECT_EQ(told["structure"]["bodies"].size(), 35u);
+  const json reported = client.text("design");
+  EXPECT_TRUE(reported["exact"]);
+  EXPECT_EQ(reported["family"], "F2");
+  EXPECT_EQ(reported["structure"]["bodies"].size(), 35u);
 }
 
 /// The twist unit of the paper has two stable states. The studio reaches one after the other.
@@ -348,7 +348,7 @@ TEST_F(Studio, MadeHingesFollowTheirWalls) {
   };
   EXPECT_EQ(saved({{"type", "sheet"}, {"height_mm", 4}}).height_mm, 4);
   EXPECT_EQ(saved({{"type", "sheet"}, {"height_mm", 12}}).height_mm, 12);
-  const model::MadeHinge small = saved({{"type", "sheet"}, {"cell_mm", 8}});
+  const model::ManufacturedHinge small = saved({{"type", "sheet"}, {"cell_mm", 8}});
   EXPECT_NEAR(small.thickness_mm, 0.8, 1e-12);
   EXPECT_EQ(small.height_mm, 12) << "the walls' own, where their thickness is the usual";
   client.send(R"({"type": "sheet", "cell_mm": 1})");
@@ -461,16 +461,16 @@ TEST(Session, RestsWhileNoPageIsThere) {
     for (int tries = 0; shown < before + 20 && tries < 3000; ++tries) wait(10);
     return shown >= before + 20;
   };
-  session.greet(1);
+  session.add_client(1);
   session.post(1, R"({"type": "mode", "mode": "bullet"})");
   session.post(1, R"({"type": "gravity", "on": true})");
   ASSERT_TRUE(plays_from(0));
-  session.dismiss(1);
+  session.remove_client(1);
   wait(200);
   const int rested = shown;
   wait(300);
   EXPECT_EQ(shown, rested);
-  session.greet(2);
+  session.add_client(2);
   EXPECT_TRUE(plays_from(rested)) << "it goes on for the next page";
 }
 

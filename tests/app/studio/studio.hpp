@@ -19,16 +19,16 @@ class OpenStudio {
 
   explicit OpenStudio(app::Design design, const std::string& target_file = "")
       : OpenStudio([&](app::studio::MessageSink outlet) {
-          return std::make_unique<app::studio::Session>(app::studio::Opened{std::move(design),
-                                                                            folder.path("design.yaml"),
-                                                                            target_file,
-                                                                            2,
-                                                                            0,
-                                                                            {},
-                                                                            folder.path("results")},
+          return std::make_unique<app::studio::Session>(app::studio::SessionInput{std::move(design),
+                                                                                  folder.path("design.yaml"),
+                                                                                  target_file,
+                                                                                  2,
+                                                                                  0,
+                                                                                  {},
+                                                                                  folder.path("results")},
                                                         std::move(outlet));
         }) {}
-  explicit OpenStudio(app::studio::Opened opened)
+  explicit OpenStudio(app::studio::SessionInput opened)
       : OpenStudio([&](app::studio::MessageSink outlet) {
           return std::make_unique<app::studio::Session>(std::move(opened), std::move(outlet));
         }) {}
@@ -37,14 +37,14 @@ class OpenStudio {
   explicit OpenStudio(
       const Maker& make, const std::function<void()>& came = [] {})
       : server(files(), token, 0,
-               {[this](int client) { session->greet(client); },
+               {[this](int client) { session->add_client(client); },
                 [this, came](int client, std::string text) {
                   came();
                   session->post(client, std::move(text));
                 },
-                [this](int client) { session->dismiss(client); }}) {
+                [this](int client) { session->remove_client(client); }}) {
     session =
-        make({[this](int client, app::studio::Text text) { server.tell(client, std::move(text)); },
+        make({[this](int client, app::studio::Text text) { server.send_message(client, std::move(text)); },
               [this](std::shared_ptr<const app::studio::Frame> frame) { server.show(std::move(frame)); },
               [this](int client, std::size_t bytes) { server.took(client, bytes); }});
     worker = std::jthread([this](const std::stop_token& stop) { session->run(stop); });

@@ -53,7 +53,7 @@ TEST(PrintsPressedFromFlat, WithPinsThatPlayArePushedToASideByTheirErrors) {
   EXPECT_EQ(starts.either_side, 0);
   EXPECT_GT(starts.other_side, 0);
   EXPECT_LT(starts.other_side, 20);
-  EXPECT_EQ(as_made_json(one.run)["from_flat"]["other_side"], starts.other_side);
+  EXPECT_EQ(print_tolerance_json(one.run)["from_flat"]["other_side"], starts.other_side);
   EXPECT_EQ(
       side_warning(one.run),
       "of 20 sample prints that plates press from flat " + std::to_string(starts.other_side) +
@@ -63,7 +63,7 @@ TEST(PrintsPressedFromFlat, WithPinsThatPlayArePushedToASideByTheirErrors) {
 TEST(PrintsPressedFromFlat, WithFilmsFoldToEitherSide) {
   const PressedGoal one = pressed_arch(films);
   ASSERT_TRUE(one.run.printed && one.run.printed->from_flat);
-  EXPECT_EQ(as_made_json(one.run)["from_flat"],
+  EXPECT_EQ(print_tolerance_json(one.run)["from_flat"],
             (nlohmann::ordered_json{{"prints", 20}, {"other_side", 0}, {"either_side", 20}, {"failed", 0}}));
   EXPECT_THAT(side_warning(one.run), HasSubstr("flat 20 fold to either side by chance: bend"));
 }
@@ -74,7 +74,7 @@ TEST(PrintsPressedFromFlat, AreAskedOnlyOfElasticHingesBetweenPlates) {
     const PressedGoal one = pressed_arch(rest);
     ASSERT_TRUE(one.run.printed) << rest;
     EXPECT_FALSE(one.run.printed->from_flat) << rest;
-    EXPECT_FALSE(as_made_json(one.run).contains("from_flat"));
+    EXPECT_FALSE(print_tolerance_json(one.run).contains("from_flat"));
     EXPECT_EQ(side_warning(one.run), "");
   }
 }

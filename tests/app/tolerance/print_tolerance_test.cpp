@@ -45,7 +45,7 @@ Tried tried(const std::string& text) {
 }
 
 model::State design_state(const Tried& one) {
-  return one.run.matter ? one.run.equilibrium->path.state : one.run.own;
+  return one.run.compensation ? one.run.equilibrium->path.state : one.run.own;
 }
 
 /// Computes the distances of a state from its goal. Each point has its directions, and the goal finds the nearest
@@ -109,8 +109,8 @@ struct FreeHinge {
 };
 
 FreeHinge hinge_of(const Run& run) {
-  const model::Elasticity e =
-      run.printed->taken ? elasticity_of(run.printed->taken->made) : elasticity_of(*run.design.hinge.made);
+  const model::Elasticity e = run.printed->assumed ? elasticity_of(run.printed->assumed->made)
+                                                   : elasticity_of(*run.design.hinge.made);
   return {stiffness_of(e), e.reach_mm};
 }
 
@@ -119,7 +119,7 @@ FreeSheet free_sheet(const Run& run, const model::Lattice& sheet, const model::S
   const std::vector<double> none(static_cast<std::size_t>(run.design.structure.hinges()), 0.0);
   FreeSheet own(model::Linkage(run.design.structure), hinge.k, hinge.reach_mm, none);
   const std::vector<double> at = own.turns(design);
-  if (!run.matter || !is_fold) return {model::Linkage(sheet), hinge.k, hinge.reach_mm, at};
+  if (!run.compensation || !is_fold) return {model::Linkage(sheet), hinge.k, hinge.reach_mm, at};
   FreeSheet out(model::Linkage(sheet), hinge.k, hinge.reach_mm, none);
   // The sheet reaches run.theta. The springs rest at a larger theta.
   const model::LinkageDrive& drive = run.equilibrium->drive;
@@ -136,10 +136,10 @@ Sampled sample(const Tried& one, bool planar, unsigned seed) {
   const FreeErrors sd{run.design.process.sd.t_mm, run.design.process.sd.tilt_deg * radians_per_degree};
   const model::State design = design_state(one);
   std::vector<model::State> way;
-  if (run.matter)
+  if (run.compensation)
     for (const NamedState& state : run.states)
       if (state.name == "frame") way.push_back(state.poses);
-  for (int k = 1; !run.matter && k < count_states(); ++k)
+  for (int k = 1; !run.compensation && k < count_states(); ++k)
     way.push_back(run.plan.exact.at(run.theta * k / count_states()));
   const WallSolids designed{model::Linkage(run.design.structure)};
   const auto built = designed.touching(model::rest_state(run.design.structure), {});

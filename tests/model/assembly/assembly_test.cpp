@@ -108,7 +108,8 @@ TEST(Assembly, TakesTwoBearingsOnOneAxisForOnePin) {
       make_assembly({{"rod", false, tube(ring(1.5, 24, true), {}, -8, 8)}, {"eyes", false, eyes}});
   ASSERT_EQ(found.hinges.size(), 1u);
   EXPECT_NEAR(found.hinges[0].point.z(), 0, 1e-9) << "the middle of the outermost ends";
-  const MadeHinge whole{.kind = HingeKind::pin, .height_mm = 14, .diameter_mm = 3, .clearance_mm = 0.3};
+  const ManufacturedHinge whole{
+      .kind = HingeKind::pin, .height_mm = 14, .diameter_mm = 3, .clearance_mm = 0.3};
   EXPECT_NEAR(found.hinges[0].reach_mm, reach_mm(whole), 1e-6);
 }
 

@@ -73,11 +73,11 @@ TEST(SoftHinge, HasItsAxisWithinADegreeOfBoxesCylindersHourglassesAndFilletsHowe
 
 TEST(SoftHinge, OfABoxResistsAsTheBlockOfItsSizes) {
   const Assembly found = make_assembly(model_of(shapes()[0], Isometry3d::Identity()));
-  const HingeStiffness block = stiffness(MadeHinge{.kind = HingeKind::block,
-                                                   .material = *find_material("tango"),
-                                                   .gap_mm = 1,
-                                                   .thickness_mm = 0.8,
-                                                   .height_mm = 6});
+  const HingeStiffness block = stiffness(ManufacturedHinge{.kind = HingeKind::block,
+                                                           .material = *find_material("tango"),
+                                                           .gap_mm = 1,
+                                                           .thickness_mm = 0.8,
+                                                           .height_mm = 6});
   const HingeStiffness& k = found.hinges[0].k;
   EXPECT_NEAR(k.turn, block.turn, 1e-9 * block.turn);
   EXPECT_NEAR(k.axial, block.axial, 1e-9 * block.axial);
@@ -97,7 +97,8 @@ TEST(SoftHinge, OfAnHourglassYieldsAsItsWaistDoes) {
   }
   const Assembly found = make_assembly(model_of(c, Isometry3d::Identity()));
   const double t = std::cbrt(12 * 2 / (5 * sum));
-  const double expected = stiffness(MadeHinge{HingeKind::block, *find_material("tango"), 2, t, 5}).turn;
+  const double expected =
+      stiffness(ManufacturedHinge{HingeKind::block, *find_material("tango"), 2, t, 5}).turn;
   EXPECT_NEAR(found.hinges[0].k.turn, expected, 0.01 * expected);
 }
 

@@ -52,18 +52,17 @@ TEST(Decompositions, OfASymmetricMatrixAreByHand) {
   EXPECT_NEAR(found.values[0], 1, 1e-14);
   EXPECT_NEAR(found.values[1], 3, 1e-14);
   const SymmetricFactor factor(A);
-  EXPECT_NEAR(factor.least_pivot(), 1.5, 1e-14);
+  EXPECT_NEAR(factor.min_pivot(), 1.5, 1e-14);
   EXPECT_TRUE(factor.inverse_diagonal().isApprox(VectorXd::Constant(2, 2.0 / 3), 1e-14));
   EXPECT_TRUE(factor.solve(Eigen::Vector2d(3, 0)).isApprox(Eigen::Vector2d(2, -1), 1e-14));
 }
 
 TEST(Decompositions, OfWhatIsNoNumberHaveNoPivot) {
   EXPECT_FALSE(
-      SymmetricFactor(MatrixXd::Constant(2, 2, std::numeric_limits<double>::quiet_NaN())).least_pivot() > 0);
-  EXPECT_EQ(SymmetricFactor(MatrixXd::Ones(2, 2)).least_pivot(), 0);
+      SymmetricFactor(MatrixXd::Constant(2, 2, std::numeric_limits<double>::quiet_NaN())).min_pivot() > 0);
+  EXPECT_EQ(SymmetricFactor(MatrixXd::Ones(2, 2)).min_pivot(), 0);
 }
 
-using Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
 /// A string of n beads between walls: second differences.

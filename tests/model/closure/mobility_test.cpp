@@ -69,9 +69,6 @@ TEST(NullSpace, BasisIsOrthonormalHoldsTheFirstBodyAndClosesEveryHinge) {
   EXPECT_LE((closure_jacobian(s, state) * space.basis).norm(), 1e-13) << "seed 33";
 }
 
-using testing::random_design;
-using testing::structure_of;
-
 /// Without the help of a closed form.
 Mobility driven(const Structure& s) { return mobility(s, {}); }
 

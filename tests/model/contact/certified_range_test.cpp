@@ -137,7 +137,7 @@ TEST(CertifiedRange, StopsAtTheLimitOfTheSearch) {
 TEST(CertifiedRange, LeavesOutPlatesThatTouchWhenBuiltAndIsEmptyWhereTheyOverlap) {
   Structure s = make_structure(rectangle(2, 1), {});
   const auto with_tips = [&](double part) {
-    for (Hinge& h : s.hinges) h.parameters.t = h.wall.from.is_class_a() ? part : 1 - part;
+    for (Hinge& h : s.hinges) h.parameters.t = h.wall.from.is_in_sublattice_a() ? part : 1 - part;
     return certified(s);
   };
   const ContactRange touching = with_tips(1 - s.size.thickness_mm / s.size.edge_mm / 2);
@@ -160,7 +160,7 @@ TEST(CertifiedRange, LeavesOutPlatesThatTouchWhenBuiltAndIsEmptyWhereTheyOverlap
 
 TEST(CertifiedRange, OfWallsThatGrowIntoEachOtherWhenFlatIsEmpty) {
   Structure s = make_structure(rectangle(2, 1), {});
-  for (Hinge& h : s.hinges) h.parameters.t = h.wall.from.is_class_a() ? 0.9 : 0.1;
+  for (Hinge& h : s.hinges) h.parameters.t = h.wall.from.is_in_sublattice_a() ? 0.9 : 0.1;
   EXPECT_GT(certified(s).positive.theta, 0.1);
   const ContactRange grown = certified(s, {.growth_mm = 0.5});
   EXPECT_EQ(grown.positive.theta, 0);
@@ -237,11 +237,11 @@ TEST(CertifiedRange, RefusesOptionsOutOfRange) {
   EXPECT_THROW(certified(s, {.limit = 2}), InvalidInput);
   EXPECT_THROW(certified(s, {.precision = std::nan("")}), InvalidInput);
   EXPECT_THROW(certified(s, {.growth_mm = -1}), InvalidInput);
-  EXPECT_THROW(certified(s, {.most_states = 0}), InvalidInput);
+  EXPECT_THROW(certified(s, {.max_states = 0}), InvalidInput);
 }
 
 TEST(CertifiedRange, EndsWithoutAWitnessWhereItMayLookNoFurther) {
-  const ContactRange range = certified(make_structure({{0, 0}}, {}), {.most_states = 10});
+  const ContactRange range = certified(make_structure({{0, 0}}, {}), {.max_states = 10});
   EXPECT_TRUE(range.positive.touches);
   EXPECT_LE(range.positive.theta, std::atan(0.92));
 }

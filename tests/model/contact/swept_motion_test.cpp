@@ -54,7 +54,7 @@ void expect_bounds(const Lattice& sheet, std::mt19937& random) {
       const Vector3d there = seen(exact.at(theta + t), from, to, r);
       EXPECT_LE((there - middle - t * motion.speed(middle)).norm(),
                 motion.change(middle, 0) * t * t / 2 + 1e-10);
-      EXPECT_LE((there - middle).norm(), motion.way(middle, 0) + 1e-10);
+      EXPECT_LE((there - middle).norm(), motion.travel(middle, 0) + 1e-10);
     }
   }
 }

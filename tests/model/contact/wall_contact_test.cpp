@@ -188,7 +188,7 @@ TEST(ThetaRange, SpiralMeetsAnEarlierTurnOfItself) {
 
 TEST(WallContact, LeavesOutPlatesThatTouchWhenBuilt) {
   Structure s = make_structure(rectangle(2, 1), {});
-  for (Hinge& h : s.hinges) h.parameters.t = h.wall.from.is_class_a() ? 0.97 : 0.03;
+  for (Hinge& h : s.hinges) h.parameters.t = h.wall.from.is_in_sublattice_a() ? 0.97 : 0.03;
   WallContact contact(s);
   EXPECT_FALSE(contact.touching_at_rest().empty());
   EXPECT_TRUE(contact.overlapping(rest_state(s)).empty());

@@ -54,11 +54,13 @@ TEST(CordElement, HasTheCentralDifferencesOfItsLengthAsDerivatives) {
     const Structure s = random_panel(3, 2, random);
     const std::vector<int> through = winding(s);
     const State state = shaken(s, rest_state(s), size, random);
-    const CordElement cord = cord_element(s, through, state);
+    const Linkage linkage = s;
+    const CordElement cord = cord_element(linkage, through, state);
     const auto length = [&](const VectorXd& x) {
-      return VectorXd::Constant(1, cord_length(s, through, retract_straight(s, state, x)) / s.size.edge_mm);
+      const State moved = retract_straight(linkage, state, x);
+      return VectorXd::Constant(1, cord_length(linkage, through, moved) / s.size.edge_mm);
     };
-    const VectorXd gradient = cord_gradient(s, through, state);
+    const VectorXd gradient = cord_gradient(linkage, through, state);
     expect_jacobian(length, zeros(state), gradient.transpose());
     // The Hessian comes from second differences of the length along the twists, since turns do not add up.
     const auto along = [&](const VectorXd& x) -> VectorXd {
@@ -275,7 +277,7 @@ TEST(Drives, OfAllKindsFindTheSameStableStatesAndBarrier) {
     ASSERT_EQ(found.states.size(), 2u);
     ASSERT_EQ(found.barriers.size(), 1u);
     // With springs, the barrier is the highest of the path's states, which need not be the exact summit.
-    const double exactness = !drive.acts_from_outside() ? 0.01 : 1e-6;
+    const double exactness = !drive.is_external() ? 0.01 : 1e-6;
     EXPECT_NEAR(found.barriers[0].energy, by_hinge.barriers[0].energy,
                 exactness * by_hinge.barriers[0].energy);
     // A summit is flat, so theta is known to the square root of the relative error of the energy.

@@ -36,7 +36,7 @@ std::optional<double> plus(const std::optional<double>& tilt, double by) {
 }
 
 /// Returns the state with the two bodies of a hinge moved by their twists x.
-State moved_pair(const Structure& s, const State& state, const Hinge& hinge, const Vector12& x) {
+State moved_pair(const Linkage& s, const State& state, const Hinge& hinge, const Vector12& x) {
   Eigen::VectorXd twists = Eigen::VectorXd::Zero(6 * s.bodies.size());
   twists.segment<6>(6 * hinge.lower) = x.head<6>();
   twists.segment<6>(6 * hinge.upper) = x.tail<6>();
@@ -118,10 +118,11 @@ TEST(HingeEnergy, GradientAndHessianMatchCentralDifferences) {
     SCOPED_TRACE(trial);
     const Stiffness& stiff = kinds[trial % kinds.size()];
     const Structure s = with_offsets(random_panel(1, 1, random));
-    const State state = shaken(s, rest_state(s), 0.5, random);
+    const Linkage linkage = s;
+    const State state = shaken(linkage, rest_state(linkage), 0.5, random);
     for (const Hinge& hinge : s.hinges) {
       const auto energy = [&](const Vector12& x) {
-        return element_of(s, moved_pair(s, state, hinge, x), hinge, stiff).energy;
+        return element_of(s, moved_pair(linkage, state, hinge, x), hinge, stiff).energy;
       };
       const Element e = element_of(s, state, hinge, stiff);
       const Vector12 alone =
@@ -200,7 +201,7 @@ TEST(HingeEnergy, RocksAndTwistsByStiffnessesOfItsOwn) {
 
 TEST(HingeEnergy, OfAPinWithPlayBeginsBeyondIt) {
   const Stiffness k{.reach = 0.4, .ratios = {0.8, 0.8, 0.5}, .play = 0.02};
-  const double loose = played_loose * 0.8;
+  const double loose = loose_stiffness * 0.8;
   using Eigen::Vector3d;
   for (const Vector3d& way : {Vector3d(1, 0, 0), Vector3d(0.6, -0.8, 0), Vector3d(0, 1, 0)}) {
     EXPECT_LE(energy_of_moved(k, 0.018 * way, Vector3d::Zero()), loose * 0.02 * 0.02);
@@ -219,10 +220,10 @@ TEST(HingeEnergy, PlayHasARoundedCornerWithContinuousForceAndStiffness) {
   for (const double play : {1e-3, 0.02, 0.3})
     for (int k = 0; k <= 400; ++k) {
       const double d = k / 201.0 * play;  // never at a corner
-      const PlayResponse r = play_response(d, play);
+      const ClearanceResponse r = clearance_response(d, play);
       testing::expect_jacobian(
           [&](const Eigen::VectorXd& x) {
-            const PlayResponse at = play_response(d + play * x[0], play);
+            const ClearanceResponse at = clearance_response(d + play * x[0], play);
             return Eigen::Vector2d(at.energy / (play * play), at.force / play);
           },
           Eigen::VectorXd::Zero(1), Eigen::Vector2d(r.force / play, r.stiffness), 1e-4, 1e-5);

@@ -13,7 +13,7 @@ namespace {
 
 using testing::refusal;
 
-MadeHinge block(double L, double t, double h, double nu, double E = 1) {
+ManufacturedHinge block(double L, double t, double h, double nu, double E = 1) {
   return {.kind = HingeKind::block,
           .material = {.E_mpa = E, .nu = nu},
           .gap_mm = L,
@@ -24,7 +24,7 @@ MadeHinge block(double L, double t, double h, double nu, double E = 1) {
 const CellSize cell{20, 2, 8};  // mm: larger than the hinges below
 
 /// Timoshenko's beam between ends that stay parallel, with 5/6 of a rectangle in shear (0.86 here).
-TEST(MadeHinge, OfAMaterialThatDoesNotContractIsATimoshenkoBeam) {
+TEST(ManufacturedHinge, OfAMaterialThatDoesNotContractIsATimoshenkoBeam) {
   for (const double L : {1.0, 2.0, 4.0})
     for (const double h : {5.0, 10.0}) {
       const double E = 3, t = 1, G = E / 2, I = h / 12, I_high = h * h * h / 12;
@@ -39,7 +39,7 @@ TEST(MadeHinge, OfAMaterialThatDoesNotContractIsATimoshenkoBeam) {
 }
 
 /// Ends and edges have no effect on a long and much higher strip: it is a plate in cylindrical bending.
-TEST(MadeHinge, OfALongHighFilmIsAPlateInCylindricalBending) {
+TEST(ManufacturedHinge, OfALongHighFilmIsAPlateInCylindricalBending) {
   const double E = 1300, nu = 0.42, L = 3, t = 0.03, h = 3000;
   const HingeStiffness k = stiffness(block(L, t, h, nu, E));
   const double plate = E / (1 - nu * nu);
@@ -48,7 +48,7 @@ TEST(MadeHinge, OfALongHighFilmIsAPlateInCylindricalBending) {
   EXPECT_NEAR(k.shear, plate * h * t * t * t / (L * L * L), 3e-3 * k.shear);
 }
 
-TEST(MadeHinge, StiffnessGrowsAsTheModulusAndWithTheSize) {
+TEST(ManufacturedHinge, StiffnessGrowsAsTheModulusAndWithTheSize) {
   const HingeStiffness one = stiffness(block(1, 0.8, 6, 0.45)), stiff = stiffness(block(1, 0.8, 6, 0.45, 26)),
                        large = stiffness(block(2, 1.6, 12, 0.45));
   EXPECT_NEAR(stiff.axial, 26 * one.axial, 1e-12 * stiff.axial);
@@ -60,12 +60,12 @@ TEST(MadeHinge, StiffnessGrowsAsTheModulusAndWithTheSize) {
 }
 
 /// A rod of length h is clamped by a knuckle at each end: its deflection is F h^3 / (192 E I) + F h / (4 k G A).
-TEST(MadeHinge, APinIsARodThatIsHeldAtBothEnds) {
-  const MadeHinge pin{.kind = HingeKind::pin,
-                      .material = *find_material("pa12"),
-                      .height_mm = 6,
-                      .diameter_mm = 3,
-                      .clearance_mm = 0.3};
+TEST(ManufacturedHinge, APinIsARodThatIsHeldAtBothEnds) {
+  const ManufacturedHinge pin{.kind = HingeKind::pin,
+                              .material = *find_material("pa12"),
+                              .height_mm = 6,
+                              .diameter_mm = 3,
+                              .clearance_mm = 0.3};
   const double E = 1700, I = pi * 81 / 64, A = pi * 9 / 4, G = 1700 / 2.8;
   const double deflection = 216 / (192 * E * I) + 6 / (4 * 0.9 * G * A);
   const HingeStiffness k = stiffness(pin);
@@ -74,13 +74,13 @@ TEST(MadeHinge, APinIsARodThatIsHeldAtBothEnds) {
   EXPECT_GT(k.axial, 1e3);  // N/mm: from 1e3 to 1e4 is what printed pins have
   EXPECT_LT(k.axial, 1e4);
   EXPECT_DOUBLE_EQ(play_mm(pin), 0.3);
-  EXPECT_DOUBLE_EQ(tilt_play(pin), std::atan(0.1));
+  EXPECT_DOUBLE_EQ(clearance_tilt(pin), std::atan(0.1));
   EXPECT_EQ(strain(pin, 1), 0);
   EXPECT_EQ(contact_turn(pin, 0.8, 0), pi);
 }
 
-TEST(MadeHinge, StrainsAndTouchesByItsProportions) {
-  const MadeHinge b = block(1.5, 1, 6, 0.45);
+TEST(ManufacturedHinge, StrainsAndTouchesByItsProportions) {
+  const ManufacturedHinge b = block(1.5, 1, 6, 0.45);
   EXPECT_DOUBLE_EQ(strain(b, 0.6), 0.2);
   EXPECT_DOUBLE_EQ(strain(b, -0.6), 0.2);
   EXPECT_NEAR(strain(b, largest_turn(b)), b.material.strain_max, 1e-15);
@@ -89,19 +89,19 @@ TEST(MadeHinge, StrainsAndTouchesByItsProportions) {
   EXPECT_DOUBLE_EQ(largest_turn(block(30, 1, 6, 0.45)), pi);
 }
 
-TEST(MadeHinge, SitsWithinTheFacesOfItsWall) {
+TEST(ManufacturedHinge, SitsWithinTheFacesOfItsWall) {
   const auto walls = [](double thickness_mm) { return CellSize{10, thickness_mm, 6}; };
   EXPECT_DOUBLE_EQ(largest_offset_mm(block(1, 0.4, 6, 0.4), walls(2)), 0.8);
   EXPECT_EQ(largest_offset_mm(block(1, 2, 6, 0.4), walls(2)), 0);
-  MadeHinge pin{.kind = HingeKind::pin, .height_mm = 6, .diameter_mm = 1, .clearance_mm = 0.2};
+  ManufacturedHinge pin{.kind = HingeKind::pin, .height_mm = 6, .diameter_mm = 1, .clearance_mm = 0.2};
   EXPECT_DOUBLE_EQ(largest_offset_mm(pin, walls(5)), 1);
   EXPECT_EQ(largest_offset_mm(pin, walls(1)), 0);
   pin.caps = true;
   EXPECT_DOUBLE_EQ(largest_offset_mm(pin, walls(1)), (10 / std::sqrt(2.0) - 3) / 2);
 }
 
-TEST(MadeHinge, HoldsATiltedWallAsItsWholeHeightDoes) {
-  const MadeHinge b = block(1, 0.8, 6, 0.45);
+TEST(ManufacturedHinge, HoldsATiltedWallAsItsWholeHeightDoes) {
+  const ManufacturedHinge b = block(1, 0.8, 6, 0.45);
   const Elasticity e = elasticity_of(b);
   const HingeStiffness k = stiffness(b), back = stiffness_of(e);
   EXPECT_NEAR(e.reach_mm * e.reach_mm, 36.0 / 12, 1e-14);
@@ -113,7 +113,7 @@ TEST(MadeHinge, HoldsATiltedWallAsItsWholeHeightDoes) {
   EXPECT_EQ(back.twist, k.twist);
 }
 
-TEST(MadeHinge, TiltsAsABeamWhereItIsLongAndItsMaterialDoesNotContract) {
+TEST(ManufacturedHinge, TiltsAsABeamWhereItIsLongAndItsMaterialDoesNotContract) {
   const double L = 4, t = 0.4, h = 6, E = 2, G = E / 2;  // nu = 0: no correction of ends or edges
   const HingeStiffness k = stiffness(block(L, t, h, 0, E));
   EXPECT_NEAR(k.rock.value(), E * t * h * h * h / 12 / L, 1e-12);
@@ -121,21 +121,21 @@ TEST(MadeHinge, TiltsAsABeamWhereItIsLongAndItsMaterialDoesNotContract) {
   EXPECT_NEAR((k.twist.value() - k.shear * h * h / 12) / torsion, 1.2, 0.03);
 }
 
-TEST(MadeHinge, OfAPinWithPlayBearsWhereItsRodLeavesTheBore) {
-  MadeHinge pin{.kind = HingeKind::pin,
-                .material = {.E_mpa = 1700, .nu = 0.4, .strain_max = 0.1},
-                .height_mm = 6,
-                .diameter_mm = 1,
-                .clearance_mm = 0.2};
+TEST(ManufacturedHinge, OfAPinWithPlayBearsWhereItsRodLeavesTheBore) {
+  ManufacturedHinge pin{.kind = HingeKind::pin,
+                        .material = {.E_mpa = 1700, .nu = 0.4, .strain_max = 0.1},
+                        .height_mm = 6,
+                        .diameter_mm = 1,
+                        .clearance_mm = 0.2};
   EXPECT_EQ(elasticity_of(pin).play_mm, 0);
   pin.with_play = true;
   const Elasticity e = elasticity_of(pin);
   e.validate();
   EXPECT_EQ(e.play_mm, 0.2);
-  EXPECT_NEAR(std::atan(e.play_mm / e.reach_mm), tilt_play(pin), 1e-15);
+  EXPECT_NEAR(std::atan(e.play_mm / e.reach_mm), clearance_tilt(pin), 1e-15);
 }
 
-TEST(MadeHinge, PlayIsOfHingesThatAreRound) {
+TEST(ManufacturedHinge, PlayIsOfHingesThatAreRound) {
   const auto refuses = [](Elasticity e) {
     e.play_mm = e.play_mm == 0 ? 0.2 : e.play_mm;
     EXPECT_THROW(e.validate(), InvalidInput);
@@ -149,37 +149,39 @@ TEST(MadeHinge, PlayIsOfHingesThatAreRound) {
   }
 }
 
-TEST(MadeHinge, NamesAFieldThatCannotBeMade) {
+TEST(ManufacturedHinge, NamesAFieldThatCannotBeMade) {
   const auto refused = [](auto change) {
-    MadeHinge hinge = block(3, 1, 6, 0.45);
+    ManufacturedHinge hinge = block(3, 1, 6, 0.45);
     change(hinge);
     return refusal([&] { validate(hinge, cell); });
   };
-  EXPECT_EQ(refused([](MadeHinge&) {}), "");
+  EXPECT_EQ(refused([](ManufacturedHinge&) {}), "");
   using ::testing::HasSubstr;
   for (const double bad : {std::nan(""), 0.0, -1.0}) {
-    EXPECT_THAT(refused([&](MadeHinge& h) { h.gap_mm = bad; }), HasSubstr("gap_mm"));
-    EXPECT_THAT(refused([&](MadeHinge& h) { h.thickness_mm = bad; }), HasSubstr("thickness_mm"));
-    EXPECT_THAT(refused([&](MadeHinge& h) { h.height_mm = bad; }), HasSubstr("height_mm"));
-    EXPECT_THAT(refused([&](MadeHinge& h) { h.material.E_mpa = bad; }), HasSubstr("E_mpa"));
-    EXPECT_THAT(refused([&](MadeHinge& h) { h.material.strain_max = bad; }), HasSubstr("strain_max"));
+    EXPECT_THAT(refused([&](ManufacturedHinge& h) { h.gap_mm = bad; }), HasSubstr("gap_mm"));
+    EXPECT_THAT(refused([&](ManufacturedHinge& h) { h.thickness_mm = bad; }), HasSubstr("thickness_mm"));
+    EXPECT_THAT(refused([&](ManufacturedHinge& h) { h.height_mm = bad; }), HasSubstr("height_mm"));
+    EXPECT_THAT(refused([&](ManufacturedHinge& h) { h.material.E_mpa = bad; }), HasSubstr("E_mpa"));
+    EXPECT_THAT(refused([&](ManufacturedHinge& h) { h.material.strain_max = bad; }), HasSubstr("strain_max"));
   }
   for (const double bad : {std::nan(""), 0.5, -0.1})
-    EXPECT_THAT(refused([&](MadeHinge& h) { h.material.nu = bad; }), HasSubstr("nu is"));
-  EXPECT_THAT(refused([](MadeHinge& h) { h.gap_mm = 20; }), HasSubstr("below the cell edge, 20 mm"));
-  EXPECT_THAT(refused([](MadeHinge& h) { h.gap_mm = 0.4; }), HasSubstr("half of the hinge's thickness"));
-  EXPECT_THAT(refused([](MadeHinge& h) { h.thickness_mm = 2.1; }), HasSubstr("the thickness of the wall"));
-  EXPECT_THAT(refused([](MadeHinge& h) { h.height_mm = 8.1; }), HasSubstr("the height of the wall"));
-  const auto pin = [](MadeHinge& h) {
+    EXPECT_THAT(refused([&](ManufacturedHinge& h) { h.material.nu = bad; }), HasSubstr("nu is"));
+  EXPECT_THAT(refused([](ManufacturedHinge& h) { h.gap_mm = 20; }), HasSubstr("below the cell edge, 20 mm"));
+  EXPECT_THAT(refused([](ManufacturedHinge& h) { h.gap_mm = 0.4; }),
+              HasSubstr("half of the hinge's thickness"));
+  EXPECT_THAT(refused([](ManufacturedHinge& h) { h.thickness_mm = 2.1; }),
+              HasSubstr("the thickness of the wall"));
+  EXPECT_THAT(refused([](ManufacturedHinge& h) { h.height_mm = 8.1; }), HasSubstr("the height of the wall"));
+  const auto pin = [](ManufacturedHinge& h) {
     h.kind = HingeKind::pin;
     h.clearance_mm = 0.3;
   };
-  EXPECT_THAT(refused([&](MadeHinge& h) {
+  EXPECT_THAT(refused([&](ManufacturedHinge& h) {
                 pin(h);
                 h.diameter_mm = 12;
               }),
               HasSubstr("at most 11.9421 mm"));
-  MadeHinge rod = block(3, 1, 2, 0.45);
+  ManufacturedHinge rod = block(3, 1, 2, 0.45);
   pin(rod);
   rod.diameter_mm = 1;
   EXPECT_THAT(refusal([&] {
@@ -187,7 +189,7 @@ TEST(MadeHinge, NamesAFieldThatCannotBeMade) {
               }),
               HasSubstr("a pin does not fit cells of 3 mm"))
       << "not a diameter below 0";
-  EXPECT_THAT(refused([&](MadeHinge& h) {
+  EXPECT_THAT(refused([&](ManufacturedHinge& h) {
                 pin(h);
                 h.diameter_mm = std::nan("");
               }),
@@ -199,7 +201,7 @@ TEST(Materials, AreFoundByTheirNames) {
     EXPECT_EQ(find_material(material.name), &material);
     EXPECT_FALSE(material.source.empty());
     EXPECT_EQ(refusal([&] {
-                MadeHinge hinge = block(3, 1, 6, 0.45);
+                ManufacturedHinge hinge = block(3, 1, 6, 0.45);
                 hinge.material = material;
                 validate(hinge, cell);
               }),
@@ -211,7 +213,7 @@ TEST(Materials, AreFoundByTheirNames) {
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 
-constexpr MadeHinge make_one_mm_block() {
+constexpr ManufacturedHinge make_one_mm_block() {
   return {.kind = HingeKind::block, .gap_mm = 1, .thickness_mm = 0.8, .height_mm = 6};
 }
 
@@ -231,7 +233,7 @@ State turned(const Linkage& linkage, double angle, const Vector3d& direction) {
 /// the gap.
 TEST(HingeStrain, CountsWhatRockingPullsApart) {
   const Linkage linkage = make_structure(rectangle(1, 1), {20, 1, 6});
-  const MadeHinge block = make_one_mm_block();
+  const ManufacturedHinge block = make_one_mm_block();
   const Vector3d axis = linkage.hinges[0].axis,
                  along = (linkage.hinges[0].lower_arm - linkage.hinges[0].upper_arm).normalized();
   EXPECT_NEAR(hinge_strain(block, linkage, turned(linkage, 0.1, axis.cross(along)), 0),

@@ -10,7 +10,7 @@ namespace {
 using ::testing::HasSubstr;
 using testing::refusal;
 
-MadeHinge pin(double diameter, double clearance) {
+ManufacturedHinge pin(double diameter, double clearance) {
   return {.kind = HingeKind::pin, .height_mm = 6, .diameter_mm = diameter, .clearance_mm = clearance};
 }
 
@@ -19,7 +19,7 @@ CellSize sheet(double edge, double thickness) { return {edge, thickness, 6}; }
 TEST(Process, NamesWhatItCannotPrintAndTheCellThatItCould) {
   const Process& fdm = *find_process("fdm");
   EXPECT_TRUE(print_problems(fdm, sheet(20, 0.8), pin(3, 0.3)).empty());
-  EXPECT_EQ(least_cell_mm(fdm, sheet(20, 0.8), pin(3, 0.3)), 20);
+  EXPECT_EQ(min_cell_mm(fdm, sheet(20, 0.8), pin(3, 0.3)), 20);
   const auto problems = print_problems(fdm, sheet(10, 0.4), pin(1, 0.2));
   ASSERT_EQ(problems.size(), 3u);
   EXPECT_THAT(problems[0].what, HasSubstr("a wall of 0.4 mm is less than fdm prints, 0.8 mm"));
@@ -30,7 +30,7 @@ TEST(Process, NamesWhatItCannotPrintAndTheCellThatItCould) {
   EXPECT_DOUBLE_EQ(problems[0].cell_mm, 20);
   EXPECT_DOUBLE_EQ(problems[1].cell_mm, 30);
   EXPECT_DOUBLE_EQ(problems[2].cell_mm, 15);
-  EXPECT_DOUBLE_EQ(least_cell_mm(fdm, sheet(10, 0.4), pin(1, 0.2)), 30);
+  EXPECT_DOUBLE_EQ(min_cell_mm(fdm, sheet(10, 0.4), pin(1, 0.2)), 30);
 }
 
 /// Printed at the suggested size, no part is too small any more.
@@ -38,7 +38,7 @@ TEST(Process, PrintsASheetThatIsLargerByTheFactorItAsksFor) {
   for (const Process& process : processes())
     for (const double thickness : {0.1, 0.7, 2.0})
       for (const double diameter : {0.3, 4.0}) {
-        const double edge = 10, least = least_cell_mm(process, sheet(edge, thickness), pin(diameter, 0.04));
+        const double edge = 10, least = min_cell_mm(process, sheet(edge, thickness), pin(diameter, 0.04));
         const double factor = least / edge * (1 + 1e-12);
         EXPECT_TRUE(print_problems(process, sheet(factor * edge, factor * thickness),
                                    pin(factor * diameter, factor * 0.04))
@@ -48,7 +48,7 @@ TEST(Process, PrintsASheetThatIsLargerByTheFactorItAsksFor) {
 }
 
 TEST(Process, AsksNothingOfRodsWhereHingesAreBlocks) {
-  const MadeHinge block{.kind = HingeKind::block, .gap_mm = 1, .thickness_mm = 0.2, .height_mm = 6};
+  const ManufacturedHinge block{.kind = HingeKind::block, .gap_mm = 1, .thickness_mm = 0.2, .height_mm = 6};
   EXPECT_TRUE(print_problems(*find_process("sls"), sheet(10, 0.8), block).empty());
 }
 
@@ -69,16 +69,17 @@ TEST(PrintError, NamesAFieldOutOfItsRange) {
   }
 }
 
-TEST(PlayScatter, IsOfPinsWhosePlayTheEquilibriumDoesNotHave) {
-  MadeHinge loose = pin(2, 0.3);
-  const PlayScatter tight = play_scatter(loose, {0, 0, 0}), scattered = play_scatter(loose, {0, 0, 0.4});
+TEST(ClearanceScatter, IsOfPinsWhosePlayTheEquilibriumDoesNotHave) {
+  ManufacturedHinge loose = pin(2, 0.3);
+  const ClearanceScatter tight = clearance_scatter(loose, {0, 0, 0}),
+                         scattered = clearance_scatter(loose, {0, 0, 0.4});
   EXPECT_DOUBLE_EQ(tight.place_mm, 0.3 / std::sqrt(3.0));
   EXPECT_DOUBLE_EQ(tight.tilt, std::atan(2 * 0.3 / 6) / std::sqrt(3.0));
   EXPECT_DOUBLE_EQ(scattered.place_mm, 0.5 / std::sqrt(3.0));
   loose.with_play = true;
-  EXPECT_EQ(play_scatter(loose, {0, 0, 0.4}).place_mm, 0);
+  EXPECT_EQ(clearance_scatter(loose, {0, 0, 0.4}).place_mm, 0);
   loose.kind = HingeKind::block;
-  EXPECT_EQ(play_scatter(loose, {0, 0, 0.4}).tilt, 0);
+  EXPECT_EQ(clearance_scatter(loose, {0, 0, 0.4}).tilt, 0);
 }
 
 }  // namespace

@@ -73,8 +73,6 @@ TEST(WallOverlaps, AreWhatARasterCountsTwice) {
   }
 }
 
-using Eigen::Vector2d;
-
 // mm: walls as thick as those of the displays that ship.
 constexpr CellSize size = {10, 0.8, 6};
 

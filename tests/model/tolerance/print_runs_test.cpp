@@ -25,7 +25,8 @@ struct BentSheet {
 
   BentSheet() {
     for (Hinge& hinge : structure.hinges)
-      if (hinge.wall.axis == Axis::x) hinge.parameters.beta = starts_in_class_b(hinge.wall) ? -tilt : tilt;
+      if (hinge.wall.axis == Axis::x)
+        hinge.parameters.beta = starts_in_sublattice_b(hinge.wall) ? -tilt : tilt;
     found =
         testing::equilibrium(structure, {}, testing::hinge_drive(structure, {{0, 0}, Axis::y}, turn), false);
   }
@@ -138,7 +139,7 @@ TEST(FlatStarts, HaveNoPushByPlacesAndTiltsOfHinges) {
   EXPECT_EQ(starts.prints, prints);
   EXPECT_EQ(starts.either_side, prints);
   EXPECT_EQ(starts.other_side, 0);
-  EXPECT_TRUE(starts.need_help());
+  EXPECT_TRUE(starts.need_guidance());
 }
 
 TEST(FlatStarts, OfPrintsWithOffsetsGoToTheSideOfPrintsThatAreWalkedThereInSmallSteps) {

@@ -24,7 +24,7 @@ ToleranceResult of_equilibrium(const Equilibrium& b, const std::vector<ObservedP
   TangentStiffness tangent(system.dofs());
   system.linearise(b.state, b.theta, tangent);
   EXPECT_TRUE(tangent.factorise(0));
-  return as_made(system, b.state, b.theta, tangent, points, scatter, options);
+  return analyse_print_tolerance(system, b.state, b.theta, tangent, points, scatter, options);
 }
 
 /// Returns a bent sheet with its first wall turned.
@@ -32,7 +32,8 @@ Equilibrium bent(int columns, int rows) {
   Structure s = make_structure(rectangle(columns, rows), {10, 0.8, 6});
   for (Hinge& hinge : s.hinges)
     if (hinge.wall.axis == Axis::x)
-      hinge.parameters.beta = (starts_in_class_b(hinge.wall) ? -0.2 : 0.2) * (1 + 0.1 * hinge.wall.from.i);
+      hinge.parameters.beta =
+          (starts_in_sublattice_b(hinge.wall) ? -0.2 : 0.2) * (1 + 0.1 * hinge.wall.from.i);
   Equilibrium b = equilibrium(s, {}, hinge_drive(s, {{0, 0}, Axis::y}, 0.35), false);
   EXPECT_TRUE(b.found);
   return b;
@@ -104,11 +105,11 @@ TEST(ToleranceResult, IsWhatManyPrintsComeTo) {
 TEST(ToleranceResult, CountsPlayAsManyLoosePrintsDo) {
   const Equilibrium b = bent(4, 3);
   const double edge_mm = b.structure.size.edge_mm, sd_mm = 0.03;
-  MadeHinge pin{.kind = HingeKind::pin,
-                .height_mm = b.structure.size.height_mm,
-                .diameter_mm = 1,
-                .clearance_mm = 0.05};
-  const PlayScatter play = play_scatter(pin, {0, 0, sd_mm});
+  ManufacturedHinge pin{.kind = HingeKind::pin,
+                        .height_mm = b.structure.size.height_mm,
+                        .diameter_mm = 1,
+                        .clearance_mm = 0.05};
+  const ClearanceScatter play = clearance_scatter(pin, {0, 0, sd_mm});
   const std::vector<ObservedPoint> points = every_body(b, 0.02);
   const ToleranceResult made =
       of_equilibrium(b, points, {play.place_mm / edge_mm, 0, play.tilt, play.place_mm / edge_mm});
@@ -123,7 +124,7 @@ TEST(ToleranceResult, CountsPlayAsManyLoosePrintsDo) {
     for (Eigen::Index h = 0; h < hinges; ++h) {
       pin.clearance_mm = clearance(random);
       q[h] = pin.clearance_mm / edge_mm * even(random);
-      q[2 * hinges + h] = tilt_play(pin) * even(random);
+      q[2 * hinges + h] = clearance_tilt(pin) * even(random);
       q[3 * hinges + h] = pin.clearance_mm / edge_mm * even(random);
     }
     const Equilibrium print = changed(b, q);

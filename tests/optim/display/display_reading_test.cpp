@@ -32,7 +32,7 @@ Panel panel(double scatter) {
 TEST(DisplayTolerance, IsWhatManyPrintsShow) {
   for (const double scatter : {0.002, 0.006}) {
     const Panel p = panel(scatter);
-    const DisplayTolerance made = as_made_display(p.readings, p.levels, p.derivatives);
+    const DisplayTolerance made = analyse_display_tolerance(p.readings, p.levels, p.derivatives);
     std::mt19937 random(5);
     std::normal_distribution<double> normal(0, 1);
     constexpr int prints = 4000;
@@ -58,7 +58,7 @@ TEST(DisplayTolerance, IsWhatManyPrintsShow) {
 
 TEST(DisplayTolerance, OfExactPrintsIsTheDesign) {
   const Panel p = panel(0);
-  const DisplayTolerance made = as_made_display(p.readings, p.levels, p.derivatives);
+  const DisplayTolerance made = analyse_display_tolerance(p.readings, p.levels, p.derivatives);
   const targets::DisplayScore score = targets::display_score(p.readings, p.levels);
   EXPECT_NEAR(made.contrast, score.contrast, 1e-9);
   EXPECT_NEAR(made.contrast_p05, score.contrast, 1e-9);

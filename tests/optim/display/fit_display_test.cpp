@@ -181,7 +181,7 @@ TEST(DisplayProblem, DerivativesByOffsetsMatchCentralDifferences) {
     model::Lattice panel = model::make_sheet(4, 4, {});
     if (honeycomb) {
       model::LatticeSheet sheet{&model::honeycomb_lattice, model::lattice_cells(3, 3)};
-      sheet.closed_rim = true;
+      sheet.closed_boundary = true;
       panel = make_planar_structure(sheet, {});
     }
     std::vector<double> levels(honeycomb ? 9 : 16, 0.0);

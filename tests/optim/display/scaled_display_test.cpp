@@ -22,8 +22,8 @@ Vector2d middle_of(const model::PlanarStructure& panel, int hinge) {
   return (panel.graph.vertices[from] + panel.graph.vertices[to]) / 2;
 }
 
-model::Redrawing none(const model::PlanarStructure& panel) {
-  return model::Redrawing(panel.graph.vertices.size(), Vector2d::Zero());
+model::ParallelDrawing none(const model::PlanarStructure& panel) {
+  return model::ParallelDrawing(panel.graph.vertices.size(), Vector2d::Zero());
 }
 
 TEST(DrivenHinge, IsTheNearestToTheMiddleWhereNoWallIsScaled) {
@@ -34,7 +34,7 @@ TEST(DrivenHinge, IsTheNearestToTheMiddleWhereNoWallIsScaled) {
 
 TEST(DrivenHinge, HasTheLeastOffsetOfTheMiddleHalf) {
   const model::PlanarStructure panel = planar_structure(model::make_sheet(8, 8, {}));
-  model::Redrawing y = none(panel);
+  model::ParallelDrawing y = none(panel);
   // All walls change equally. Below, one vertex off the middle moves by as much as one of its walls would.
   for (std::size_t v = 0; v < y.size(); ++v) {
     const Vector2d& x = panel.graph.vertices[v];
@@ -55,7 +55,7 @@ TEST(DrivenHinge, HasTheLeastOffsetOfTheMiddleHalf) {
 
 TEST(DrivenHinge, TurnsByTwiceTheta) {
   model::PlanarStructure panel = planar_structure(model::make_sheet(4, 4, {}));
-  const model::Redrawing y = none(panel);
+  const model::ParallelDrawing y = none(panel);
   for (const double theta : {0.3, -0.5})
     for (int hinge = 0; hinge < static_cast<int>(panel.hinges.size()); ++hinge) {
       const model::HingeTurn turn = turn_to(panel, hinge, theta);

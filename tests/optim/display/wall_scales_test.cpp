@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 using model::PlanarStructure;
 using targets::DisplayScore;
-using testing::rim_rows;
+using testing::boundary_rows;
 
 constexpr double theta = 33 * radians_per_degree;  // rad: the fold that kinematics.md measures pictures at
 
@@ -64,7 +64,7 @@ TEST(ScaleWalls, MakesALetterTOfClosedHingesAlone) {
   for (const auto& [offset, straight, ratio] :
        {Case{0.04, true, 1.14}, Case{0.08, true, 1.26}, Case{0.08, false, 1.39}}) {
     WallScales scales{.wanted = wanted_scales(levels, s, offset), .offset = offset};
-    if (straight) scales.straight = rim_rows(s.graph);
+    if (straight) scales.straight = boundary_rows(s.graph);
     const ScaledWalls found = scale_walls(s, scales);
     EXPECT_TRUE(found.converged) << found.iterations;
     EXPECT_LE(found.offset, offset * (1 + 1e-15));
@@ -81,7 +81,7 @@ TEST(ScaleWalls, MakesALetterTOfClosedHingesAlone) {
     EXPECT_NEAR(flat.letter / flat.rest, 1, 1e-12);
     RecordProperty("iterations", found.iterations);
     if (!straight) continue;
-    const auto rows = rim_rows(s.graph);
+    const auto rows = boundary_rows(s.graph);
     for (const double at : {0.2, theta})
       for (const auto& row : rows)
         for (const int v : row)
@@ -93,8 +93,8 @@ TEST(ScaleWalls, LeavesOneWayToMove) {
   PlanarStructure s = model::make_planar_structure(model::square_graph(6, 6), {});
   const std::vector<double> levels =
       levels_of(s, {"000000", "011110", "001100", "001100", "001100", "000000"});
-  place_hinges(scale_walls(s, {.wanted = wanted_scales(levels, s, 0.08), .straight = rim_rows(s.graph)}).y,
-               s);
+  place_hinges(
+      scale_walls(s, {.wanted = wanted_scales(levels, s, 0.08), .straight = boundary_rows(s.graph)}).y, s);
   const model::Mobility m = mobility(s, exact_motion(s));
   EXPECT_EQ(m.verdict, model::Verdict::mobile) << m.why;
   EXPECT_EQ(m.dofs_along, 1);
@@ -110,7 +110,7 @@ TEST(ScaleWalls, FindsTheOptimum) {
   for (std::size_t e = 0; e < s.graph.edges.size(); ++e) scales.wanted.push_back(0.2 * by(random));
   const ScaledWalls found = scale_walls(s, scales);
   ASSERT_TRUE(found.converged);
-  const auto cost = [&](const model::Redrawing& y) {
+  const auto cost = [&](const model::ParallelDrawing& y) {
     double sum = 0, excess = 0;
     for (int e = 0; e < static_cast<int>(s.graph.edges.size()); ++e) {
       const auto [shift, offset] = change_of(s, y, e);
@@ -123,7 +123,7 @@ TEST(ScaleWalls, FindsTheOptimum) {
   EXPECT_LE(cost(found.y).second, 1e-15);
   EXPECT_NEAR(std::sqrt(best / static_cast<double>(scales.wanted.size())), found.distance, 1e-12);
   for (int round = 0; round < 2000; ++round) {
-    model::Redrawing other = found.y;
+    model::ParallelDrawing other = found.y;
     const double size = std::pow(10, -1 - 3 * std::abs(by(random)));
     for (Vector2d& p : other) p += size * Vector2d(by(random), by(random));
     const auto [sum, excess] = cost(other);
@@ -135,7 +135,7 @@ TEST(ScaleWalls, FindsTheOptimum) {
 
 TEST(ScaleWalls, DropsTheLastRowByWhatIsAsked) {
   const PlanarStructure s = model::make_planar_structure(model::square_graph(6, 5), {});
-  const auto rows = rim_rows(s.graph);
+  const auto rows = boundary_rows(s.graph);
   const ScaledWalls found = scale_walls(
       s, {.wanted = std::vector<double>(s.graph.edges.size(), 0.0), .straight = rows, .drop = 0.3});
   ASSERT_TRUE(found.converged);

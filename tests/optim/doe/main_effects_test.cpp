@@ -93,7 +93,7 @@ TEST(MainEffects, VarianceShareIsTheFirstOrderIndex) {
     const SamplePlan plan(f.factors,
                           {.method = SamplingMethod::sobol, .samples = 8192, .seed = 4, .base = {}});
     const auto effects = main_effects(testing::table(plan), testing::responses(plan, f.value),
-                                      {.most_values = 12, .bins = bins});
+                                      {.max_values = 12, .bins = bins});
     for (std::size_t j = 0; j < f.factors.size(); ++j) {
       EXPECT_TRUE(effects[j].binned);
       EXPECT_NEAR(effects[j].variance_share, f.first[j], 0.015) << j;
@@ -106,7 +106,7 @@ TEST(MainEffects, BinsShareTheRowsAndKeepEqualValuesTogether) {
   Eigen::MatrixXd samples(n, 1);
   for (int i = 0; i < n; ++i) samples(i, 0) = (37 * i % n) / 2;  // 52 values, all but one of them twice
   const auto levels =
-      main_effects(samples, std::vector<double>(n, 1.0), {.most_values = 51, .bins = 10})[0].levels;
+      main_effects(samples, std::vector<double>(n, 1.0), {.max_values = 51, .bins = 10})[0].levels;
   ASSERT_EQ(levels.size(), 10u);
   std::int64_t rows = 0;
   for (std::size_t k = 0; k < 10; ++k) {
@@ -147,7 +147,7 @@ TEST(MainEffects, RefuseTablesThatDoNotFit) {
       },
       because("factor 1 of sample 1 is nan"));
   EXPECT_THAT([&] { main_effects(Eigen::MatrixXd::Zero(2, 1), two, {.bins = 0}); }, because("bins is 0"));
-  EXPECT_THAT([&] { main_effects(Eigen::MatrixXd::Zero(2, 1), two, {.most_values = 0}); },
+  EXPECT_THAT([&] { main_effects(Eigen::MatrixXd::Zero(2, 1), two, {.max_values = 0}); },
               because("most_values is 0"));
 }
 

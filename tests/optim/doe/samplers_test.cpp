@@ -73,7 +73,7 @@ TEST(SobolSequence, FollowsThePublishedDirectionNumbers) {
 }
 
 TEST(SobolSequence, PutsOnePointIntoEachStratumOfEveryDimension) {
-  const SobolSequence sequence(SobolSequence::most_dimensions);
+  const SobolSequence sequence(SobolSequence::max_dimensions);
   for (int j = 0; j < sequence.dimensions(); j += 61) {
     std::set<std::uint64_t> strata;
     for (std::uint64_t n = 256; n < 512; ++n) strata.insert(sequence.coordinate(n, j) >> 56);

@@ -107,8 +107,6 @@ TEST(Factor, RefusesWhatIsNoDistribution) {
 }
 
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
 using Table = std::vector<std::vector<double>>;
 
 // For facts that hold of every method.

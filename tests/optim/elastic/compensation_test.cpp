@@ -20,7 +20,8 @@ model::Lattice bent_strip(int columns, double tilt) {
   model::Structure s = make_structure(model::rectangle(columns, 1), {10, 0.8, 6});
   for (model::Hinge& hinge : s.hinges)
     if (hinge.wall.axis == model::Axis::x)
-      hinge.parameters.beta = (starts_in_class_b(hinge.wall) ? -tilt : tilt) * (1 + 0.05 * hinge.wall.from.i);
+      hinge.parameters.beta =
+          (starts_in_sublattice_b(hinge.wall) ? -tilt : tilt) * (1 + 0.05 * hinge.wall.from.i);
   return s;
 }
 

@@ -10,7 +10,7 @@ model::Structure strip() {
   model::Structure s = make_structure(model::rectangle(5, 2), {10, 0.8, 6});
   for (model::Hinge& hinge : s.hinges)
     if (hinge.wall.axis == model::Axis::x && hinge.wall.from.i != 2)
-      hinge.parameters.beta = (starts_in_class_b(hinge.wall) ? -0.1 : 0.1) * (1 + hinge.wall.from.i);
+      hinge.parameters.beta = (starts_in_sublattice_b(hinge.wall) ? -0.1 : 0.1) * (1 + hinge.wall.from.i);
   return s;
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 BoxOptions box(const std::array<double, 3>& mm) {
   BoxOptions out;
-  out.asked_mm = mm;
+  out.required_mm = mm;
   out.size = [](double edge_mm) { return model::CellSize{edge_mm, 0.08 * edge_mm, 0.6 * edge_mm}; };
   return out;
 }
@@ -39,7 +39,7 @@ TEST(FitBox, KeepsACellEdgeThatIsGiven) {
   asked.edge_mm = 10;
   const BoxInCells found = fit_box(asked);
   EXPECT_EQ(found.edge_mm, 10);
-  for (int k = 0; k < 3; ++k) EXPECT_NEAR(found.folded_mm[k], asked.asked_mm[k], 5) << "half a cell";
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(found.folded_mm[k], asked.required_mm[k], 5) << "half a cell";
 }
 
 /// A given edge leads to the box that the search found for it. Walls of a given size close cells at a theta that
@@ -55,14 +55,14 @@ TEST(FitBox, OtherCellsGiveABoxItsSizeWhenTheyAreGiven) {
     given.edge_mm = better->edge_mm;
     const BoxInCells followed = fit_box(given);
     EXPECT_EQ(followed.edges, better->edges);
-    EXPECT_LE(size_miss(followed.folded_mm, asked.asked_mm), 0.025) << "with the theta of a small box";
+    EXPECT_LE(size_miss(followed.folded_mm, asked.required_mm), 0.025) << "with the theta of a small box";
     FoldOptions fold;
     fold.size = asked.size(better->edge_mm);
     const FoldDesign design = fit_fold(targets::box_goal(better->edges), fold);
     ASSERT_TRUE(design.folds);
     EXPECT_LE(size_miss(folded_box(better->edges, {}, better->edge_mm, design.folded.theta,
                                    design.folded.layout.creases[0].columns()),
-                        asked.asked_mm),
+                        asked.required_mm),
               0.02);
   }
 }

@@ -49,12 +49,12 @@ TEST(FitFold, SaysThatOneColumnACreaseCannotFoldACube) {
 
 TEST(FitFold, SaysThatItWasStoppedBeforeOneFolds) {
   std::stop_source stop;
-  FoldOptions told = options();
-  told.stop = stop.get_token();
-  EXPECT_FALSE(fit_fold(targets::box_goal({4, 4, 4}), told).stopped);
-  EXPECT_FALSE(fit_fold(targets::box_goal({4, 4, 4}, {}, 1), told).stopped) << "nothing is left to try";
+  FoldOptions stoppable = options();
+  stoppable.stop = stop.get_token();
+  EXPECT_FALSE(fit_fold(targets::box_goal({4, 4, 4}), stoppable).stopped);
+  EXPECT_FALSE(fit_fold(targets::box_goal({4, 4, 4}, {}, 1), stoppable).stopped) << "nothing is left to try";
   stop.request_stop();
-  const FoldDesign design = fit_fold(targets::box_goal({4, 4, 4}), told);
+  const FoldDesign design = fit_fold(targets::box_goal({4, 4, 4}), stoppable);
   EXPECT_FALSE(design.folds);
   EXPECT_TRUE(design.stopped);
   EXPECT_THAT(design.obstacles, ::testing::ElementsAre("the search was told to stop"))

@@ -27,14 +27,14 @@ const model::PlanarStructure& panel() {
 }
 
 /// Returns the corners of the boundary at theta, in the outline's own mm, from the hinges alone.
-std::vector<Eigen::Vector2d> folded_rim(const OutlineDesign& design) {
-  const model::RedrawingFit motion = redrawing_of(design.panel);
+std::vector<Eigen::Vector2d> folded_boundary(const OutlineDesign& design) {
+  const model::ParallelDrawingFit motion = parallel_drawing_of(design.panel);
   EXPECT_LE(motion.misfit, 1e-11) << "every cell closes";
   const model::State state = fold(design.panel, motion.y, design.theta);
   const model::State as_found = fold(design.panel, design.y, design.theta);
   const Eigen::Vector3d shift = as_found[0].p - state[0].p;
   std::vector<Eigen::Vector2d> out;
-  for (const int body : outer_rim(design.panel.graph).vertices) {
+  for (const int body : outer_boundary(design.panel.graph).vertices) {
     const Eigen::Vector3d p = state[static_cast<std::size_t>(body)].p + shift;
     out.emplace_back((p.head<2>() / design.panel.size.edge_mm - design.origin) * design.scale);
   }
@@ -52,9 +52,9 @@ TEST(FitOutline, MakesTheRimOfASquarePanelRound) {
   EXPECT_LE(design.shift, 1 - 2 * options.t[0] + 1e-9);
   EXPECT_GE(design.theta, options.theta[0]);
   EXPECT_LE(design.theta, options.theta[1]);
-  const targets::OutlineError told = outline_error(goal, folded_rim(design));
-  EXPECT_NEAR(told.rms, design.error.rms, 1e-9);
-  EXPECT_NEAR(told.iou, design.error.iou, 1e-9);
+  const targets::OutlineError reported = outline_error(goal, folded_boundary(design));
+  EXPECT_NEAR(reported.rms, design.error.rms, 1e-9);
+  EXPECT_NEAR(reported.iou, design.error.iou, 1e-9);
 }
 
 TEST(FitOutline, FindsTheSameOnAnyNumberOfThreads) {
@@ -88,7 +88,7 @@ void expect_exact_on_walls(const model::PlanarStructure& flat, const targets::Ou
   EXPECT_GT(design.shift, 0.02) << "hinges slide along their walls";
   EXPECT_LE(design.shift, 1 - 2 * options.t[0] + 1e-9);
   EXPECT_TRUE(exact_motion(design.panel)) << exact_motion(design.panel).why;
-  EXPECT_NEAR(outline_error(wide(), folded_rim(design)).rms, design.error.rms, 1e-9);
+  EXPECT_NEAR(outline_error(wide(), folded_boundary(design)).rms, design.error.rms, 1e-9);
 }
 
 TEST(FitOutline, MovesExactlyWithAllHingesOnTheirWalls) {

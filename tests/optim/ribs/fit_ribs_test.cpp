@@ -102,7 +102,6 @@ TEST(FitRibs, RefusesMoreRibsThanRowsHold) {
   EXPECT_THROW(plan_ribs(surface, ribs_of(100, 1)), InvalidInput);
 }
 
-using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 const Vector3d half_axes(76, 98, 100);  // mm, of an ellipsoid about as wide and long as a head

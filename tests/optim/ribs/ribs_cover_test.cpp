@@ -87,14 +87,14 @@ TEST(RibsCover, ShowsThePartsOfALineThatAreBare) {
   const RibsReach reach(strip.fishbone.structure, strip.state, seen_from_below(plane), 0);
   std::vector<Vector3d> line;
   for (int k = -50; k <= 50; ++k) line.emplace_back(k, 0, 0);
-  const auto parts = bare_parts(reach, line);
+  const auto parts = uncovered_parts(reach, line);
   ASSERT_EQ(parts.size(), 2u);
   EXPECT_EQ(parts[0].front().x(), -50);
   EXPECT_EQ(parts[0].back().x(), -16);
   EXPECT_EQ(parts[1].front().x(), 16);
 }
 
-double share_of(const targets::RibbedSurface& surface, int ribs, double edge_mm) {
+double limit_use(const targets::RibbedSurface& surface, int ribs, double edge_mm) {
   RibsSpec spec;
   spec.size = {edge_mm, 0.08 * edge_mm, 0.15 * edge_mm};
   spec.ribs = ribs;
@@ -109,7 +109,7 @@ TEST(RibsCover, GrowsWithTheNumberOfRibs) {
   for (const targets::RibbedSurface& surface :
        {targets::ribbed_surface(targets::cap_patch(100, 60 * radians_per_degree)),
         targets::ribbed_surface(targets::saddle_patch(100, 0.2))}) {
-    const double few = share_of(surface, 2, 5), more = share_of(surface, 6, 5);
+    const double few = limit_use(surface, 2, 5), more = limit_use(surface, 6, 5);
     EXPECT_LT(few, 0.45);
     EXPECT_GT(more, 0.7);
   }

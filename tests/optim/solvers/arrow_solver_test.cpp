@@ -15,10 +15,10 @@ using Eigen::VectorXd;
 /// Points on two lines of one slope: shared slope, an offset a part; and one residual that holds the slope.
 class ParallelLines final : public ArrowProblem {
  public:
-  explicit ParallelLines(double most_slope) {
+  explicit ParallelLines(double max_slope) {
     lower_ = VectorXd::Constant(3, -std::numeric_limits<double>::infinity());
     upper_ = -lower_;
-    upper_[0] = most_slope;
+    upper_[0] = max_slope;
   }
   int shared() const override { return 1; }
   const std::vector<int>& parts() const override { return parts_; }

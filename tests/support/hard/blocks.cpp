@@ -139,7 +139,7 @@ HardAnswer strain_block(double off, double theta) {
   const LinkageScene scene = {
       {block, hinge_drive(block, 0, model::turn_at_theta(1, theta)), exact_motion(block)}, of_ratio(1e-4)};
   HardAnswer a = follow_strained(scene, 1e-3);
-  judge_leaving(scene, followed(scene), a);
+  check_branching(scene, followed(scene), a);
   return a;
 }
 

@@ -58,20 +58,20 @@ model::QuadMesh miura_mesh(int facets, double angle, double multiplier) {
   return march(model::miura(facets, facets, angle, multiplier)).mesh;
 }
 
-const char* asked_of_folds = "closure equations and the frames of facets to 1e-11; one freedom";
+const char* fold_requirement = "closure equations and the frames of facets to 1e-11; one freedom";
 
 void add_miura(HardCases& cases) {
   for (const double off : {44.9, 1.0, 1e-3, 1e-6})
-    cases.push_back({text("4x4 Miura sheet, sectors of 90 deg -+ %g deg", off), asked_of_folds,
+    cases.push_back({text("4x4 Miura sheet, sectors of 90 deg -+ %g deg", off), fold_requirement,
                      [=] { return fold_mesh(miura_mesh(4, (90 - off) * deg, 1)); }});
   for (const double multiplier : {1e-3, 1e-6, 1e2, 1e4})
-    cases.push_back({text("4x4 Miura sheet of 75 deg, fold multiplier %g", multiplier), asked_of_folds,
+    cases.push_back({text("4x4 Miura sheet of 75 deg, fold multiplier %g", multiplier), fold_requirement,
                      [=] { return fold_mesh(miura_mesh(4, 75 * deg, multiplier)); }});
   for (const double angle : {45.5, 89.0})
     cases.push_back({text("Miura's pattern on 6x6 hexagons, %g deg between creases", angle),
                      "closure equations to 1e-11; one freedom",
                      [=] { return folds_exactly(miura_of_hexagons(6, 6, angle * deg, 0.9)); }});
-  cases.push_back({"6x6 facets at random, edges by 10 %, angles by 5 %", asked_of_folds, [] {
+  cases.push_back({"6x6 facets at random, edges by 10 %, angles by 5 %", fold_requirement, [] {
                      std::mt19937 random(31);
                      return fold_mesh(random_mesh(6, 6, 0.1, random).mesh);
                    }});

@@ -35,23 +35,23 @@ double load_by_drive(const model::EquilibriumPath& path) {
   return sum;
 }
 
-struct Told {
+struct EventCount {
   model::PathEvent::Kind kind;
   double theta;
   int more;
 };
 
-std::vector<Told> first_of_each_kind(const std::vector<model::PathEvent>& events) {
-  std::vector<Told> told;
+std::vector<EventCount> first_of_each_kind(const std::vector<model::PathEvent>& events) {
+  std::vector<EventCount> counts;
   for (const model::PathEvent& event : events) {
     const auto same =
-        std::find_if(told.begin(), told.end(), [&](const Told& t) { return t.kind == event.kind; });
-    if (same == told.end())
-      told.push_back({event.kind, event.at.theta, 0});
+        std::find_if(counts.begin(), counts.end(), [&](const EventCount& t) { return t.kind == event.kind; });
+    if (same == counts.end())
+      counts.push_back({event.kind, event.at.theta, 0});
     else
       ++same->more;
   }
-  return told;
+  return counts;
 }
 
 }  // namespace
@@ -83,10 +83,10 @@ double work_of(const HardScene& scene, const model::EquilibriumPath& path) {
   return load_by_drive(path) * travel(scene);
 }
 
-std::string told(const model::EquilibriumPath& path, const std::string& found) {
+std::string describe_path(const model::EquilibriumPath& path, const std::string& found) {
   std::string all = text("%s: E %.4g N mm, gap %.1e", to_string(path.stop).c_str(), path.steps.back().energy,
                          path.gaps.max);
-  for (const Told& event : first_of_each_kind(path.events)) {
+  for (const EventCount& event : first_of_each_kind(path.events)) {
     all += text(", %s at %.4g deg", to_string(event.kind).c_str(), to_degrees(event.theta));
     if (event.more > 0) all += text(" and %d more", event.more);
   }
@@ -95,7 +95,7 @@ std::string told(const model::EquilibriumPath& path, const std::string& found) {
 
 HardAnswer answer(const model::EquilibriumPath& path, bool right, const std::string& found) {
   const bool stable = path.steps.back().stable;
-  return {right && stable ? Mark::right : Mark::wrong, "no closed form", told(path, found), {}};
+  return {right && stable ? Mark::right : Mark::wrong, "no closed form", describe_path(path, found), {}};
 }
 
 HardAnswer answer(const HardScene& scene, const model::EquilibriumPath& path, bool right,
@@ -156,7 +156,7 @@ HardAnswer follow_strained(LinkageScene scene, double allowed) {
                 text("work differs by %.1e", off));
 }
 
-void judge_leaving(const LinkageScene& scene, const model::EquilibriumPath& path, HardAnswer& answer) {
+void check_branching(const LinkageScene& scene, const model::EquilibriumPath& path, HardAnswer& answer) {
   constexpr double other_motion = 0.1;  // rad of a hinge: springs of the cases bend a closed form by less
   if (!scene.driven.exact) return;
   const double off = turn_distance(scene.driven.linkage, path.state, scene.driven.exact.at(path.theta));

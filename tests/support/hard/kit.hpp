@@ -63,7 +63,7 @@ double energy_of(const HardScene& scene, const model::State& state);
 double work_of(const HardScene& scene, const model::EquilibriumPath& path);
 
 /// Formats the path as "reached: E 1.2 N mm, gap 3e-7", then events, then `found`.
-std::string told(const model::EquilibriumPath& path, const std::string& found);
+std::string describe_path(const model::EquilibriumPath& path, const std::string& found);
 /// Returns the answer for a path. An unstable equilibrium is never right.
 HardAnswer answer(const HardScene& scene, const model::EquilibriumPath& path, bool right,
                   const std::string& found);
@@ -86,7 +86,7 @@ double turning_energy(const LinkageScene& scene, const model::State& state);
 
 /// Judges a path that ended off its closed form, by more than 0.1 rad of a hinge. If the path reports the departure, a
 /// right answer becomes diagnosed; otherwise the answer is wrong.
-void judge_leaving(const LinkageScene& scene, const model::EquilibriumPath& path, HardAnswer& answer);
+void check_branching(const LinkageScene& scene, const model::EquilibriumPath& path, HardAnswer& answer);
 
 inline constexpr const char* expected_first_order =
     "distance from the closed form, and energy missing from its, 10 times those of ratio 1e9, to 1 %";

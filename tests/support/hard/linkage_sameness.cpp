@@ -108,7 +108,7 @@ HardAnswer same_energies(const SameScene& scene, const std::function<double(cons
           {}};
 }
 
-model::MadeHinge rubber_block() {
+model::ManufacturedHinge rubber_block() {
   return {.kind = model::HingeKind::block,
           .material = *model::find_material("tango"),
           .gap_mm = 1,
@@ -116,7 +116,7 @@ model::MadeHinge rubber_block() {
           .height_mm = 6};
 }
 
-model::MadeHinge loose_pin() {
+model::ManufacturedHinge loose_pin() {
   return {.kind = model::HingeKind::pin,
           .material = *model::find_material("pa12"),
           .height_mm = 6,

@@ -151,7 +151,7 @@ double from_exact(const LinkageScene& scene, const model::EquilibriumPath& path,
 
 /// Returns the axis along which plates find two lines to grip.
 model::Axis plates_axis(const PlanarStructure& s) {
-  const auto rows = [&](model::Axis axis) { return rim_rows(s, axis); };
+  const auto rows = [&](model::Axis axis) { return boundary_rows(s, axis); };
   try {
     rows(model::Axis::y);
     return model::Axis::y;
@@ -160,7 +160,7 @@ model::Axis plates_axis(const PlanarStructure& s) {
   }
 }
 
-model::LinkageDrive between_rims(const PlanarStructure& s, double theta) {
+model::LinkageDrive between_boundary_rows(const PlanarStructure& s, double theta) {
   return plate_drive(s, plates_axis(s), 1 - std::cos(theta), theta < 0 ? -1 : 1);
 }
 
@@ -171,8 +171,8 @@ model::LinkageDrive first_wall(const PlanarStructure& s, double theta) {
 
 /// Returns whether a closed boundary leaves a lattice one degree of freedom. Such panels are stiff enough between
 /// plates, but not at every single wall.
-bool has_closed_rim(const NamedPanel& panel) {
-  return panel.structure.drawn.lattice && panel.structure.drawn.closed_rim;
+bool has_closed_boundary(const NamedPanel& panel) {
+  return panel.structure.drawn.lattice && panel.structure.drawn.closed_boundary;
 }
 
 /// Returns how nearly a second motion begins along the closed form: the smallest singular value except that of the
@@ -198,17 +198,17 @@ HardAnswer follow_one_wall(const PlanarStructure& s, double theta) {
   if (!(judged.energy <= turning_energy(scene, scene.driven.exact.at(judged.theta)) * (1 + 1e-9)))
     a.mark = HardAnswer::Mark::wrong;
   if (path.stop != Stop::reached && !path.why.empty()) a.mark = HardAnswer::Mark::diagnosed;
-  judge_leaving(scene, path, a);
+  check_branching(scene, path, a);
   return a;
 }
 
 void add_soft_hinges(HardCases& cases) {
   for (const NamedPanel& panel : stiff_panels()) {
-    const bool plates = has_closed_rim(panel);
+    const bool plates = has_closed_boundary(panel);
     cases.push_back(
         {text("%s, %s to theta = 30 deg, stiffness ratio 1e8", panel.name, plates ? "plates" : "hinge"),
          expected_first_order, [s = panel.structure, plates] {
-           const auto drive = plates ? between_rims(s, 30 * deg) : first_wall(s, 30 * deg);
+           const auto drive = plates ? between_boundary_rows(s, 30 * deg) : first_wall(s, 30 * deg);
            return follow_softly([&](double ratio) { return driven_to(s, drive, ratio); }, 30 * deg);
          }});
     if (plates)
@@ -228,8 +228,8 @@ double force_of_plates(const LinkageScene& scene, double height_mm, double theta
 
 HardAnswer buckle_either_way(const PlanarStructure& s, double theta) {
   const double ratio = 1e-8;
-  const LinkageScene one = driven_to(s, between_rims(s, theta), ratio),
-                     other = driven_to(s, between_rims(s, -theta), ratio);
+  const LinkageScene one = driven_to(s, between_boundary_rows(s, theta), ratio),
+                     other = driven_to(s, between_boundary_rows(s, -theta), ratio);
   const auto& rows = one.driven.drive.gripped;
   const int along = component(one.driven.drive.axis);
   const double height = one.driven.linkage.rest_position(rows[1][0])[along] -
@@ -297,7 +297,7 @@ HardAnswer resize(double edge_mm) {
 
 void add_far_and_sizes(HardCases& cases) {
   for (const NamedPanel& panel : stiff_panels())
-    if (!has_closed_rim(panel))
+    if (!has_closed_boundary(panel))
       cases.push_back({text("%s, hinge to theta = 80 deg, stiffness ratio 1e8", panel.name),
                        "closed form, rms <= 1e-4", [s = panel.structure] { return turn_far(s, 80 * deg); }});
   for (const double edge : {1e-3, 1e6})

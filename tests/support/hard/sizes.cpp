@@ -19,7 +19,7 @@ HardCase large(std::string name, std::function<model::Structure()> make, double 
 
 model::Structure bending_by(double tilt) { return alternating(1000, 1, {.beta = tilt}, basic_unit); }
 
-bool says_unstable(const std::string& text) {
+bool reports_instability(const std::string& text) {
   return text.find("closed form is unstable") != std::string::npos;
 }
 
@@ -28,13 +28,13 @@ HardAnswer tip_over(const HardScene& scene) {
   const model::EquilibriumPath path = followed(scene);
   const model::State exact = fold(classify(scene.structure), scene.structure, path.theta);
   const double energy = path.steps.back().energy, folded = energy_of(scene, exact);
-  const bool told = std::any_of(path.events.begin(), path.events.end(),
-                                [](const model::PathEvent& e) { return says_unstable(e.what); });
+  const bool reported = std::any_of(path.events.begin(), path.events.end(),
+                                    [](const model::PathEvent& e) { return reports_instability(e.what); });
   HardAnswer a = answer(scene, path, false,
                         text("to theta %.3g deg; closed form there: E %.4g N mm%s", to_degrees(path.theta),
-                             folded, told ? ", told to be unstable" : ""));
+                             folded, reported ? ", told to be unstable" : ""));
   a.exact = text("tips over beyond %.0f cells", tipping_length(scene.elasticity));
-  if (told && path.steps.back().stable && energy < folded) a.mark = HardAnswer::Mark::diagnosed;
+  if (reported && path.steps.back().stable && energy < folded) a.mark = HardAnswer::Mark::diagnosed;
   return a;
 }
 

@@ -31,7 +31,7 @@ Watched watched(const HardScene& scene) {
   return run;
 }
 
-bool tells_of_walls_passing(const model::EquilibriumPath& path) {
+bool reports_passing_walls(const model::EquilibriumPath& path) {
   const auto says = [](const std::string& words) { return words.find("through") != std::string::npos; };
   return says(path.why) || std::any_of(path.events.begin(), path.events.end(),
                                        [&](const model::PathEvent& e) { return says(e.what); });
@@ -50,7 +50,7 @@ HardAnswer overdrive(const HardScene& scene) {
   const double limit = side * (side < 0 ? range.negative : range.positive).theta;
   const bool right = is_near(first_event(run.path, Kind::contact), side, limit - 2e-3, limit + 2e-3) &&
                      is_near(first_event(run.path, Kind::lock), side, limit - 2e-3, limit + 10 * deg) &&
-                     (run.passed == 0 || tells_of_walls_passing(run.path));
+                     (run.passed == 0 || reports_passing_walls(run.path));
   HardAnswer a = answer(scene, run.path, false,
                         text("load %.4g at %.4g deg, walls passed through others in %d steps",
                              run.path.steps.back().load, to_degrees(run.path.theta), run.passed));

@@ -40,9 +40,9 @@ TEST(DisplayGoal, RandomRowsComeBackAsTheyWere) {
 }
 
 TEST(DisplayGoal, RowsAreRedrawnCellByCell) {
-  const DisplayGoal goal = rows_goal({"011", "010"}), twice = goal.redrawn({6, 4});
+  const DisplayGoal goal = rows_goal({"011", "010"}), twice = goal.resized({6, 4});
   EXPECT_TRUE(twice.whole);
-  EXPECT_FALSE(goal.redrawn({4, 3}).whole);
+  EXPECT_FALSE(goal.resized({4, 3}).whole);
   EXPECT_EQ(twice.row_texts(), (std::vector<std::string>{"001111", "001111", "001100", "001100"}));
 }
 

@@ -251,7 +251,7 @@ TEST(GlyphGoal, MissesTheMiddleArmOfAnE) {
 
 TEST(GlyphGoal, IsRedrawnFromItsOutlines) {
   const DisplayGoal goal = bold("R", 8, 8);
-  EXPECT_EQ(goal.redrawn({14, 13}).levels, bold("R", 14, 13).levels);
+  EXPECT_EQ(goal.resized({14, 13}).levels, bold("R", 14, 13).levels);
 }
 
 TEST(FindFont, TakesFullNamesAndFamiliesInAnyCase) {

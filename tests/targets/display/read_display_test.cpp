@@ -72,7 +72,7 @@ TEST(ReadDisplay, TakesRowsQuotedOrNot) {
   const DisplayGoal larger = display_of(rows + "[4, 2]}");
   EXPECT_THAT(larger.row_texts(), ElementsAre("0011", "1100"));
   EXPECT_TRUE(larger.whole);
-  EXPECT_THAT(larger.redrawn({2, 2}).row_texts(), ElementsAre("01", "10"));
+  EXPECT_THAT(larger.resized({2, 2}).row_texts(), ElementsAre("01", "10"));
 }
 
 TEST(ReadDisplay, ReadsTheGoalsThatShip) {

@@ -243,8 +243,6 @@ TEST(Head, RefusesAFrontAlongUp) {
   EXPECT_THAT(says(head_with_ears(90, 60), {.front = -Vector3d::UnitZ()}, "front"), HasSubstr("across"));
 }
 
-using Eigen::Vector3d;
-
 /// 3 x 2 cells of 10 mm with walls 4 mm high, flat, round the origin.
 struct Sheet {
   model::Structure structure = make_structure(model::rectangle(3, 2), {10, 1, 4});
@@ -293,10 +291,8 @@ TEST(WallsInside, AreSeenBetweenTheirCorners) {
   EXPECT_EQ(found.depth_mm, 0);
 }
 
-using Eigen::Vector3d;
 using testing::BadInput;
 using testing::expect_refused;
-using testing::head_with_ears;
 using testing::obj_text;
 using testing::TemporaryFolder;
 
@@ -322,12 +318,12 @@ TEST(ReadHead, TakesWhatTheSectionSays) {
   EXPECT_EQ(plain.to_mesh.linear().col(1), Vector3d::UnitX());
   EXPECT_EQ(plain.to_mesh.linear().col(2), Vector3d::UnitY());
   EXPECT_LE((plain.to_mesh.translation() - Vector3d(0, 115, 0)).norm(), 1e-4);
-  const Head told = read(
+  const Head specified = read(
       "{kind: helmet, mesh: head.obj, up: +y, units: cm, front: -x, crown: [10, 114.5, 0], coverage_mm: 70}",
       file);
-  EXPECT_EQ(told.coverage_mm, 70);
-  EXPECT_EQ(told.to_mesh.linear().col(1), -Vector3d::UnitX());
-  EXPECT_EQ(told.to_mesh.translation(), Vector3d(10, 114.5, 0));
+  EXPECT_EQ(specified.coverage_mm, 70);
+  EXPECT_EQ(specified.to_mesh.linear().col(1), -Vector3d::UnitX());
+  EXPECT_EQ(specified.to_mesh.translation(), Vector3d(10, 114.5, 0));
 }
 
 TEST(ReadHead, RefusesWhatIsNoHeadAtTheKeyAtFault) {

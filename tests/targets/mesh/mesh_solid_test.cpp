@@ -148,15 +148,12 @@ TEST(WindingNumber, AgreesWithTheParityOfARayOnClosedMeshes) {
   }
 }
 
-using Eigen::Vector3d;
 using testing::add_part;
 using testing::ear_axes;
 using testing::ear_centre;
-using testing::ellipsoid;
 using testing::head_axes;
 using testing::head_with_thin_ears;
 using testing::level;
-using testing::random_point;
 
 void turn_some(TriangleMesh& mesh, std::mt19937& random) {
   for (Triangle& triangle : mesh.triangles)

@@ -81,9 +81,7 @@ TEST(TriangleTree, IsHitWhereItHasAFarthestHit) {
   }
 }
 
-using Eigen::Vector3d;
 using testing::ellipsoid;
-using testing::random_point;
 
 TriangleMesh random_soup(std::mt19937& random, int triangles) {
   TriangleMesh mesh;

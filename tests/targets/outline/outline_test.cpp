@@ -195,8 +195,6 @@ TEST(OutlineError, IsNaNWhereThereIsNoPolygon) {
   EXPECT_TRUE(std::isnan(outline_error(goal, {}).rms));
 }
 
-using Eigen::Vector2d;
-
 /// r(angle) = 1 + amplitude cos(folds (angle - direction)), off the origin.
 Outline wavy(int folds, double amplitude, double direction, int points = 240) {
   std::vector<Vector2d> out;

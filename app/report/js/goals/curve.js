@@ -29,7 +29,7 @@ function missBy(data) {
       percent(allowed)}.`;
 }
 
-function metWords(data) {
+function describeDeviation(data) {
   const rms = lengthOf(data, data.metrics.shape_rms), most = lengthOf(data, data.metrics.shape_max);
   if (rms === null) return "The folded shape is within the tolerance.";
   return `The folded strip lies ${millimetres(rms)} rms from the target curve` +
@@ -41,17 +41,17 @@ function curveVerdict(data) {
   const hasRun = data.states.physics !== null || finite(data.metrics.verify_rms) !== null ||
       Boolean(data.physics.status);
   if (met === false) {
-    const also = verified === false ? " " + physicsWords(data) : "";
+    const also = verified === false ? " " + describePhysics(data) : "";
     const close = data.metrics.shape_rms <= data.tolerance.shape;
     const title = close ? "Shape reached, but the design does not hold" : "Target missed";
-    return {mark: "\u2715", tone: "bad", title, text: (close ? metWords(data) : missBy(data)) + also};
+    return {mark: "\u2715", tone: "bad", title, text: (close ? describeDeviation(data) : missBy(data)) + also};
   }
   if (verified === false)
     return {
       mark: "!",
       tone: "bad",
       title: (met ? "Target met in the model, but the physics run " : "The physics run ") + failing(data),
-      text: physicsWords(data)
+      text: describePhysics(data)
     };
   if (met === null)
     return {
@@ -65,7 +65,7 @@ function curveVerdict(data) {
     mark: "\u2713",
     tone: verified ? "good" : "unsure",
     title,
-    text: metWords(data) + (hasRun ? " " + physicsWords(data) : " It was not checked by a physics run.")
+    text: describeDeviation(data) + (hasRun ? " " + describePhysics(data) : " It was not checked by a physics run.")
   };
 }
 
@@ -191,7 +191,7 @@ function drawTurns(data, width) {
   return axes.root;
 }
 
-function turnWords(turn) {
+function describeTurn(turn) {
   const limited = turn.filter((t) => t.allowed > 0);
   if (!limited.length) return "";
   const use = (t) => Math.abs(t.needed) / t.allowed;
@@ -213,7 +213,7 @@ function turnFigure(data) {
   const over = turn.some(isOver);
   return html(
       "div", {class: "part"}, html("h3", {}, "Turn needed and turn allowed"),
-      html("p", {class: "lead"}, turnWords(turn)), responsive((width) => drawTurns(data, width)),
+      html("p", {class: "lead"}, describeTurn(turn)), responsive((width) => drawTurns(data, width)),
       legend(
           ["turn", "turn the target asks for"], over && ["turn over", "more than allowed"],
           showsLimits(turn) && ["turn-limit", "most that the tilt range allows"]));

@@ -24,7 +24,7 @@ function isGrey(display) {
   return display.levels.some((level) => level !== 0 && level !== 1);
 }
 
-function readingWords(display, reading) {
+function describeReading(display, reading) {
   if (isGrey(display)) return `rank correlation ${figures(reading.rank)} with the picture`;
   return `letter and background cells distinguished in ${percent(reading.auc)} of pairs, contrast ${
       figures(reading.contrast, 3)}`;
@@ -32,13 +32,13 @@ function readingWords(display, reading) {
 
 function displayVerdict(data) {
   const {goal: display, verdict: {met, verified}} = data;
-  const model = `In the model: ${readingWords(display, display.after)}.`;
-  const run = display.physics ? ` In the physics run: ${readingWords(display, display.physics)}.` : "";
+  const model = `In the model: ${describeReading(display, display.after)}.`;
+  const run = display.physics ? ` In the physics run: ${describeReading(display, display.physics)}.` : "";
   if (met === false) return {mark: "\u2715", tone: "bad", title: "The picture is not as clear as required", text: model + run};
   if (verified === false)
     return {mark: "!", tone: "bad", title: "The model shows the picture, but the physics run " + failing(data),
             text: model + run};
-  const cells = rightSideWords(rightSide(display, display.physics ?? display.after)), shows = cells ? `The picture shows: ${cells}` : "The picture shows";
+  const cells = describeRightSide(rightSide(display, display.physics ?? display.after)), shows = cells ? `The picture shows: ${cells}` : "The picture shows";
   const title = verified ? `${shows}, and the physics run agrees` : `${shows}, in the model`;
   return {mark: "\u2713", tone: verified ? "good" : "unsure", title,
           text: model + (run || " It was not checked by a physics run.")};
@@ -52,7 +52,7 @@ function rightSide(display, reading) {
   return {right, all: display.levels.length};
 }
 
-function rightSideWords(counted) {
+function describeRightSide(counted) {
   if (!counted) return null;
   const {right, all} = counted;
   return right === all ? `all ${all} cells on the right side` : `${right} of ${all} cells on the right side`;
@@ -189,11 +189,11 @@ function displaySection(data) {
   });
   return html(
       "div", {}, html("div", {class: "shots"},
-                      shot(states.flat, "Before", display.before ? readingWords(display, display.before) : ""),
-                      shot(states.model, "After compression", rightSideWords(rightSide(display, display.after)) ?? readingWords(display, display.after)),
+                      shot(states.flat, "Before", display.before ? describeReading(display, display.before) : ""),
+                      shot(states.model, "After compression", describeRightSide(rightSide(display, display.after)) ?? describeReading(display, display.after)),
                       farViews(data), states.model && display.after?.letter !== null ? distanceView(data) : null,
                       shot(states.physics, "After, in the physics run",
-                           display.physics ? readingWords(display, display.physics) : "not settled"),
+                           display.physics ? describeReading(display, display.physics) : "not settled"),
                       shot(states.flat, "Where the hinges are",
                            "grey: in the middle of the wall; blue: towards its lower or left end; red: towards the other",
                            true)),
@@ -269,7 +269,7 @@ const displayGoal = {
   verdict: displayVerdict,
   numbers: displayNumbers,
   standing: litShot,
-  facts: ({goal: display}) => [["Picture", display.after && `${rightSideWords(rightSide(display, display.after)) ?? readingWords(display, display.after)}; ` +
+  facts: ({goal: display}) => [["Picture", display.after && `${describeRightSide(rightSide(display, display.after)) ?? describeReading(display, display.after)}; ` +
     (isGrey(display) ? "in greys" : `contrast ${figures(display.after.contrast, 2)}`)]],
   firstSections: [["display", "What the panel shows", displaySection]],
 };

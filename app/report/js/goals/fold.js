@@ -26,7 +26,7 @@ function readFold(raw) {
   };
 }
 
-function foldWords(creases, key) {
+function describeFold(creases, key) {
   const known = creases.filter((crease) => crease[key] !== null);
   const miss = Math.max(0, ...known.map((crease) => Math.abs(crease[key] - crease.asked)));
   const off = miss < EXACT_DEG ? "at" : `within ${measured(miss, "\u00b0", 6)} of`;
@@ -35,9 +35,9 @@ function foldWords(creases, key) {
 
 function foldVerdict(data) {
   const {goal: fold, metrics, verdict: {met, verified}} = data;
-  const model = `In the model: ${foldWords(fold.creases, "model")}, faces ${percent(metrics.face_rms)} of their edge from the solid.`;
+  const model = `In the model: ${describeFold(fold.creases, "model")}, faces ${percent(metrics.face_rms)} of their edge from the solid.`;
   const ran = finite(metrics.face_rms_physics) !== null;
-  const run = ran ? ` In the physics run: ${foldWords(fold.creases, "physics")}, faces ${percent(metrics.face_rms_physics)}.` : "";
+  const run = ran ? ` In the physics run: ${describeFold(fold.creases, "physics")}, faces ${percent(metrics.face_rms_physics)}.` : "";
   if (met === false) return {mark: "\u2715", tone: "bad", title: "It does not fold as required", text: model + run};
   if (verified === false)
     return {mark: "!", tone: "bad", title: "It folds in the model, but the physics run " + failing(data), text: model + run};
@@ -157,7 +157,7 @@ const foldGoal = {
     ["face_rms", "Face error, rms", "corners of the faces against the ideal solid, in edges", "shape"],
   ]),
   facts: ({goal: fold}) => [
-    ["Creases", foldWords(fold.creases, "model")],
+    ["Creases", describeFold(fold.creases, "model")],
     ["Solid", fold.edges && `${sizeText(fold.edges)} between the middles of its faces`],
   ],
   firstSections: [["fold", "Net and creases", foldSection]],

@@ -29,14 +29,14 @@ function headLines(raw, lines) {
   return list(lines).map((line) => numberRows(line, 3).map((p) => turned([w, ...scale(v, -1)], subtract(p, frame.p))));
 }
 
-function fitWords({rms_mm: rms, max_mm: most}) {
+function describeFit({rms_mm: rms, max_mm: most}) {
   return `${millimetres(rms)} rms, ${millimetres(most)} at worst`;
 }
 
 function helmetVerdict({goal: helmet, verdict: {met, verified}, ...data}) {
-  const model = `Off head plus clearance by ${fitWords(helmet.error)}.`;
+  const model = `Off head plus clearance by ${describeFit(helmet.error)}.`;
   const near = helmet.covered === null ? "" : `, ${percent(helmet.covered)} of the head within a cell edge of a rib`;
-  const run = helmet.physics ? ` In the physics run: ${fitWords(helmet.physics)}.` : "";
+  const run = helmet.physics ? ` In the physics run: ${describeFit(helmet.physics)}.` : "";
   const invented = helmet.invented ? ` But ${helmet.invented}.` : "";
   if (met === false) return {mark: "\u2715", tone: "bad", title: `It does not fit as required${near}`, text: model + run + invented};
   if (verified === false)

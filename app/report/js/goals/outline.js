@@ -16,7 +16,7 @@ function readOutline(raw) {
   };
 }
 
-function rimWords({diagonal}, error) {
+function describeOutline({diagonal}, error) {
   if (!error || error.rms === null) return "";
   const length = diagonal === null ? percent(error.rms) : `${millimetres(error.rms * diagonal)} (${percent(error.rms)} of the diagonal)`;
   return `the rim lies ${length} off the outline, and they share ${percent(error.iou)} of their area`;
@@ -24,8 +24,8 @@ function rimWords({diagonal}, error) {
 
 function outlineVerdict(data) {
   const {goal: outline, verdict: {met, verified}} = data;
-  const model = `In the model ${rimWords(outline, outline.exact)}.`;
-  const run = outline.physics ? ` In the physics run ${rimWords(outline, outline.physics)}.` : "";
+  const model = `In the model ${describeOutline(outline, outline.exact)}.`;
+  const run = outline.physics ? ` In the physics run ${describeOutline(outline, outline.physics)}.` : "";
   if (met === false) return {mark: "\u2715", tone: "bad", title: "The pressed panel misses its outline", text: model + run};
   if (verified === false)
     return {mark: "!", tone: "bad", title: "It takes its outline in the model, but the physics run " + failing(data), text: model + run};

@@ -13,7 +13,7 @@ function describeCustomError({goal: own, metrics, tolerance}) {
 
 function customVerdict(data) {
   const {verdict: {met, verified}} = data, model = describeCustomError(data);
-  const hasRun = finite(data.metrics.verify_rms) !== null || Boolean(data.physics.status), run = hasRun ? ` ${physicsWords(data)}` : "";
+  const hasRun = finite(data.metrics.verify_rms) !== null || Boolean(data.physics.status), run = hasRun ? ` ${describePhysics(data)}` : "";
   if (met === false) return {mark: "\u2715", tone: "bad", title: "The strip misses its goal", text: model + run};
   if (verified === false)
     return {mark: "!", tone: "bad", title: "It meets its goal in the model, but the physics run " + failing(data), text: model + run};

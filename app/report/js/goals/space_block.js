@@ -8,14 +8,14 @@ function readSpaceBlock(raw) {
     physics: three(dictionary(raw.physics).factors), reasons: words(raw.reasons), physicsReasons: words(raw.reasons_physics)};
 }
 
-function shrinkWords(factors) {
+function formatFactors(factors) {
   return factors === null ? "" : factors.map((one) => percent(one)).join(", ");
 }
 
 function spaceBlockVerdict(data) {
   const {goal: block, verdict: {met, verified}} = data;
-  const model = `In the model its sides shrink to ${shrinkWords(block.factors)} of their lengths, along x, y and z.`;
-  const run = block.physics ? ` In the physics run, between plates, to ${shrinkWords(block.physics)}.` : "";
+  const model = `In the model its sides shrink to ${formatFactors(block.factors)} of their lengths, along x, y and z.`;
+  const run = block.physics ? ` In the physics run, between plates, to ${formatFactors(block.physics)}.` : "";
   if (met === false) return {mark: "\u2715", tone: "bad", title: "The block misses what was asked", text: model + run};
   if (verified === false)
     return {mark: "!", tone: "bad", title: "It shrinks as asked in the model, but the physics run " + failing(data), text: model + run};
@@ -29,7 +29,7 @@ function spaceBlockVerdict(data) {
 function spaceBlockNumbers(data) {
   const {goal: block, tolerance, metrics} = data;
   return [
-    block.factors && keyNumber("Pressed over at rest", shrinkWords(block.factors), `along x, y, z; off by at most ${percent(metrics.factor_off)}, allowed ${percent(tolerance.factor)}`),
+    block.factors && keyNumber("Pressed over at rest", formatFactors(block.factors), `along x, y, z; off by at most ${percent(metrics.factor_off)}, allowed ${percent(tolerance.factor)}`),
     block.gussets && keyNumber("Gussets", block.gussets.map((one) => figures(one, 2)).join(", "), "of an edge, in squares normal to x, y, z: pieces between two rotors that never turn"),
   ];
 }

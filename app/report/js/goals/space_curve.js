@@ -15,7 +15,7 @@ function readSpaceCurve(raw) {
   };
 }
 
-function offWords(data, rms) {
+function describeOffset(data, rms) {
   const {diagonal} = data.goal;
   if (finite(rms) === null) return "";
   return diagonal === null ? percent(rms) : `${millimetres(rms * diagonal)} (${percent(rms)} of the diagonal)`;
@@ -23,8 +23,8 @@ function offWords(data, rms) {
 
 function spaceVerdict(data) {
   const {goal: wanted, verdict: {met, verified}, metrics} = data;
-  const model = `In the model the middle of the strip lies ${offWords(data, metrics.shape_rms)} off the curve, rms.`;
-  const run = wanted.physics ? ` In the physics run ${offWords(data, wanted.physics.rms)}.` : "";
+  const model = `In the model the middle of the strip lies ${describeOffset(data, metrics.shape_rms)} off the curve, rms.`;
+  const run = wanted.physics ? ` In the physics run ${describeOffset(data, wanted.physics.rms)}.` : "";
   if (met === false)
     return {mark: "\u2715", tone: "bad", title: wanted.meets ? "Walls meet on the way to the curve" : "The strip misses its curve", text: model + run};
   if (verified === false)

@@ -1,6 +1,6 @@
 // Panel of a design of bodies: its range of motion, its hinges, and data of the chosen body or hinge.
 import {$, degrees, element, neat, show, typed} from "./dom.js";
-import {status} from "./words.js";
+import {status} from "./messages.js";
 
 const MOST_LINES = 8;  // of the list of hinges; longer lists scroll
 const KINDS = {block: "soft part", pin: "pin in a bore", hinge: "hinge", ball: "ball, turns every way"};
@@ -99,7 +99,7 @@ export class BodiesPanel {
 }
 
 /** Describes the direction and range of the motion in a sentence for the heading of the panel. */
-export function turnWords({bodies, exact, structure}) {
+export function describeTurn({bodies, exact, structure}) {
   const {name} = structure.hinges[bodies.driven];
   if (bodies.pulled) return bodies.following ? "Following the pull\u2026" : `Bodies are pulled: hinges turn by ${neat(degrees(bodies.turn_range_rad[1]), 0)}\u00b0 in the mean.`;
   if (bodies.following) return `Following ${name}\u2026`;

@@ -2,7 +2,7 @@
 // it.
 import {cellAt} from "../squares.js";
 import {$, show, svg} from "./dom.js";
-import {status} from "./words.js";
+import {status} from "./messages.js";
 
 const CLICK_SHARE = 0.08;  // of a cell: a smaller movement is a click
 const T_RANGE = [0.02, 0.98];

@@ -7,8 +7,8 @@ const RETRY_MS = 1500;    // after the connection was lost
 export function readFrame(buffer) {
   const head = new Float64Array(buffer, 0, HEAD);
   if (head[0] !== 1 || buffer.byteLength !== 8 * (HEAD + 7 * head[9])) return null;
-  const [, number, revision, theta, seconds, heard, force, energy, mode, bodies] = head;
-  return {number, revision, theta, seconds, heard, force, energy, mode: ["exact", "equilibrium", "bullet"][mode], bodies,
+  const [, number, revision, theta, seconds, processed, force, energy, mode, bodies] = head;
+  return {number, revision, theta, seconds, processed, force, energy, mode: ["exact", "equilibrium", "bullet"][mode], bodies,
     poses: new Float64Array(buffer, 8 * HEAD)};
 }
 
@@ -21,14 +21,14 @@ export class Connection {
     this.handlers.set(type, [...(this.handlers.get(type) ?? []), handler]);
   }
 
-  tell(type, message) {
+  emit(type, message) {
     for (const handler of this.handlers.get(type) ?? []) handler(message);
   }
 
   open() {
     this.socket = new WebSocket(`ws://${location.host}/session`, this.token ? [this.token] : []);
     this.socket.binaryType = "arraybuffer";
-    this.socket.addEventListener("open", () => this.tell("open", {}));
+    this.socket.addEventListener("open", () => this.emit("open", {}));
     this.socket.addEventListener("message", ({data}) => (typeof data === "string" ? this.text(data) : this.frame(data)));
     this.socket.addEventListener("close", () => this.closed());
   }
@@ -37,14 +37,14 @@ export class Connection {
     for (const {reject} of this.waiting.values()) reject(new Error("The program has gone."));
     this.waiting.clear();
     this.newest.clear();
-    this.tell("closed", {});
+    this.emit("closed", {});
     setTimeout(() => this.open(), RETRY_MS);
   }
 
   text(data) {
     const message = JSON.parse(data);
     if (message.type === "error" && message.id) this.refused(message);
-    this.tell(message.type, message);
+    this.emit(message.type, message);
   }
 
   refused({id, message}) {
@@ -55,10 +55,10 @@ export class Connection {
   frame(data) {
     const frame = readFrame(data);
     if (!frame) return;
-    this.tell("frame", frame);
+    this.emit("frame", frame);
     this.socket.send(JSON.stringify({type: "ack", frame: frame.number}));
     for (const [id, {type, resolve}] of this.waiting)
-      if (id <= frame.heard) this.waiting.delete(id) && this.tell("done", {type}), resolve(frame);
+      if (id <= frame.processed) this.waiting.delete(id) && this.emit("done", {type}), resolve(frame);
   }
 
   /** Sends a command. The promise resolves with the first frame that shows its effect, and rejects if the command is

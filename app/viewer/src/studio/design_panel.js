@@ -1,8 +1,8 @@
 // The design in numbers: sheet, hinges, how they are made, and its problems.
-import {$, degrees, element, foldWords, neat, show, typed} from "./dom.js";
-import {turnWords} from "./bodies_panel.js";
+import {$, degrees, element, describeFold, neat, show, typed} from "./dom.js";
+import {describeTurn} from "./bodies_panel.js";
 import {CellMap} from "./cell_map.js";
-import {say, status, unsay} from "./words.js";
+import {showMessage, status, clearMessage} from "./messages.js";
 
 const FAMILIES = {F1: "stays flat: scales and shears", F2: "bends in one direction", F3: "bends with zigzag rows", F4: "folds as a net", planar: "stays flat", creased: "folds along its creases"};
 
@@ -13,7 +13,7 @@ export class DesignPanel {
     this.listen();
     state.on("hello", () => this.showHello());
     state.on("design", () => this.showDesign());
-    state.on("chosen", () => (unsay("choice"), this.showHinge()));
+    state.on("chosen", () => (clearMessage("choice"), this.showHinge()));
   }
 
   /** @param words shown when it is done */
@@ -25,7 +25,7 @@ export class DesignPanel {
     $("sheet").addEventListener("change", ({target}) => target.checkValidity() ? this.send("sheet", {[target.name]: Number(target.value)}) : target.reportValidity());
     $("hinge").addEventListener("change", ({target}) => target.name && this.setHinges(target.name, Number(target.value)));
     for (const id of ["sheet", "hinge", "made"]) $(id).addEventListener("submit", (event) => event.preventDefault());
-    $("made").addEventListener("change", () => this.setMade());
+    $("made").addEventListener("change", () => this.setHingeKind());
     $("nearest").addEventListener("click", () => this.send("nearest", {}, "now it moves exactly"));
     $("pick_none").addEventListener("click", () => this.state.choose([]));
     $("pick_column").addEventListener("click", () => this.widen("column"));
@@ -37,7 +37,7 @@ export class DesignPanel {
     });
   }
 
-  setMade() {
+  setHingeKind() {
     const form = $("made"), kind = form.elements.kind.value, material = form.elements.material.value;
     this.send("made", kind === "stiff" ? {kind} : {kind, material});
   }
@@ -45,7 +45,7 @@ export class DesignPanel {
   /** Chooses all hinges of the chosen one's direction in its column or row. */
   widen(line) {
     const {chosen, design} = this.state, first = chosen.length ? this.state.wall(chosen[0]) : null;
-    if (!first) return say("Choose a hinge of a sheet of squares first.", {about: "choice"});
+    if (!first) return showMessage("Choose a hinge of a sheet of squares first.", {about: "choice"});
     this.state.choose(design.structure.hinges.map((_, k) => k).filter((k) => {
       const wall = this.state.wall(k);
       return wall.along === first.along && wall[line] === first[line];
@@ -76,7 +76,7 @@ export class DesignPanel {
     this.showVerdict();
     if (design.bodies) return;
     this.showSheet(structure);
-    this.showMade();
+    this.showHingeKind();
     this.state.chosen = this.state.chosen.filter((index) => index < structure.hinges.length);
     this.showHinge();
   }
@@ -87,15 +87,15 @@ export class DesignPanel {
     show($("unsaved"), unsaved);
     $("unsaved").textContent = kept ? "not saved" : "not saved, kept nowhere";
     $("unsaved").title = kept ? `Kept in ${autosave} until it is saved: if the studio is killed, the next one opens it.` : not_kept ?? "";
-    $("design_fold").textContent = bodies ? "" : `design: ${foldWords(theta_rad)}`;
-    if (restored) say("These changes were not saved when the studio ended. Undo shows the saved design.", {about: "restored"});
-    else unsay("restored");
+    $("design_fold").textContent = bodies ? "" : `design: ${describeFold(theta_rad)}`;
+    if (restored) showMessage("These changes were not saved when the studio ended. Undo shows the saved design.", {about: "restored"});
+    else clearMessage("restored");
   }
 
   showVerdict() {
     const {exact, family, why, breaking = [], bodies} = this.state.design;
     $("verdict").className = `verdict ${exact ? "good" : bodies?.following ? "" : "bad"}`;
-    $("verdict_text").textContent = bodies ? turnWords(this.state.design) : exact ? `Moves exactly: ${FAMILIES[family] ?? family}.` : "Does not move without strain.";
+    $("verdict_text").textContent = bodies ? describeTurn(this.state.design) : exact ? `Moves exactly: ${FAMILIES[family] ?? family}.` : "Does not move without strain.";
     const reasons = Array.isArray(why) ? why : why ? [why] : [];
     $("why").replaceChildren(...reasons.map((reason) => element("li", {}, reason)),
       ...(breaking.length ? [element("li", {}, `${breaking.length} ${breaking.length === 1 ? "hinge breaks" : "hinges break"} it, marked red`)] : []));
@@ -115,7 +115,7 @@ export class DesignPanel {
     $("flat_size").textContent = `${size ? `${size} mm flat, ` : ""}${bodies.length} bodies, ${hinges.length} hinges`;
   }
 
-  showMade() {
+  showHingeKind() {
     const {kind, material, text} = this.state.design.hinge ?? {}, form = $("made").elements;
     if (kind) form.kind.value = kind;
     if (typeof material === "string" && [...form.material.options].some((option) => option.value === material)) form.material.value = material;

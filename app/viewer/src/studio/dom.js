@@ -44,7 +44,7 @@ export function summaryRows(summary) {
 }
 
 /** Describes the fold of a sheet for people. */
-export const foldWords = (theta_rad) => (Math.abs(theta_rad) < 1e-9 ? "flat" : `${neat((theta_rad * 180) / Math.PI, 1)}\u00b0`);
+export const describeFold = (theta_rad) => (Math.abs(theta_rad) < 1e-9 ? "flat" : `${neat((theta_rad * 180) / Math.PI, 1)}\u00b0`);
 
 export const degrees = (radians) => (radians * 180) / Math.PI;
 export const radians = (degrees) => (degrees * Math.PI) / 180;

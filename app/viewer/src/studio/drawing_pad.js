@@ -1,5 +1,5 @@
 // Field for drawing a line with the pointer, or point by point with the keys. Points are in mm, y up.
-import {status} from "./words.js";
+import {status} from "./messages.js";
 
 const LEAST_STEP = 0.012;  // of the field's width, between kept points
 const KEY_STEP = 0.05;     // of the field's width per key press

@@ -2,7 +2,7 @@
 import {$, element, neat, show, summaryRows} from "./dom.js";
 import {DrawingPad} from "./drawing_pad.js";
 import {CARDS} from "./goals.js";
-import {say, status, unsay} from "./words.js";
+import {showMessage, status, clearMessage} from "./messages.js";
 
 const LARGEST_FILE = 32 * 2 ** 20;  // bytes of all files of a search: limit of the program (app/studio/session/uploads.hpp)
 const PART = 480e3;                 // bytes, a multiple of 3: the program accepts messages up to 768 KiB, and base64 adds a third
@@ -64,7 +64,7 @@ export class GoalPanel {
 
   async take(file) {
     if (!file) return;
-    if (file.size > LARGEST_FILE) return say(`${file.name} is larger than ${LARGEST_FILE / 2 ** 20} MiB: name it in a target file and start the studio with that.`, {about: "goal"});
+    if (file.size > LARGEST_FILE) return showMessage(`${file.name} is larger than ${LARGEST_FILE / 2 ** 20} MiB: name it in a target file and start the studio with that.`, {about: "goal"});
     const bytes = new Uint8Array(await file.arrayBuffer()), name = file.name.replace(/[^\w.-]/g, "_");
     this.file = {name, content: this.kind === CARDS.file ? new TextDecoder().decode(bytes) : undefined};
     this.files = this.kind === CARDS.file ? {} : {[name]: bytes};
@@ -99,7 +99,7 @@ export class GoalPanel {
   }
 
   compose() {
-    unsay("goal");
+    clearMessage("goal");
     const values = this.values(), missing = this.missing(values);
     $("target_text").value = missing ? "" : this.kind.text(values);
     $("search").disabled = Boolean(this.state.program.searching);
@@ -108,7 +108,7 @@ export class GoalPanel {
 
   async search() {
     const typed = $("target_text").value, missing = typed.trim() ? null : this.compose();
-    if (missing) return $("goal").reportValidity() && say(missing, {about: "goal"});
+    if (missing) return $("goal").reportValidity() && showMessage(missing, {about: "goal"});
     show($("found"), false);
     this.state.remember();
     const target = $("target_text").value;

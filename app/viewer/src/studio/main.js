@@ -6,24 +6,24 @@ import {decoded} from "../solids.js";
 import {BodiesPanel} from "./bodies_panel.js";
 import {Connection} from "./connection.js";
 import {DesignPanel} from "./design_panel.js";
-import {$, degrees, foldWords, neat, radians, show} from "./dom.js";
+import {$, degrees, describeFold, neat, radians, show} from "./dom.js";
 import {GoalPanel} from "./goal_panel.js";
 import {distancesOf, ghostOf, goalOf, placementOf} from "./goals.js";
-import {Hand} from "./hand.js";
+import {DragTool} from "./drag_tool.js";
 import {MakePanel} from "./make_panel.js";
 import {MotionBar} from "./motion_bar.js";
 import {PageState} from "./page_state.js";
 import {PathChart} from "./path_chart.js";
 import {turnBetween} from "../quaternion.js";
 import {tabs} from "./tabs.js";
-import {forgetDesign, forgetState, say, status, unsay} from "./words.js";
+import {forgetDesign, forgetState, showMessage, status, clearMessage} from "./messages.js";
 
 const STAND_THETA = radians(20);  // least fold from which the orientation of an exact sheet is computed
 
 const connection = new Connection(location.hash.slice(1)), state = new PageState(connection);
-let hand = null;
-const scene = new Scene($("scene"), {isTaken: (event) => hand?.takes(event) ?? false});
-hand = new Hand(state, scene);
+let dragTool = null;
+const scene = new Scene($("scene"), {isTaken: (event) => dragTool?.takes(event) ?? false});
+dragTool = new DragTool(state, scene);
 const bar = new MotionBar(state);
 new DesignPanel(state);
 new BodiesPanel(state);
@@ -41,14 +41,14 @@ for (const type of ["hello", "progress", "exported"])
   });
 connection.on("path", (message) => {
   if (message.revision !== state.design?.revision) return;
-  unsay("equilibrium");
+  clearMessage("equilibrium");
   state.path = message;
   state.changed("path");
 });
 connection.on("state", (message) => {
   const was = state.program.mode;
   state.program = message;
-  if (was !== message.mode) unsay("equilibrium");
+  if (was !== message.mode) clearMessage("equilibrium");
   forgetState(was !== message.mode);
   state.changed("program");
 });
@@ -77,24 +77,24 @@ connection.on("frame", (frame) => {
   const wasIn = state.frame?.mode;
   state.frame = frame;
   if (!scene.stand || (wasIn !== frame.mode && frame.mode !== "bullet")) stand(frame);
-  scene.show(frame.poses, {settle: frame.mode !== "bullet" && !hand.held});
+  scene.show(frame.poses, {settle: frame.mode !== "bullet" && !dragTool.held});
   layGoal();
-  hand.thread();
+  dragTool.thread();
   if (state.fitting) state.fitting = false, scene.fit();
   state.changed("frame");
 });
-connection.on("error", ({message, about}) => say(message, {about}));
-connection.on("done", ({type}) => (unsay(type), type === "reset" && unsay("equilibrium")));
-connection.on("saved", (message) => (unsay("saved"), say(`Saved: ${message.path}, ${savedWords(message)}.`, {good: true, about: "saved"})));
-connection.on("closed", () => state.design && say("The program has ended or was stopped. This page looks for it again."));
+connection.on("error", ({message, about}) => showMessage(message, {about}));
+connection.on("done", ({type}) => (clearMessage(type), type === "reset" && clearMessage("equilibrium")));
+connection.on("saved", (message) => (clearMessage("saved"), showMessage(`Saved: ${message.path}, ${describeSaved(message)}.`, {good: true, about: "saved"})));
+connection.on("closed", () => state.design && showMessage("The program has ended or was stopped. This page looks for it again."));
 connection.on("open", () => $("messages").replaceChildren());
 
 /** Describes the fold of the saved design, and whether it is the shown fold. */
-function savedWords({theta_rad, at_fold}) {
+function describeSaved({theta_rad, at_fold}) {
   if (state.design.bodies) return `turned as ${at_fold ? "it is shown" : "the design says"}`;
-  if (at_fold) return `folded as it is shown, ${foldWords(theta_rad)}`;
+  if (at_fold) return `folded as it is shown, ${describeFold(theta_rad)}`;
   const shown = state.frame?.theta, is_other = Number.isFinite(shown) && Math.abs(shown - theta_rad) > radians(0.05);
-  return `${state.design.has_result ? "folded as it was found" : "folded as the design says"}, ${foldWords(theta_rad)}${is_other ? `, not as the slider has it, ${foldWords(shown)}` : ""}`;
+  return `${state.design.has_result ? "folded as it was found" : "folded as the design says"}, ${describeFold(theta_rad)}${is_other ? `, not as the slider has it, ${describeFold(shown)}` : ""}`;
 }
 
 /** Sets the view for a result: pictures and outlines from above, everything else slanted. */
@@ -207,7 +207,7 @@ $("remember").addEventListener("click", () => {
 const send = (type) => connection.send(type).catch(() => {});
 for (const type of ["undo", "redo", "save"]) $(type).addEventListener("click", () => send(type));
 $("save_fold").addEventListener("click", () => connection.send("save", {at_fold: true}).catch(() => {}));
-$("release").addEventListener("click", () => hand.letGo());
+$("release").addEventListener("click", () => dragTool.letGo());
 $("view").addEventListener("change", () => scene.orbit.view($("view").value));
 for (const input of document.querySelectorAll('input[name="tool"]')) input.addEventListener("change", () => ($("stage").dataset.tool = input.value));
 $("fit").addEventListener("click", () => scene.fit());
@@ -239,7 +239,7 @@ function foldBy(deg) {
 }
 
 function sceneKey(event) {
-  if (scene.orbit.key(event) || hand.key(event)) return true;
+  if (scene.orbit.key(event) || dragTool.key(event)) return true;
   if (event.ctrlKey || event.metaKey || event.altKey) return false;
   const act = {f: () => scene.fit(), " ": () => bar.play(!bar.playing), p: () => $("pause").click(), "[": () => foldBy(-1), "]": () => foldBy(1)}[event.key.toLowerCase()];
   act?.();
@@ -248,10 +248,10 @@ function sceneKey(event) {
 
 document.addEventListener("keydown", (event) => {
   const typing = event.target.closest?.("input, textarea, select") && !["range", "radio", "checkbox"].includes(event.target.type);
-  if (event.key === "Escape") hand.letGo();
+  if (event.key === "Escape") dragTool.letGo();
   if ((!typing && shortcut(event)) || (event.target === scene.canvas && sceneKey(event))) event.preventDefault();
 });
-window.addEventListener("error", ({message}) => say(`This page went wrong: ${message}`));
+window.addEventListener("error", ({message}) => showMessage(`This page went wrong: ${message}`));
 for (const [when, paper] of [["beforeprint", true], ["afterprint", false]])
   window.addEventListener(when, () => {
     if (paper) document.documentElement.dataset.theme = "light";

@@ -1,6 +1,6 @@
 // Files for printers, CAD and simulators: formats, process, and the list of written files.
-import {$, element, foldWords, show, summaryRows} from "./dom.js";
-import {status} from "./words.js";
+import {$, element, describeFold, show, summaryRows} from "./dom.js";
+import {status} from "./messages.js";
 
 const USUAL = ["stl", "3mf"];  // accepted by most printers
 const MESHES = ["stl", "3mf", "glb"];  // formats for bodies
@@ -32,7 +32,7 @@ export class MakePanel {
 
   /** Describes the fold of a sheet, or the turn of the hinge of bodies. */
   angle(theta) {
-    return foldWords(theta * (this.state.design.bodies?.turn_per_theta ?? 1));
+    return describeFold(theta * (this.state.design.bodies?.turn_per_theta ?? 1));
   }
 
   /** Shows the fold for the export: the design's, or the shown one. */

@@ -1,6 +1,6 @@
 // Mode, fold slider, play button, and controls of the simulation.
 import {$, degrees, neat, radians, show} from "./dom.js";
-import {status} from "./words.js";
+import {status} from "./messages.js";
 
 const PERIOD_S = 5;  // forward and back by the play button
 

@@ -64,7 +64,7 @@ PlanarStructure planar_structure(const Structure& sheet) {
 
 PlanarSheet planar_motion(const Structure& sheet) {
   const PlanarStructure planar = planar_structure(sheet);
-  RedrawingFit fit = redrawing_of(planar);
+  ParallelDrawingFit fit = parallel_drawing_of(planar);
   if (fit.is_closed())
     return {std::move(fit.y), -1,
             "planar: all axes vertical, every face closes: each body on a path of its own"};
@@ -75,16 +75,16 @@ PlanarSheet planar_motion(const Structure& sheet) {
               number_text(fit.misfit) + " cell edges times sin(theta)"};
 }
 
-void place_hinges(const Redrawing& y, Structure& sheet) {
+void place_hinges(const ParallelDrawing& y, Structure& sheet) {
   for (Hinge& hinge : sheet.hinges)
     place_hinge(edge_direction(hinge.wall.axis).head<2>(), y[hinge.upper] - y[hinge.lower],
                 hinge.wall.from.sense(), hinge.parameters);
 }
 
-State fold(const Redrawing& y, const Structure& sheet, double theta) {
+State fold(const ParallelDrawing& y, const Structure& sheet, double theta) {
   State state(y.size());
   for (std::size_t b = 0; b < y.size(); ++b) {
-    state[b] = redrawn_pose(place(sheet.bodies[b]), y[b], sheet.bodies[b].sense(), theta);
+    state[b] = parallel_pose(place(sheet.bodies[b]), y[b], sheet.bodies[b].sense(), theta);
     state[b].p *= sheet.size.edge_mm;
   }
   return state;
@@ -294,7 +294,7 @@ Classification classify(const Structure& structure, double tolerance) {
 
 State fold(const Classification& classification, const Structure& structure, double theta) {
   if (classification.family == Family::F4) return fold_net(classification.tree, structure, theta);
-  if (classification.family == Family::planar) return fold(classification.redrawing, structure, theta);
+  if (classification.family == Family::planar) return fold(classification.parallel_drawing, structure, theta);
   auto design = classification.design;
   design.theta = classification.transposed ? -theta : theta;
   if (!classification.transposed) return fold_unchecked(design, structure);
@@ -321,7 +321,7 @@ namespace {
 
 /// Rejects plates normal to the direction in which a sheet bends: it can roll between them, so its theta is not
 /// determined.
-void refuse_plates_that_tilt(const LinkageDrive& drive, const Classification& kind) {
+void reject_tilted_plates(const LinkageDrive& drive, const Classification& kind) {
   const Axis bends_along = kind.transposed ? Axis::y : Axis::x;
   if (kind.family == Family::F1 || drive.axis != bends_along) return;
   const std::string along = to_string(bends_along);
@@ -335,13 +335,13 @@ void refuse_plates_that_tilt(const LinkageDrive& drive, const Classification& ki
 double theta_of(const LinkageDrive& drive, const Classification& kind, const Structure& structure) {
   if (drive.has_plates()) {
     if (kind.family == Family::planar) {
-      refuse_rows_that_curve(drive, kind.redrawing);
+      reject_curved_rows(drive, kind.parallel_drawing);
     } else if (drive.grips_part || kind.family == Family::F4) {
       require_kept_rows(structure, kind, drive.axis, drive.gripped,
                         drive.grips_part ? "that part of the structure" : "this net");
       return drive.theta();
     } else {
-      refuse_plates_that_tilt(drive, kind);
+      reject_tilted_plates(drive, kind);
     }
   }
   return theta_of(drive, structure, [&](double theta) { return fold(kind, structure, theta); });

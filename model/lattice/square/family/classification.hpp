@@ -31,19 +31,19 @@ PlanarStructure planar_structure(const Structure& sheet);
 
 /// Planar motion of a sheet (kinematics.md section 5).
 struct PlanarSheet {
-  Redrawing y;      ///< per body, if it moves exactly; otherwise empty
-  int hinge = -1;   ///< if it does not move exactly: one around the face with the worst misfit
-  std::string why;  ///< one sentence
+  ParallelDrawing y;  ///< per body, if it moves exactly; otherwise empty
+  int hinge = -1;     ///< if it does not move exactly: one around the face with the worst misfit
+  std::string why;    ///< one sentence
 };
 
 /// Computes the planar motion of a sheet. @pre all hinges are upright
 PlanarSheet planar_motion(const Structure& sheet);
 
 /// Places the hinges of a sheet by y, given for each body; alpha and beta do not change.
-void place_hinges(const Redrawing& y, Structure& sheet);
+void place_hinges(const ParallelDrawing& y, Structure& sheet);
 
 /// Returns the state at theta, mm. @param y per body
-State fold(const Redrawing& y, const Structure& sheet, double theta);
+State fold(const ParallelDrawing& y, const Structure& sheet, double theta);
 
 std::string to_string(Family family);
 
@@ -52,11 +52,11 @@ struct Classification {
   Family family = Family::none;
   /// The sheet folds along y instead of x: `design` describes its mirror image with x and y exchanged.
   bool transposed = false;
-  ExactDesign<double> design;  ///< for F1, F2 and F3, with theta 0; empty otherwise
-  NetTree tree;                ///< for F4
-  Redrawing redrawing;         ///< for planar sheets that are not F1, per body
-  int breaking_hinge = -1;     ///< for Family::none: index of the first hinge that breaks the rule
-  std::string why;             ///< one sentence: the family's rule or the hinge that breaks it
+  ExactDesign<double> design;        ///< for F1, F2 and F3, with theta 0; empty otherwise
+  NetTree tree;                      ///< for F4
+  ParallelDrawing parallel_drawing;  ///< for planar sheets that are not F1, per body
+  int breaking_hinge = -1;           ///< for Family::none: index of the first hinge that breaks the rule
+  std::string why;                   ///< one sentence: the family's rule or the hinge that breaks it
 };
 
 /// Tests the rules of kinematics.md section 2 hinge by hinge: F1, F2 and F3 along x, then along y, then F4. If all

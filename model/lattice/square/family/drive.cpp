@@ -64,7 +64,7 @@ namespace {
 
 using Cells = std::set<Cell>;
 
-bool halves_its_wall(const HingeParameters& p) { return std::abs(p.t - 0.5) <= 1e-9; }
+bool is_at_wall_middle(const HingeParameters& p) { return std::abs(p.t - 0.5) <= 1e-9; }
 
 /// Returns the cells with only suitable walls.
 template <class Suits>
@@ -108,7 +108,7 @@ std::vector<Grip> largest_rectangles(const Cells& cells) {
 
 std::vector<NetGrip> flat_panels(const Structure& structure) {
   std::vector<NetGrip> panels;
-  const auto is_basic = [](const Hinge& h) { return halves_its_wall(h.parameters) && is_vertical(h); };
+  const auto is_basic = [](const Hinge& h) { return is_at_wall_middle(h.parameters) && is_vertical(h); };
   for (const Grip& grip : largest_rectangles(cells_where(structure, is_basic))) {
     const bool is_long_in_y = grip.last.j - grip.first.j > grip.last.i - grip.first.i;
     panels.push_back({grip, is_long_in_y ? Axis::x : Axis::y});
@@ -120,7 +120,7 @@ std::vector<NetGrip> flat_panels(const Structure& structure) {
 std::vector<NetGrip> spines(const Structure& structure, Axis axis) {
   std::vector<NetGrip> all;
   const auto suits = [&](const Hinge& h) {
-    return halves_its_wall(h.parameters) && (h.wall.axis != axis || is_vertical(h));
+    return is_at_wall_middle(h.parameters) && (h.wall.axis != axis || is_vertical(h));
   };
   for (const Grip& grip : largest_rectangles(cells_where(structure, suits)))
     if (row_along(axis, grip.last) - row_along(axis, grip.first) == 1) all.push_back({grip, axis});
@@ -221,7 +221,7 @@ bool pins_face_each_other(const Structure& structure, Axis axis) {
 }
 
 /// Returns true if the rows of vertices along the boundary stay straight lines or plane curves while the sheet folds.
-bool keeps_its_rim_flat(const Classification& kind, const Structure& structure) {
+bool keeps_boundary_flat(const Classification& kind, const Structure& structure) {
   if (kind.family == Family::none) return is_rectangle(structure);
   if (kind.family == Family::planar) return false;
   if (kind.family != Family::F1 && !pins_face_each_other(structure, kind.transposed ? Axis::x : Axis::y))
@@ -239,7 +239,7 @@ std::optional<Plates> planar_plates(const Structure& structure, const Classifica
   const State state = fold(kind, structure, theta);
   for (const Axis axis : {Axis::y, Axis::x}) {
     const GrippedRows rows = gripped_bodies(structure, axis);
-    if (!keeps_rows_straight(kind.redrawing, axis, rows)) continue;
+    if (!keeps_rows_straight(kind.parallel_drawing, axis, rows)) continue;
     const int d = component(axis);
     const auto distance = [&](const auto& place) { return place(rows[1].front()) - place(rows[0].front()); };
     const double rest = distance([&](int b) { return structure.rest_position(b)[d]; });
@@ -306,7 +306,7 @@ Drive drive_to(const Structure& structure, double theta) {
     if (const auto plates = planar_plates(structure, kind, theta)) return *plates;
   const auto hinge = std::find_if(structure.hinges.begin(), structure.hinges.end(),
                                   [](const Hinge& h) { return is_vertical(h); });
-  if (hinge != structure.hinges.end() && !keeps_its_rim_flat(kind, structure))
+  if (hinge != structure.hinges.end() && !keeps_boundary_flat(kind, structure))
     return hinge_drive_to(structure, hinge->wall, theta);
   return plates_to(kind.transposed ? Axis::x : Axis::y, theta);
 }

@@ -36,8 +36,8 @@ struct ExactDesign {
 
 /// Returns the fraction from the lower-index vertex, given tA and the sublattice of that vertex.
 template <class T>
-T fraction_from_lower(const T& t_of_class_a, Vertex lower) {
-  return lower.is_class_a() ? t_of_class_a : T(1) - t_of_class_a;
+T fraction_from_lower(const T& t_of_sublattice_a, Vertex lower) {
+  return lower.is_in_sublattice_a() ? t_of_sublattice_a : T(1) - t_of_sublattice_a;
 }
 
 /// Returns the pose of body (0,0): turned by theta about the axis of its y-wall, position at the origin.

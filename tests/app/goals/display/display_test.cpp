@@ -482,7 +482,7 @@ TEST(PanelPicture, HasFewerPixelsAMillimetreOfLargePanels) {
     const model::Structure panel =
         make_structure(model::rectangle(3, 2), {edge_mm, edge_mm / 10, edge_mm / 2});
     return png_size(app::panel_picture(panel, rest_state(panel),
-                                       {.format = app::PictureFormat::png, .most_pixels = most}));
+                                       {.format = app::PictureFormat::png, .max_pixels = most}));
   };
   EXPECT_THAT(size_of(10, 4000), ::testing::ElementsAre(160, 120));
   EXPECT_THAT(size_of(1000, 400), ::testing::ElementsAre(400, 300));

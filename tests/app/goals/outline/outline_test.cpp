@@ -259,7 +259,7 @@ TEST(Outline, MovesExactlyWithAllHingesOnTheirWalls) {
 }
 
 TEST(Outline, OfASheetWithoutAnExactMotionIsRefused) {
-  Found found = run_of(
+  SearchResult found = run_of(
       target("[[0, 0], [60, 0], [60, 40], [0, 40]]", "structure: {lattice: honeycomb, cells: [3, 3]}\n"),
       false);
   std::vector<model::HingeParameters>& hinges = found.design.structure.planar()->hinges;

@@ -58,12 +58,12 @@ TEST(SpaceBlockTarget, IsForetoldAsLargeAsItsDesignIs) {
                                          "{cells: [1, 1, 1], wall_mm: {thickness: 0.8, height: 3}}\n");
   ASSERT_EQ(kinetix_opt(file + " --no-verify -o " + std::string(scratch / "out")).code, 0);
   const auto folded = [](const std::string& what) {
-    const Json told = Json::parse(kinetix_opt("check --json " + what).out);
-    return told["expected"]["folded_mm"].get<std::vector<double>>();
+    const Json reported = Json::parse(kinetix_opt("check --json " + what).out);
+    return reported["expected"]["folded_mm"].get<std::vector<double>>();
   };
-  const std::vector<double> foretold = folded(file), designed = folded(scratch / "out/design.yaml");
-  ASSERT_EQ(foretold.size(), 3u);
-  for (int k = 0; k < 3; ++k) EXPECT_NEAR(foretold[k], designed[k], 1e-6);
+  const std::vector<double> forecast_mm = folded(file), designed = folded(scratch / "out/design.yaml");
+  ASSERT_EQ(forecast_mm.size(), 3u);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(forecast_mm[k], designed[k], 1e-6);
 }
 
 TEST(SpaceBlockTarget, RefusesWhatNoBlockDoes) {

@@ -44,8 +44,9 @@ TEST(SpaceCurveResult, OfElasticHingesIsThatOfTheirEquilibrium) {
   const Json result = Json::parse(text_of(scratch / "out/result.json"));
   EXPECT_EQ(schema_errors(result), "");
   // Straight columns do not follow a curve exactly, even with rigid hinges. Tilts cannot compensate for that.
-  const auto matter = [&](const char* key) { return result["matter"][key].get<double>(); };
-  EXPECT_LT(matter("after_mm") - matter("exact_mm"), 0.5 * (matter("before_mm") - matter("exact_mm")));
+  const auto compensation = [&](const char* key) { return result["matter"][key].get<double>(); };
+  EXPECT_LT(compensation("after_mm") - compensation("exact_mm"),
+            0.5 * (compensation("before_mm") - compensation("exact_mm")));
   EXPECT_LE(result["metrics"]["shape_rms"], 0.01);
   EXPECT_NEAR(result["metrics"]["shape_rms_physics"], result["metrics"]["shape_rms"], 1e-6);
 

@@ -36,14 +36,14 @@ TEST(SurfaceGoal, FoldsASheetOntoASaddle) {
   nlohmann::ordered_json metrics;
   outcome.add_metrics(run, metrics);
   EXPECT_LE(metrics["surface_rms"].get<double>(), 0.05);
-  const std::vector<SurfaceMethod>& ways = measure_of<SurfaceMeasure>(run).ways;
-  ASSERT_EQ(ways.size(), 3);
-  EXPECT_EQ(ways[0].rms, outcome.design.error.rms);
-  EXPECT_EQ(ways[1].pieces, 1);
-  EXPECT_EQ(ways[2].pieces, 4);
-  for (const SurfaceMethod& way : {ways[1], ways[2]}) {
-    EXPECT_LE(way.rms, 2e-3);
-    EXPECT_GT(way.open, ways[0].open);
+  const std::vector<SurfaceMethod>& methods = measure_of<SurfaceMeasure>(run).methods;
+  ASSERT_EQ(methods.size(), 3);
+  EXPECT_EQ(methods[0].rms, outcome.design.error.rms);
+  EXPECT_EQ(methods[1].pieces, 1);
+  EXPECT_EQ(methods[2].pieces, 4);
+  for (const SurfaceMethod& method : {methods[1], methods[2]}) {
+    EXPECT_LE(method.rms, 2e-3);
+    EXPECT_GT(method.open, methods[0].open);
   }
 }
 
@@ -54,12 +54,12 @@ TEST(SurfaceGoal, LaysRibsOverAClosedMesh) {
   const auto run = run_goal(*target.goal, {});
   const auto& outcome = measure_of<RibsMeasure>(run);
   EXPECT_TRUE(run.met());
-  EXPECT_LE(outcome.ways.front().rms, 5e-3);
-  EXPECT_EQ(outcome.ways.back().pieces, 4);
+  EXPECT_LE(outcome.methods.front().rms, 5e-3);
+  EXPECT_EQ(outcome.methods.back().pieces, 4);
   EXPECT_LE(run.states.front().gaps.max, 1e-11);
   const auto* settled = physics_measure_of<RibsMeasure>(run);
   ASSERT_TRUE(settled);
-  EXPECT_NEAR(settled->ways.front().rms, outcome.ways.front().rms, 1e-3);
+  EXPECT_NEAR(settled->methods.front().rms, outcome.methods.front().rms, 1e-3);
   for (const model::Pose& pose : run.states.front().poses)
     EXPECT_NEAR(pose.p.cwiseQuotient(Eigen::Vector3d(60, 40, 40)).norm(), 1, 0.1);
 }
@@ -74,7 +74,7 @@ TEST(SurfaceGoal, TurnsAProfileForASheetAndForRibs) {
   const auto ribs = run_goal(*read(folder, stool + ", ribs: 5").goal, options);
   const auto& outcome = measure_of<RibsMeasure>(ribs);
   EXPECT_TRUE(ribs.met());
-  EXPECT_LE(outcome.ways.front().rms, 3e-3);
+  EXPECT_LE(outcome.methods.front().rms, 3e-3);
   double lowest = 0;  // mm: the ribs extend to the back
   for (const model::Pose& pose : ribs.states.front().poses) lowest = std::min(lowest, pose.p.z());
   EXPECT_LT(lowest, -30);

@@ -24,6 +24,7 @@ constexpr double stiffness = 7;
 
 struct Touching {
   Structure structure;
+  Linkage linkage;  ///< of the structure, converted once since derivatives need it often
   State state;
   bool planar;
   std::vector<Contact> contacts;
@@ -39,7 +40,8 @@ std::vector<Touching> touching_panels() {
     s.size.thickness_mm = 4;
     const State state = shaken(s, rest_state(s), 0.35, random, planar);
     std::vector<Contact> contacts = ContactModel(s, planar).find(state);
-    panels.push_back({std::move(s), state, planar, std::move(contacts)});
+    const Linkage linkage = s;
+    panels.push_back({std::move(s), linkage, state, planar, std::move(contacts)});
   }
   return panels;
 }
@@ -64,7 +66,7 @@ State moved_pair(const Touching& panel, const ContactModel& walls, const Contact
   VectorXd twists = VectorXd::Zero(6 * panel.state.size());
   twists.segment<6>(6 * walls.body(c.plate)) = x.head<6>();
   twists.segment<6>(6 * walls.body(c.other)) = x.tail<6>();
-  return retract_straight(panel.structure, panel.state, twists);
+  return retract_straight(panel.linkage, panel.state, twists);
 }
 
 TEST(ContactEnergy, GradientAndHessianMatchCentralDifferences) {
@@ -210,7 +212,7 @@ TEST(ContactEnergy, APointThatJumpsAcrossAWallHasPassedThrough) {
 
 /// Returns a state in which half walls of one body cross those of another in two places. Lower edges of the one are
 /// `deep` inside upper edges of the other.
-State crossing_rims(const Structure& s, double deep) {
+State crossing_edges(const Structure& s, double deep) {
   State state = hanging(s, 0, 0);
   state[*s.body_at({2, 1})].p << 0.25 * s.size.edge_mm, 0.25 * s.size.edge_mm,
       s.size.height_mm - deep * s.size.edge_mm;
@@ -221,10 +223,10 @@ TEST(ContactEnergy, WallsAcrossEachOtherArePushedOutThroughTheirRims) {
   for (const double thickness_mm : {0.3, 0.8, 2.0}) {
     const Structure s = make_structure(rectangle(3, 1), {10, thickness_mm, 6});
     ContactModel walls(s, false);
-    EXPECT_TRUE(walls.find(crossing_rims(s, -1e-6)).empty());
+    EXPECT_TRUE(walls.find(crossing_edges(s, -1e-6)).empty());
     for (const double deep : {1e-6, 1e-3, 0.2 * thickness_mm / 2 / s.size.edge_mm}) {
       SCOPED_TRACE(::testing::Message() << thickness_mm << " mm, deep " << deep);
-      const std::vector<Contact> found = walls.find(crossing_rims(s, deep));
+      const std::vector<Contact> found = walls.find(crossing_edges(s, deep));
       std::set<std::pair<int, int>> pairs;
       for (const Contact& c : found) pairs.insert(std::minmax(c.plate, c.other));
       EXPECT_EQ(pairs.size(), 2u);
@@ -235,7 +237,7 @@ TEST(ContactEnergy, WallsAcrossEachOtherArePushedOutThroughTheirRims) {
       const int above = *s.body_at({2, 1});
       double lift = 0;
       for (const Contact& c : found) {
-        const Vector12 g = walls.element(c, stiffness, crossing_rims(s, deep)).gradient;
+        const Vector12 g = walls.element(c, stiffness, crossing_edges(s, deep)).gradient;
         lift -= walls.body(c.plate) == above ? g[5] : 0;
         lift -= walls.body(c.other) == above ? g[11] : 0;
       }
@@ -247,8 +249,8 @@ TEST(ContactEnergy, WallsAcrossEachOtherArePushedOutThroughTheirRims) {
 TEST(ContactEnergy, WallsThatSinkIntoEachOtherHavePassedThrough) {
   const Structure s = make_structure(rectangle(3, 1), {});
   ContactModel walls(s, false);
-  const State apart = crossing_rims(s, -0.01), touching = crossing_rims(s, 0.01),
-              deep = crossing_rims(s, 0.06);
+  const State apart = crossing_edges(s, -0.01), touching = crossing_edges(s, 0.01),
+              deep = crossing_edges(s, 0.06);
   EXPECT_TRUE(walls.passed_through(apart, deep));
   EXPECT_FALSE(walls.passed_through(apart, touching));
   EXPECT_TRUE(walls.newly_cross(apart, deep));

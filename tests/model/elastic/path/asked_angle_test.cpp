@@ -48,7 +48,7 @@ Asked follow(const DrivenLinkage& driven, const Elasticity& elasticity = hinges,
       });
   add_limit_points(out.path, located_limit_points(driven.linkage, elasticity, driven.drive, options,
                                                   load_turns, out.path));
-  follow_fall(driven, elasticity, options, turns);
+  follow_descent(driven, elasticity, options, turns);
   out.stable = stable_states(driven.linkage, elasticity, {turns}, {.path = options});
   return out;
 }
@@ -169,7 +169,7 @@ void for_each_pair(const Structure& s, const State& state, const Visit& visit) {
         visit(placed(walls[a], state[walls[a].body]), placed(walls[b], state[walls[b].body]));
 }
 
-double least_gap(const Structure& s, const State& state) {
+double min_gap(const Structure& s, const State& state) {
   double gap = INFINITY;
   for_each_pair(s, state, [&](const OrientedBox& a, const OrientedBox& b) {
     gap = std::min(gap, overlap(a, b) ? 0 : separation(a, b));
@@ -199,7 +199,7 @@ TEST(AskedAngle, ContactIsFoundWhereWallsMeet) {
                         [&](const EquilibriumStep& step, const State& state) {
                           if (step.contacts > 0 && begun++ == 0) {
                             EXPECT_LE(std::abs(step.theta - last), 1.2e-7);
-                            EXPECT_LE(least_gap(s, state), 1e-6 * s.size.edge_mm);
+                            EXPECT_LE(min_gap(s, state), 1e-6 * s.size.edge_mm);
                           }
                           if (step.contacts == 0) {
                             EXPECT_FALSE(are_deep(s, state)) << step.theta;

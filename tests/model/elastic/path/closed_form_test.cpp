@@ -73,21 +73,21 @@ using Stop = EquilibriumPath::Stop;
 
 constexpr double deg = radians_per_degree;  // rad, so that angles of cases read in degrees
 
-double turned_off(const DrivenLinkage& driven, const EquilibriumPath& path) {
+double turn_difference(const DrivenLinkage& driven, const EquilibriumPath& path) {
   return turn_distance(driven.linkage, path.state, driven.exact.at(path.theta));
 }
 
 // ---- Panels whose closed form reaches a place where a second motion begins ----
 
-struct ClosedRim {
+struct ClosedBoundary {
   const char* name;
   const PlanarLattice* lattice;
   double branching;  ///< theta there, rad: where the second singular value of the closure equations is least
 };
 
-std::ostream& operator<<(std::ostream& out, const ClosedRim& panel) { return out << panel.name; }
+std::ostream& operator<<(std::ostream& out, const ClosedBoundary& panel) { return out << panel.name; }
 
-class PanelOfClosedRim : public ::testing::TestWithParam<ClosedRim> {
+class PanelOfClosedRim : public ::testing::TestWithParam<ClosedBoundary> {
  protected:
   DrivenLinkage by_one_wall(double theta) const {
     return {panel_, hinge_drive(panel_, 0, turn_at_theta(panel_.senses[panel_.graph.edges[0].from], theta)),
@@ -117,7 +117,7 @@ TEST_P(PanelOfClosedRim, IsToldToLeaveItsClosedFormByOneWall) {
   EXPECT_GT(left->at.theta, GetParam().branching - 10 * deg);
   EXPECT_EQ(path.off_closed_form_since, left->at.theta);
   EXPECT_THAT(path.why, HasSubstr("; off the closed form since theta "));
-  EXPECT_GT(turned_off(driven, path), 0.1);
+  EXPECT_GT(turn_difference(driven, path), 0.1);
 }
 
 /// Only the turning springs resist the second motion. The path shows no other sign that it is taken.
@@ -140,14 +140,14 @@ TEST_P(PanelOfClosedRim, StaysOnItBetweenPlates) {
   EXPECT_EQ(path.stop, Stop::reached) << path.why;
   EXPECT_FALSE(first_event(path, Kind::departure));
   EXPECT_TRUE(std::isnan(path.off_closed_form_since));
-  EXPECT_LE(turned_off(driven, path), 0.1);
+  EXPECT_LE(turn_difference(driven, path), 0.1);
 }
 
 /// However stiff its hinges are, and by plates under which it folds.
 TEST_P(PanelOfClosedRim, IsNeverOffItsClosedFormUntold) {
   const auto is_reported = [](const DrivenLinkage& driven, double k_turn) {
     const EquilibriumPath path = trace_equilibrium(driven, {.k_turn = k_turn}, without_contact());
-    return turned_off(driven, path) <= 0.1 || path.off_closed_form;
+    return turn_difference(driven, path) <= 0.1 || path.off_closed_form;
   };
   for (const double k_turn : {10.0, 0.1, 1e-3, 1e-4}) {
     EXPECT_TRUE(is_reported(by_one_wall(30 * deg), k_turn));
@@ -164,9 +164,9 @@ TEST_P(PanelOfClosedRim, OfHingesThatGiveWayLeavesItForThese) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Floppy, PanelOfClosedRim,
-                         ::testing::Values(ClosedRim{"honeycomb", &honeycomb_lattice, 15.7 * deg},
-                                           ClosedRim{"bricks", &brick_lattice, 22.7 * deg},
-                                           ClosedRim{"octagons", &octagon_lattice, 9.3 * deg}),
+                         ::testing::Values(ClosedBoundary{"honeycomb", &honeycomb_lattice, 15.7 * deg},
+                                           ClosedBoundary{"bricks", &brick_lattice, 22.7 * deg},
+                                           ClosedBoundary{"octagons", &octagon_lattice, 9.3 * deg}),
                          ::testing::PrintToStringParamName());
 
 TEST(Departure, OfABlockIsFromTheFlatStateWhereSeveralMotionsBegin) {
@@ -224,8 +224,8 @@ TEST(Departure, IsNoneWhereWallsMeetOnTheClosedForm) {
 class WatchOfASheet : public ::testing::Test {
  protected:
   /// A state of the closed form `off`, rad of a hinge, beside that at theta.
-  std::optional<double> see(DepartureWatch& watch, double off, bool came_along = false) const {
-    return watch.see(*closed_form_.at(theta_ + off / 2), theta_, came_along);
+  std::optional<double> see(BranchingDetector& watch, double off, bool followed_closed_form = false) const {
+    return watch.see(*closed_form_.at(theta_ + off / 2), theta_, followed_closed_form);
   }
 
   static constexpr double theta_ = 0.3;  // rad, of the drive: hinges turn by six times what counts as far
@@ -237,7 +237,7 @@ class WatchOfASheet : public ::testing::Test {
 };
 
 TEST_F(WatchOfASheet, SeesOnceThatAPathIsFurtherThanATenthOfARadian) {
-  DepartureWatch watch(system_, closed_form_, true);
+  BranchingDetector watch(system_, closed_form_, true);
   EXPECT_FALSE(see(watch, 0.09));
   EXPECT_TRUE(watch.is_back());
   EXPECT_NEAR(*see(watch, 0.11), 0.11, 1e-9);
@@ -246,7 +246,7 @@ TEST_F(WatchOfASheet, SeesOnceThatAPathIsFurtherThanATenthOfARadian) {
 }
 
 TEST_F(WatchOfASheet, SeesAPathComeBack) {
-  DepartureWatch watch(system_, closed_form_, true);
+  BranchingDetector watch(system_, closed_form_, true);
   EXPECT_TRUE(see(watch, 0.2));
   EXPECT_FALSE(see(watch, 0.05));
   EXPECT_FALSE(watch.is_back());
@@ -256,7 +256,7 @@ TEST_F(WatchOfASheet, SeesAPathComeBack) {
 }
 
 TEST_F(WatchOfASheet, SeesNothingBeforeAPathCameAlongTheClosedForm) {
-  DepartureWatch watch(system_, closed_form_, false);
+  BranchingDetector watch(system_, closed_form_, false);
   EXPECT_FALSE(see(watch, 0.2));
   EXPECT_FALSE(see(watch, 0, true));
   EXPECT_TRUE(see(watch, 0.2));

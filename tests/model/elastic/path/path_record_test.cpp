@@ -22,8 +22,8 @@ EquilibriumStep step_at(double drive, double load, int contacts) {
   return step;
 }
 
-TEST(LockWatch, SeesALoadThatRisesThirtyTimesAsSteeplyAsWithoutContactOnce) {
-  LockWatch lock;
+TEST(JammingDetector, SeesALoadThatRisesThirtyTimesAsSteeplyAsWithoutContactOnce) {
+  JammingDetector lock;
   EXPECT_FALSE(lock.see(step_at(0, 0, 0), step_at(1, 2, 0)));
   EXPECT_FALSE(lock.see(step_at(1, 2, 0), step_at(2, 102, 1))) << "contact began on this step";
   EXPECT_FALSE(lock.see(step_at(2, 102, 1), step_at(3, 162, 1))) << "thirty times";

@@ -17,7 +17,7 @@ using testing::hinge_drive;
 using Kind = PathEvent::Kind;
 using Stop = EquilibriumPath::Stop;
 
-const double asked_theta = std::acos(0.95);  // rad: plates that close in by 5 %
+const double requested_theta = std::acos(0.95);  // rad: plates that close in by 5 %
 
 /// Returns a sheet whose every second column tilts by 20 deg, alternating from row to row.
 Structure bending_sheet(int cells, double edge_mm = 10) {
@@ -75,8 +75,8 @@ TEST(SoftTurning, BetweenPlatesFoldsToTheSideAsked) {
                                       << (axis == Axis::x ? "x" : "y") << ", sign " << sign);
     const Structure s = axis == Axis::y ? bending_sheet(cells) : make_structure(rectangle(cells, cells), {});
     const Elasticity elasticity{.k_turn = ratio * 1e5};
-    const EquilibriumPath path =
-        trace_equilibrium(driven(s, plates_drive(axis, sign * asked_theta)), elasticity, without_contact());
+    const EquilibriumPath path = trace_equilibrium(driven(s, plates_drive(axis, sign * requested_theta)),
+                                                   elasticity, without_contact());
     ASSERT_EQ(path.stop, Stop::reached) << path.why;
     EXPECT_TRUE(path.steps.back().stable);
     // The springs pull the sheet off its closed form in proportion to their stiffness and its size squared.
@@ -84,7 +84,7 @@ TEST(SoftTurning, BetweenPlatesFoldsToTheSideAsked) {
     EXPECT_LE(from_closed_form(s, path), slack);
     // Bodies of halved walls have the same positions on both sides. Only their turns show which side it is.
     EXPECT_LE(turn_distance(s, path.state, fold(classify(s), s, path.theta)), 20 * slack);
-    const double force = plates_force(s, elasticity, sign * asked_theta, 10.0 * cells);
+    const double force = plates_force(s, elasticity, sign * requested_theta, 10.0 * cells);
     EXPECT_NEAR(path.steps.back().load, force, 1e-5 * force);
     for (const PathEvent& event : path.events) EXPECT_EQ(event.kind, Kind::bifurcation) << event.what;
     EXPECT_TRUE(limit_points(path).empty());
@@ -106,7 +106,7 @@ TEST(SoftTurning, OfLargeCellsAndStiffPinsFoldsToTheSideAsked) {
         EquilibriumPathOptions options;
         options.side = side;
         const EquilibriumPath path =
-            trace_equilibrium(driven(s, plates_drive(Axis::y, sign * asked_theta)), elasticity, options);
+            trace_equilibrium(driven(s, plates_drive(Axis::y, sign * requested_theta)), elasticity, options);
         EXPECT_EQ(path.stop, Stop::reached) << path.why;
         EXPECT_LE(from_closed_form(s, path), 1e-6)
             << cells << " cells of " << edge_mm << " mm, sign " << sign;
@@ -118,7 +118,7 @@ TEST(SoftTurning, OfTwoCellsThatShareACornerFoldsBothToTheSideAsked) {
   const Structure s = make_structure({{0, 0}, {1, 1}}, {});
   for (const double k_turn : {1.0, 0.1, 1e-3, 1e-7})
     for (const int sign : {1, -1}) {
-      const EquilibriumPath path = trace_equilibrium(driven(s, plates_drive(Axis::y, sign * asked_theta)),
+      const EquilibriumPath path = trace_equilibrium(driven(s, plates_drive(Axis::y, sign * requested_theta)),
                                                      {.k_turn = k_turn}, without_contact());
       ASSERT_EQ(path.stop, Stop::reached) << path.why;
       EXPECT_LE(turn_distance(s, path.state, fold(classify(s), s, path.theta)), 0.02)
@@ -149,7 +149,7 @@ TEST(SoftTurning, OfADrivenHingeBringsNoEvents) {
   for (const double k_turn : {1e-2, 1e-4, 1e-7, 1e-9})
     for (const int sign : {1, -1}) {
       const Elasticity elasticity{.k_turn = k_turn};
-      const double theta = sign * asked_theta;
+      const double theta = sign * requested_theta;
       const EquilibriumPath path = trace_equilibrium(driven(s, hinge_drive(s, {{1, 3}, Axis::y}, theta)),
                                                      elasticity, without_contact());
       ASSERT_EQ(path.stop, Stop::reached) << path.why;
@@ -170,7 +170,7 @@ TEST(SoftTurning, BetweenPlatesLoadsAreThoseOfTheTurningSpringsAllTheWay) {
   for (const double k_turn : {1e-4, 1e-8, 1e-10}) {
     const Elasticity elasticity{.k_turn = k_turn};
     const EquilibriumPath path =
-        trace_equilibrium(driven(s, plates_drive(Axis::y, asked_theta)), elasticity, without_contact());
+        trace_equilibrium(driven(s, plates_drive(Axis::y, requested_theta)), elasticity, without_contact());
     ASSERT_EQ(path.stop, Stop::reached) << path.why;
     for (std::size_t k = 1; k < path.steps.size(); ++k) {
       const double force = plates_force(s, elasticity, path.steps[k].theta, 80);

@@ -58,7 +58,7 @@ TEST(WallDofs, AreRightWhereOnePartRepeatsItsWalls) {
   expect_dofs(s, WallDofs(graph).count());
 }
 
-TEST(ClosedRim, LeavesOneOfTheFourNLessOneFreedomsOfAHoneycomb) {
+TEST(ClosedBoundary, LeavesOneOfTheFourNLessOneFreedomsOfAHoneycomb) {
   for (const int n : {2, 3, 4}) {
     SCOPED_TRACE(n);
     expect_dofs(make_planar_structure(lattice_graph(honeycomb_lattice, n, n), {}), 4 * n - 1);
@@ -66,12 +66,12 @@ TEST(ClosedRim, LeavesOneOfTheFourNLessOneFreedomsOfAHoneycomb) {
   }
 }
 
-TEST(ClosedRim, GivesEveryFloppyPanelOneFreedomAndEvenFaces) {
+TEST(ClosedBoundary, GivesEveryFloppyPanelOneFreedomAndEvenFaces) {
   for (const PlanarLattice* lattice : floppy)
     for (const auto& [columns, rows] : sizes) {
       SCOPED_TRACE(name(*lattice, columns, rows));
       const PlanarGraph open = lattice_graph(*lattice, columns, rows);
-      const PlanarGraph closed = closed_rim(open);
+      const PlanarGraph closed = closed_boundary(open);
       EXPECT_GT(counted_dofs(open), 1);
       EXPECT_EQ(counted_dofs(closed), 1);
       EXPECT_NO_THROW(validate(closed));
@@ -80,25 +80,25 @@ TEST(ClosedRim, GivesEveryFloppyPanelOneFreedomAndEvenFaces) {
     }
 }
 
-TEST(ClosedRim, AddsToAPanelAndMovesNothingInIt) {
+TEST(ClosedBoundary, AddsToAPanelAndMovesNothingInIt) {
   for (const PlanarLattice* lattice : floppy) {
-    const PlanarGraph open = lattice_graph(*lattice, 4, 3), closed = closed_rim(open);
+    const PlanarGraph open = lattice_graph(*lattice, 4, 3), closed = closed_boundary(open);
     ASSERT_GE(closed.vertices.size(), open.vertices.size());
     for (std::size_t v = 0; v < open.vertices.size(); ++v) EXPECT_EQ(closed.vertices[v], open.vertices[v]);
     for (std::size_t e = 0; e < open.edges.size(); ++e) EXPECT_EQ(closed.edges[e], open.edges[e]);
   }
 }
 
-TEST(ClosedRim, LeavesPanelsOfOneFreedomAsTheyAre) {
+TEST(ClosedBoundary, LeavesPanelsOfOneFreedomAsTheyAre) {
   for (const PlanarGraph& graph : {square_graph(4, 3), lattice_graph(rhombus_lattice, 3, 3, 1.1)}) {
-    const PlanarGraph closed = closed_rim(graph);
+    const PlanarGraph closed = closed_boundary(graph);
     EXPECT_EQ(closed.vertices.size(), graph.vertices.size());
     EXPECT_EQ(closed.edges, graph.edges);
   }
 }
 
 // Outlines cut panels to any shape: what is added must never cross, touch or make an odd face.
-TEST(ClosedRim, OfPanelsCutToAnyOutlineIsADrawingThatFolds) {
+TEST(ClosedBoundary, OfPanelsCutToAnyOutlineIsADrawingThatFolds) {
   std::mt19937 random(17);
   std::uniform_real_distribution<double> size(2, 5), part(0, 1);
   for (int round = 0; round < 60; ++round) {
@@ -111,23 +111,23 @@ TEST(ClosedRim, OfPanelsCutToAnyOutlineIsADrawingThatFolds) {
     const Vector2d radius(size(random), size(random));
     const PlanarGraph cut =
         trimmed(whole, [&](const Vector2d& p) { return (p - middle).cwiseQuotient(radius).norm() <= 1; });
-    const PlanarGraph closed = closed_rim(cut);
+    const PlanarGraph closed = closed_boundary(cut);
     EXPECT_NO_THROW(make_planar_structure(closed, {}));
     EXPECT_LE(counted_dofs(closed), std::max(1, counted_dofs(cut)));
   }
 }
 
 // A cell whose corners lie on long straight sides has bars along these sides, which are walls already.
-TEST(ClosedRim, PutsNoWallAlongTheSideOfACell) {
+TEST(ClosedBoundary, PutsNoWallAlongTheSideOfACell) {
   PlanarGraph graph;
   for (int k = 0; k < 5; ++k) graph.vertices.emplace_back(k, 0);
   for (int k = 4; k >= 0; --k) graph.vertices.emplace_back(k, 8);
   for (int k = 0; k < 10; ++k) graph.edges.push_back({k, (k + 1) % 10});
-  EXPECT_NO_THROW(make_planar_structure(closed_rim(graph), {}));
+  EXPECT_NO_THROW(make_planar_structure(closed_boundary(graph), {}));
 }
 
 /// A cut that faces itself across a gap of one brick, into which two corners would both put a vertex.
-TEST(ClosedRim, PutsNoTwoVerticesInOnePlace) {
+TEST(ClosedBoundary, PutsNoTwoVerticesInOnePlace) {
   const std::vector<LatticeCell> star = {{1, 0}, {3, 0}, {1, 1}, {2, 1}, {1, 2}, {2, 2}, {0, 3}, {1, 3},
                                          {2, 3}, {0, 4}, {1, 4}, {2, 4}, {3, 4}, {1, 5}, {2, 5}, {2, 6}};
   const PlanarGraph closed = lattice_graph({&brick_lattice, star, 0, true});

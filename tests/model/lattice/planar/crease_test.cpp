@@ -44,7 +44,7 @@ TEST(Crease, FoldsAnyLatticeByTheLawOfSquares) {
 TEST(Crease, IsWhatTheElasticModelComesTo) {
   constexpr double theta = 0.2;
   for (const auto& [name, lattice] : lattices) {
-    const Creased c = creased(closed_rim(lattice_graph(lattice, 3, 3)));
+    const Creased c = creased(closed_boundary(lattice_graph(lattice, 3, 3)));
     ASSERT_GE(c.hinges.size(), 4u) << name;
     const State down = folded(c, theta, testing::fold_angle(theta)),
                 up = folded(c, theta, -testing::fold_angle(theta));

@@ -181,7 +181,7 @@ TEST(CreasedMotion, ChangesFractionsByAsLittleAsCanBe) {
 /// Facets stay flat and as large as the plane's motion has them, and the dihedral angle at every crease is that of its
 /// multiplier, by the positions of vertices alone.
 void expect_folded_by_its_multipliers(const PlanarStructure& s, double theta) {
-  const CreasePattern p = crease_pattern(s, redrawing_of(s).y, theta);
+  const CreasePattern p = crease_pattern(s, parallel_drawing_of(s).y, theta);
   std::vector<Eigen::Vector3d> normals;
   for (const auto& facet : p.facets) {
     Eigen::Vector3d area = Eigen::Vector3d::Zero();
@@ -218,7 +218,7 @@ TEST(CreasePattern, HasTheFacetsOfTheSheetFoldedByTheirMultipliers) {
 TEST(CreasePattern, CountsValleysPositive) {
   PlanarStructure s = make_planar_structure(lattice_graph(honeycomb_lattice, 3, 3), {});
   for (const int h : testing::creased(s.graph).hinges) set_fold(s, h, Eigen::Vector2d::UnitX(), 0.7);
-  const CreasePattern p = crease_pattern(s, redrawing_of(s).y, 0.5);
+  const CreasePattern p = crease_pattern(s, parallel_drawing_of(s).y, 0.5);
   double highest = 0, lowest = 0;
   for (const Eigen::Vector3d& at : p.folded) {
     highest = std::max(highest, at.z());

@@ -48,7 +48,7 @@ TEST(PlanarGraph, OfLatticesHasTheirBodiesHingesAndCells) {
 TEST(PlanarMotion, OfAnyRedrawingClosesEveryHinge) {
   for (const NamedGraph& g : graphs()) {
     PlanarStructure s = make_planar_structure(g.graph, {});
-    const Redrawing y = random_redrawing(s, 0.5, 3);
+    const ParallelDrawing y = random_redrawing(s, 0.5, 3);
     place_hinges(y, s);
     const Linkage linkage = s;
     for (const double theta : {-1.2, -0.3, 0.1, 0.7, 1.5}) {
@@ -63,7 +63,7 @@ TEST(PlanarMotion, OfAnyRedrawingClosesEveryHinge) {
 
 TEST(PlanarMotion, TurnsAndScalesWallsAsItsRedrawingSays) {
   PlanarStructure s = make_planar_structure(lattice_graph(model::octagon_lattice, 3, 3), {});
-  const Redrawing y = random_redrawing(s, 0.5, 5);
+  const ParallelDrawing y = random_redrawing(s, 0.5, 5);
   constexpr double theta = 0.6;
   const State state = fold(s, y, theta);
   for (int e = 0; e < static_cast<int>(s.graph.edges.size()); ++e) {
@@ -223,20 +223,20 @@ std::vector<PlanarStructure> panels() {
 }
 
 /// Returns a motion that shears every row, and so bends no line across either axis.
-Redrawing sheared(const PlanarStructure& s, double by) {
-  Redrawing y;
+ParallelDrawing sheared(const PlanarStructure& s, double by) {
+  ParallelDrawing y;
   for (const Eigen::Vector2d& x : s.graph.vertices) y.emplace_back(by * x.x(), -by * x.y());
   return y;
 }
 
 TEST(PlanarDrive, GripsTheOutermostLinesOfVertices) {
-  const GrippedRows bricks = rim_rows(panels()[3], Axis::y);
+  const GrippedRows bricks = boundary_rows(panels()[3], Axis::y);
   EXPECT_EQ(bricks[0], (std::vector{0, 1, 2, 3, 4, 5, 6})) << "three bricks side by side";
   EXPECT_EQ(bricks[1].size(), 7u);
   for (const PlanarStructure& s : panels()) {
     const Axis axis = drive_to(s, 0.1).axis;
     const int along = axis == Axis::x ? 0 : 1;
-    const GrippedRows rows = rim_rows(s, axis);
+    const GrippedRows rows = boundary_rows(s, axis);
     for (int side = 0; side < 2; ++side)
       for (int v = 0; v < static_cast<int>(s.graph.vertices.size()); ++v) {
         const double y = s.graph.vertices[v][along], rim = s.graph.vertices[rows[side][0]][along];
@@ -255,7 +255,7 @@ TEST(PlanarDrive, IsRefusedWherePlatesTouchOneVertexAlone) {
                 "x, or kind: hinge"));
   EXPECT_EQ(refusal([&] { plate_drive(cell, Axis::x, 0.1, 1); }), "");
   const PlanarStructure rhombi = panels()[0];
-  EXPECT_THAT(refusal([&] { rim_rows(rhombi, Axis::x); }), HasSubstr("allowed: y, or kind: hinge"));
+  EXPECT_THAT(refusal([&] { boundary_rows(rhombi, Axis::x); }), HasSubstr("allowed: y, or kind: hinge"));
 }
 
 TEST(PlanarDrive, ToAnyThetaIsReadAsThatTheta) {
@@ -281,13 +281,13 @@ TEST(PlanarDrive, ToThetaOfPlatesClosesThemAsTheMotionDoes) {
 
 TEST(PlanarDrive, RefusesRowsThatCurveInTheExactMotion) {
   PlanarStructure s = panels()[3];
-  Redrawing y = sheared(s, 0);
+  ParallelDrawing y = sheared(s, 0);
   y[3].x() += 0.3;
   y[0].y() += 0.3;
   place_hinges(y, s);
   const ExactMotion motion = exact_motion(s);
   ASSERT_TRUE(motion) << motion.why;
-  EXPECT_FALSE(keeps_rows_straight(y, Axis::y, rim_rows(s, Axis::y)));
+  EXPECT_FALSE(keeps_rows_straight(y, Axis::y, boundary_rows(s, Axis::y)));
   EXPECT_THAT(
       refusal([&] { motion.theta_of(plate_drive(s, Axis::y, 0.1, 1)); }),
       HasSubstr("plates normal to y would hold rows straight that curve in this panel's exact motion"));

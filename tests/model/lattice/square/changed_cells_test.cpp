@@ -21,9 +21,9 @@ void expect_same(const HingeParameters& a, const HingeParameters& b) {
   EXPECT_DOUBLE_EQ(a.offset, b.offset);
 }
 
-TEST(Redrawn, WallsThatStayKeepTheirHinges) {
+TEST(ChangedCells, WallsThatStayKeepTheirHinges) {
   const Structure before = bent(4, 3);
-  const Redrawn after = redrawn(before, with_cell(before, {0, 0}, false), before.size);
+  const ChangedCells after = with_changed_cells(before, with_cell(before, {0, 0}, false), before.size);
   ASSERT_EQ(after.structure.cells.size(), 11u);
   for (std::size_t h = 0; h < after.from.size(); ++h) {
     const Hinge& hinge = after.structure.hinges[h];
@@ -32,15 +32,16 @@ TEST(Redrawn, WallsThatStayKeepTheirHinges) {
   }
 }
 
-TEST(Redrawn, ASheetThatGrowsAlongItsCreasesIsTheSameDesignDrawnAtOnce) {
-  const Structure after = redrawn(bent(4, 2), full_sheet({4, 5}), CellSize{}).structure, whole = bent(4, 5);
+TEST(ChangedCells, ASheetThatGrowsAlongItsCreasesIsTheSameDesignDrawnAtOnce) {
+  const Structure after = with_changed_cells(bent(4, 2), full_sheet({4, 5}), CellSize{}).structure,
+                  whole = bent(4, 5);
   ASSERT_EQ(after.hinges.size(), whole.hinges.size());
   for (std::size_t h = 0; h < whole.hinges.size(); ++h)
     expect_same(after.hinges[h].parameters, whole.hinges[h].parameters);
   EXPECT_EQ(extent(after), (std::array{4, 5}));
 }
 
-TEST(Redrawn, CarriedThereAndBackIsTheSame) {
+TEST(ChangedCells, CarriedThereAndBackIsTheSame) {
   Structure sheet = bent(3, 3);
   for (const Crease& crease : find_creases(sheet).list) {
     Hinge first = sheet.hinges[crease.hinges.front()];

@@ -83,7 +83,7 @@ TEST(Classify, PlanarSheetFoldsToItsClosedForm) {
     EXPECT_NEAR(state[b].p.x(), p.real(), 1e-12) << "seed 83";
     EXPECT_NEAR(state[b].p.y(), p.imag(), 1e-12) << "seed 83";
     const double turn = std::atan2(state[b].R(1, 0), state[b].R(0, 0));
-    EXPECT_NEAR(turn, s.bodies[b].is_class_a() ? theta : -theta, 1e-14);
+    EXPECT_NEAR(turn, s.bodies[b].is_in_sublattice_a() ? theta : -theta, 1e-14);
   }
 }
 
@@ -214,7 +214,7 @@ Structure redrawn_sheet(std::vector<Cell> cells, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> by(-0.2, 0.2);
   Structure s = make_structure(std::move(cells), {});
-  Redrawing y(s.bodies.size());
+  ParallelDrawing y(s.bodies.size());
   for (Eigen::Vector2d& p : y) p = {by(random), by(random)};
   place_hinges(y, s);
   return s;

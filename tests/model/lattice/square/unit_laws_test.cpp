@@ -99,8 +99,6 @@ TEST(CellTuple, ParityIsThatOfTheCellInItsLattice) {
   EXPECT_EQ(s.hinges[*s.hinge_at({{2, 0}, Axis::x})].parameters.beta, 0);
 }
 
-using Eigen::Vector3d;
-
 Structure unit(const CellTuple& tuple) {
   Structure cell = make_structure(rectangle(1, 1), {});
   apply_pattern(cell, tuple, tuple, SharedWalls::must_agree);

@@ -47,11 +47,11 @@ model::HingeStiffness k_of(const Json& result, std::size_t hinge) {
 
 /// The walls of a basic panel between plates turn by 2 theta, so each spring stores 2 k_turn theta^2.
 TEST(MadeHinges, FoldAPanelWithTheStiffnessOfTheirShape) {
-  const model::MadeHinge block{.kind = model::HingeKind::block,
-                               .material = *model::find_material("tango"),
-                               .gap_mm = 1,
-                               .thickness_mm = 1,
-                               .height_mm = 6};
+  const model::ManufacturedHinge block{.kind = model::HingeKind::block,
+                                       .material = *model::find_material("tango"),
+                                       .gap_mm = 1,
+                                       .thickness_mm = 1,
+                                       .height_mm = 6};
   const Simulated s = verified_design(design_with("kind: block, material: tango, gap_mm: 1"));
   const model::HingeStiffness k = stiffness(block);
   EXPECT_EQ(k_of(s.result, 0), k);
@@ -138,11 +138,11 @@ TEST(MadeHinges, AreStrainedBesideWhatTheirOwnMaterialBears) {
   const Simulated s = verified_design(design_with("kind: block, material: tpu95a, gap_mm: 1.5",
                                                   "[{wall: [[0, 0], [1, 0]], hinge: " + film + "}]"),
                                       3);
-  const model::MadeHinge made{.kind = model::HingeKind::film,
-                              .material = *model::find_material("pa12"),
-                              .gap_mm = 3,
-                              .thickness_mm = 0.4,
-                              .height_mm = 6};
+  const model::ManufacturedHinge made{.kind = model::HingeKind::film,
+                                      .material = *model::find_material("pa12"),
+                                      .gap_mm = 3,
+                                      .thickness_mm = 0.4,
+                                      .height_mm = 6};
   EXPECT_EQ(s.result["metrics"]["strain_allowed"], 0.04);
   // The walls of the film turn against each other by 2 theta, 40 deg, or a little less.
   EXPECT_NEAR(s.result["metrics"]["strain_max"], strain(made, 40 * radians_per_degree), 0.01);

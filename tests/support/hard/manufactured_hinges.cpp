@@ -16,7 +16,7 @@ namespace {
 using model::PlanarStructure;
 using Stop = model::EquilibriumPath::Stop;
 
-model::MadeHinge block_of(const char* material, double gap_mm) {
+model::ManufacturedHinge block_of(const char* material, double gap_mm) {
   return {.kind = model::HingeKind::block,
           .material = *model::find_material(material),
           .gap_mm = gap_mm,
@@ -58,7 +58,7 @@ void add_single_hinges(HardCases& cases) {
   cases.push_back(
       {"one wall, film of a nylon with k_turn a million times below its points, turned by 170 deg",
        "E = k turn^2 / 2, M = k turn to 1e-9, no gap", [] {
-         model::MadeHinge film = block_of("pa12", 3);
+         model::ManufacturedHinge film = block_of("pa12", 3);
          film.kind = model::HingeKind::film;
          film.thickness_mm = 0.01;
          return turn_one_hinge(elasticity_of(film), 170 * deg);
@@ -67,7 +67,7 @@ void add_single_hinges(HardCases& cases) {
 
 /// A block turned by all that its material bears is strained by just that.
 HardAnswer strain_to_the_edge(const char* material, double part) {
-  const model::MadeHinge made = block_of(material, 1);
+  const model::ManufacturedHinge made = block_of(material, 1);
   const double turn = part * largest_turn(made);
   const LinkageScene scene =
       in_space(single_wall(), hinge_drive(single_wall(), 0, turn), elasticity_of(made));
@@ -184,8 +184,8 @@ double lost_to_play(const LinkageScene& scene, const model::EquilibriumPath& pat
   double sum = 0;
   for (const model::RestHinge& h : l.hinges)
     for (const double side : {-1.0, 1.0})
-      for (const auto& d : played_distances(h, relative(scene.elasticity, edge), path.state[h.lower],
-                                            path.state[h.upper], edge, side))
+      for (const auto& d : resisting_distances(h, relative(scene.elasticity, edge), path.state[h.lower],
+                                               path.state[h.upper], edge, side))
         sum += d.weight * d.distance * edge * scene.elasticity.k_point;
   return sum * play_mm;
 }
@@ -196,7 +196,7 @@ HardAnswer hardly_any_play(double play_mm) {
   const double energy = tight.steps.back().energy, lost = lost_to_play(without, tight, play_mm),
                off = std::abs(path.steps.back().energy - (energy - lost)) / energy;
   // The small stiffness within the clearance adds 1e-5 of the energy.
-  const double allowed = 2 * model::played_loose + 4 * std::pow(lost / energy, 2);
+  const double allowed = 2 * model::loose_stiffness + 4 * std::pow(lost / energy, 2);
   HardAnswer a = answer(path, path.stop == Stop::reached && tight.stop == Stop::reached && off <= allowed,
                         text("energy %.8g N mm, by %.1e", path.steps.back().energy, off));
   a.exact = text("E %.8g N mm without play, less %.2e", energy, lost);
@@ -209,7 +209,7 @@ HardAnswer flip_freely(double alpha, double play_mm) {
   const model::Structure unit = paper_twist_unit(alpha);
   const model::Elasticity pins = played_pins(unit, play_mm);
   const double needed = flip_play(alpha).upper;
-  const double loose = 4 * 2 * 2 * 0.5 * model::played_loose * pins.k_point * play_mm * play_mm,
+  const double loose = 4 * 2 * 2 * 0.5 * model::loose_stiffness * pins.k_point * play_mm * play_mm,
                turning = 4 * 0.5 * twist_unit_turn * std::pow(pi / 2, 2),
                barrier = flip_barrier(alpha, play_mm);
   HardAnswer a{barrier <= loose + turning ? HardAnswer::Mark::right : HardAnswer::Mark::wrong,
@@ -220,7 +220,7 @@ HardAnswer flip_freely(double alpha, double play_mm) {
   return a;
 }
 
-void add_play(HardCases& cases) {
+void add_clearance_cases(HardCases& cases) {
   for (const double play : {1e-3, 1e-6, 1e-9})
     cases.push_back({text("twist unit of 75 deg, hinge to theta = 12 deg, pins with a play of %g mm", play),
                      "energy without play less force times play, to what is left of stiffness within it",
@@ -250,7 +250,7 @@ HardCases made_hinge_cases() {
   add_strains(cases);
   add_mixed(cases);
   add_rests(cases);
-  add_play(cases);
+  add_clearance_cases(cases);
   for (const double theta : {30.0, 60.0})
     cases.push_back({text("2x2 random quads that do not close in rubber blocks beside their walls, a hinge "
                           "to theta = %g deg",

@@ -9,12 +9,12 @@ namespace kinetix::targets {
 
 /// Walks over the words of a mesh file in text, knowing the place of each for messages. Lines end with LF, CR
 /// or both.
-class MeshWords {
+class MeshTokens {
  public:
   /// @param text must outlive the object @param backslash_continues whether a line may go on after a
   /// backslash
   /// @param line number of the text's first line
-  explicit MeshWords(std::string_view text, bool backslash_continues = false, int line = 1);
+  explicit MeshTokens(std::string_view text, bool backslash_continues = false, int line = 1);
 
   /// Moves to the start of the next line; false at the end of the text.
   bool next_line();

@@ -18,7 +18,7 @@ const OF_THE_DISK = ["save", "page"];  // stay valid after a change of the desig
 export const groupOf = (type) => Object.keys(GROUPS).find((group) => GROUPS[group].includes(type)) ?? type ?? "page";
 
 /** Shows a message. Bad news stays until it is closed, or there is news about `about` (a command or another word). */
-export function say(text, {good = false, about = "page"} = {}) {
+export function showMessage(text, {good = false, about = "page"} = {}) {
   const box = $("messages");
   if ([...box.children].some((line) => line.firstChild.textContent === text)) return;
   const line = element("p", {class: good ? "good" : null}, element("span", {}, text));
@@ -30,7 +30,7 @@ export function say(text, {good = false, about = "page"} = {}) {
 }
 
 /** Removes the messages about a command or another word. */
-export function unsay(about) {
+export function clearMessage(about) {
   for (const line of [...$("messages").children]) if (line.dataset.about === groupOf(about)) line.remove();
 }
 
@@ -50,6 +50,6 @@ export function forgetDesign() {
 
 /** Removes messages that a new state of the program makes invalid. @param mode whether the mode changed */
 export function forgetState(mode) {
-  if (mode) unsay("mode");
+  if (mode) clearMessage("mode");
   if (mode || (holds && !holds())) status("");
 }

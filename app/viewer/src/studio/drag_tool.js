@@ -1,11 +1,11 @@
 // Pointer and keys on the scene: drag, fix, push, select. The camera handles all other input.
 import {$} from "./dom.js";
-import {say, status} from "./words.js";
+import {showMessage, status} from "./messages.js";
 
 const CLICK_PX = 5;        // a smaller movement is a click
 const KEY_STEP = 0.25;     // of a cell edge per key press, when keys drag a body
 
-export class Hand {
+export class DragTool {
   constructor(state, scene) {
     Object.assign(this, {state, scene, connection: state.connection, body: null, held: null, pushed: null});
     state.on("design", () => this.body >= this.state.design.structure.bodies.length && this.choose(null));
@@ -114,7 +114,7 @@ export class Hand {
       status(`${what} takes the physics: switched to it`, () => this.state.program.mode === "bullet");
       return true;
     } catch (error) {
-      say(error.message, {about: "mode"});
+      showMessage(error.message, {about: "mode"});
       return false;
     }
   }

@@ -1,6 +1,6 @@
 // Texts of a sweep's report: names with their units, values of factors, the answer.
 
-const UNIT_WORDS = {
+const UNIT_NAMES = {
   mm: "mm",
   deg: "\u00b0",
   rad: "rad",
@@ -22,7 +22,7 @@ const LEAST_SHARE = 0.1;  // share of the variance: a factor with less does not 
 /** Splits a name: "moved_rms_mm" -> {words: "moved rms", unit: "mm"}. A name without a unit is a pure number. */
 function named(name) {
   if (IN_CELL_EDGES.includes(name)) return {words: words(name), unit: "cell edges"};
-  const parts = name.split("_"), unit = UNIT_WORDS[parts[parts.length - 1]];
+  const parts = name.split("_"), unit = UNIT_NAMES[parts[parts.length - 1]];
   const said = unit && parts.length > 1 ? parts.slice(0, -1) : parts;
   return {words: said.join(" "), unit: unit ?? ""};
 }
@@ -41,13 +41,13 @@ function factorNamed(path) {
 }
 
 /** Names a factor, with the unit of its values. A factor that multiplies a value of the base has the unit TIMES. */
-function factorSaid({name, scale}) {
+function factorWithUnit({name, scale}) {
   const {words: said, unit} = factorNamed(name);
   return {words: said, unit: scale ? TIMES : unit};
 }
 
-function valuesWords(factor) {
-  const said = valuesAlone(factor, factorSaid(factor).unit);
+function describeValues(factor) {
+  const said = valuesAlone(factor, factorWithUnit(factor).unit);
   return factor.add ? `${said}, added to the base's` : said;
 }
 
@@ -55,7 +55,7 @@ const MOST_KINDS = 3;  // kinds of values to list: more would fill the table
 
 /** Describes the values of a family's factors, each kind once. */
 function valuesOfFamily(data, factors) {
-  const kinds = [...new Set(factors.map((f) => valuesWords(data.factors[f])))];
+  const kinds = [...new Set(factors.map((f) => describeValues(data.factors[f])))];
   return kinds.length > MOST_KINDS ? `${kinds.length} kinds, from ${kinds[0]} on` : kinds.join("; ");
 }
 
@@ -75,7 +75,7 @@ function clampedShare(value) {
 }
 
 /** Formats a share with its interval: [0.83, 0.7, 0.96] -> "83 % (70 to 96)". */
-function shareWords(share) {
+function describeShare(share) {
   if (!share || finite(share[0]) === null) return DASH;
   const [value, low, high] = share.map(clampedShare), whole = (x) => String(Math.round(100 * x));
   const text = `${whole(value)}${SPACE}%`;
@@ -119,7 +119,7 @@ function leadWords(data, response) {
   const [value, low] = found.share, name = factorNamed(found.family.name).words;
   if (value < LEAST_SHARE || (finite(low) !== null && low <= 0)) return {sentence: "No factor stands out. ", card: "no factor stands out"};
   const most = value > 0.5;
-  return {sentence: `${most ? "Most" : "The largest part"} of it goes with ${name}: ${shareWords(found.share)} of the variance${direction(response, found.family)}. `,
+  return {sentence: `${most ? "Most" : "The largest part"} of it goes with ${name}: ${describeShare(found.share)} of the variance${direction(response, found.family)}. `,
     card: `${most ? "mostly" : "the largest part:"} ${name}`};
 }
 

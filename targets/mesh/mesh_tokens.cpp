@@ -1,4 +1,4 @@
-#include "targets/mesh/mesh_text.hpp"
+#include "targets/mesh/mesh_tokens.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -20,10 +20,10 @@ bool parse(std::string_view text, Number& number) {
 
 }  // namespace
 
-MeshWords::MeshWords(std::string_view text, bool backslash_continues, int line)
+MeshTokens::MeshTokens(std::string_view text, bool backslash_continues, int line)
     : text_(text), backslash_continues_(backslash_continues), line_(line - 1) {}
 
-bool MeshWords::next_line() {
+bool MeshTokens::next_line() {
   if (started_) {
     while (next_ < text_.size() && !is_line_end(text_[next_])) ++next_;
     if (text_.substr(next_).starts_with("\r\n")) ++next_;
@@ -35,7 +35,7 @@ bool MeshWords::next_line() {
   return next_ < text_.size();
 }
 
-void MeshWords::skip_blanks() {
+void MeshTokens::skip_blanks() {
   while (next_ < text_.size()) {
     const bool continues = backslash_continues_ && text_[next_] == '\\' && next_ + 1 < text_.size() &&
                            is_line_end(text_[next_ + 1]);
@@ -50,7 +50,7 @@ void MeshWords::skip_blanks() {
   }
 }
 
-std::string_view MeshWords::word() {
+std::string_view MeshTokens::word() {
   skip_blanks();
   word_start_ = next_;
   const auto ends_word = [&](char c) {
@@ -60,13 +60,13 @@ std::string_view MeshWords::word() {
   return last_word();
 }
 
-std::string_view MeshWords::word_of_any_line() {
+std::string_view MeshTokens::word_of_any_line() {
   std::string_view found = started_ || next_line() ? word() : std::string_view();
   while (found.empty() && next_line()) found = word();
   return found;
 }
 
-double MeshWords::number_in(std::string_view text, const char* what) const {
+double MeshTokens::number_in(std::string_view text, const char* what) const {
   double number = 0;
   if (text.empty()) throw error(std::string("ends where ") + what + " belongs; the file is damaged");
   if (!parse(text, number) || !std::isfinite(number))
@@ -74,10 +74,10 @@ double MeshWords::number_in(std::string_view text, const char* what) const {
   return number;
 }
 
-double MeshWords::number(const char* what) { return number_in(word(), what); }
-double MeshWords::number_of_any_line(const char* what) { return number_in(word_of_any_line(), what); }
+double MeshTokens::number(const char* what) { return number_in(word(), what); }
+double MeshTokens::number_of_any_line(const char* what) { return number_in(word_of_any_line(), what); }
 
-long MeshWords::integer_of_any_line(const char* what) {
+long MeshTokens::integer_of_any_line(const char* what) {
   const std::string_view text = word_of_any_line();
   long integer = 0;
   if (text.empty()) throw error(std::string("ends where ") + what + " belongs; the file is damaged");
@@ -86,7 +86,7 @@ long MeshWords::integer_of_any_line(const char* what) {
   return integer;
 }
 
-InvalidInput MeshWords::error(const std::string& fault_text) const {
+InvalidInput MeshTokens::error(const std::string& fault_text) const {
   return InvalidInput(fault_text, {{}, line_, static_cast<int>(word_start_ - line_start_) + 1, {}});
 }
 

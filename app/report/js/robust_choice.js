@@ -1,19 +1,19 @@
 /** Reads the candidates of a robust search: `robust` of result.json. */
-function readMadeChoices(raw) {
+function readRobustChoices(raw) {
   return list(raw).map((one, k) => ({...one, plain: k === 0})).filter((one) => finite(one?.as_made_rms_mm) !== null && finite(one?.designed_mm) !== null);
 }
 
 /** Returns the Pareto front: candidates that no other candidate beats in both errors. */
-function madeFront(choices) {
+function robustFront(choices) {
   let least = Infinity;
   return [...choices].sort((a, b) => a.designed_mm - b.designed_mm).filter((one) => one.as_made_rms_mm < least && ((least = one.as_made_rms_mm), true));
 }
 
-function madeChoiceName(one) {
+function robustChoiceName(one) {
   return `theta ${degrees(toDegrees(one.theta_rad))}` + (finite(one.gap_mm) === null ? "" : `, gaps of ${millimetres(one.gap_mm)}`);
 }
 
-function drawMadeChoices(choices, width) {
+function drawRobustChoices(choices, width) {
   const near = choices.filter((one) => one.allowed);
   const axes = plot({
     width,
@@ -22,21 +22,21 @@ function drawMadeChoices(choices, width) {
     y: {range: barRange(near.map((one) => one.as_made_rms_mm)), label: "expected of prints, mm rms"}
   });
   const at = (one) => [axes.X(one.designed_mm), axes.Y(one.as_made_rms_mm)];
-  axes.root.append(svg("path", {class: "model", d: path(madeFront(near).map(at))}), ...near.map((one) => svg("circle", {
+  axes.root.append(svg("path", {class: "model", d: path(robustFront(near).map(at))}), ...near.map((one) => svg("circle", {
     cx: at(one)[0], cy: at(one)[1], r: one.chosen ? 6 : 3.5, class: one.chosen ? "tried chosen" : one.plain ? "tried plain" : "tried"
-  }, svg("title", {}, madeChoiceName(one)))));
+  }, svg("title", {}, robustChoiceName(one)))));
   return axes.root;
 }
 
-function madeChoiceSection({madeChoices}) {
-  const chosen = madeChoices.find((one) => one.chosen), plain = madeChoices.find((one) => one.plain);
-  const plainWords = plain ? `of what a plain search finds, with ${madeChoiceName(plain)}, ${millimetres(plain.as_made_rms_mm)}` :
+function robustChoiceSection({robustChoices}) {
+  const chosen = robustChoices.find((one) => one.chosen), plain = robustChoices.find((one) => one.plain);
+  const plainText = plain ? `of what a plain search finds, with ${robustChoiceName(plain)}, ${millimetres(plain.as_made_rms_mm)}` :
                              "of what a plain search finds that is not known";
   return [
     html("p", {class: "lead"}, chosen && !chosen.plain ?
-      `Prints with ${madeChoiceName(chosen)} are expected ${millimetres(chosen.as_made_rms_mm)} off; ${plainWords}.` :
+      `Prints with ${robustChoiceName(chosen)} are expected ${millimetres(chosen.as_made_rms_mm)} off; ${plainText}.` :
       "No other design that was tried and may be taken promises better prints than that of a plain search."),
-    responsive((width) => drawMadeChoices(madeChoices, width)),
+    responsive((width) => drawRobustChoices(robustChoices, width)),
     legend(["tried", "designs that meet the goal"], ["tried plain", "of the plain search"], ["tried chosen", "this one"]),
   ];
 }
