@@ -9,7 +9,8 @@
 # make format: lay out every source as .clang-format says.
 # make compilers: the same numbers by GCC and clang, -O0 and -O3, on a dozen targets.
 # make fuzz: the readers under libFuzzer, FUZZ_SECONDS each; make fuzz-program: FUZZ_RUNS runs of the whole program.
-# make soak: SOAK_FILES damaged files of every kind that is read, through the program under the address sanitizer.
+# make soak: the long proofs that make test leaves out, and SOAK_FILES damaged files of every kind that is read, through
+#   the program under the address sanitizer.
 # make docs: write docs/formats.md and the schemas anew from the tables of keys.
 JOBS ?= $(shell nproc)
 SUDO := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
@@ -86,7 +87,8 @@ fuzz-program: $(ALL_PACKAGES)
 	cmake --build --preset dev -j $(JOBS) --target kinetix-forked-runs
 	tests/fuzz/whole_program.py build/dev/bin/kinetix-forked-runs $(FUZZ_RUNS) --keep build/fuzz/found
 
-soak: $(ALL_PACKAGES)
+soak: dev
+	ctest --preset dev -C soak -L soak
 	cmake --preset asan
 	cmake --build --preset asan -j $(JOBS) --target kinetix-opt
 	tests/fuzz/soak.py build/asan/bin/kinetix-opt $(SOAK_FILES) --jobs $(JOBS) --keep build/asan/soak

@@ -1,8 +1,11 @@
 """Tests the script for Rhino and Grasshopper in plain Python: all of it except the objects of Rhino."""
+import functools
 import importlib.util
 import json
 import math
+import pathlib
 import sys
+import tempfile
 import unittest
 
 from support import PROGRAM, SOURCE, Scratch, command_output
@@ -29,11 +32,20 @@ def distance(a, b):
     return math.dist(a, b)
 
 
+@functools.cache
+def result_text(target):
+    """Returns the result of a shipped target, which the tests share."""
+    with tempfile.TemporaryDirectory() as folder:
+        command_output(PROGRAM, SOURCE / "targets/shapes" / target, "-o", folder, "--quiet", "--no-verify")
+        return (pathlib.Path(folder) / "result.json").read_text()
+
+
 class Rhino(Scratch):
     def result_of(self, target):
-        command_output(PROGRAM, SOURCE / "targets/shapes" / target, "-o", self.folder, "--quiet", "--no-verify")
-        self.document = json.loads((self.folder / "result.json").read_text())
-        return reader.Result(self.folder / "result.json")
+        file = self.folder / "result.json"
+        file.write_text(result_text(target))
+        self.document = json.loads(file.read_text())
+        return reader.Result(file)
 
     def test_shapes_are_closed_and_as_large_as_the_half_walls_in_every_state(self):
         for target in ("half_circle.yaml", "disc.yaml"):

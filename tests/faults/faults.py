@@ -8,6 +8,7 @@ The exit code is 77 if this machine lacks what the kind needs.
 """
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 
@@ -43,6 +44,8 @@ def main():
                 sys.exit(LACKING)
             continue
         print(f"{name}: {judge.runs} runs, {len(judge.faults)} faults")
+        if not judge.faults:
+            shutil.rmtree(judge.kitchen.scratch)
         faults += judge.faults
     print("\n".join(faults))
     sys.exit(1 if faults else 0)

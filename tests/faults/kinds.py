@@ -10,6 +10,7 @@ import time
 from commands import COMMANDS, clean_environment, contents, run
 
 KIB = 1024
+LARGEST_STEP = 2048  # MiB: no run here needs so much memory
 BY_NAME = {command.name: command for command in COMMANDS}
 WRITING = [command for command in COMMANDS if command.writes]
 
@@ -76,10 +77,10 @@ def run_with_small_files(judge, command, kib):
     judge.both(f"{command.name} with files of at most {kib} KiB", command, place, end, {0, 2})
 
 
-def run_with_full_streams(judge, command):
+def run_with_full_streams(judge, command, long):
     """Runs a command with stdout on a full device, with stderr on a full device, and with stdout in a pipe without a
     reader."""
-    for words, stream in ((["--json"], "stdout"), ([], "stdout"), ([], "stderr")):
+    for words, stream in in_turn(((["--json"], "stdout"), ([], "stdout"), ([], "stderr")), command, long):
         place = judge.kitchen.place("full_stream")
         with open("/dev/full", "w") as full:
             end = judge.kitchen.start(command, place, words=words, **{stream: full})
@@ -105,14 +106,14 @@ def disk_sizes(whole, long):
 def disk(judge, long):
     for command in WRITING:
         whole = sum(len(content) for content in judge.kitchen.reference(command).values()) // KIB + 64
-        for kib in spread(4, whole, 24) if long else (4, whole // 3):
+        for kib in spread(4, whole, 24) if long else in_turn((4, whole // 3), command, long):
             run_with_small_files(judge, command, kib)
         for kib, earlier in disk_sizes(whole, long) if may_mount() else ():
             if not (long and earlier and command.resumes):
                 run_on_small_disk(judge, command, f"size={kib}k", earlier and not command.resumes)
-        for inodes in spread(4, 16, 13 if long else 3) if may_mount() else ():
+        for inodes in in_turn(range(4, 17), command, long) if may_mount() else ():
             run_on_small_disk(judge, command, f"nr_inodes={inodes}", False)
-        run_with_full_streams(judge, command)
+        run_with_full_streams(judge, command, long)
     for folder in ("/dev/full", "/dev/full/out", "/proc/out"):
         place = judge.kitchen.place("no_folder")
         end = judge.kitchen.start(BY_NAME["optimise"], place, words=["-o", folder])
@@ -128,18 +129,21 @@ def run_in_memory(judge, command, mib):
                                       before=lambda: resource.setrlimit(resource.RLIMIT_AS, (mib * KIB * KIB,) * 2))
 
 
-def least_memory(least, suffices, within=2):
-    """Finds the least memory with which a run succeeds, in MiB. First it doubles the step, since failures are quick.
+def enclose_memory(least, suffices, step):
+    """Returns MiB that are too little and MiB with which a run succeeds. The step doubles after each failure.
 
     @param least memory that is too small
-    @param within largest error, MiB
 
     """
-    step = within
-    while not suffices(least + step):
+    while step < LARGEST_STEP and not suffices(least + step):
         least, step = least + step, 2 * step
-    most = least + step
-    while most - least > within:
+    return least, least + step
+
+
+def least_memory(least, suffices):
+    """Finds the least memory with which a run succeeds, within 2 MiB. @param least memory that is too small"""
+    least, most = enclose_memory(least, suffices, 2)
+    while most - least > 2:
         middle = (least + most) // 2
         least, most = (least, middle) if suffices(middle) else (middle, most)
     return most
@@ -163,7 +167,10 @@ def memory(judge, long):
     loads = memory_to_load(judge)
     for command in COMMANDS:
         judge.kitchen.reference(command)
-        enough = least_memory(loads, lambda mib: run_in_memory(judge, command, mib)[1].code == 0, 2 if long else 16)
+
+        def suffices(mib):
+            return run_in_memory(judge, command, mib)[1].code == 0
+        enough = least_memory(loads, suffices) if long else enclose_memory(loads, suffices, 8)[1]
         for mib in spread(loads - 2, enough + 2, 60 if long else 6):
             place, end = run_in_memory(judge, command, mib)
             judge.both(f"{command.name} in {mib} MiB", command, place, end, {0, 1, 127})

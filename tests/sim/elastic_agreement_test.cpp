@@ -90,7 +90,7 @@ TEST(ElasticAgreement, OfATwistingStripOnTheBarrierAndInContact) {
 /// A sheet that was free to spin about the plates' normal would turn on edge and tip over, without strain.
 TEST(ElasticAgreement, OfSheetsInSpaceBetweenPlates) {
   for (const model::Structure& s :
-       {alternating(6, 6, twisting_unit, basic_unit), alternating(4, 4, twisting_unit, twisting_unit)})
+       {alternating(4, 4, twisting_unit, basic_unit), alternating(4, 4, twisting_unit, twisting_unit)})
     for (const model::Axis axis : {model::Axis::x, model::Axis::y}) {
       const Pair pair = both(s, plates_drive(axis, 35 * radians_per_degree), false);
       EXPECT_LE(pair.comparison.distance.rms, 1e-4);
@@ -123,6 +123,11 @@ void expect_framed_agreement(const model::Structure& s, const model::Drive& driv
 }
 
 TEST(ElasticAgreement, OfFramedHingesOnABentSheet) {
+  expect_framed_agreement(alternating(4, 4, twisting_unit, basic_unit),
+                          plates_drive(model::Axis::y, 35 * radians_per_degree), 1e-3);
+}
+
+TEST(ElasticAgreementSoak, OfFramedHingesOnABentSheet) {
   expect_framed_agreement(alternating(8, 8, twisting_unit, basic_unit),
                           plates_drive(model::Axis::y, 35 * radians_per_degree), 1e-3);
 }

@@ -69,7 +69,7 @@ TEST(Press, LetsBodiesLeaveTheirPlateAndAgreesWithTheEquilibrium) {
 }
 
 TEST(Press, FoldsABasicSheetAsPlatesThatGripDo) {
-  const model::Structure sheet = model::make_sheet(4, 5, {});
+  const model::Structure sheet = model::make_sheet(3, 4, {});
   for (const double theta : {25 * radians_per_degree, -25 * radians_per_degree})
     for (const model::Axis axis : {model::Axis::x, model::Axis::y}) {
       const Pressed found = pressed(sheet, axis, theta, true);

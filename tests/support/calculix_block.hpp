@@ -16,10 +16,10 @@
 /// Stiffness of soft hinges from CalculiX, a finite-element program that shares none of their formulas.
 namespace kinetix::testing {
 
-/// An eighth of a block, of bricks with 20 nodes: from the block's middle to its end along the wall (x), to its face
-/// across the wall (y) and to its end along the hinge's axis (z). Each motion of the ends is symmetric or antisymmetric
-/// about the three middle planes, so the eighth gives the stiffness of the whole with the same bricks. With reduced
-/// integration they do not lock where nu is near 0.5.
+/// Eighth of a block, of bricks with 20 nodes. It reaches from the block's middle to its end along the wall (x), to its
+/// face across the wall (y) and to its end along the hinge's axis (z). Each motion of the ends is symmetric or
+/// antisymmetric about the three middle planes, so the eighth gives the stiffness of the whole with the same bricks.
+/// With reduced integration they do not lock where nu is near 0.5.
 class Bricks {
  public:
   /// @param count of bricks in the whole block, even in each direction
@@ -45,8 +45,8 @@ class Bricks {
         << "\n*SOLID SECTION,ELSET=BLOCK,MATERIAL=SOFT\n";
   }
 
-  /// Writes a step that moves the end of the block as a rigid body by half of `amount`: a shift along an axis, or a turn
-  /// about an axis through the middle. The other end moves by the same in the opposite direction.
+  /// Writes a step that moves the end of the block as a rigid body by half of `amount`. The motion is a shift along an
+  /// axis, or a turn about an axis through the middle. The other end moves by the same in the opposite direction.
   void write_step(std::ostream& out, bool turns, int axis, double amount) const {
     out << "*STEP\n*STATIC\n*BOUNDARY,OP=NEW\n";
     const Eigen::Vector3d motion = amount / 2 * Eigen::Vector3d::Unit(axis);

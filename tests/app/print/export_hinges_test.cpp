@@ -232,8 +232,8 @@ hinge: {{kind: block, material: tango, gap_mm: {}}}
 /// The message for blocks that do not fit does not suggest blocks.
 TEST(Export, AdvisesNoOtherHingesWhereTheDesignSaysWhichItHas) {
   const std::string design = R"(kinetix: 1
-structure: {cells: [3, 3], cell_mm: 20, wall_mm: {thickness: 6, height: 8}}
-design: {theta_deg: 50, hinges: [{wall: [[1, 1], [2, 1]], t: 0.42, alpha_deg: 80}]}
+structure: {cells: [2, 2], cell_mm: 20, wall_mm: {thickness: 6, height: 8}}
+design: {theta_deg: 50, hinges: [{wall: [[0, 1], [1, 1]], t: 0.42, alpha_deg: 80}]}
 hinge: {kind: block, material: tango, gap_mm: 6, thickness_mm: 1}
 )";
   const Scratch scratch;

@@ -30,8 +30,6 @@ struct Part {
   std::vector<Vector3d> points;  // relative to the body's rest position, mm
   std::vector<std::array<int, 3>> triangles;
   std::set<int> bodies;
-  double radius = 0;  // largest distance of a point from its body's rest position, mm
-  std::map<int, Eigen::AlignedBox3d> boxes;  // around the points of each body, relative to its rest position, mm
 };
 
 class File {
@@ -56,11 +54,7 @@ class File {
     }
     for (const Json& node : json_["nodes"])
       if (node.contains("skin")) add_blocks(node, out);
-    for (Part& part : out) {
-      part.bodies.insert(part.body.begin(), part.body.end());
-      for (const Vector3d& p : part.points) part.radius = std::max(part.radius, p.norm());
-      for (std::size_t k = 0; k < part.points.size(); ++k) part.boxes[part.body[k]].extend(part.points[k]);
-    }
+    for (Part& part : out) part.bodies.insert(part.body.begin(), part.body.end());
     return out;
   }
 
@@ -211,16 +205,76 @@ double depth_in(const Mesh& one, const Mesh& other) {
 
 // ---- folding
 
+constexpr std::size_t piece_triangles =
+    64;  // larger pieces are split, so that few pairs of triangles are compared
+
+/// Triangles of a part that are near one another.
+struct Piece {
+  std::size_t part;
+  std::vector<std::array<int, 3>> triangles;
+  std::map<int, Eigen::AlignedBox3d> boxes = {};  // around the points of each body, relative to the body, mm
+  Eigen::AlignedBox3d box = {};                   // around all of them
+  double largest_step = 0;                        // largest motion of a point between two states, mm
+  std::shared_ptr<Model> model = nullptr;         // empty for parts that change their shape
+};
+
+struct Sphere {
+  Vector3d centre;
+  double radius;
+};
+
+std::shared_ptr<Model> model_of(const std::vector<Vector3d>& points,
+                                const std::vector<std::array<int, 3>>& triangles) {
+  auto model = std::make_shared<Model>();
+  std::vector<fcl::Triangle> all;
+  for (const auto& [a, b, c] : triangles) all.emplace_back(a, b, c);
+  model->beginModel();
+  model->addSubModel(points, all);
+  model->endModel();
+  return model;
+}
+
+/// Halves triangles by their centroids, along the longest side of their box, until few are left in each piece.
+void split(const Part& part, std::vector<std::array<int, 3>> triangles, std::size_t index,
+           std::vector<Piece>& out) {
+  if (triangles.size() <= piece_triangles) {
+    out.push_back({index, std::move(triangles)});
+    return;
+  }
+  const auto sum = [&](const std::array<int, 3>& t) -> Vector3d {
+    return part.points[t[0]] + part.points[t[1]] + part.points[t[2]];
+  };
+  Eigen::AlignedBox3d box;
+  for (const auto& t : triangles) box.extend(sum(t));
+  int axis = 0;
+  box.sizes().maxCoeff(&axis);
+  const auto middle = triangles.begin() + static_cast<std::ptrdiff_t>(triangles.size() / 2);
+  std::nth_element(triangles.begin(), middle, triangles.end(),
+                   [&](const auto& a, const auto& b) { return sum(a)[axis] < sum(b)[axis]; });
+  split(part, {triangles.begin(), middle}, index, out);
+  split(part, {middle, triangles.end()}, index, out);
+}
+
 class Folding {
  public:
   Folding(std::vector<Part> parts, int steps, const std::function<model::State(int)>& state)
-      : parts_(std::move(parts)), steps_(steps), largest_step_(parts_.size()) {
-    for (int k = 0; k < steps; ++k) {
-      states_.push_back(state(k));
-      if (k > 0) note_step(states_[k - 1], states_[k]);
+      : parts_(std::move(parts)), steps_(steps) {
+    for (int k = 0; k < steps; ++k) states_.push_back(state(k));
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      const bool is_rigid = parts_[p].bodies.size() == 1;
+      whole_.push_back({p, parts_[p].triangles});
+      measure(whole_.back());
+      std::vector<Piece>& pieces = pieces_.emplace_back();
+      if (is_rigid) {
+        split(parts_[p], parts_[p].triangles, p, pieces);
+      } else {
+        pieces = {whole_.back()};
+      }
+      for (Piece& piece : pieces) {
+        measure(piece);
+        if (is_rigid) piece.model = model_of(parts_[p].points, piece.triangles);
+      }
     }
-    for (const Part& part : parts_)
-      models_.push_back(part.bodies.size() == 1 ? model_of(part.points, part) : nullptr);
   }
 
   Crossing deepest(double enough_mm) {
@@ -229,8 +283,13 @@ class Folding {
     for (std::size_t a = 0; a < parts_.size(); ++a)
       for (std::size_t b = a + 1; b < parts_.size(); ++b) {
         if (belong(parts_[a], parts_[b])) continue;
-        follow(a, b, enough_mm, worst);
-        if (worst.mm > enough_mm) return worst;
+        const int from = first_near(whole_[a], whole_[b]);
+        if (from >= steps_) continue;
+        for (const Piece& one : pieces_[a])
+          for (const Piece& other : pieces_[b]) {
+            follow(one, other, from, enough_mm, worst);
+            if (worst.mm > enough_mm) return worst;
+          }
       }
     return worst;
   }
@@ -242,61 +301,77 @@ class Folding {
            std::includes(b.bodies.begin(), b.bodies.end(), a.bodies.begin(), a.bodies.end());
   }
 
-  void note_step(const model::State& from, const model::State& to) {
-    for (std::size_t p = 0; p < parts_.size(); ++p)
-      for (const int body : parts_[p].bodies) {
-        const double turned = (to[body].R - from[body].R).norm(), moved = (to[body].p - from[body].p).norm();
-        largest_step_[p] = std::max(largest_step_[p], moved + turned * parts_[p].radius);
+  /// Sets a piece's boxes and its largest step.
+  void measure(Piece& piece) const {
+    const Part& part = parts_[piece.part];
+    for (const auto& triangle : piece.triangles)
+      for (const int k : triangle) {
+        piece.boxes[part.body[k]].extend(part.points[k]);
+        piece.box.extend(part.points[k]);
+      }
+    double radius = 0;
+    for (int corner = 0; corner < 8; ++corner)
+      radius = std::max(radius, piece.box.corner(Eigen::AlignedBox3d::CornerType(corner)).norm());
+    for (int k = 1; k < steps_; ++k)
+      for (const int body : part.bodies) {
+        const model::Pose &from = states_[k - 1][body], &to = states_[k][body];
+        piece.largest_step =
+            std::max(piece.largest_step, (to.p - from.p).norm() + (to.R - from.R).norm() * radius);
       }
   }
 
-  static std::shared_ptr<Model> model_of(const std::vector<Vector3d>& points, const Part& part) {
-    auto model = std::make_shared<Model>();
-    std::vector<fcl::Triangle> triangles;
-    for (const auto& [a, b, c] : part.triangles) triangles.emplace_back(a, b, c);
-    model->beginModel();
-    model->addSubModel(points, triangles);
-    model->endModel();
-    return model;
-  }
-
-  /// Returns the FCL model and pose of a part in one state.
-  std::pair<std::shared_ptr<Model>, fcl::Transform3d> at(std::size_t p, int step) const {
+  /// Returns the FCL model and pose of a piece in one state.
+  std::pair<std::shared_ptr<Model>, fcl::Transform3d> at(const Piece& piece, int step) const {
+    const Part& part = parts_[piece.part];
     fcl::Transform3d pose = fcl::Transform3d::Identity();
-    if (!models_[p]) return {model_of(placed(parts_[p], states_[step]).points, parts_[p]), pose};
-    const model::Pose& there = states_[step][*parts_[p].bodies.begin()];
+    if (!piece.model) return {model_of(placed(part, states_[step]).points, piece.triangles), pose};
+    const model::Pose& there = states_[step][*part.bodies.begin()];
     pose.linear() = there.R;
     pose.translation() = there.p;
-    return {models_[p], pose};
+    return {piece.model, pose};
   }
 
-  double gap_of_spheres(std::size_t a, std::size_t b, int step) const {
-    const auto& one = states_[step][*parts_[a].bodies.begin()].p;
-    const auto& other = states_[step][*parts_[b].bodies.begin()].p;
-    return (one - other).norm() - reach(a, step) - reach(b, step);
+  /// Returns a sphere around a piece in one state.
+  Sphere sphere(const Piece& piece, int step) const {
+    const Part& part = parts_[piece.part];
+    if (part.bodies.size() == 1) {
+      const model::Pose& there = states_[step][*part.bodies.begin()];
+      return {there.R * piece.box.center() + there.p, piece.box.diagonal().norm() / 2};
+    }
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& p : placed(part, states_[step]).points) box.extend(p);
+    return {box.center(), box.diagonal().norm() / 2};
   }
-  /// Bounds the distance of a part's points from its first body, mm.
-  double reach(std::size_t p, int step) const {
-    double most = parts_[p].radius;
-    for (const int body : parts_[p].bodies)
-      most = std::max(most, parts_[p].radius +
-                                (states_[step][body].p - states_[step][*parts_[p].bodies.begin()].p).norm());
-    return most;
+  double gap_of_spheres(const Piece& a, const Piece& b, int step) const {
+    const Sphere one = sphere(a, step), other = sphere(b, step);
+    return (one.centre - other.centre).norm() - one.radius - other.radius;
   }
 
-  void follow(std::size_t a, std::size_t b, double enough_mm, Crossing& worst) {
-    const double each = largest_step_[a] + largest_step_[b];
+  /// Returns the first step at which the spheres around two parts are near each other.
+  int first_near(const Piece& a, const Piece& b) const {
     for (int step = 0; step < steps_;) {
+      const double gap = gap_of_spheres(a, b, step);
+      if (!(gap > a.largest_step + b.largest_step)) return step;
+      step = next_step(a, b, step, gap);
+    }
+    return steps_;
+  }
+
+  void follow(const Piece& a, const Piece& b, int from, double enough_mm, Crossing& worst) const {
+    for (int step = from; step < steps_;) {
       double gap = gap_of_spheres(a, b, step);
-      if (!(gap > each)) gap = distance(a, b, step);
-      ++worst.tests;
+      if (!(gap > a.largest_step + b.largest_step)) {
+        gap = distance(a, b, step);
+        ++worst.tests;
+      }
       if (!(gap > 0)) {
-        const Mesh one = placed(parts_[a], states_[step]), other = placed(parts_[b], states_[step]);
+        const Part &first = parts_[a.part], &second = parts_[b.part];
+        const Mesh one = placed(first, states_[step]), other = placed(second, states_[step]);
         const double deep = std::max(depth_in(one, other), depth_in(other, one));
         if (deep > worst.mm) {
           worst.mm = deep;
-          worst.first = parts_[a].name;
-          worst.second = parts_[b].name;
+          worst.first = first.name;
+          worst.second = second.name;
           worst.step = step;
         }
         if (worst.mm > enough_mm) return;
@@ -305,9 +380,9 @@ class Folding {
     }
   }
 
-  /// Returns the next step at which the parts may touch: until then they move by less than their gap.
-  int next_step(std::size_t a, std::size_t b, int step, double gap) const {
-    const double each = largest_step_[a] + largest_step_[b];
+  /// Returns the next step at which two pieces may touch: until then they move by less than their gap.
+  int next_step(const Piece& a, const Piece& b, int step, double gap) const {
+    const double each = a.largest_step + b.largest_step;
     double left = gap;
     int next = step;
     do {
@@ -317,21 +392,22 @@ class Folding {
     return next;
   }
 
-  /// Bounds how much two parts approach each other between two steps, mm: the sum of the largest displacements of their
-  /// points in the frame of a body. A displacement is affine in the point, so it is largest at a corner of a box.
-  double relative_motion(std::size_t a, std::size_t b, int from, int to) const {
-    const int frame = *parts_[a].bodies.begin();
+  /// Bounds how much two pieces approach each other between two steps, mm: the sum of the largest displacements of
+  /// their points in the frame of a body. A displacement is affine in the point, so it is largest at a corner of a box.
+  double relative_motion(const Piece& a, const Piece& b, int from, int to) const {
+    const int frame = *parts_[a.part].bodies.begin();
     double sum = 0;
-    for (const Part* part : {&parts_[a], &parts_[b]}) {
+    for (const Piece* piece : {&a, &b}) {
       double most = 0;
-      for (const auto& [body, box] : part->boxes) {
+      for (const auto& [body, box] : piece->boxes) {
         if (body == frame) continue;
         const model::Pose before = seen_from(frame, body, from), after = seen_from(frame, body, to);
         const Eigen::Matrix3d turned = after.R - before.R;
         const Vector3d moved = after.p - before.p;
-        for (int corner = 0; corner < 8; ++corner)
-          most = std::max(most,
-                          (turned * box.corner(Eigen::AlignedBox3d::CornerType(corner)) + moved).norm());
+        for (int corner = 0; corner < 8; ++corner) {
+          const Vector3d point = box.corner(Eigen::AlignedBox3d::CornerType(corner));
+          most = std::max(most, (turned * point + moved).norm());
+        }
       }
       sum += most;
     }
@@ -347,7 +423,7 @@ class Folding {
     return out;
   }
 
-  double distance(std::size_t a, std::size_t b, int step) const {
+  double distance(const Piece& a, const Piece& b, int step) const {
     const auto [one, at_one] = at(a, step);
     const auto [other, at_other] = at(b, step);
     fcl::DistanceResultd result;
@@ -357,8 +433,8 @@ class Folding {
   const std::vector<Part> parts_;
   const int steps_;
   std::vector<model::State> states_;
-  std::vector<double> largest_step_;  // largest motion of each part between two states, mm
-  std::vector<std::shared_ptr<Model>> models_;
+  std::vector<Piece> whole_;                // one for each part
+  std::vector<std::vector<Piece>> pieces_;  // of each part
 };
 
 }  // namespace

@@ -6,7 +6,7 @@ namespace kinetix::testing {
 
 /// A printer and the settings of its slicer.
 struct SlicingOf {
-  int width, height;  // of the printer's bed, mm
+  int width = 0, height = 0;  // of the printer's bed, mm
   double closing_mm =
       0.049;        // gap closing radius, mm: the slicer closes gaps narrower than twice this; its default
   int pixels = 20;  // pixels per mm

@@ -23,14 +23,14 @@ TEST_F(Studio, SendsAPageThatSleptTheNewestDesignAlone) {
   Client sleeping(studio.port()), awake(studio.port());
   ASSERT_TRUE(sleeping.open(studio.token));
   ASSERT_TRUE(awake.open(studio.token));
-  for (int k = 0; k < 60; ++k) client.ask({{"type", "hinge"}, {"index", k}, {"t", 0.3}});
+  for (int k = 0; k < 24; ++k) client.ask({{"type", "hinge"}, {"index", k}, {"t", 0.3}});
   EXPECT_EQ(awake.ask({{"type", "release"}}).head(5), 1) << "others are served";
   int designs = 0, newest = 0;
   for (Received next; !(next = sleeping.receive(std::chrono::milliseconds(500))).closed;)
     if (next.text.is_object() && next.text["type"] == "design")
       ++designs, newest = next.text["revision"].get<int>();
-  EXPECT_EQ(newest, 62);
-  EXPECT_LT(designs, 30) << "but for those that the system's own buffers took";
+  EXPECT_EQ(newest, 26);
+  EXPECT_LT(designs, 12) << "but for those that the system's own buffers took";
 }
 
 /// A session that waits for permission to continue, and counts the messages that it receives.

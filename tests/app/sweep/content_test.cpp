@@ -425,7 +425,7 @@ TEST(SweepContent, ATargetIsSearchedInEverySample) {
 TEST(SweepContent, ARobustSearchTakesWhatASingleOneTakes) {
   const Scratch scratch;
   const std::string bend =
-      "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [25, 0], [45, 15], [50, 40], [40, 60]]}\n"
+      "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [20, 0], [36, 12], [40, 32]]}\n"
       "structure: {wall_mm: {thickness: 1.6, height: 6}, cell_mm: 7}\n"
       "hinge: {kind: block, material: tango, gap_mm: 2.2}\ndrive: {kind: shape_memory, k_turn: 20}\n"
       "robust: true\nsolver: {starts: 2}\n";

@@ -145,12 +145,18 @@ std::vector<Vector3d> corners(const OrientedBox& box) {
 /// Distance of the hulls of two sets of points, from above: steps towards the corner of their difference that is nearest to
 /// the origin (Frank and Wolfe 1956).
 double distance_of_hulls(const std::vector<Vector3d>& a, const std::vector<Vector3d>& b) {
-  Vector3d nearest = a[0] - b[0];
+  std::vector<Vector3d> differences;
+  for (const Vector3d& p : a)
+    for (const Vector3d& q : b) differences.push_back(p - q);
+  Vector3d nearest = differences[0];
   for (int step = 0; step < 4000; ++step) {
     Vector3d best = nearest;
-    for (const Vector3d& p : a)
-      for (const Vector3d& q : b)
-        if ((p - q).dot(nearest) < best.dot(nearest)) best = p - q;
+    double least = best.dot(nearest);
+    for (const Vector3d& difference : differences)
+      if (const double here = difference.dot(nearest); here < least) {
+        best = difference;
+        least = here;
+      }
     const Vector3d way = best - nearest;
     if (!(way.squaredNorm() > 0)) break;
     nearest += std::clamp(-nearest.dot(way) / way.squaredNorm(), 0.0, 1.0) * way;

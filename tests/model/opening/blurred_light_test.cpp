@@ -76,25 +76,42 @@ TEST(WallOverlaps, AreWhatARasterCountsTwice) {
 // mm: walls as thick as those of the displays that ship.
 constexpr CellSize size = {10, 0.8, 6};
 
-/// Whether a half wall, a rectangle from its vertex to its hinge, stands over a place. All in cell edges.
-bool covers(const Linkage& panel, const State& state, const Plate& plate, const Vector2d& place) {
-  const Vector2d along = (state[plate.body].R * plate.edge).head<2>();
-  const Vector2d at = place - state[plate.body].p.head<2>() / panel.size.edge_mm;
-  const double on = at.dot(along), beside = std::abs(along.x() * at.y() - along.y() * at.x());
-  return on > 0 && on < plate.length && beside < panel.size.thickness_mm / panel.size.edge_mm / 2;
+/// Half wall in a state: a rectangle from its vertex to its hinge. All in cell edges.
+struct Shadow {
+  Vector2d from, along;
+  double length, half_thickness;
+
+  bool covers(const Vector2d& place) const {
+    const Vector2d at = place - from;
+    const double on = at.dot(along), beside = std::abs(along.x() * at.y() - along.y() * at.x());
+    return on > 0 && on < length && beside < half_thickness;
+  }
+};
+
+/// Returns the half walls of which a part may be within `reach` of a place, cell edges.
+std::vector<Shadow> shadows_near(const Linkage& panel, const State& state, const Vector2d& at, double reach) {
+  std::vector<Shadow> near;
+  for (const Plate& plate : panel.plates) {
+    const Shadow shadow{state[plate.body].p.head<2>() / panel.size.edge_mm,
+                        (state[plate.body].R * plate.edge).head<2>(), plate.length,
+                        panel.size.thickness_mm / panel.size.edge_mm / 2};
+    if ((shadow.from - at).norm() < reach + shadow.length + shadow.half_thickness) near.push_back(shadow);
+  }
+  return near;
 }
 
 /// Light at a place by a sum over a fine raster: 1 where no wall stands. Cell edges.
 double raster_light(const Linkage& panel, const State& state, const Vector2d& at) {
   constexpr double pixel = 0.01, reach = 2.2;
+  const std::vector<Shadow> near = shadows_near(panel, state, at, std::sqrt(2.0) * reach);
   double light = 0, whole = 0;
   for (double x = -reach; x <= reach; x += pixel)
     for (double y = -reach; y <= reach; y += pixel) {
       const double weight =
           std::exp(-(x * x + y * y) / (2 * BlurredLight::deviation * BlurredLight::deviation));
-      const bool dark = std::any_of(panel.plates.begin(), panel.plates.end(), [&](const Plate& p) {
-        return covers(panel, state, p, at + Vector2d(x, y));
-      });
+      const Vector2d place = at + Vector2d(x, y);
+      const bool dark =
+          std::any_of(near.begin(), near.end(), [&](const Shadow& shadow) { return shadow.covers(place); });
       whole += weight;
       if (!dark) light += weight;
     }

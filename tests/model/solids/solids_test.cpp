@@ -248,7 +248,7 @@ double frustum_mm3(double R, double r, double along) { return M_PI / 3 * along *
 /// Compares with knuckles that have flat faces: cones about a fork's rod, and sunk into an eye.
 TEST(BodySolid, AtInclinedFacesHasTheVolumeOfTheirCones) {
   HingePrint flat = pin();
-  flat.tolerance_mm = 1e-6;
+  flat.tolerance_mm = 4e-6;  // of volumes of some mm^3 that agree to 1e-4
   HingePrint inclined = flat;
   inclined.rim_mm = 0.4;
   const Linkage sheet = Lattice(make_sheet(2, 2, size));

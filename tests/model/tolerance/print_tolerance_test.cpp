@@ -75,22 +75,33 @@ double distance(const std::vector<ObservedPoint>& points, const State& state, bo
   return (designed + moved).norm() / std::sqrt(static_cast<double>(count));
 }
 
+/// Returns the states of prints whose hinges are off by their scatter, each in equilibrium again.
+std::vector<State> printed_states(const Equilibrium& b, const HingeScatter& scatter, int prints,
+                                  unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<State> states;
+  for (int k = 0; k < prints; ++k) {
+    const Equilibrium print = changed(b, printed(b, scatter, random));
+    EXPECT_TRUE(print.found);
+    states.push_back(print.state);
+  }
+  return states;
+}
+
 TEST(ToleranceResult, IsWhatManyPrintsComeTo) {
   const Equilibrium b = bent(4, 3);
   const HingeScatter scatter{0.004, 0.003, 0.004, 0.002};
+  constexpr int prints = 1000;  // the mean of squares is then known to about 3 %
+  const std::vector<State> states = printed_states(b, scatter, prints, 11);
   for (const bool aligned : {true, false}) {
     const std::vector<ObservedPoint> points = every_body(b, aligned ? 0.02 : 0.0);
     ToleranceOptions options;
     options.aligned = aligned;
     const ToleranceResult made = of_equilibrium(b, points, scatter, options);
-    std::mt19937 random(11);
-    constexpr int prints = 1000;  // the mean of squares is then known to about 3 %
     std::vector<double> distances;
     double squares = 0;
-    for (int k = 0; k < prints; ++k) {
-      const Equilibrium print = changed(b, printed(b, scatter, random));
-      ASSERT_TRUE(print.found);
-      distances.push_back(distance(points, print.state, aligned));
+    for (const State& state : states) {
+      distances.push_back(distance(points, state, aligned));
       squares += distances.back() * distances.back() / prints;
     }
     std::sort(distances.begin(), distances.end());
@@ -140,6 +151,8 @@ TEST(ToleranceResult, CountsPlayAsManyLoosePrintsDo) {
 TEST(ToleranceResult, CountsPointsAndNotTheirDirections) {
   const Equilibrium b = bent(4, 3);
   const HingeScatter scatter{0.004, 0.003, 0.004, 0.002};
+  constexpr int prints = 400;  // the mean of squares is then known to about 5 %
+  const std::vector<State> states = printed_states(b, scatter, prints, 3);
   for (int directions = 1; directions <= 3; ++directions) {
     const Eigen::Matrix3d axes = rotation_of(Vector3d(0.3, 0.5, -0.4));
     std::vector<ObservedPoint> points;
@@ -151,18 +164,13 @@ TEST(ToleranceResult, CountsPointsAndNotTheirDirections) {
     const ToleranceResult made = of_equilibrium(b, points, scatter, options);
     EXPECT_NEAR(made.designed_mm,
                 0.01 * std::sqrt(directions * (directions + 1) * (2 * directions + 1) / 6.0), 1e-12);
-    std::mt19937 random(3);
-    constexpr int prints = 400;  // the mean of squares is then known to about 5 %
     double squares = 0;
-    for (int k = 0; k < prints; ++k) {
-      const Equilibrium print = changed(b, printed(b, scatter, random));
-      ASSERT_TRUE(print.found);
-      for (std::size_t body = 0; body < b.state.size(); ++body) {
-        Vector3d off = axes.transpose() * (print.state[body].p - b.state[body].p) + 0.01 * Vector3d(1, 2, 3);
+    for (const State& state : states)
+      for (std::size_t body = 0; body < state.size(); ++body) {
+        Vector3d off = axes.transpose() * (state[body].p - b.state[body].p) + 0.01 * Vector3d(1, 2, 3);
         off.tail(3 - directions).setZero();
-        squares += off.squaredNorm() / static_cast<double>(prints * b.state.size());
+        squares += off.squaredNorm() / static_cast<double>(prints * state.size());
       }
-    }
     EXPECT_NEAR(made.rms_mm, std::sqrt(squares), 0.06 * made.rms_mm) << directions;
   }
 }

@@ -225,7 +225,7 @@ TEST(Head, RefusesACrownAwayFromTheMesh) {
 }
 
 TEST(Head, RefusesACoverageThatTheMeshDoesNotReach) {
-  const TriangleMesh mesh = ellipsoid(head_axes, 180, 120);
+  const TriangleMesh mesh = ellipsoid(head_axes, 90, 60);
   EXPECT_THAT(says(mesh, {.coverage_mm = 400}, "coverage_mm"),
               HasSubstr("to the back the head can be followed down to"));
   TriangleMesh cap = mesh;

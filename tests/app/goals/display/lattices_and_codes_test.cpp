@@ -23,9 +23,9 @@ DisplayFile shipped(const std::string& name) {
   return read_display_file(targets::read_document(std::string(KINETIX_SOURCE) + "/targets/shapes/" + name));
 }
 
-/// The benchmark decodes the equilibrium, which would take too long here.
-TEST(QrCode, IsReadFromTheExactStateOfAPlainGridAndNotBefore) {
-  const DisplayFile file = shipped("qr_code.yaml");
+/// Reads the code of a plain grid from its exact state and from the flat grid. The benchmark decodes the equilibrium,
+/// which would take too long here.
+void expect_code(const DisplayFile& file) {
   const model::Lattice panel = make_panel(file, {file.goal.columns, file.goal.rows});
   const optim::DisplayDesign found = search_panel(file, panel, {}, {});
   ASSERT_TRUE(found.scaled && found.scaled->clear);
@@ -36,21 +36,46 @@ TEST(QrCode, IsReadFromTheExactStateOfAPlainGridAndNotBefore) {
   EXPECT_EQ(testing::read_qr_code(far_view(panel, rest_state(panel), options)), "");
 }
 
-TEST(DisplayOnHexagons, ShowsItsLetterBetweenPlates) {
-  app::Run run =
-      run_goal(*read_target(std::string(KINETIX_SOURCE) + "/targets/shapes/honeycomb_t.yaml").goal, {});
+/// The grid has two cells per module and direction. The shipped target has four.
+TEST(QrCode, IsReadFromTheExactStateOfAPlainGridAndNotBefore) {
+  expect_code(
+      read_display_file(targets::parse_document("kinetix: 1\ntarget: {kind: display, image: " KINETIX_SOURCE
+                                                "/targets/shapes/qr_code.png, invert: true}\n"
+                                                "structure: {cells: [50, 50]}\nvariables: {offset_mm: 0.6}\n",
+                                                "qr_code.yaml")));
+}
+
+TEST(QrCodeSoak, OfTheShippedTargetIsReadToo) { expect_code(shipped("qr_code.yaml")); }
+
+/// @param cells of the picture, without those that close the rim
+void expect_letter_on_hexagons(const std::string& file, std::size_t cells) {
+  app::Run run = run_goal(*read_target(file).goal, {});
   ASSERT_TRUE(run.met()) << run.violations.front();
   EXPECT_TRUE(run.verification->agrees);
   EXPECT_EQ(model::lattice_name(run.design.structure), "honeycomb");
   EXPECT_EQ(run.plan.mobility->dofs_along, 1);
   const auto& display = measure_of<DisplayMeasure>(run);
-  EXPECT_EQ(display.reading.channel.size(), 144u) << "the cells of the picture, not those of the rim";
+  EXPECT_EQ(display.reading.channel.size(), cells) << "the cells of the picture, not those of the rim";
   EXPECT_GE(physics_measure_of<DisplayMeasure>(run)->reading.score.auc, 0.97);
   TemporaryFolder folder;
   const auto result = write_results(run, folder.path(".")).result;
-  EXPECT_EQ(result["display"]["levels"].size(), 144u);
-  EXPECT_GT(result["structure"]["cells"].size(), 144u);
+  EXPECT_EQ(result["display"]["levels"].size(), cells);
+  EXPECT_GT(result["structure"]["cells"].size(), cells);
   EXPECT_EQ(read_design(folder.path("design.yaml")).structure.hinges(), run.design.structure.hinges());
+}
+
+TEST(DisplayOnHexagons, ShowsItsLetterBetweenPlates) {
+  const TemporaryFolder folder;
+  expect_letter_on_hexagons(
+      folder.write(
+          "t.yaml",
+          "kinetix: 1\ntarget: {kind: display, glyph: T}\nstructure: {lattice: honeycomb, cells: [8, 8]}\n"
+          "drive: {compression: 0.1}\n"),
+      64);
+}
+
+TEST(DisplayOnHexagonsSoak, ShowTheLetterOfTheShippedTarget) {
+  expect_letter_on_hexagons(std::string(KINETIX_SOURCE) + "/targets/shapes/honeycomb_t.yaml", 144);
 }
 
 // Regression: "20 columns in its proportions" counted rows of squares, so a round picture on bricks was half as high.

@@ -56,21 +56,23 @@ struct SoftCase {
   int sign;
 };
 
-std::vector<SoftCase> soft_cases() {
+/// Returns cases with every axis and sign. @param ratios for each size of sheet up to 12 cells and for 32 cells
+std::vector<SoftCase> soft_cases(const std::vector<double>& ratios, const std::vector<int>& sizes,
+                                 const std::vector<double>& ratios_of_largest) {
   std::vector<SoftCase> cases;
   const auto add = [&](int cells, double ratio) {
     for (const Axis axis : {Axis::x, Axis::y})
       for (const int sign : {1, -1}) cases.push_back({cells, ratio, axis, sign});
   };
-  for (const double ratio : {1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14})
-    for (const int cells : {1, 2, 3, 6, 8, 12}) add(cells, ratio);
-  for (const double ratio : {1e-6, 1e-7, 1e-9, 1e-14}) add(32, ratio);
+  for (const double ratio : ratios)
+    for (const int cells : sizes) add(cells, ratio);
+  for (const double ratio : ratios_of_largest) add(32, ratio);
   return cases;
 }
 
 /// Plates normal to x need columns that stay in a plane: a sheet of basic cells.
-TEST(SoftTurning, BetweenPlatesFoldsToTheSideAsked) {
-  for (const auto& [cells, ratio, axis, sign] : soft_cases()) {
+void expect_the_side_asked(const std::vector<SoftCase>& cases) {
+  for (const auto& [cells, ratio, axis, sign] : cases) {
     SCOPED_TRACE(::testing::Message() << cells << " cells, ratio " << ratio << ", axis "
                                       << (axis == Axis::x ? "x" : "y") << ", sign " << sign);
     const Structure s = axis == Axis::y ? bending_sheet(cells) : make_structure(rectangle(cells, cells), {});
@@ -91,15 +93,27 @@ TEST(SoftTurning, BetweenPlatesFoldsToTheSideAsked) {
   }
 }
 
-TEST(SoftTurning, OfLargeCellsAndStiffPinsFoldsToTheSideAsked) {
-  struct Pins {
-    int cells;
-    double edge_mm;
-    Elasticity elasticity;
-  };
-  const Elasticity pins{.k_point = 1e5, .k_turn = 0.01};
-  for (const auto& [cells, edge_mm, elasticity] :
-       {Pins{3, 300, {}}, Pins{6, 10, pins}, Pins{8, 10, pins}, Pins{12, 10, pins}})
+TEST(SoftTurning, BetweenPlatesFoldsToTheSideAsked) {
+  expect_the_side_asked(soft_cases({1e-6, 1e-8, 1e-10, 1e-12, 1e-14}, {1, 2, 3, 8}, {}));
+  expect_the_side_asked(soft_cases({1e-7, 1e-14}, {12}, {}));
+}
+
+TEST(SoftTurningSoak, BetweenPlatesFoldsToTheSideAsked) {
+  expect_the_side_asked(soft_cases({1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14},
+                                   {1, 2, 3, 6, 8, 12}, {1e-6, 1e-7, 1e-9, 1e-14}));
+}
+
+struct Pins {
+  int cells;
+  double edge_mm;
+  Elasticity elasticity;
+};
+
+const Elasticity stiff_pins{.k_point = 1e5,   // N/mm: pins that hardly open
+                            .k_turn = 0.01};  // N mm/rad: soft enough to fold
+
+void expect_the_side_asked(const std::vector<Pins>& cases) {
+  for (const auto& [cells, edge_mm, elasticity] : cases)
     for (const int side : {1, -1})
       for (const int sign : {1, -1}) {
         const Structure s = bending_sheet(cells, edge_mm);
@@ -111,6 +125,14 @@ TEST(SoftTurning, OfLargeCellsAndStiffPinsFoldsToTheSideAsked) {
         EXPECT_LE(from_closed_form(s, path), 1e-6)
             << cells << " cells of " << edge_mm << " mm, sign " << sign;
       }
+}
+
+TEST(SoftTurning, OfLargeCellsAndStiffPinsFoldsToTheSideAsked) {
+  expect_the_side_asked(std::vector<Pins>{{3, 300, {}}, {6, 10, stiff_pins}, {8, 10, stiff_pins}});
+}
+
+TEST(SoftTurningSoak, OfLargeCellsAndStiffPinsFoldsToTheSideAsked) {
+  expect_the_side_asked(std::vector<Pins>{{12, 10, stiff_pins}});
 }
 
 /// Each cell may fold to either side independently, whatever the springs.
@@ -126,10 +148,10 @@ TEST(SoftTurning, OfTwoCellsThatShareACornerFoldsBothToTheSideAsked) {
     }
 }
 
-/// Fifty columns that turn by 180 deg in all.
-TEST(SoftTurning, OfAHalfCylinderFoldsToTheSideAsked) {
+/// Folds fifty columns that turn by 180 deg in all.
+void expect_half_cylinder(int rows) {
   constexpr int cells = 50;
-  auto design = ExactDesign<double>::basic(cells, cells);
+  auto design = ExactDesign<double>::basic(cells, rows);
   const double theta = 30 * radians_per_degree, tilt = tilt_of_turn(pi / (cells / 2), theta);
   for (int c = 0; c < cells; c += 2) design.beta[c] = tilt;
   const Structure s = structure_of(design);
@@ -139,10 +161,14 @@ TEST(SoftTurning, OfAHalfCylinderFoldsToTheSideAsked) {
         trace_equilibrium(driven(s, plates_drive(Axis::y, sign * theta)), elasticity, without_contact());
     ASSERT_EQ(path.stop, Stop::reached) << path.why;
     EXPECT_LE(from_closed_form(s, path), 1e-3) << ratio << ", sign " << sign;
-    const double force = plates_force(s, elasticity, sign * theta, 10.0 * cells);
+    const double force = plates_force(s, elasticity, sign * theta, 10.0 * rows);
     EXPECT_NEAR(path.steps.back().load, force, 1e-3 * force) << ratio << ", sign " << sign;
   }
 }
+
+TEST(SoftTurning, OfAHalfCylinderFoldsToTheSideAsked) { expect_half_cylinder(8); }
+
+TEST(SoftTurningSoak, OfAHalfCylinderFoldsToTheSideAsked) { expect_half_cylinder(50); }
 
 TEST(SoftTurning, OfADrivenHingeBringsNoEvents) {
   const Structure s = bending_sheet(8);
