@@ -8,6 +8,8 @@ import sys
 root = pathlib.Path(sys.argv[1])
 # Folders with code that several kinds of goals share.
 shared = {"app/goals/ribs/": ("helmet", "surface")}
+# Folder with the search of a kind, if the kind has no separate one.
+search_folders = {"helmet": "optim/ribs"}
 kinds = sorted(path.name for path in (root / "app/goals").iterdir() if path.is_dir() and f"app/goals/{path.name}/" not in shared)
 registries = {"app/goals/registry.cpp", "app/report/js/goals.js", "app/viewer/src/studio/goals.js"}
 
@@ -35,7 +37,7 @@ wrong = []
 if not namings("space_curve").search("SpaceCurveOutcome") or namings("curve").search("SpaceCurveOutcome"):
     wrong.append("this check does not see the types of a kind of two words")
 for kind in kinds:
-    for folder in (f"optim/{kind}", *separate_pages(kind)):
+    for folder in (search_folders.get(kind, f"optim/{kind}"), *separate_pages(kind)):
         if not (root / folder).exists():
             wrong.append(f"{folder} is not there")
     for registry in registries:
