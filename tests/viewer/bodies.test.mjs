@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import {writeFileSync} from "node:fs";
 import path from "node:path";
 import {after, before, test} from "node:test";
-import {browser, folder, open, run, serve} from "./studio.mjs";
+import {browser, emptyPage, folder, open, run, serve} from "./studio.mjs";
 
 const WALL = 20, GAP = 1;  // mm: from hinge to hinge, and between two walls
 let chrome, studio, page, complaints, out;
@@ -67,7 +67,7 @@ test("the slider turns the driven hinge by as much as it says", async () => {
     slider.value = 90;
     slider.dispatchEvent(new Event("input"));
   });
-  await page.waitForFunction(() => document.getElementById("reading_theta").textContent === "90\u00b0", {timeout: 30000});
+  await page.waitForFunction(() => document.getElementById("reading_theta").textContent === "90\u00b0");
   assert.ok(Math.abs(apart(await place(a), await place(b)) - WALL / Math.SQRT2) < 0.01, "two walls at a right angle");
   assert.ok(apart(before, await place(b)) > 1 || apart(other, await place(a)) > 1, "a body moved");
 });
@@ -103,9 +103,9 @@ test("a hinge is given another stiffness, and that is undone", async () => {
 
 test("its elastic hinges have a force and an energy", async () => {
   await page.click('label:has(input[value="equilibrium"])');
-  await page.waitForFunction(() => window.kinetix.frame.mode === "equilibrium", {timeout: 30000});
+  await page.waitForFunction(() => window.kinetix.frame.mode === "equilibrium");
   await page.evaluate(() => window.kinetix.setTheta(10));
-  await page.waitForFunction(() => window.kinetix.frame.energy > 0 && Math.abs(window.kinetix.theta() - 10) < 1e-4, {timeout: 30000});
+  await page.waitForFunction(() => window.kinetix.frame.energy > 0 && Math.abs(window.kinetix.theta() - 10) < 1e-4);
   await page.waitForFunction(() => / N mm$/.test(document.getElementById("reading_energy").textContent));
   assert.match(await text("reading_force"), / N$/);
   await page.waitForFunction(() => document.querySelector("#path svg"));
@@ -117,17 +117,17 @@ test("its elastic hinges have a force and an energy", async () => {
 
 test("it is dragged in the physics", async () => {
   await page.click('label:has(input[value="bullet"])');
-  await page.waitForFunction(() => window.kinetix.state.mode === "bullet", {timeout: 30000});
+  await page.waitForFunction(() => window.kinetix.state.mode === "bullet");
   await page.evaluate(() => window.kinetix.fix(0, true));
   const before = await place(2);
   await page.evaluate((to) => window.kinetix.drag(2, to), [before[0] - 8, before[1] + 12, before[2]]);
-  await page.waitForFunction((y) => window.kinetix.poses()[2][1] > y + 3, {timeout: 20000}, before[1]);
+  await page.waitForFunction((y) => window.kinetix.poses()[2][1] > y + 3, {}, before[1]);
   await page.evaluate(() => window.kinetix.release());
   assert.deepEqual(complaints, []);
 });
 
 test("the report of a run draws bodies and soft parts, at rest and moved", async () => {
-  const results = path.join(out, "turned"), report = await chrome.newPage(), errors = [];
+  const results = path.join(out, "turned"), report = await emptyPage(chrome, 800, 600), errors = [];
   await run("simulate", path.join(out, "design.yaml"), "--model", "equilibrium", "--theta-deg", "10", "-o", results);
   report.on("pageerror", (error) => errors.push(String(error)));
   await report.goto(`file://${results}/report.html`);

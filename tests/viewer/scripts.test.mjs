@@ -30,5 +30,5 @@ test("the reports' scripts, page by page as browsers read them", async () => {
 
 test("the tests' own scripts", async () => {
   const names = {...globals.node, ...globals.browser};
-  assert.deepEqual(await faults(process.env.KINETIX_SOURCES, ["tests/viewer/*.mjs", "app/viewer/*.mjs"], {globals: names}), []);
+  assert.deepEqual(await faults(process.env.KINETIX_SOURCES, ["tests/viewer/*.mjs", "tests/report/*.mjs", "app/viewer/*.mjs"], {globals: names}), []);
 });

@@ -3,33 +3,36 @@ import assert from "node:assert/strict";
 import {existsSync, mkdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import path from "node:path";
 import {after, before, test} from "node:test";
-import {browser, folder, open, serve} from "./studio.mjs";
+import {browser, folder, leave, open, serve} from "./studio.mjs";
 
-let chrome;
+const home = folder();
+let chrome, studio, page, complaints;  // of the studio without a file, where each test begins with a template
 
-before(async () => (chrome = await browser()));
-after(() => chrome?.close());
-
-/** Runs `use` with a page of the studio, in a separate folder; no error may occur in it. */
-async function inStudio(source, use, home = folder(), end = "stop") {
-  const studio = await serve(source, home);
-  try {
-    const {page, complaints} = await open(chrome, studio.address);
-    await use(page, home);
-    assert.deepEqual(complaints, []);
-    await page.close();
-  } finally {
-    await studio[end]();
-  }
-}
+before(async () => {
+  chrome = await browser();
+  studio = await serve("", home);
+  ({page, complaints} = await open(chrome, studio.address));
+});
+after(async () => {
+  await chrome?.close();
+  await studio?.stop();
+});
 
 const send = (page, type, keys = {}) => page.evaluate((name, rest) => window.kinetix.send(name, rest).then(() => "done", ({message}) => message), type, keys);
 const text = (page, id) => page.$eval(`#${id}`, ({textContent}) => textContent);
 const news = (page) => page.$$eval("#messages p > span", (lines) => lines.map(({textContent}) => textContent));
-const until = (page, condition, ...args) => page.waitForFunction(condition, {timeout: 20000}, ...args);
+const until = (page, condition, ...args) => page.waitForFunction(condition, {}, ...args);
 const noNews = (page) => until(page, () => document.querySelectorAll("#messages p").length === 0);
 
-test("an error goes when a command of its kind works", () => inStudio("", async (page, home) => {
+/** Starts anew in the page, without news. */
+async function begin(template) {
+  await page.evaluate(() => document.querySelectorAll("#messages button").forEach((button) => button.click()));
+  assert.equal(await send(page, "open", {template}), "done");
+  assert.equal(await send(page, "mode", {mode: "exact"}), "done");
+  await noNews(page);
+}
+
+test("an error goes when a command of its kind works", async () => {
   for (const [type, wrong, right, works] of [
     ["hinge", {index: 0, t: 0}, "hinge", {index: 0, t: 0.4}],
     ["paint", {cell: [-1, 0], on: true}, "paint", {cell: [0, 0], on: false}],
@@ -52,9 +55,11 @@ test("an error goes when a command of its kind works", () => inStudio("", async 
   rmSync(results);
   assert.equal(await send(page, "save"), "done");
   await until(page, () => [...document.querySelectorAll("#messages p > span")].every(({textContent}) => /^Saved: /.test(textContent)));
-}));
+  assert.deepEqual(complaints, []);
+});
 
-test("an error goes when what it was about is another design, or computed in another way", () => inStudio("", async (page) => {
+test("an error goes when what it was about is another design, or computed in another way", async () => {
+  await begin("panel");
   assert.notEqual(await send(page, "snap"), "done");
   assert.equal((await news(page)).length, 1);
   await send(page, "mode", {mode: "bullet"});
@@ -69,9 +74,11 @@ test("an error goes when what it was about is another design, or computed in ano
   await page.evaluate(() => document.querySelectorAll(".map .hinge")[0].dispatchEvent(new PointerEvent("pointerdown", {bubbles: true, button: 0, pointerId: 1, clientX: 0, clientY: 0})));
   await page.evaluate(() => document.getElementById("map").dispatchEvent(new PointerEvent("pointerup", {bubbles: true, button: 0, pointerId: 1, clientX: 0, clientY: 0})));
   await noNews(page);
-}));
+  assert.deepEqual(complaints, []);
+});
 
-test("the line of status is of the design that is shown", () => inStudio("", async (page) => {
+test("the line of status is of the design that is shown", async () => {
+  await begin("panel");
   await send(page, "hinge", {index: 20, t: 0.4});
   await until(page, () => !document.getElementById("nearest").hidden);
   await page.click("#nearest");
@@ -95,14 +102,28 @@ test("the line of status is of the design that is shown", () => inStudio("", asy
   await until(page, () => /is fixed/.test(document.getElementById("status").textContent));
   await send(page, "reset");
   await until(page, () => document.getElementById("status").textContent === "");
-}));
+  assert.deepEqual(complaints, []);
+});
+
+/** Runs `use` in a studio with a separate folder; no error may occur in it. */
+async function inStudio(source, use, place, end = "stop") {
+  const shown = await serve(source, place);
+  try {
+    await open(chrome, shown.address, {tab: {page, complaints}});
+    await use();
+    assert.deepEqual(complaints, []);
+    await leave(page, shown.address);
+  } finally {
+    await shown[end]();
+  }
+}
 
 const thetaOf = (file) => Number(/theta_deg: (\S+)/.exec(readFileSync(file, "utf8"))[1]);
 
 test("Save takes the design, Save at this fold what is shown, and the page says which", () => {
-  const home = folder(), file = path.join(home, "strip.yaml");
+  const place = folder(), file = path.join(place, "strip.yaml");
   writeFileSync(file, "kinetix: 1\nstructure: {cells: [8, 1], cell_mm: 10}\ndesign: {theta_deg: 20}\n");
-  return inStudio(file, async (page) => {
+  return inStudio(file, async () => {
     assert.equal(await text(page, "design_fold"), "design: 20\u00b0");
     await page.evaluate(() => window.kinetix.setTheta(35));
     await page.click("#save");
@@ -125,18 +146,18 @@ test("Save takes the design, Save at this fold what is shown, and the page says 
     assert.equal(await text(page, "written_fold"), "Folded as it was shown: 35\u00b0.");
     await send(page, "hinge", {indices: [0, 1], beta_deg: 5});
     await until(page, () => document.getElementById("written_title").textContent === "Written, of another design than that shown");
-  }, home);
+  }, place);
 });
 
 test("a studio that is killed opens where it was, and says so while it is so", async () => {
-  const home = folder();
-  mkdirSync(path.join(home, "results"));
-  await inStudio("", async (page) => {
+  const place = folder();
+  mkdirSync(path.join(place, "results"));
+  await inStudio("", async () => {
     await send(page, "sheet", {columns: 5, rows: 3});
     await send(page, "hinge", {index: 0, t: 0.3});
     assert.match(await page.$eval("#unsaved", ({title}) => title), /Kept in .*state.kinetix.studio/);
-  }, home, "kill");
-  await inStudio("", async (page) => {
+  }, place, "kill");
+  await inStudio("", async () => {
     assert.equal(await page.evaluate(() => window.kinetix.design.structure.cells.length), 15);
     assert.match((await news(page))[0], /were not saved when the studio ended/);
     await page.click("#undo");
@@ -146,13 +167,13 @@ test("a studio that is killed opens where it was, and says so while it is so", a
     await until(page, () => window.kinetix.design.structure.cells.length === 15);
     await page.click("#save");
     await until(page, () => /Saved: .*results.panel.design\.yaml/.test(document.getElementById("messages").textContent));
-  }, home, "kill");
-  assert.ok(existsSync(path.join(home, "results", "panel", "design.yaml")));
-  await inStudio("", async (page) => {
+  }, place, "kill");
+  assert.ok(existsSync(path.join(place, "results", "panel", "design.yaml")));
+  await inStudio("", async () => {
     assert.equal(await page.evaluate(() => window.kinetix.design.structure.cells.length), 64, "what was saved is in its file");
     await send(page, "sheet", {columns: 5, rows: 3});
-  }, home);
-  await inStudio("", async (page) => {
+  }, place);
+  await inStudio("", async () => {
     assert.equal(await page.evaluate(() => window.kinetix.design.structure.cells.length), 64, "one that was ended begins anew");
-  }, home);
+  }, place);
 });

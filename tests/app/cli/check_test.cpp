@@ -11,9 +11,8 @@
 #include <regex>
 
 #include "app/goals/registry.hpp"
-#include "app/pipeline/pipeline.hpp"
-#include "app/result/result_json.hpp"
 #include "tests/app/program.hpp"
+#include "tests/app/searched_goal.hpp"
 
 namespace kinetix::testing {
 namespace {
@@ -28,10 +27,8 @@ Json checked(const std::string& text) {
   return Json::parse(run.out);
 }
 
-/// Returns the result.json of a search, without checks of its prints and its contact.
 Json searched_file(const std::string& file) {
-  const app::Target target = app::read_target(file);
-  return Json::parse(result_json(held(target.goal->search({}), target.goal.get(), {})).dump());
+  return unwritten_result(searched_goal(*app::read_target(file).goal));
 }
 
 Json found(const std::string& text) {

@@ -91,7 +91,7 @@ TEST(Program, LeavesNoHalfWrittenFileWhenItIsInterruptedOrKilled) { expect_whole
 TEST(ProgramSoak, LeavesNoHalfWrittenFileAtManyMoments) { expect_whole_files(1500); }
 
 /// A search that takes many times longer than the limit below.
-const std::string long_search = std::string(bow) + "tolerance: {shape: 1e-9}\nsolver: {starts: 10000}\n";
+const std::string long_search = std::string(bow) + "tolerance: {shape: 1e-9}\nsolver: {starts: 3000}\n";
 
 TEST(Program, KeepsTheBestSoFarWhenItsTimeIsUp) {
   const Scratch scratch;

@@ -6,9 +6,11 @@
 #include "app/pipeline/closed_form.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/result/verdict.hpp"
+#include "app/run/design_hinges.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
+#include "tests/app/searched_goal.hpp"
 
 /// Tests of the contact part of results: collision-free ranges of theta.
 namespace kinetix::testing {
@@ -210,20 +212,20 @@ TEST(Certify, IsPartOfACheck) {
 TEST(Certify, CoversShippedTargetsWithinOnePercentOfWallsThatOverlap) {
   for (const char* name : {"helmet_rib", "half_circle", "s_curve", "cube", "open_tray", "tetrahedron",
                            "octahedron", "helix", "shrinking_block", "headform", "disc"}) {
-    const app::Run run =
-        run_goal(*app::read_target(std::string(KINETIX_SOURCE) + "/targets/shapes/" + name + ".yaml").goal,
-                 {.verify = false});
-    ASSERT_TRUE(run.certified && run.certified->designed) << name;
-    EXPECT_TRUE(run.certified->designed.covers(run.theta)) << name;
-    for (const model::ContactLimit* end :
-         {&run.certified->designed.negative, &run.certified->designed.positive}) {
+    const app::Run run = searched_goal(
+        *app::read_target(std::string(KINETIX_SOURCE) + "/targets/shapes/" + name + ".yaml").goal);
+    const app::ProvenRanges certified =
+        certify(run.design.structure, run.plan, wall_error(run.design), 0, {});
+    ASSERT_TRUE(certified.designed) << name;
+    EXPECT_TRUE(certified.designed.covers(run.theta)) << name;
+    for (const model::ContactLimit* end : {&certified.designed.negative, &certified.designed.positive}) {
       ASSERT_TRUE(end->contact) << name;
       EXPECT_GE(std::abs(end->theta), 0.99 * std::abs(*end->contact)) << name;
       model::WallContact contact(run.design.structure);
       EXPECT_TRUE(contact.overlapping(run.plan.exact.at(end->theta)).empty()) << name;
       EXPECT_FALSE(contact.overlapping(run.plan.exact.at(*end->contact * (1 + 1e-6))).empty()) << name;
     }
-    EXPECT_LT(run.certified->printed.positive.theta, run.certified->designed.positive.theta) << name;
+    EXPECT_LT(certified.printed.positive.theta, certified.designed.positive.theta) << name;
   }
 }
 

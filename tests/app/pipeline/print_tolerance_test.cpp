@@ -97,7 +97,7 @@ TEST(AsMadeResult, GrowsWithTheErrorsOfTheProcess) {
   EXPECT_THAT(text_of(scratch / "out/design.yaml"), HasSubstr("process: {base: fdm, sd: {t_mm: 0.1}}\n"))
       << "what differs from its base";
   EXPECT_NEAR(added(two), 4 * added(one), 1e-6 * added(two));
-  const Printed rough = printed(scratch, "process: {sd: {tilt_deg: 20}}\n");
+  const Printed rough = printed(scratch, "process: {sd: {tilt_deg: 5}}\n");
   EXPECT_EQ(rough.result["as_made"]["holds"], false);
   EXPECT_THAT(rough.out, HasSubstr("NOT EVERY PRINT HOLDS"));
 }
@@ -176,7 +176,7 @@ TEST(AsMadeResult, SaysWhyItDoesNotHold) {
   EXPECT_EQ(good["as_made"]["can_be_printed"], true);
   EXPECT_EQ(good["as_made"]["holds"].get<bool>(), good["as_made"]["why"].empty());
   EXPECT_FALSE(good.contains("made_problems"));
-  const Json rough = printed(scratch, "process: {sd: {tilt_deg: 20}}\n").result;
+  const Json rough = printed(scratch, "process: {sd: {tilt_deg: 5}}\n").result;
   EXPECT_EQ(schema_errors(rough), "");
   EXPECT_THAT(rough["as_made"]["why"].dump(), HasSubstr("95 of 100 prints stay within"));
 }
@@ -348,7 +348,7 @@ TEST(AsMadeResult, JudgesPrintsOfDisplaysByTheirTolerances) {
   const Scratch scratch;
   const std::string letter =
       "kinetix: 1\ntarget: {kind: display, rows: [\"0000\", \"0110\", \"0110\", \"0000\"]}\n"
-      "solver: {starts: 1, max_evaluations: 20}\ntolerance: {auc: 0.6, contrast: 0.5, stretch: 0.9}\n";
+      "solver: {starts: 1, max_evaluations: 8}\ntolerance: {auc: 0.6, contrast: 0.5, stretch: 0.9}\n";
   const auto shown = [&](const std::string& more) {
     const std::string folder = scratch / "out";
     const Outcome run =
@@ -373,20 +373,20 @@ const std::string octagon =
 TEST(AsMadeResult, JudgesGoalsOfEveryKindBySoftBlocks) {
   const Scratch scratch;
   for (const std::string& goal :
-       {"target: {kind: fold, box: [3, 3, 3]}\ntolerance: {angle_deg: 1}\n"s,
+       {"target: {kind: fold, box: [1, 1, 1], open: top}\ntolerance: {angle_deg: 1}\n"s,
         "target: {kind: fold, solid: tetrahedron}\n"s,
-        "target: {kind: surface, shape: cap}\nstructure: {facets: [4, 4]}\n"s,
-        "target: {kind: outline, points: " + octagon + "}\nstructure: {cells: [8, 8], cell_mm: 10}\n",
+        "target: {kind: surface, shape: cap}\nstructure: {facets: [3, 3]}\n"s,
+        "target: {kind: outline, points: " + octagon + "}\nstructure: {cells: [5, 5], cell_mm: 10}\n",
         "target: {kind: space_curve, points: [[0, 0, 0], [50, 0, 10], [100, 15, 12], [150, 40, 10]]}\n"
-        "structure: {cells: [30, 1]}\n"s}) {
-    const SearchResult one = found(scratch, goal, " --monte-carlo 200");
+        "structure: {cells: [20, 1]}\n"s}) {
+    const SearchResult one = found(scratch, goal, " --monte-carlo 100");
     const Json& made = one.result["as_made"];
     ASSERT_TRUE(made.contains("taken")) << one.out;
     EXPECT_EQ(made["taken"]["material"], "tango");
     EXPECT_LE(made["taken"]["strain"], made["taken"]["strain_allowed"]);
     EXPECT_THAT(one.out, HasSubstr("taken for tango blocks"));
     EXPECT_THAT(one.out, ::testing::ContainsRegex("held there by [0-9.]+ N"));
-    // The rms of 200 prints is within 5 % in 95 of 100 cases.
+    // The rms of 100 prints is within 7 % in 95 of 100 cases.
     EXPECT_EQ(made["prints"]["failed"], 0) << goal;
     EXPECT_NEAR(made["prints"]["rms_mm"], made["rms_mm"].get<double>(), 0.2 * made["rms_mm"].get<double>())
         << goal;

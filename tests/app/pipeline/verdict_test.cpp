@@ -96,13 +96,21 @@ TEST(Verdict, ThreeGoesBeforeFourAndWhatWasNotAskedCountsForNothing) {
 // Sheets of three kinds that `export` refuses, and walls thinner than the process prints.
 TEST(Verdict, OfASheetThatExportRefusesIsThree) {
   const Scratch scratch;
-  const std::string shapes = KINETIX_SOURCE "/targets/shapes/",
+  const std::string letter = scratch.write(
+                        "letter.yaml",
+                        "kinetix: 1\ntarget: {kind: display, glyph: S}\nstructure: {cells: [10, 10]}\n"
+                        "drive: {kind: hinge}\n"),
+                    star = scratch.write(
+                        "star.yaml",
+                        "kinetix: 1\ntarget: {kind: outline, points: [[90, 0], [12, 18], [-60, 75], [-24, "
+                        "0], [-75, -90], [12, "
+                        "-18]]}\nstructure: {cells: [5, 5]}\ntolerance: {shape: 0.2, iou: 0.2}\n"),
                     handle = scratch.write("handle.yaml", thin_handle());
   const std::string thin = scratch.write(
       "thin.yaml",
       "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [30, 12], [60, 16], [90, 12], [120, 0]]}\n"
       "structure: {cells: [12, 1], wall_mm: {thickness: 0.4, height: 6}}\n");
-  for (const std::string& file : {shapes + "turned_s.yaml", shapes + "heart.yaml", handle, thin}) {
+  for (const std::string& file : {letter, star, handle, thin}) {
     const std::string out = scratch / fs::path(file).stem().string(), print = out + "_print";
     const Judged found = judged(file + " --no-verify", out);
     EXPECT_EQ(found.verdict()["met"], true) << file;
@@ -119,9 +127,9 @@ TEST(Verdict, OfASheetThatExportWritesNamesItsHinges) {
   const Scratch scratch;
   const std::string curve =
       "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [30, 12], [60, 16], [90, 12], [120, 0]]}\n";
-  for (const char* more :
-       {"structure: {cells: [12, 1]}\n", "structure: {cells: [12, 1], cell_mm: 20}\n",
-        "structure: {cells: [12, 1]}\nhinge: {kind: block, material: tango, gap_mm: 1.5}\n"}) {
+  for (const char* more : {"structure: {cells: [12, 1]}\n", "structure: {cells: [12, 1], cell_mm: 20}\n",
+                           "structure: {cells: [12, 1]}\nhinge: {kind: block, material: tango, gap_mm: 1.5}\n"
+                           "drive: {kind: shape_memory, k_turn: 5}\n"}) {
     const std::string out = scratch / "out", print = scratch / "print";
     const Judged found = judged(scratch.write("in.yaml", curve + more) + " --no-verify", out);
     const Outcome made = kinetix_opt("export " + out + " --format stl --quiet -o " + print);

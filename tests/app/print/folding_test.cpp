@@ -49,14 +49,6 @@ app::PrintRequest request_of(const std::string& process, const std::string& hing
   return request;
 }
 
-/// Returns the reason why no print is prepared. Empty if one is.
-std::string refusal(const app::Design& design, const std::string& process, model::HingeKind kind) try {
-  prepared(design, *model::find_process(process), {.kind = kind}, false);
-  return "";
-} catch (const InvalidInput& e) {
-  return e.what();
-}
-
 /// Exports a design and folds the written meshes.
 Judged judged(const app::Design& design, const app::PrintRequest& asked) {
   const Scratch scratch;
@@ -109,6 +101,17 @@ app::Design helix(int columns, double t, double beta_deg, double theta_deg, doub
     (c % 2 == 0 ? design.t[c] : design.beta[c]) = c % 2 == 0 ? t : beta_deg * radians_per_degree;
   return design_of(structure_of(design, {10, thickness_mm, height_mm}), theta_deg * radians_per_degree,
                    "helix");
+}
+
+/// Returns the reason why no print of a design is prepared. Empty if one is.
+std::string refusal(app::Design design, const std::string& process, model::HingeKind kind) try {
+  // A larger cell is searched up to 100 times the design's cell. That search is not tested here and ends at once.
+  const app::PrintChoice choice{.kind = kind, .edge_mm = design.structure.size().edge_mm};
+  design.structure.squares()->size.edge_mm /= 100;
+  prepared(design, *model::find_process(process), choice, false);
+  return "";
+} catch (const InvalidInput& e) {
+  return e.what();
 }
 
 /// Regression: exported plates of such a helix overlapped by 1.1 mm between two of twenty steps, and were free in all

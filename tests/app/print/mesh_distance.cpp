@@ -55,14 +55,11 @@ double distance(const Triangle& a, const Triangle& b) {
   return least;
 }
 
-/// Computes a lower bound on the distance of two triangles, from their boxes.
-double gap_of_boxes(const Triangle& a, const Triangle& b) {
-  Eigen::AlignedBox3d one, other;
-  for (int k = 0; k < 3; ++k) {
-    one.extend(a[k]);
-    other.extend(b[k]);
-  }
-  return one.exteriorDistance(other);
+std::vector<Eigen::AlignedBox3d> boxes_of(const std::vector<Triangle>& triangles) {
+  std::vector<Eigen::AlignedBox3d> out(triangles.size());
+  for (std::size_t k = 0; k < out.size(); ++k)
+    for (const Vector3d& corner : triangles[k]) out[k].extend(corner);
+  return out;
 }
 
 bool goes_through(const Vector3d& p, const Vector3d& q, const Triangle& t) {
@@ -70,11 +67,10 @@ bool goes_through(const Vector3d& p, const Vector3d& q, const Triangle& t) {
   return from * to < 0 && is_over(p + from / (from - to) * (q - p), t);
 }
 
-bool edges_go_through(const std::vector<Triangle>& a, const std::vector<Triangle>& b) {
-  for (const Triangle& s : a)
-    for (const Triangle& t : b)
-      for (int k = 0; k < 3; ++k)
-        if (goes_through(s[k], s[(k + 1) % 3], t)) return true;
+/// Checks whether an edge of either triangle goes through the other.
+bool cross(const Triangle& a, const Triangle& b) {
+  for (int k = 0; k < 3; ++k)
+    if (goes_through(a[k], a[(k + 1) % 3], b) || goes_through(b[k], b[(k + 1) % 3], a)) return true;
   return false;
 }
 
@@ -82,16 +78,21 @@ bool edges_go_through(const std::vector<Triangle>& a, const std::vector<Triangle
 
 double surface_distance(const Polyhedron& a, const Polyhedron& b) {
   double least = std::numeric_limits<double>::infinity();
-  const std::vector<Triangle> others = triangles_of(b);
-  for (const Triangle& s : triangles_of(a))
-    for (const Triangle& t : others)
-      if (gap_of_boxes(s, t) < least) least = std::min(least, distance(s, t));
+  const std::vector<Triangle> s = triangles_of(a), t = triangles_of(b);
+  const std::vector<Eigen::AlignedBox3d> around_s = boxes_of(s), around_t = boxes_of(t);
+  for (std::size_t i = 0; i < s.size(); ++i)
+    for (std::size_t k = 0; k < t.size(); ++k)
+      if (around_s[i].exteriorDistance(around_t[k]) < least) least = std::min(least, distance(s[i], t[k]));
   return least;
 }
 
 bool surfaces_cross(const Polyhedron& a, const Polyhedron& b) {
   const std::vector<Triangle> s = triangles_of(a), t = triangles_of(b);
-  return edges_go_through(s, t) || edges_go_through(t, s);
+  const std::vector<Eigen::AlignedBox3d> around_s = boxes_of(s), around_t = boxes_of(t);
+  for (std::size_t i = 0; i < s.size(); ++i)
+    for (std::size_t k = 0; k < t.size(); ++k)
+      if (around_s[i].intersects(around_t[k]) && cross(s[i], t[k])) return true;
+  return false;
 }
 
 double covered_share(const std::array<Vector3d, 4>& corners, const Polyhedron& solid) {

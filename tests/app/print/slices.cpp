@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <numeric>
 #include <regex>
 #include <sstream>
@@ -87,7 +88,8 @@ std::vector<std::string> layer_names(zip_t* archive) {
   return names;
 }
 
-PIX* layer(zip_t* archive, const std::string& name, int swelling_px) {
+/// Reads the light pixels of a layer.
+PIX* layer(zip_t* archive, const std::string& name) {
   zip_stat_t status;
   zip_stat(archive, name.c_str(), 0, &status);
   std::string png(status.size, '\0');
@@ -99,10 +101,36 @@ PIX* layer(zip_t* archive, const std::string& name, int swelling_px) {
   PIX* dark = pixThresholdToBinary(eight, 128);  // 1: black
   PIX* light = pixInvert(nullptr, dark);
   for (PIX* image : {grey, eight, dark}) pixDestroy(&image);
-  if (swelling_px == 0) return light;
-  PIX* swollen = pixDilateBrick(nullptr, light, 2 * swelling_px + 1, 2 * swelling_px + 1);
-  pixDestroy(&light);
-  return swollen;
+  return light;
+}
+
+/// Connected pieces of the layers so far.
+class Layers {
+ public:
+  void add(PIX* image) {
+    std::vector<PixelRun> runs = runs_of(image, pieces_);
+    join(runs, runs, 1, pieces_);
+    join(runs, below_, 0, pieces_);
+    below_ = std::move(runs);
+  }
+  int count() { return pieces_.count(); }
+
+ private:
+  Pieces pieces_;
+  std::vector<PixelRun> below_;
+};
+
+/// Calls a function with each layer of an archive.
+void each_layer(const std::string& name, const std::function<void(PIX*)>& use) {
+  int error = 0;
+  zip_t* archive = zip_open(name.c_str(), ZIP_RDONLY, &error);
+  if (archive == nullptr) throw std::runtime_error("no slices in " + name);
+  for (const std::string& file : layer_names(archive)) {
+    PIX* image = layer(archive, file);
+    use(image);
+    pixDestroy(&image);
+  }
+  zip_close(archive);
 }
 
 /// Writes a file and returns its path.
@@ -176,22 +204,21 @@ double filament_ratio(const std::string& folder, const std::string& file) {
   return std::stod(used[1]) / std::stod(used[2]);
 }
 
-int printed_pieces(const std::string& name, int swelling_px) {
-  int error = 0;
-  zip_t* archive = zip_open(name.c_str(), ZIP_RDONLY, &error);
-  if (archive == nullptr) throw std::runtime_error("no slices in " + name);
-  Pieces pieces;
-  std::vector<PixelRun> below;
-  for (const std::string& file : layer_names(archive)) {
-    PIX* image = layer(archive, file, swelling_px);
-    std::vector<PixelRun> runs = runs_of(image, pieces);
-    pixDestroy(&image);
-    join(runs, runs, 1, pieces);
-    join(runs, below, 0, pieces);
-    below = std::move(runs);
-  }
-  zip_close(archive);
-  return pieces.count();
+int printed_pieces(const std::string& archive) {
+  Layers layers;
+  each_layer(archive, [&](PIX* image) { layers.add(image); });
+  return layers.count();
+}
+
+std::pair<int, int> printed_and_swollen_pieces(const std::string& archive, int swelling_px) {
+  Layers printed, swollen;
+  each_layer(archive, [&](PIX* image) {
+    printed.add(image);
+    PIX* larger = pixDilateBrick(nullptr, image, 2 * swelling_px + 1, 2 * swelling_px + 1);
+    swollen.add(larger);
+    pixDestroy(&larger);
+  });
+  return {printed.count(), swollen.count()};
 }
 
 }  // namespace kinetix::testing

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 namespace kinetix::testing {
 
@@ -25,7 +26,11 @@ double filament_ratio(const std::string& folder, const std::string& file);
 
 /// Counts the connected pieces in an SLA archive (one PNG per layer). Pixels are connected if they share an edge within
 /// a layer or are above each other in two layers.
-/// @param swelling_px growth of all pixels in each layer before the count
-int printed_pieces(const std::string& archive, int swelling_px = 0);
+int printed_pieces(const std::string& archive);
+
+/// Counts the pieces like `printed_pieces`, also after all pixels in each layer have grown.
+/// @param swelling_px growth before the second count
+/// @return the counts without and with the growth
+std::pair<int, int> printed_and_swollen_pieces(const std::string& archive, int swelling_px);
 
 }  // namespace kinetix::testing

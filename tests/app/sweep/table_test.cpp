@@ -17,11 +17,15 @@ namespace {
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
-// Quick samples, in a number that gives work to all threads and ranks.
-const std::string many = sweep_of("{kind: lhs, samples: 20000}",
-                                  "  - {path: design.theta_deg, range: [5, 40]}\n  - {path: "
-                                  "\"design.columns[*].beta_deg\", range: [-40, 40]}\n",
-                                  "end_mm, turn_deg, moved_rms_mm");
+std::string quick_samples(int count) {
+  return sweep_of(fmt::format("{{kind: lhs, samples: {}}}", count),
+                  "  - {path: design.theta_deg, range: [5, 40]}\n  - {path: "
+                  "\"design.columns[*].beta_deg\", range: [-40, 40]}\n",
+                  "end_mm, turn_deg, moved_rms_mm");
+}
+
+// Samples that take several transactions and several pieces of the file.
+const std::string many = quick_samples(20000);
 
 std::string table_of(const std::string& doe, const std::string& launcher, const std::string& arguments) {
   const Scratch scratch;
@@ -33,15 +37,24 @@ std::string table_of(const std::string& doe, const std::string& launcher, const 
   return text_of(scratch / "out/samples.csv");
 }
 
+/// Compares the tables of a sweep by any number of workers, whose number of samples gives work to all of them.
+void expect_the_same_table(const std::string& sweep, std::size_t least_bytes) {
+  const std::string one = table_of(sweep, "", "--threads 1");
+  EXPECT_GT(one.size(), least_bytes);
+  EXPECT_EQ(table_of(sweep, "", "--threads 2"), one);
+  EXPECT_EQ(table_of(sweep, "", "--threads 5"), one);
+  EXPECT_EQ(table_of(sweep, ranks(1), ""), one);
+  EXPECT_EQ(table_of(sweep, ranks(2), ""), one);
+  EXPECT_EQ(table_of(sweep, ranks(4), ""), one);
+  EXPECT_EQ(table_of(sweep, ranks(2), "--threads 2"), one);
+}
+
 TEST(SweepTable, IsTheSameForAnyNumberOfThreadsAndRanks) {
-  const std::string one = table_of(many, "", "--threads 1");
-  EXPECT_GT(one.size(), 1000u * 1000);
-  EXPECT_EQ(table_of(many, "", "--threads 2"), one);
-  EXPECT_EQ(table_of(many, "", "--threads 5"), one);
-  EXPECT_EQ(table_of(many, ranks(1), ""), one);
-  EXPECT_EQ(table_of(many, ranks(2), ""), one);
-  EXPECT_EQ(table_of(many, ranks(4), ""), one);
-  EXPECT_EQ(table_of(many, ranks(2), "--threads 2"), one);
+  expect_the_same_table(quick_samples(4000), 200 * 1000);
+}
+
+TEST(SweepTableSoak, OfManySamplesIsTheSameForAnyNumberOfThreadsAndRanks) {
+  expect_the_same_table(many, 1000 * 1000);
 }
 
 TEST(SweepTable, IsTheSameForProcessesAndRanksThatRunThePhysics) {

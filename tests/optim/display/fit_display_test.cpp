@@ -235,12 +235,12 @@ TEST(RefineDisplay, BuysContrastByALittleStrain) {
   EXPECT_LE(strained.view.t.maxCoeff(), 0.8);
 }
 
-TEST(FitDisplay, ShowsALetterThatTheRuleAloneBlurs) {
-  const model::Structure panel = make_structure(model::rectangle(10, 10), {});
+void expect_a_letter_that_the_rule_blurs(int cells, int evaluations) {
+  const model::Structure panel = make_structure(model::rectangle(cells, cells), {});
   DisplayOptions options = pressed(0.12);
   options.starts = 2;
-  options.solver.max_evaluations = 60;
-  const DisplayDesign design = fit_display(panel, letter_t(panel, 10), options);
+  options.solver.max_evaluations = evaluations;
+  const DisplayDesign design = fit_display(panel, letter_t(panel, cells), options);
   ASSERT_EQ(design.starts.size(), 2u);
   EXPECT_LT(design.starts[0].view.score.auc, 0.96);
   ASSERT_TRUE(design.view.at_equilibrium);
@@ -252,13 +252,17 @@ TEST(FitDisplay, ShowsALetterThatTheRuleAloneBlurs) {
   EXPECT_LE(design.view.t.maxCoeff(), 0.92);
 }
 
+TEST(FitDisplay, ShowsALetterThatTheRuleAloneBlurs) { expect_a_letter_that_the_rule_blurs(6, 30); }
+
+TEST(FitDisplaySoak, ShowsALetterThatTheRuleAloneBlurs) { expect_a_letter_that_the_rule_blurs(10, 60); }
+
 TEST(FitDisplay, SameAnswerForAnyNumberOfThreads) {
   const model::Structure panel = make_structure(model::rectangle(4, 4), {});
   const std::vector<double> levels = letter_t(panel, 4);
   DisplayOptions options = pressed(0.1);
-  options.starts = 6;
+  options.starts = 4;
   options.seed = 5;
-  options.solver.max_evaluations = 20;
+  options.solver.max_evaluations = 10;
   options.threads = 1;
   const DisplayDesign first = fit_display(panel, levels, options);
   options.threads = 3;

@@ -26,9 +26,9 @@ Points anywhere(Points points, unsigned seed) {
 /// `radius`. A half angle of 0 is a cylinder.
 Points cone(double half_angle, double low, double high, double radius, double over) {
   Points out;
-  for (int i = 0; i <= 20; ++i)
-    for (int j = 0; j <= 20; ++j) {
-      const double z = low + (high - low) * i / 20, angle = over * (j / 20.0 - 0.5),
+  for (int i = 0; i <= 10; ++i)
+    for (int j = 0; j <= 10; ++j) {
+      const double z = low + (high - low) * i / 10, angle = over * (j / 10.0 - 0.5),
                    r = radius + z * std::tan(half_angle);
       out.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
     }

@@ -96,9 +96,13 @@ TEST(DisplayOnOtherLattices, HasTheRowsThatKeepAnImagesProportions) {
 }
 
 TEST(FarViewInReports, IsPartOfThePage) {
-  app::Run run =
-      run_goal(*read_target(std::string(KINETIX_SOURCE) + "/targets/shapes/letter_t.yaml").goal, quick());
   TemporaryFolder folder;
+  app::Run run = run_goal(
+      *read_target(
+           folder.write("t.yaml",
+                        "kinetix: 1\ntarget: {kind: display, glyph: T}\nstructure: {cells: [6, 6]}\n"))
+           .goal,
+      quick());
   write_results(run, folder.path("."));
   const std::string page = testing::read_file(folder.path("report.html"));
   EXPECT_THAT(page, ::testing::HasSubstr("\"afar_after.png\":\"data:image/png;base64,iVBORw0KGgo"));

@@ -8,8 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "app/goals/registry.hpp"
+#include "app/result/verdict.hpp"
 #include "tests/app/program.hpp"
 #include "tests/app/schema_errors.hpp"
+#include "tests/app/searched_goal.hpp"
 
 namespace kinetix::testing {
 namespace {
@@ -145,14 +148,16 @@ TEST(Fold, OfAnOpenBoxIsAsHighAsItsWalls) {
 
 TEST(Fold, OfABoxThatMissesItsSizeSaysWhichCellsItsProcessDoesNotPrint) {
   const Scratch scratch;
-  const Outcome missed = kinetix_opt(scratch.write("tray.yaml",
-                                                   "kinetix: 1\n"
-                                                   "target: {kind: fold, box_mm: [90, 60, 30]}\n"
-                                                   "structure: {cell_mm: 8}\nprocess: fdm\n") +
-                                     " --no-verify -o " + scratch.path());
-  EXPECT_EQ(missed.code, 3) << missed.out << missed.err;
-  EXPECT_THAT(missed.out, ::testing::ContainsRegex("comes within 1\\.9 %, where a wall of 0\\.4[0-9]+ mm is "
-                                                   "less than fdm prints, 0\\.8 mm"));
+  const app::Run missed =
+      searched_goal(*app::read_target(scratch.write("tray.yaml",
+                                                    "kinetix: 1\n"
+                                                    "target: {kind: fold, box_mm: [90, 60, 30]}\n"
+                                                    "structure: {cell_mm: 8}\nprocess: fdm\n"))
+                         .goal);
+  EXPECT_EQ(exit_code(verdict_of(missed)), app::target_missed);
+  EXPECT_THAT(missed.violations, ::testing::Contains(::testing::ContainsRegex(
+                                     "comes within 1\\.9 %, where a wall of 0\\.4[0-9]+ mm is "
+                                     "less than fdm prints, 0\\.8 mm")));
 }
 
 TEST(Fold, WhoseWallsCollideSaysAtWhichThetaAndHowFarItWouldHaveToGo) {

@@ -9,6 +9,7 @@
 #include "model/base/invalid_input.hpp"
 #include "optim/surface/developable.hpp"
 #include "targets/document/document.hpp"
+#include "tests/app/searched_goal.hpp"
 #include "tests/support/temporary_folder.hpp"
 #include "tests/targets/meshes.hpp"
 
@@ -22,12 +23,16 @@ Target read(const testing::TemporaryFolder& folder, const std::string& target, c
       folder.write("surface.yaml", "kinetix: 1\ntarget: {kind: surface" + target + "}\n" + rest));
 }
 
-TEST(SurfaceGoal, FoldsASheetOntoASaddle) {
-  const testing::TemporaryFolder folder;
+RunOptions without_physics() {
   RunOptions options;
   options.verify = false;
-  const Target target = read(folder, ", shape: saddle, rise: 0.15", "structure: {facets: [4, 4]}\n");
-  const auto run = run_goal(*target.goal, options);
+  return options;
+}
+
+TEST(SurfaceGoal, FoldsASheetOntoASaddle) {
+  const testing::TemporaryFolder folder;
+  const auto run = testing::searched_goal(
+      *read(folder, ", shape: saddle, rise: 0.15", "structure: {facets: [4, 4]}\n").goal);
   const auto& outcome = outcome_of<SurfaceOutcome>(run);
   EXPECT_TRUE(outcome.design.within);
   EXPECT_EQ(run.plan.exact.name, "creased");
@@ -66,12 +71,10 @@ TEST(SurfaceGoal, LaysRibsOverAClosedMesh) {
 
 TEST(SurfaceGoal, TurnsAProfileForASheetAndForRibs) {
   const testing::TemporaryFolder folder;
-  RunOptions options;
-  options.verify = false;
   const std::string stool = ", profile: [[50, 0], [42, 30], [39, 60], [42, 90], [50, 120]]";
-  const auto sheet = run_goal(*read(folder, stool, "structure: {facets: [5, 3]}\n").goal, options);
+  const auto sheet = testing::searched_goal(*read(folder, stool, "structure: {facets: [5, 3]}\n").goal);
   EXPECT_LE(outcome_of<SurfaceOutcome>(sheet).design.error.rms, 0.02);
-  const auto ribs = run_goal(*read(folder, stool + ", ribs: 5").goal, options);
+  const auto ribs = run_goal(*read(folder, stool + ", ribs: 5").goal, without_physics());
   const auto& outcome = measure_of<RibsMeasure>(ribs);
   EXPECT_TRUE(ribs.met());
   EXPECT_LE(outcome.methods.front().rms, 3e-3);
@@ -82,29 +85,21 @@ TEST(SurfaceGoal, TurnsAProfileForASheetAndForRibs) {
 
 TEST(SurfaceGoal, SaysHowMuchASheetLacksAndThatRibsWouldDo) {
   const testing::TemporaryFolder folder;
-  RunOptions options;
-  options.verify = false;
-  const Target target =
-      read(folder, ", shape: cap, arc_deg: 120", "structure: {facets: [3, 3]}\ntolerance: {shape: 0.01}\n");
-  const auto run = run_goal(*target.goal, options);
+  const auto run = testing::searched_goal(
+      *read(folder, ", shape: cap, arc_deg: 120", "structure: {facets: [3, 3]}\ntolerance: {shape: 0.01}\n")
+           .goal);
   EXPECT_FALSE(run.met());
   EXPECT_THAT(run.violations, ::testing::Contains(HasSubstr("of its curvature")));
   EXPECT_THAT(run.violations, ::testing::Contains(HasSubstr("`target.ribs: 3`")));
 }
 
-RunOptions without_physics() {
-  RunOptions options;
-  options.verify = false;
-  return options;
-}
-
 /// Regression: a sheet that bends in one direction only was within the usual tolerance of a shallow cap.
 TEST(SurfaceGoal, OfACapIsNotMetByNearlyACylinder) {
   const testing::TemporaryFolder folder;
-  const auto run = run_goal(*read(folder, ", shape: cap, arc_deg: 40",
-                                  "structure: {facets: [4, 4]}\ntolerance: {shape: 0.05, cover: 0}\n")
-                                 .goal,
-                            without_physics());
+  const auto run =
+      testing::searched_goal(*read(folder, ", shape: cap, arc_deg: 40",
+                                   "structure: {facets: [4, 4]}\ntolerance: {shape: 0.05, cover: 0}\n")
+                                  .goal);
   const auto& outcome = outcome_of<SurfaceOutcome>(run);
   EXPECT_NEAR(outcome.cone_rms, 0.0127, 0.002);
   EXPECT_EQ(outcome.curvature.share < 0.5 || outcome.design.error.rms > 0.5 * outcome.cone_rms, !run.met());

@@ -106,7 +106,7 @@ void expect_same_events_of_twist_units(const std::vector<double>& angles) {
 }
 
 TEST(AskedAngle, OfATwistUnitChangesNeitherEventsNorStableStates) {
-  expect_same_events_of_twist_units({78, 100});
+  expect_same_events_of_twist_units({78, 86, 100});
 }
 
 TEST(AskedAngleSoak, OfATwistUnitChangesNeitherEventsNorStableStates) {
@@ -169,7 +169,7 @@ void expect_same_events_of_scenes(const std::vector<double>& thetas) {
   }
 }
 
-TEST(AskedAngle, OfOtherSheetsAndDrivesChangesNoEvent) { expect_same_events_of_scenes({0.45, 0.8}); }
+TEST(AskedAngle, OfOtherSheetsAndDrivesChangesNoEvent) { expect_same_events_of_scenes({0.3, 0.6, 0.8}); }
 
 TEST(AskedAngleSoak, OfOtherSheetsAndDrivesChangesNoEvent) {
   expect_same_events_of_scenes({0.3, 0.45, 0.6, 0.7, 0.8});
