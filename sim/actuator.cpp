@@ -2,12 +2,8 @@
 
 #include <BulletDynamics/ConstraintSolver/btGeneric6DofSpring2Constraint.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
-#include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "model/base/algorithms.hpp"
-#include "model/base/geometry.hpp"
 #include "model/closure/closure.hpp"
 #include "sim/joints/elastic_hinges.hpp"
 #include "sim/joints/external_pulls.hpp"

@@ -1,15 +1,12 @@
 #include "sim/live_sheet.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "model/closure/closure.hpp"
 #include "model/closure/drive_theta.hpp"
 #include "model/hinge/hinge_energy.hpp"
-#include "model/linkage/linkage_drive.hpp"
 #include "sim/joints/external_pulls.hpp"
-#include "sim/physics_options.hpp"
 #include "sim/rigid_parts.hpp"
 #include "sim/world.hpp"
 

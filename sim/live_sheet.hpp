@@ -1,8 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-
 #include "model/linkage/linkage_drive.hpp"
 #include "sim/physics_options.hpp"
 

@@ -2,8 +2,6 @@
 
 #include <Eigen/Core>
 #include <compare>
-#include <optional>
-#include <vector>
 
 #include "model/hinge/elasticity.hpp"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "model/linkage/linkage_drive.hpp"
 #include "model/linkage/state.hpp"
 #include "sim/physics_options.hpp"

@@ -1,7 +1,6 @@
 #include "sim/physics_run.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -12,7 +11,6 @@
 #include "model/closure/mobility.hpp"
 #include "sim/joints/elastic_hinges.hpp"
 #include "sim/joints/external_pulls.hpp"
-#include "sim/physics_result.hpp"
 #include "sim/rigid_parts.hpp"
 #include "sim/world.hpp"
 

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <functional>
 #include <stop_token>
-#include <vector>
 
 #include "model/assembly/deployment.hpp"
 #include "model/linkage/linkage_drive.hpp"

@@ -1,11 +1,9 @@
 #include "sim/rigid_parts.hpp"
 
 #include <BulletDynamics/Dynamics/btRigidBody.h>
-#include <algorithm>
 
 #include "model/base/algorithms.hpp"
 #include "sim/joints/joints.hpp"
-#include "sim/physics_options.hpp"
 
 namespace kinetix::sim {
 namespace {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "model/linkage/state.hpp"
 #include "sim/joints/row_system.hpp"
 #include "sim/physics_options.hpp"

@@ -1,8 +1,6 @@
 #include "sim/world.hpp"
 
 #include <btBulletDynamicsCommon.h>
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -15,7 +13,6 @@
 #include "sim/joints/elastic_hinges.hpp"
 #include "sim/joints/external_pulls.hpp"
 #include "sim/joints/joints.hpp"
-#include "sim/physics_options.hpp"
 #include "sim/rigid_parts.hpp"
 #include "sim/shapes/part_shape.hpp"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <vector>
-
 #include "model/linkage/linkage_drive.hpp"
 #include "sim/physics_options.hpp"
 #include "sim/physics_result.hpp"

@@ -1,12 +1,9 @@
 #include "app/cad/cad_formats.hpp"
 
-#include <Eigen/Geometry>
 #include <bit>
 #include <cstdint>
 #include <filesystem>
 
-#include "app/cad/product.hpp"
-#include "app/cad/solid_bytes.hpp"
 #include "app/io/reader_program.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/base/loaded_module.hpp"

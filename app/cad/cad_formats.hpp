@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "app/cad/product.hpp"
 #include "app/cad/solid_bytes.hpp"
 #include "model/solids/polyhedron.hpp"

@@ -3,29 +3,15 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
-#include <algorithm>
 #include <atomic>
-#include <chrono>
-#include <condition_variable>
-#include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iostream>
-#include <limits>
-#include <mutex>
-#include <nlohmann/json.hpp>
-#include <optional>
-#include <stop_token>
-#include <string>
 #include <system_error>
-#include <thread>
 
-#include "app/console/console.hpp"
 #include "app/exports/exporters.hpp"
 #include "app/files/bodies_section.hpp"
 #include "app/goals/registry.hpp"
-#include "app/io/atomic_file.hpp"
 #include "app/pipeline/closed_form.hpp"
 #include "app/pipeline/drive_loads.hpp"
 #include "app/pipeline/pipeline.hpp"
@@ -36,11 +22,7 @@
 #include "app/result/summary.hpp"
 #include "app/result/verdict.hpp"
 #include "app/run/design_hinges.hpp"
-#include "app/run/run_options.hpp"
 #include "app/sweep/plan/sweep_plan.hpp"
-#include "model/base/invalid_input.hpp"
-#include "model/lattice/lattice_motion.hpp"
-#include "targets/document/document.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-#include <optional>
-#include <string>
-
 #include "app/console/console.hpp"
 #include "app/run/plan.hpp"
 #include "app/run/run.hpp"

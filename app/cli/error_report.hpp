@@ -1,7 +1,6 @@
 #pragma once
 
 #include <exception>
-#include <string>
 
 #include "model/base/invalid_input.hpp"
 

@@ -4,13 +4,9 @@
 #include <sys/mman.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <exception>
 #include <iostream>
 #include <new>
-#include <string_view>
 
 #include "app/cli/commands.hpp"
 #include "app/cli/error_report.hpp"

@@ -1,14 +1,9 @@
 #pragma once
 
-#include <chrono>
 #include <condition_variable>
-#include <cstdint>
 #include <latch>
 #include <limits>
-#include <mutex>
-#include <optional>
 #include <streambuf>
-#include <string>
 #include <string_view>
 #include <thread>
 

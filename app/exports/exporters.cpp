@@ -1,20 +1,14 @@
 #include "app/exports/exporters.hpp"
 
 #include <fmt/format.h>
-#include <cmath>
 #include <filesystem>
 
 #include "app/files/bodies_section.hpp"
-#include "app/io/atomic_file.hpp"
 #include "app/io/bytes.hpp"
 #include "app/report/report.hpp"
 #include "app/result/result_json.hpp"
 #include "app/result/state_json.hpp"
-#include "app/run/run_options.hpp"
 #include "app/viewer/assets.hpp"
-#include "model/base/geometry.hpp"
-#include "model/base/invalid_input.hpp"
-#include "model/hinge/crease_law.hpp"
 #include "model/lattice/planar/creased_motion.hpp"
 
 namespace kinetix::app {

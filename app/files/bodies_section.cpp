@@ -1,16 +1,12 @@
 #include "app/files/bodies_section.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <cstdint>
-#include <map>
 
 #include "app/cad/cad_formats.hpp"
 #include "app/files/file_header.hpp"
 #include "model/assembly/assembly.hpp"
 #include "model/assembly/shells.hpp"
-#include "model/base/geometry.hpp"
 #include "targets/document/wording.hpp"
 #include "targets/mesh/mesh_file.hpp"
 

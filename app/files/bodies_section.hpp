@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "app/files/design_file.hpp"
 #include "app/io/atomic_file.hpp"
 

@@ -1,18 +1,13 @@
 #include "app/files/design_file.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "app/files/bodies_section.hpp"
-#include "app/files/drive_section.hpp"
 #include "app/files/file_header.hpp"
-#include "app/files/hinge_section.hpp"
 #include "app/files/lattice_section.hpp"
 #include "app/files/process_section.hpp"
 #include "model/lattice/square/unit_laws.hpp"
-#include "targets/document/section.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/files/drive_section.hpp"
 #include "app/files/goal_settings.hpp"
 #include "app/files/hinge_section.hpp"

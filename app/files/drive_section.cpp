@@ -2,10 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "model/lattice/square/family/classification.hpp"
-#include "model/lattice/square/family/drive.hpp"
-#include "model/linkage/linkage_drive.hpp"
-
 namespace kinetix::app {
 namespace {
 

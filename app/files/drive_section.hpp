@@ -1,8 +1,6 @@
 #pragma once
 
 #include <map>
-#include <optional>
-#include <string>
 
 #include "model/lattice/lattice.hpp"
 #include "model/lattice/lattice_motion.hpp"

@@ -1,13 +1,10 @@
 #include "app/files/goal_settings.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <limits>
 
 #include "app/files/file_header.hpp"
 #include "app/files/process_section.hpp"
 #include "model/contact/wall_contact.hpp"
-#include "targets/document/section.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/files/hinge_section.hpp"
 #include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/square/structure.hpp"

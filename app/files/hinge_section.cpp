@@ -1,11 +1,8 @@
 #include "app/files/hinge_section.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <cmath>
 
-#include "model/lattice/square/structure.hpp"
-#include "targets/document/section.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <map>
-#include <optional>
-#include <vector>
 
 #include "model/lattice/lattice.hpp"
 #include "model/linkage/linkage.hpp"

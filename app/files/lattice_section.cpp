@@ -1,12 +1,10 @@
 #include "app/files/lattice_section.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <filesystem>
 
 #include "app/files/origami_file.hpp"
 #include "model/lattice/planar/closed_boundary.hpp"
-#include "model/lattice/planar/planar_lattice.hpp"
 #include "model/lattice/planar/regular_lattices.hpp"
 #include "targets/document/wording.hpp"
 #include "targets/drawing/drawing.hpp"

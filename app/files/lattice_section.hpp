@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "app/files/structure_section.hpp"
 #include "model/lattice/lattice.hpp"
 

@@ -1,15 +1,9 @@
 #include "app/files/origami_file.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <set>
-#include <string>
-#include <utility>
 
-#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/origami/march.hpp"
 #include "targets/document/document.hpp"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "model/lattice/origami/origami_sheet.hpp"
 
 namespace kinetix::app {

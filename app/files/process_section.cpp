@@ -1,12 +1,7 @@
 #include "app/files/process_section.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <cmath>
-#include <string>
-#include <vector>
-
-#include "targets/document/section.hpp"
 
 namespace kinetix::app {
 namespace {

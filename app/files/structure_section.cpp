@@ -1,10 +1,7 @@
 #include "app/files/structure_section.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
-
-#include "targets/document/section.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,8 +1,6 @@
 #include "app/formats/formats_page.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "targets/document/keys.hpp"
 
 namespace kinetix::app {

@@ -1,7 +1,6 @@
 #include "app/goals/registry.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
 
 #include "app/files/file_header.hpp"
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "app/run/goal.hpp"
 
 namespace kinetix::app {

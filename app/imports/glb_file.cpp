@@ -1,8 +1,6 @@
-#include <Eigen/Geometry>
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "app/imports/model_file.hpp"
 #include "model/base/invalid_input.hpp"

@@ -1,17 +1,11 @@
 #include "app/imports/import_command.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <nlohmann/json_fwd.hpp>
-#include <optional>
-#include <string>
 
-#include "app/console/console.hpp"
 #include "app/files/bodies_section.hpp"
 #include "app/imports/model_file.hpp"
 #include "app/imports/model_parts.hpp"
@@ -19,10 +13,7 @@
 #include "model/assembly/assembly.hpp"
 #include "model/assembly/assembly_motion.hpp"
 #include "model/assembly/deployment.hpp"
-#include "model/base/geometry.hpp"
-#include "model/base/invalid_input.hpp"
 #include "model/closure/mobility.hpp"
-#include "targets/document/number.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {

@@ -4,10 +4,8 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <map>
 
 #include "app/cad/cad_formats.hpp"
-#include "model/base/invalid_input.hpp"
 #include "targets/document/text_file.hpp"
 #include "targets/document/wording.hpp"
 #include "targets/mesh/mesh_file.hpp"

@@ -1,21 +1,13 @@
 #include "app/imports/model_parts.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
 #include <cctype>
-#include <cmath>
-#include <map>
-#include <optional>
 #include <set>
 
 #include "app/files/file_header.hpp"
 #include "app/imports/model_file.hpp"
 #include "model/assembly/shells.hpp"
 #include "model/base/box.hpp"
-#include "model/base/invalid_input.hpp"
-#include "targets/document/section.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {

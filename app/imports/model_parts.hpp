@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "app/imports/import_command.hpp"
 #include "model/assembly/assembly.hpp"
 #include "targets/document/keys.hpp"

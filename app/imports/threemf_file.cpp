@@ -1,11 +1,7 @@
 #include <zip.h>
 
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <map>
-#include <memory>
 #include <pugixml.hpp>
 
 #include "app/imports/model_file.hpp"

@@ -9,7 +9,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <stdexcept>
 
 #include "model/base/invalid_input.hpp"
 #include "model/base/loaded_module.hpp"

@@ -2,16 +2,10 @@
 
 #include <cairo-svg.h>
 #include <cairo.h>
-#include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
-#include "model/linkage/linkage.hpp"
-#include "model/linkage/state.hpp"
 #include "model/opening/cell_opening.hpp"
 
 namespace kinetix::app {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "model/linkage/linkage.hpp"
 #include "model/linkage/state.hpp"
 

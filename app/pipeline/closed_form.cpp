@@ -1,14 +1,8 @@
 #include "app/pipeline/closed_form.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "app/pipeline/drive_loads.hpp"
-#include "app/run/run_options.hpp"
 #include "model/base/parallel_runs.hpp"
 #include "model/contact/certified_range.hpp"
-#include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <stop_token>
-
 #include "app/files/design_file.hpp"
 #include "app/run/plan.hpp"
 #include "app/run/run.hpp"

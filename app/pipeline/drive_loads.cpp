@@ -1,14 +1,9 @@
 #include "app/pipeline/drive_loads.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <cmath>
 
 #include "app/pipeline/physics.hpp"
-#include "model/base/invalid_input.hpp"
 #include "model/closure/drive_theta.hpp"
-#include "model/lattice/lattice_motion.hpp"
-#include "model/material/manufactured_hinge.hpp"
 
 namespace kinetix::app {
 

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/files/design_file.hpp"
 #include "app/files/hinge_section.hpp"
 #include "app/run/run_options.hpp"

@@ -1,21 +1,12 @@
 #include "app/pipeline/equilibrium.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <limits>
-#include <utility>
 
 #include "app/pipeline/closed_form.hpp"
 #include "app/pipeline/drive_loads.hpp"
 #include "app/pipeline/physics.hpp"
 #include "model/base/algorithms.hpp"
-#include "model/base/invalid_input.hpp"
-#include "model/closure/closure.hpp"
 #include "model/closure/drive_theta.hpp"
-#include "model/elastic/path/turning_points.hpp"
-#include "model/lattice/lattice_motion.hpp"
 #include "optim/elastic/compensation.hpp"
 
 namespace kinetix::app {

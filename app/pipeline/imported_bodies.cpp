@@ -1,21 +1,14 @@
 #include "app/pipeline/imported_bodies.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <mutex>
 
 #include "app/pipeline/closed_form.hpp"
 #include "app/pipeline/drive_loads.hpp"
 #include "app/pipeline/equilibrium.hpp"
 #include "app/pipeline/physics.hpp"
-#include "app/run/run_options.hpp"
-#include "model/assembly/assembly.hpp"
 #include "model/assembly/assembly_motion.hpp"
 #include "model/base/algorithms.hpp"
-#include "model/base/geometry.hpp"
-#include "model/base/invalid_input.hpp"
 #include "model/base/parallel_runs.hpp"
-#include "sim/physics_run.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
 #include "model/assembly/assembly.hpp"

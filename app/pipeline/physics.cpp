@@ -1,18 +1,9 @@
 #include "app/pipeline/physics.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <span>
-#include <utility>
 
 #include "model/assembly/assembly.hpp"
-#include "model/base/invalid_input.hpp"
 #include "model/lattice/planar/creased_motion.hpp"
-#include "model/lattice/square/family/classification.hpp"
-#include "sim/physics_run.hpp"
 
 namespace kinetix::app {
 namespace {

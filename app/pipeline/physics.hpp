@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
 #include "model/assembly/deployment.hpp"

@@ -1,14 +1,8 @@
 #include "app/pipeline/pipeline.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <array>
 #include <atomic>
-#include <cmath>
 #include <future>
-#include <optional>
-#include <string>
-#include <utility>
 
 #include "app/pipeline/closed_form.hpp"
 #include "app/pipeline/drive_loads.hpp"
@@ -17,14 +11,9 @@
 #include "app/pipeline/physics.hpp"
 #include "app/pipeline/print_tolerance.hpp"
 #include "app/run/design_hinges.hpp"
-#include "app/run/run.hpp"
-#include "app/run/run_options.hpp"
 #include "model/base/algorithms.hpp"
-#include "model/base/invalid_input.hpp"
 #include "model/base/parallel_runs.hpp"
 #include "model/closure/drive_theta.hpp"
-#include "model/contact/wall_contact.hpp"
-#include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::app {
 namespace {

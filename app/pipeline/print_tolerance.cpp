@@ -1,14 +1,9 @@
 #include "app/pipeline/print_tolerance.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "app/pipeline/equilibrium.hpp"
 #include "app/pipeline/physics.hpp"
 #include "app/run/design_hinges.hpp"
-#include "model/closure/closure.hpp"
 #include "model/closure/drive_theta.hpp"
-#include "model/material/manufactured_hinge.hpp"
 #include "model/solids/hinge_shape.hpp"
 
 namespace kinetix::app {

@@ -1,8 +1,6 @@
 #include "app/pipeline/robust_search.hpp"
 
 #include <fmt/format.h>
-#include <cmath>
-#include <utility>
 
 #include "app/pipeline/equilibrium.hpp"
 #include "app/pipeline/pipeline.hpp"

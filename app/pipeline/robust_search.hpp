@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-
 #include "app/run/goal.hpp"
 #include "app/run/search_result.hpp"
 

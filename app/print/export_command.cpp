@@ -1,12 +1,9 @@
 #include "app/print/export_command.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <array>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "app/io/atomic_file.hpp"
 #include "app/print/fit.hpp"
@@ -15,8 +12,6 @@
 #include "app/print/sheet/coupon.hpp"
 #include "app/print/sheet/print_sheet.hpp"
 #include "app/run/design_hinges.hpp"
-#include "model/base/geometry.hpp"
-#include "model/base/invalid_input.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "app/console/console.hpp"
 #include "app/files/design_file.hpp"
 #include "model/base/progress.hpp"

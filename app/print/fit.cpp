@@ -2,12 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <algorithm>
-#include <cmath>
 #include <set>
-
-#include "model/base/geometry.hpp"
-#include "model/base/invalid_input.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "app/print/format/print_format.hpp"
 #include "app/print/sheet/path_clearance.hpp"
 #include "app/run/run_options.hpp"

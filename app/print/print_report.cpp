@@ -2,22 +2,11 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <functional>
-#include <nlohmann/json.hpp>
-#include <optional>
-#include <string>
-#include <vector>
 
-#include "app/io/atomic_file.hpp"
-#include "app/print/format/print_format.hpp"
-#include "app/print/sheet/print_sheet.hpp"
 #include "app/report/report.hpp"
 #include "app/result/state_json.hpp"
 #include "model/base/box.hpp"
-#include "model/base/geometry.hpp"
 #include "targets/document/text_file.hpp"
 
 namespace kinetix::app {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-#include <string>
-
 #include "app/files/design_file.hpp"
 #include "app/print/format/print_format.hpp"
 #include "app/print/sheet/path_clearance.hpp"

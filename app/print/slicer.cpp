@@ -5,17 +5,12 @@
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <limits>
-#include <stdexcept>
 
-#include "app/io/atomic_file.hpp"
 #include "app/io/text_pattern.hpp"
-#include "app/print/format/print_format.hpp"
 #include "app/print/format/zip_text.hpp"
 #include "model/base/box.hpp"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <string_view>
-
 #include "app/print/format/print_format.hpp"
 
 namespace kinetix::app {

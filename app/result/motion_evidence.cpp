@@ -1,10 +1,8 @@
 #include "app/result/motion_evidence.hpp"
 
 #include <fmt/format.h>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/run/run.hpp"
 #include "model/elastic/path/closed_form.hpp"
 
 namespace kinetix::app {

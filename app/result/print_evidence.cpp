@@ -1,17 +1,12 @@
 #include "app/result/print_evidence.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/files/process_section.hpp"
 #include "app/result/motion_evidence.hpp"
 #include "app/run/design_hinges.hpp"
-#include "model/closure/closure.hpp"
-#include "model/material/manufactured_hinge.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "app/run/goal_outcome.hpp"
 #include "app/run/run.hpp"
 

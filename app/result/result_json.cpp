@@ -1,8 +1,6 @@
 #include "app/result/result_json.hpp"
 
 #include <fmt/format.h>
-#include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "app/result/motion_evidence.hpp"
 #include "app/result/print_evidence.hpp"
@@ -11,7 +9,6 @@
 #include "app/run/design_hinges.hpp"
 #include "app/version.hpp"
 #include "model/closure/drive_theta.hpp"
-#include "model/lattice/lattice.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-#include <string>
-
 #include "app/run/goal_outcome.hpp"
 #include "app/run/run.hpp"
 #include "optim/solvers/multi_start.hpp"

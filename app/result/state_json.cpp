@@ -4,10 +4,6 @@
 
 #include "app/io/bytes.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-
 #include "app/result/result_json.hpp"
 
 namespace kinetix::app {

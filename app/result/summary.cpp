@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/pipeline/imported_bodies.hpp"
@@ -11,7 +9,6 @@
 #include "app/result/print_evidence.hpp"
 #include "app/result/result_json.hpp"
 #include "app/result/verdict.hpp"
-#include "model/base/geometry.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <nlohmann/json_fwd.hpp>
-#include <string>
-#include <vector>
-
 #include "app/pipeline/drive_loads.hpp"
 #include "app/run/run.hpp"
 

@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/pipeline/physics.hpp"
 #include "app/result/print_evidence.hpp"
 #include "app/run/design_hinges.hpp"
-#include "app/run/run.hpp"
 #include "model/assembly/assembly.hpp"
 
 namespace kinetix::app {

@@ -1,12 +1,5 @@
 #pragma once
 
-#include <array>
-#include <nlohmann/json_fwd.hpp>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "app/console/console.hpp"
 #include "app/run/run.hpp"
 

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace kinetix::app {
 
 const HingeSection& hinge_section(const Design& design, int hinge) {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/files/design_file.hpp"
 #include "model/material/manufactured_hinge.hpp"
 

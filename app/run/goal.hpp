@@ -1,13 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 #include "app/run/plan.hpp"
 #include "app/run/run.hpp"
 #include "app/run/run_options.hpp"

@@ -2,9 +2,7 @@
 
 #include <array>
 #include <nlohmann/json_fwd.hpp>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "app/io/atomic_file.hpp"
 

@@ -1,13 +1,7 @@
 #include "app/run/plan.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <utility>
 
-#include "model/contact/wall_contact.hpp"
-#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/planar/exact_designs.hpp"
 
 namespace kinetix::app {

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/files/goal_settings.hpp"
 #include "model/closure/mobility.hpp"
 #include "model/contact/wall_contact.hpp"

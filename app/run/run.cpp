@@ -1,11 +1,6 @@
 #include "app/run/run.hpp"
 
 #include <fmt/format.h>
-#include <array>
-#include <cmath>
-
-#include "model/base/geometry.hpp"
-#include "model/base/invalid_input.hpp"
 
 namespace kinetix::app {
 namespace {

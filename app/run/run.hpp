@@ -1,13 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <map>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/run/run_options.hpp"
 #include "app/run/search_result.hpp"
 #include "model/contact/wall_contact.hpp"

@@ -1,14 +1,10 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
-#include <stop_token>
-#include <string>
 
 #include "model/base/progress.hpp"
 #include "optim/solvers/multi_start.hpp"

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/files/design_file.hpp"
 #include "app/files/goal_settings.hpp"
 #include "app/run/goal_outcome.hpp"

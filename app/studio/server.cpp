@@ -3,7 +3,6 @@
 #include <utility>
 
 // Boost.Asio of 1.74 lacks this include of <utility>.
-#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
@@ -12,14 +11,9 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
-#include <chrono>
 #include <csignal>
 #include <deque>
-#include <list>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <string_view>
-#include <vector>
 
 #include "model/base/invalid_input.hpp"
 

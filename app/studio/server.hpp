@@ -1,11 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <memory>
 #include <set>
 #include <span>
-#include <string>
 #include <string_view>
 
 #include "app/studio/play/page_updates.hpp"

@@ -1,13 +1,9 @@
 #include "app/studio/view_command.hpp"
 
-#include <chrono>
 #include <cstdlib>
-#include <filesystem>
 #include <future>
 #include <iostream>
-#include <random>
 
-#include "app/console/console.hpp"
 #include "app/goals/registry.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/studio/messages/templates.hpp"

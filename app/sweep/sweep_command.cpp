@@ -2,18 +2,12 @@
 
 #include <fmt/format.h>
 #include <omp.h>
-#include <algorithm>
-#include <cstdint>
 #include <exception>
 #include <iostream>
-#include <mutex>
 #include <nlohmann/json.hpp>
-#include <thread>
 
-#include "app/console/console.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/report/report.hpp"
-#include "app/run/run_options.hpp"
 #include "app/sweep/table/sweep_output.hpp"
 #include "app/sweep/table/sweep_table.hpp"
 #include "app/sweep/workers/ranks.hpp"

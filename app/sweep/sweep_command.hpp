@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "app/console/console.hpp"
 
 namespace kinetix::app {

@@ -1,7 +1,5 @@
 #include "model/assembly/assembly.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <cstdio>
 #include <set>
 
@@ -11,7 +9,6 @@
 #include "model/base/algorithms.hpp"
 #include "model/base/box.hpp"
 #include "model/base/decompositions.hpp"
-#include "model/base/invalid_input.hpp"
 
 namespace kinetix::model {
 namespace {

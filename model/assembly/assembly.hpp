@@ -2,9 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <map>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "model/base/invalid_input.hpp"
 #include "model/linkage/linkage.hpp"

@@ -1,6 +1,5 @@
 #include "model/assembly/assembly_motion.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "model/base/decompositions.hpp"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <vector>
-
 #include "model/linkage/linkage.hpp"
 #include "model/linkage/state.hpp"
 

@@ -1,8 +1,6 @@
 #include "model/assembly/cylinder_faces.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <set>

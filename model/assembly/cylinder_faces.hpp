@@ -1,8 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
-#include <vector>
 
 #include "model/solids/polyhedron.hpp"
 

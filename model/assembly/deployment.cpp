@@ -1,11 +1,9 @@
 #include "model/assembly/deployment.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 
 #include "model/base/decompositions.hpp"
-#include "model/base/geometry.hpp"
 #include "model/closure/closure.hpp"
 
 namespace kinetix::model {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "model/linkage/state.hpp"
 
 namespace kinetix::model {

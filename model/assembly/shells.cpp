@@ -1,8 +1,6 @@
 #include "model/assembly/shells.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <map>

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "model/solids/polyhedron.hpp"
 

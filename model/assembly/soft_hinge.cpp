@@ -1,9 +1,6 @@
 #include "model/assembly/soft_hinge.hpp"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -11,7 +8,6 @@
 
 #include "model/base/box.hpp"
 #include "model/base/decompositions.hpp"
-#include "model/base/geometry.hpp"
 
 namespace kinetix::model {
 namespace {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "model/material/manufactured_hinge.hpp"
 #include "model/solids/polyhedron.hpp"
 

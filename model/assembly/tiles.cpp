@@ -1,14 +1,8 @@
 #include "model/assembly/tiles.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 
-#include "model/assembly/assembly.hpp"
 #include "model/base/algorithms.hpp"
-#include "model/base/geometry.hpp"
-#include "model/base/invalid_input.hpp"
 
 namespace kinetix::model {
 namespace {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "model/assembly/assembly.hpp"
 #include "model/assembly/deployment.hpp"
 

@@ -1,6 +1,5 @@
 #include "model/base/box.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,14 +1,11 @@
 #include "model/closure/closure.hpp"
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 
 #include "model/base/decompositions.hpp"
-#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/hinge/hinge_turn.hpp"
-#include "model/linkage/state.hpp"
 
 namespace kinetix::model {
 namespace {

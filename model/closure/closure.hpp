@@ -1,9 +1,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
-#include <string>
 #include <variant>
-#include <vector>
 
 #include "model/linkage/state.hpp"
 

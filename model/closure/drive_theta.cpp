@@ -1,14 +1,10 @@
 #include "model/closure/drive_theta.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
-#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/closure.hpp"
-#include "model/linkage/linkage_drive.hpp"
 
 namespace kinetix::model {
 namespace {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "model/hinge/elasticity.hpp"
 #include "model/linkage/exact_motion.hpp"
 #include "model/linkage/linkage_drive.hpp"

@@ -1,11 +1,9 @@
 #include "model/closure/mobility.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <random>
-#include <vector>
 
 #include "model/base/decompositions.hpp"
 #include "model/base/invalid_input.hpp"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <optional>
-#include <string>
-
 #include "model/linkage/exact_motion.hpp"
 #include "model/linkage/state.hpp"
 

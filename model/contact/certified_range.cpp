@@ -1,15 +1,9 @@
 #include "model/contact/certified_range.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
-#include <optional>
-#include <vector>
 
-#include "model/base/box.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/contact/swept_motion.hpp"
-#include "model/contact/wall_contact.hpp"
 
 namespace kinetix::model {
 namespace {

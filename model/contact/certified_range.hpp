@@ -1,7 +1,6 @@
 #pragma once
 
 #include <stop_token>
-#include <vector>
 
 #include "model/contact/wall_contact.hpp"
 #include "model/linkage/exact_motion.hpp"

@@ -1,7 +1,6 @@
 #include "model/contact/swept_motion.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>

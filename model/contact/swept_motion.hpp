@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "model/linkage/exact_motion.hpp"
 #include "model/linkage/linkage.hpp"
 #include "model/linkage/state.hpp"

@@ -1,8 +1,5 @@
 #include "model/contact/wall_contact.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 

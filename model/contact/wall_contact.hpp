@@ -1,11 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <functional>
-#include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "model/base/box.hpp"
 #include "model/base/geometry.hpp"

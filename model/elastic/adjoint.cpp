@@ -1,8 +1,6 @@
 #include "model/elastic/adjoint.hpp"
 
 #include <Eigen/LU>
-#include <array>
-#include <cmath>
 
 namespace kinetix::model {
 namespace {

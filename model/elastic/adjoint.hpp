@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "model/elastic/elastic_system.hpp"
 
 namespace kinetix::model {

@@ -1,9 +1,5 @@
 #include "model/elastic/cord_element.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-
 #include "model/linkage/linkage_drive.hpp"
 
 namespace kinetix::model {

@@ -1,14 +1,7 @@
 #include "model/elastic/elastic_system.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/closure.hpp"
-#include "model/linkage/linkage_drive.hpp"
 
 namespace kinetix::model {
 namespace {

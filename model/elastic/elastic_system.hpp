@@ -1,10 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "model/elastic/contact/contact_energy.hpp"
 #include "model/elastic/contact/piece_contact.hpp"
 #include "model/elastic/cord_element.hpp"

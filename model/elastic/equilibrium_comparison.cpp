@@ -1,7 +1,5 @@
 #include "model/elastic/equilibrium_comparison.hpp"
 
-#include <cmath>
-#include <optional>
 #include <sstream>
 
 #include "model/elastic/newton.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <string>
 
 #include "model/hinge/elasticity.hpp"
 #include "model/linkage/linkage_drive.hpp"

@@ -1,10 +1,5 @@
 #include "model/elastic/newton.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "model/elastic/tangent_stiffness.hpp"
-
 namespace kinetix::model {
 namespace {
 

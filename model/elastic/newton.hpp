@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <string>
-
 #include "model/elastic/elastic_system.hpp"
 
 namespace kinetix::model {

@@ -1,7 +1,6 @@
 #include "model/elastic/tangent_stiffness.hpp"
 
 #include <Eigen/CholmodSupport>
-#include <algorithm>
 #include <new>
 
 namespace kinetix::model {

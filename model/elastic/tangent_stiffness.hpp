@@ -1,11 +1,9 @@
 #pragma once
 
 #include <Eigen/SparseCore>
-#include <array>
 #include <map>
 #include <memory>
 #include <utility>
-#include <vector>
 
 #include "model/hinge/element.hpp"
 #include "model/linkage/linkage.hpp"

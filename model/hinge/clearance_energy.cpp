@@ -1,9 +1,6 @@
 #include "model/hinge/clearance_energy.hpp"
 
-#include <algorithm>
 #include <cmath>
-
-#include "model/hinge/element.hpp"
 
 namespace kinetix::model {
 namespace {

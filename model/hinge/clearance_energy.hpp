@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "model/hinge/hinge_energy.hpp"
 
 /// Stretch energy of a hinge with clearance. Its two points are at +- reach from the hinge point along the

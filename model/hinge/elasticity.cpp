@@ -1,6 +1,5 @@
 #include "model/hinge/elasticity.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "model/base/geometry.hpp"

@@ -1,7 +1,5 @@
 #include "model/hinge/element.hpp"
 
-#include <Eigen/Geometry>
-
 namespace kinetix::model {
 
 using Eigen::Matrix3d;

@@ -1,11 +1,8 @@
 #include "model/hinge/hinge_energy.hpp"
 
-#include <Eigen/Geometry>
-#include <array>
 #include <cmath>
 
 #include "model/hinge/clearance_energy.hpp"
-#include "model/hinge/element.hpp"
 
 namespace kinetix::model {
 namespace {

@@ -1,9 +1,6 @@
 #include "model/hinge/hinge_turn.hpp"
 
-#include <Eigen/Geometry>
 #include <cmath>
-
-#include "model/base/geometry.hpp"
 
 namespace kinetix::model {
 

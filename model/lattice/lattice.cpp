@@ -1,12 +1,9 @@
 #include "model/lattice/lattice.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "model/assembly/assembly.hpp"
-#include "model/lattice/sodalite.hpp"
-#include "model/lattice/square/structure.hpp"
 
 namespace kinetix::model {
 namespace {

@@ -3,7 +3,6 @@
 #include <memory>
 #include <span>
 #include <variant>
-#include <vector>
 
 #include "model/lattice/planar/planar_structure.hpp"
 #include "model/lattice/sodalite.hpp"

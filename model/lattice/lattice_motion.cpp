@@ -1,18 +1,8 @@
 #include "model/lattice/lattice_motion.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-
 #include "model/assembly/assembly_motion.hpp"
-#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/closure/closure.hpp"
 #include "model/closure/drive_theta.hpp"
-#include "model/lattice/planar/planar_motion.hpp"
-#include "model/lattice/square/family/classification.hpp"
-#include "model/lattice/square/structure.hpp"
-#include "model/linkage/linkage_drive.hpp"
 
 namespace kinetix::model {
 namespace {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "model/lattice/lattice.hpp"
 #include "model/lattice/square/family/drive.hpp"
 #include "model/linkage/exact_motion.hpp"

@@ -1,7 +1,5 @@
 #include "model/lattice/nearest_design.hpp"
 
-#include <algorithm>
-
 #include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/planar/exact_designs.hpp"
 #include "model/lattice/square/changed_cells.hpp"

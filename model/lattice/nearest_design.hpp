@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "model/lattice/lattice.hpp"
 
 namespace kinetix::model {

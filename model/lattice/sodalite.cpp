@@ -1,17 +1,12 @@
 #include "model/lattice/sodalite.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <set>
-#include <string>
 
 #include "model/base/invalid_input.hpp"
 #include "model/closure/drive_theta.hpp"
-#include "model/linkage/exact_motion.hpp"
-#include "model/linkage/linkage_drive.hpp"
 
 namespace kinetix::model {
 namespace {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "model/linkage/exact_motion.hpp"
 #include "model/linkage/linkage.hpp"
 

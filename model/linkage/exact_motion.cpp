@@ -1,9 +1,6 @@
 #include "model/linkage/exact_motion.hpp"
 
-#include <algorithm>
 #include <cmath>
-
-#include "model/base/geometry.hpp"
 
 namespace kinetix::model {
 namespace {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "model/linkage/linkage.hpp"
 #include "model/linkage/linkage_drive.hpp"
 #include "model/linkage/state.hpp"

@@ -1,9 +1,7 @@
 #include "model/linkage/linkage.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "model/base/invalid_input.hpp"

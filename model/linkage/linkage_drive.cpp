@@ -1,12 +1,10 @@
 #include "model/linkage/linkage_drive.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
 #include "model/base/decompositions.hpp"
-#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/linkage/exact_motion.hpp"
 

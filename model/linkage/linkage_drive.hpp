@@ -1,11 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "model/linkage/linkage.hpp"
 #include "model/linkage/state.hpp"
 

@@ -1,11 +1,8 @@
 #include "model/linkage/state.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "model/base/geometry.hpp"
 
 namespace kinetix::model {
 namespace {

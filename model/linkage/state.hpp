@@ -1,8 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
-
 #include "model/linkage/linkage.hpp"
 
 namespace kinetix::model {

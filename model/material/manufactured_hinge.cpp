@@ -1,12 +1,9 @@
 #include "model/material/manufactured_hinge.hpp"
 
-#include <algorithm>
 #include <cmath>
 
-#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/closure.hpp"
-#include "model/linkage/state.hpp"
 
 namespace kinetix::model {
 

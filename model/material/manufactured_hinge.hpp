@@ -1,10 +1,6 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include "model/hinge/elasticity.hpp"
 #include "model/linkage/linkage.hpp"

@@ -1,6 +1,5 @@
 #include "model/material/process.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "model/material/manufactured_hinge.hpp"
 
 namespace kinetix::model {

@@ -1,12 +1,9 @@
 #include "model/opening/blurred_light.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 
-#include "model/base/geometry.hpp"
 #include "model/opening/cell_opening.hpp"
 
 namespace kinetix::model {

@@ -1,13 +1,9 @@
 #include "model/opening/cell_opening.hpp"
 
 #include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <queue>
-
-#include "model/base/geometry.hpp"
 
 namespace kinetix::model {
 namespace {

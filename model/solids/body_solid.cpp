@@ -1,7 +1,6 @@
 #include "model/solids/body_solid.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "model/linkage/linkage.hpp"
 #include "model/solids/hinge_shape.hpp"
 #include "model/solids/polyhedron.hpp"

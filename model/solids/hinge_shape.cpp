@@ -1,9 +1,6 @@
 #include "model/solids/hinge_shape.hpp"
 
-#include <algorithm>
 #include <cmath>
-
-#include "model/base/geometry.hpp"
 
 namespace kinetix::model {
 namespace {

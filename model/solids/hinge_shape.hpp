@@ -1,8 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
-
 #include "model/linkage/linkage.hpp"
 #include "model/material/manufactured_hinge.hpp"
 #include "model/material/process.hpp"

@@ -1,8 +1,6 @@
 #include "model/tolerance/print_equilibria.hpp"
 
-#include <algorithm>
 #include <deque>
-#include <utility>
 
 #include "model/base/invalid_input.hpp"
 #include "model/base/parallel_runs.hpp"

@@ -1,12 +1,6 @@
 #pragma once
 
-#include <cmath>
-#include <functional>
-#include <memory>
-#include <numbers>
-#include <optional>
 #include <random>
-#include <vector>
 
 #include "model/elastic/adjoint.hpp"
 #include "model/tolerance/print_tolerance.hpp"

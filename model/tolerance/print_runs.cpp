@@ -1,15 +1,8 @@
 #include "model/tolerance/print_runs.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <utility>
-#include <vector>
-
 #include "model/base/invalid_input.hpp"
 #include "model/base/parallel_runs.hpp"
 #include "model/closure/drive_theta.hpp"
-#include "model/tolerance/print_equilibria.hpp"
 
 namespace kinetix::model {
 namespace {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/tolerance/print_equilibria.hpp"
 

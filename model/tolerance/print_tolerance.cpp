@@ -1,8 +1,5 @@
 #include "model/tolerance/print_tolerance.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <random>
 
 #include "model/base/decompositions.hpp"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <vector>
-
 #include "model/elastic/adjoint.hpp"
 
 namespace kinetix::model {

@@ -1,19 +1,8 @@
 #include "model/tolerance/touching_prints.hpp"
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <deque>
-#include <map>
-#include <memory>
-#include <utility>
-#include <vector>
 
 #include "model/closure/closure.hpp"
-#include "model/contact/wall_contact.hpp"
-#include "model/tolerance/print_equilibria.hpp"
-#include "model/tolerance/print_tolerance.hpp"
 
 namespace kinetix::model {
 namespace {

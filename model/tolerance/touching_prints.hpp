@@ -1,8 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-
 #include "model/tolerance/print_equilibria.hpp"
 
 namespace kinetix::model {

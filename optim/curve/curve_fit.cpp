@@ -1,14 +1,9 @@
 #include "optim/curve/curve_fit.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
 
-#include "model/base/invalid_input.hpp"
-#include "model/lattice/square/structure.hpp"
 #include "targets/curve/polyline.hpp"
 
 namespace kinetix::optim {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "model/lattice/square/family/exact_derivatives.hpp"
 #include "model/lattice/square/structure.hpp"
 #include "optim/elastic/tilt_ties.hpp"

@@ -1,16 +1,10 @@
 #include "optim/curve/fit_curve.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <cmath>
 #include <random>
-#include <stdexcept>
 
-#include "model/base/invalid_input.hpp"
-#include "model/contact/wall_contact.hpp"
 #include "model/hinge/crease_law.hpp"
 #include "model/lattice/square/family/classification.hpp"
-#include "model/lattice/square/structure.hpp"
 
 namespace kinetix::optim {
 namespace {

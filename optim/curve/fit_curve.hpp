@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cstdint>
 #include <limits>
-#include <string>
-#include <vector>
 
 #include "model/contact/wall_contact.hpp"
 #include "optim/curve/curve_fit.hpp"

@@ -1,17 +1,11 @@
 #include "optim/display/display_problem.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <numeric>
-#include <utility>
 
-#include "model/closure/closure.hpp"
 #include "model/elastic/adjoint.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/square/sheet_symmetry.hpp"
-#include "model/linkage/state.hpp"
 
 namespace kinetix::optim {
 namespace {

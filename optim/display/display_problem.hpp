@@ -1,10 +1,6 @@
 #pragma once
 
-#include <array>
-#include <functional>
 #include <limits>
-#include <optional>
-#include <vector>
 
 #include "model/elastic/elastic_system.hpp"
 #include "model/lattice/lattice.hpp"

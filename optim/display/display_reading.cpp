@@ -1,10 +1,7 @@
 #include "optim/display/display_reading.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
-#include "model/opening/cell_opening.hpp"
 #include "model/tolerance/print_tolerance.hpp"
 
 namespace kinetix::optim {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "model/opening/blurred_light.hpp"
 #include "model/opening/cell_opening.hpp"
 

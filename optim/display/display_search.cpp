@@ -1,12 +1,6 @@
 #include "optim/display/display_search.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <random>
-
-#include "model/base/invalid_input.hpp"
-#include "model/lattice/square/structure.hpp"
 
 namespace kinetix::optim {
 namespace {

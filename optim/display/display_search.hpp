@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "model/closure/closure.hpp"
 #include "optim/display/display_problem.hpp"
 #include "targets/display/display_goal.hpp"

@@ -1,19 +1,12 @@
 #include "optim/display/fit_display.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <cmath>
 #include <exception>
-#include <limits>
 #include <mutex>
 #include <numeric>
-#include <string>
-#include <utility>
 
-#include "model/base/invalid_input.hpp"
 #include "model/base/parallel_runs.hpp"
 #include "model/lattice/lattice_motion.hpp"
-#include "optim/display/scaled_display.hpp"
 
 namespace kinetix::optim {
 namespace {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "model/base/progress.hpp"
 #include "model/lattice/lattice.hpp"
 #include "optim/display/display_search.hpp"

@@ -1,13 +1,10 @@
 #include "optim/display/scaled_display.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <tuple>
 
 #include "model/base/invalid_input.hpp"
 #include "model/contact/wall_contact.hpp"
-#include "model/lattice/planar/planar_motion.hpp"
-#include "model/linkage/linkage_drive.hpp"
 #include "optim/display/wall_scales.hpp"
 
 namespace kinetix::optim {

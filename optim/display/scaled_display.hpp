@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <vector>
-
 #include "model/closure/closure.hpp"
 #include "model/lattice/planar/planar_motion.hpp"
 #include "model/linkage/linkage.hpp"

@@ -1,11 +1,8 @@
 #include "optim/display/wall_scales.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <numeric>
-#include <string>
 #include <utility>
 
 #include "model/base/decompositions.hpp"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "model/lattice/planar/planar_motion.hpp"
 
 namespace kinetix::optim {

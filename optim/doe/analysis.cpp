@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "model/base/invalid_input.hpp"
 #include "optim/doe/random.hpp"

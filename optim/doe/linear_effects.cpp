@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "model/base/decompositions.hpp"
 #include "optim/doe/analysis.hpp"

@@ -6,7 +6,6 @@
 #include <boost/random/sobol.hpp>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "model/base/invalid_input.hpp"
 #include "optim/doe/random.hpp"

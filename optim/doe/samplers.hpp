@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "optim/doe/sampling.hpp"
 
 namespace kinetix::optim {

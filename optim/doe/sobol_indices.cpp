@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "model/base/invalid_input.hpp"

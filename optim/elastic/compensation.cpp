@@ -1,8 +1,5 @@
 #include "optim/elastic/compensation.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "model/base/decompositions.hpp"
 #include "model/elastic/path/near_equilibrium.hpp"
 #include "model/lattice/lattice_motion.hpp"

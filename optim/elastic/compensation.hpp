@@ -1,10 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <stop_token>
-#include <string>
-
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/lattice/lattice.hpp"
 #include "model/linkage/linkage_drive.hpp"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "model/base/geometry.hpp"
 #include "model/lattice/lattice.hpp"
 #include "optim/solvers/solver.hpp"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <functional>
-#include <optional>
-#include <vector>
-
 #include "optim/fold/fit_fold.hpp"
 
 namespace kinetix::optim {

@@ -1,15 +1,9 @@
 #include "optim/fold/fit_fold.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <utility>
 
 #include "model/base/invalid_input.hpp"
-#include "model/hinge/crease_law.hpp"
 #include "model/lattice/planar/planar_motion.hpp"
-#include "optim/fold/folded_net.hpp"
 #include "optim/fold/motion_overlap.hpp"
 
 namespace kinetix::optim {

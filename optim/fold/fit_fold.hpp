@@ -1,9 +1,5 @@
 #pragma once
 
-#include <stop_token>
-#include <string>
-#include <vector>
-
 #include "model/base/progress.hpp"
 #include "optim/fold/folded_net.hpp"
 #include "optim/solvers/solver.hpp"

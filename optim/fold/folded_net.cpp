@@ -1,14 +1,8 @@
 #include "optim/fold/folded_net.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <limits>
-#include <utility>
 
 #include "model/contact/wall_contact.hpp"
-#include "model/hinge/crease_law.hpp"
-#include "model/lattice/square/crease.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::optim {

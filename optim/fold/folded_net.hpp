@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "model/lattice/square/family/net.hpp"
 #include "targets/fold/fold_error.hpp"
 

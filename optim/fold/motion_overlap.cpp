@@ -1,8 +1,6 @@
 #include "optim/fold/motion_overlap.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "model/base/parallel_runs.hpp"
 

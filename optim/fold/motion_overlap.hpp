@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <vector>
-
 #include "model/base/geometry.hpp"
 #include "model/contact/wall_contact.hpp"
 

@@ -1,18 +1,13 @@
 #include "optim/outline/fit_outline.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <cmath>
 #include <set>
-#include <utility>
 
 #include "model/base/box.hpp"
-#include "model/base/geometry.hpp"
-#include "model/base/invalid_input.hpp"
 #include "model/base/parallel_runs.hpp"
 #include "model/contact/wall_contact.hpp"
 #include "model/lattice/planar/exact_designs.hpp"
-#include "model/lattice/planar/planar_lattice.hpp"
 
 namespace kinetix::optim {
 namespace {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <stop_token>
-#include <vector>
-
 #include "model/base/progress.hpp"
 #include "model/lattice/planar/planar_lattice.hpp"
 #include "optim/outline/outline_problem.hpp"

@@ -1,13 +1,8 @@
 #include "optim/outline/outline_problem.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <map>
-
-#include "model/base/geometry.hpp"
-#include "optim/solvers/box_least_squares.hpp"
 
 namespace kinetix::optim {
 namespace {

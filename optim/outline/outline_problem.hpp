@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
 #include <stop_token>
-#include <vector>
 
 #include "model/lattice/planar/planar_motion.hpp"
 #include "optim/solvers/box_least_squares.hpp"

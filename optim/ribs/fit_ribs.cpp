@@ -1,15 +1,9 @@
 #include "optim/ribs/fit_ribs.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/square/family/net.hpp"
-#include "optim/ribs/ribs_problem.hpp"
-#include "optim/solvers/arrow_solver.hpp"
 
 namespace kinetix::optim {
 namespace {

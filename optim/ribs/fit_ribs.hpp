@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "model/contact/wall_contact.hpp"
 #include "model/lattice/square/fishbone.hpp"
 #include "optim/ribs/ribs_problem.hpp"

@@ -1,8 +1,5 @@
 #include "optim/ribs/ribs_cover.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace kinetix::optim {

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <limits>
-#include <vector>
 
 #include "model/lattice/square/structure.hpp"
 #include "model/linkage/state.hpp"

@@ -1,12 +1,8 @@
 #include "optim/ribs/ribs_problem.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
-#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::optim {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <string>
-
 #include "model/lattice/square/family/net.hpp"
 #include "model/lattice/square/fishbone.hpp"
 #include "optim/solvers/arrow_solver.hpp"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
-
 #include "optim/solvers/solver.hpp"
 
 namespace kinetix::optim {

@@ -1,9 +1,6 @@
 #include "optim/solvers/nlopt_solver.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <new>
 #include <nlopt.hpp>
 
 #include "model/base/invalid_input.hpp"

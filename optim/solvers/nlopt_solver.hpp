@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-
 #include "optim/solvers/solver.hpp"
 
 namespace kinetix::optim {

@@ -1,7 +1,6 @@
 #include "optim/solvers/solver.hpp"
 
 #include <fmt/format.h>
-#include <cmath>
 #include <nlopt.hpp>
 
 #include "model/base/invalid_input.hpp"

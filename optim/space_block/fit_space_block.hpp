@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-
 #include "model/base/geometry.hpp"
 #include "model/lattice/sodalite.hpp"
 #include "optim/solvers/solver.hpp"

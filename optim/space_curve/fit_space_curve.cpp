@@ -1,13 +1,7 @@
 #include "optim/space_curve/fit_space_curve.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
 
-#include "model/base/invalid_input.hpp"
 #include "model/hinge/crease_law.hpp"
 #include "model/lattice/square/family/classification.hpp"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "model/contact/wall_contact.hpp"
 #include "model/lattice/square/family/exact_family.hpp"
 #include "optim/solvers/solver.hpp"

@@ -1,9 +1,7 @@
 #include "optim/space_curve/space_fit.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace kinetix::optim {
 namespace {

@@ -2,13 +2,9 @@
 
 #include <ceres/jet.h>
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "model/base/decompositions.hpp"
-#include "optim/solvers/solver.hpp"
 
 namespace kinetix::optim {
 namespace {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
-
 #include "optim/surface/fit_surface.hpp"
 #include "targets/surface/gauss_curvature.hpp"
 

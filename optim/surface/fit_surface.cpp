@@ -1,10 +1,6 @@
 #include "optim/surface/fit_surface.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
 #include <mutex>
 #include <numeric>
 #include <random>
@@ -12,8 +8,6 @@
 #include "model/base/invalid_input.hpp"
 #include "model/base/parallel_runs.hpp"
 #include "model/contact/wall_contact.hpp"
-#include "optim/solvers/solver.hpp"
-#include "optim/surface/surface_problem.hpp"
 #include "targets/outline/outline.hpp"
 
 namespace kinetix::optim {

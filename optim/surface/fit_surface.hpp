@@ -1,7 +1,5 @@
 #pragma once
 
-#include <stop_token>
-
 #include "model/base/progress.hpp"
 #include "model/lattice/origami/origami_sheet.hpp"
 #include "optim/surface/surface_problem.hpp"

@@ -2,11 +2,7 @@
 
 #include <ceres/jet.h>
 #include <ceres/rotation.h>
-#include <Eigen/Geometry>
-#include <cmath>
 #include <limits>
-
-#include "model/lattice/origami/quad_mesh.hpp"
 
 namespace kinetix::optim {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-
 #include "model/lattice/origami/march.hpp"
 #include "model/lattice/origami/quad_mesh.hpp"
 #include "model/lattice/square/structure.hpp"

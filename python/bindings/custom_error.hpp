@@ -2,7 +2,6 @@
 
 #include <pybind11/pybind11.h>
 
-#include <Eigen/Core>
 #include <exception>
 
 #include "model/linkage/state.hpp"

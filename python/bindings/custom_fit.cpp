@@ -2,8 +2,6 @@
 
 #include <random>
 
-#include "model/lattice/square/family/exact_derivatives.hpp"
-
 namespace kinetix::python {
 namespace {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <stop_token>
-
 #include "model/lattice/square/family/exact_family.hpp"
 #include "optim/curve/curve_fit.hpp"
 #include "optim/solvers/solver.hpp"

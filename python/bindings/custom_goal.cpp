@@ -4,12 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/result/result_json.hpp"
-#include "app/run/run.hpp"
-#include "app/run/run_options.hpp"
 #include "model/base/algorithms.hpp"
-#include "model/base/invalid_input.hpp"
-#include "model/contact/wall_contact.hpp"
-#include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::python {
 namespace {

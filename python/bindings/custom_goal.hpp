@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "app/run/goal.hpp"
 #include "optim/curve/fit_curve.hpp"
 #include "python/bindings/custom_fit.hpp"

@@ -1,7 +1,5 @@
 #include <pybind11/stl.h>
 
-#include <cmath>
-
 #include "app/files/file_header.hpp"
 #include "app/files/structure_section.hpp"
 #include "app/pipeline/pipeline.hpp"

@@ -1,13 +1,8 @@
 #include "python/bindings/designs.hpp"
 
 #include <pybind11/stl.h>
-#include <cmath>
-#include <optional>
 
 #include "app/pipeline/drive_loads.hpp"
-#include "model/base/geometry.hpp"
-#include "model/base/invalid_input.hpp"
-#include "model/lattice/lattice_motion.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/documents.hpp"

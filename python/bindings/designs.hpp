@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include "app/files/design_file.hpp"
 #include "model/linkage/exact_motion.hpp"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "model/base/invalid_input.hpp"
 #include "targets/document/document.hpp"
 

@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
-#include "model/base/invalid_input.hpp"
-#include "model/lattice/square/family/classification.hpp"
 #include "model/lattice/square/family/exact_derivatives.hpp"
-#include "model/lattice/square/structure.hpp"
 #include "python/bindings/arrays.hpp"
 
 namespace kinetix::python {

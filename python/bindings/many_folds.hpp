@@ -2,11 +2,9 @@
 
 #include <pybind11/pybind11.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <exception>
 #include <limits>
-#include <stop_token>
 
 #include "model/base/parallel_runs.hpp"
 #include "model/linkage/state.hpp"

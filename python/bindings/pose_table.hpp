@@ -1,8 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <vector>
 
 #include "model/linkage/state.hpp"
 

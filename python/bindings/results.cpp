@@ -2,10 +2,7 @@
 
 #include <pybind11/stl.h>
 
-#include <nlohmann/json.hpp>
-
 #include "app/exports/exporters.hpp"
-#include "app/io/atomic_file.hpp"
 #include "app/result/result_json.hpp"
 #include "app/result/verdict.hpp"
 #include "python/bindings/arrays.hpp"

@@ -2,10 +2,6 @@
 
 #include <pybind11/pybind11.h>
 
-#include <memory>
-#include <optional>
-#include <string>
-
 #include "app/run/goal.hpp"
 #include "app/run/run_options.hpp"
 

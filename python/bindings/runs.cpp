@@ -1,7 +1,5 @@
 #include <pybind11/stl.h>
 
-#include <memory>
-
 #include "app/goals/registry.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/print/fit.hpp"

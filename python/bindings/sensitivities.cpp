@@ -2,10 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "model/base/invalid_input.hpp"
-#include "model/elastic/adjoint.hpp"
-#include "model/elastic/newton.hpp"
-
 namespace kinetix::python {
 namespace {
 

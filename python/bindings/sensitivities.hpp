@@ -2,8 +2,6 @@
 
 #include <pybind11/pybind11.h>
 
-#include <optional>
-
 #include "app/run/run.hpp"
 #include "python/bindings/arrays.hpp"
 

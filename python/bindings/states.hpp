@@ -1,8 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "app/run/run.hpp"
 
 namespace kinetix::python {

@@ -1,8 +1,5 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
-#include <algorithm>
-#include <cmath>
-#include <optional>
 
 #include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"

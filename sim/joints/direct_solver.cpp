@@ -5,7 +5,6 @@
 #include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
-#include <algorithm>
 
 #include "sim/joints/elastic_hinges.hpp"
 #include "sim/joints/external_pulls.hpp"

@@ -1,13 +1,9 @@
 #include "sim/joints/elastic_hinges.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 
 #include "model/base/decompositions.hpp"
-#include "model/closure/closure.hpp"
 #include "model/hinge/clearance_energy.hpp"
-#include "model/linkage/state.hpp"
 
 namespace kinetix::sim {
 namespace {

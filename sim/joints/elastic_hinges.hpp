@@ -1,8 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "model/closure/closure.hpp"
 #include "model/hinge/elasticity.hpp"
 #include "model/linkage/linkage.hpp"

@@ -1,8 +1,5 @@
 #include "sim/joints/external_pulls.hpp"
 
-#include <Eigen/Geometry>
-#include <utility>
-
 #include "model/elastic/cord_element.hpp"
 #include "model/linkage/linkage_drive.hpp"
 

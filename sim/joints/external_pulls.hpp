@@ -1,8 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
-
 #include "model/linkage/state.hpp"
 #include "sim/joints/row_system.hpp"
 

@@ -1,14 +1,10 @@
 #include "sim/shapes/convex_cuts.hpp"
 
 #include <LinearMath/btConvexHullComputer.h>
-#include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <tuple>
 
 #include "model/assembly/cylinder_faces.hpp"

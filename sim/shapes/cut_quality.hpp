@@ -1,9 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <array>
-#include <vector>
 
 #include "model/solids/polyhedron.hpp"
 #include "sim/shapes/convex_cuts.hpp"

@@ -1,10 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
 #include <memory>
 #include <unordered_map>
-#include <vector>
 
 #include "model/linkage/linkage.hpp"
 

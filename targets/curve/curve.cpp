@@ -1,12 +1,9 @@
 #include "targets/curve/curve.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <string>
 
 #include "model/base/box.hpp"
 #include "targets/curve/polyline.hpp"

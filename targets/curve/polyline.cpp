@@ -1,10 +1,8 @@
 #include "targets/curve/polyline.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <unsupported/Eigen/BVH>
 
 namespace kinetix::targets {

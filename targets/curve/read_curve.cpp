@@ -2,9 +2,6 @@
 
 #include <cctype>
 #include <filesystem>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include "targets/document/text_file.hpp"
 #include "targets/document/wording.hpp"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <string>
-#include <vector>
-
 #include "targets/curve/curve.hpp"
 #include "targets/document/section.hpp"
 

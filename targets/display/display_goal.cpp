@@ -1,6 +1,5 @@
 #include "targets/display/display_goal.hpp"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>

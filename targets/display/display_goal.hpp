@@ -1,12 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/lattice.hpp"
 

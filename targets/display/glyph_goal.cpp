@@ -6,15 +6,12 @@
 #include <freetype/ftoutln.h>
 #include <raqm.h>
 #include <unigbrk.h>
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <memory>
 #include <new>
 #include <set>
 #include <tuple>
 #include <type_traits>
-#include <vector>
 
 #include "targets/display/whole_picture.hpp"
 #include "targets/document/text_file.hpp"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <string>
-
 #include "model/base/invalid_input.hpp"
 #include "targets/display/display_goal.hpp"
 #include "targets/display/picture.hpp"

@@ -2,16 +2,11 @@
 
 #include <leptonica/allheaders.h>
 #include <png.h>
-#include <algorithm>
 #include <cmath>
 #include <csetjmp>
 #include <cstring>
-#include <memory>
 #include <new>
-#include <string>
 
-#include "model/base/invalid_input.hpp"
-#include "targets/display/picture.hpp"
 #include "targets/display/whole_picture.hpp"
 #include "targets/document/text_file.hpp"
 #include "targets/document/wording.hpp"

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <string_view>
-
 #include "targets/display/display_goal.hpp"
 #include "targets/display/picture.hpp"
 

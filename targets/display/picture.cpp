@@ -1,11 +1,7 @@
 #include "targets/display/picture.hpp"
 
 #include <leptonica/allheaders.h>
-#include <algorithm>
-#include <cstddef>
 #include <new>
-
-#include "targets/display/display_goal.hpp"
 
 namespace kinetix::targets {
 

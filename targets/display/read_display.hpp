@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "targets/display/display_goal.hpp"
 #include "targets/document/section.hpp"
 

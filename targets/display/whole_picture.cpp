@@ -1,8 +1,6 @@
 #include "targets/display/whole_picture.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace kinetix::targets {
 namespace {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <functional>
-
 #include "targets/display/picture.hpp"
 
 namespace kinetix::targets {

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include "model/base/invalid_input.hpp"
-#include "targets/document/document.hpp"
-#include "targets/document/number.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::targets {

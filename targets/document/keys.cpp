@@ -1,6 +1,5 @@
 #include "targets/document/keys.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <stdexcept>
 

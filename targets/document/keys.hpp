@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <string>
-#include <string_view>
 #include <typeindex>
 #include <utility>
 #include <vector>

@@ -1,7 +1,6 @@
 #include "targets/document/section.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace kinetix::targets {
 namespace {

@@ -1,13 +1,7 @@
 #pragma once
 
-#include <array>
 #include <concepts>
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <type_traits>
-#include <vector>
 
 #include "targets/document/document.hpp"
 #include "targets/document/keys.hpp"

@@ -6,7 +6,6 @@
 #include <map>
 #include <numeric>
 #include <set>
-#include <utility>
 
 #include "targets/document/text_file.hpp"
 #include "targets/document/wording.hpp"

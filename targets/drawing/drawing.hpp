@@ -1,9 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
-#include <vector>
-
 #include "model/lattice/planar/planar_graph.hpp"
 #include "targets/document/document.hpp"
 

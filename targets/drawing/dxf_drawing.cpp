@@ -1,10 +1,6 @@
-#include <array>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <optional>
 #include <set>
-#include <string_view>
 
 #include "model/base/invalid_input.hpp"
 #include "targets/document/number.hpp"

@@ -1,11 +1,7 @@
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <optional>
 #include <pugixml.hpp>
-#include <string>
-#include <string_view>
 
 #include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "model/base/geometry.hpp"
-
 namespace kinetix::targets {
 namespace {
 

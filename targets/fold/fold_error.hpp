@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "model/linkage/state.hpp"
 #include "targets/fold/fold_net.hpp"
 

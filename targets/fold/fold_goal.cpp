@@ -1,7 +1,5 @@
 #include "targets/fold/fold_goal.hpp"
 
-#include <Eigen/Core>
-#include <algorithm>
 #include <bit>
 #include <map>
 #include <tuple>

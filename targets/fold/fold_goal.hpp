@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "targets/fold/fold_net.hpp"
 
 namespace kinetix::targets {

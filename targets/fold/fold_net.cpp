@@ -1,10 +1,8 @@
 #include "targets/fold/fold_net.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <set>
 
 #include "model/base/invalid_input.hpp"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "model/lattice/square/cell_rectangle.hpp"
 
 namespace kinetix::targets {

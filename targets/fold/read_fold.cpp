@@ -1,8 +1,5 @@
 #include "targets/fold/read_fold.hpp"
 
-#include <algorithm>
-
-#include "targets/document/section.hpp"
 #include "targets/fold/solid.hpp"
 
 namespace kinetix::targets {

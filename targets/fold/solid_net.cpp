@@ -1,8 +1,5 @@
 #include "targets/fold/solid_net.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
 #include <utility>
@@ -10,7 +7,6 @@
 #include "model/base/invalid_input.hpp"
 #include "model/hinge/crease_law.hpp"
 #include "model/lattice/planar/planar_crease.hpp"
-#include "targets/fold/fold_error.hpp"
 
 namespace kinetix::targets {
 namespace {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <vector>
-
 #include "model/lattice/planar/planar_structure.hpp"
 #include "targets/fold/fold_error.hpp"
 #include "targets/fold/solid.hpp"

@@ -1,16 +1,11 @@
 #include "targets/helmet/head.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
 #include "model/contact/wall_contact.hpp"
 #include "targets/curve/read_curve.hpp"
 #include "targets/document/wording.hpp"
-#include "targets/helmet/head_dome.hpp"
-#include "targets/helmet/head_pose.hpp"
 #include "targets/mesh/mesh_file.hpp"
 #include "targets/mesh/mesh_section.hpp"
 

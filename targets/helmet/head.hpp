@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "model/linkage/state.hpp"
 #include "targets/curve/space_curve.hpp"
 #include "targets/document/section.hpp"

@@ -1,14 +1,11 @@
 #include "targets/helmet/head_dome.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <numbers>
 #include <utility>
 
 #include "model/base/algorithms.hpp"
 #include "model/base/decompositions.hpp"
-#include "targets/mesh/triangle_mesh.hpp"
 
 namespace kinetix::targets {
 namespace {

@@ -1,11 +1,8 @@
 #include "targets/helmet/head_pose.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
-#include "targets/mesh/triangle_mesh.hpp"
 #include "targets/mesh/triangle_tree.hpp"
 
 namespace kinetix::targets {

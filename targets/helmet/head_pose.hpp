@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "model/base/invalid_input.hpp"
 #include "targets/document/keys.hpp"

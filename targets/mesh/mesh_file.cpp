@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cstdint>
 #include <filesystem>
-#include <vector>
 
 #include "model/base/invalid_input.hpp"
 #include "model/base/loaded_module.hpp"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "targets/mesh/triangle_mesh.hpp"
 
 namespace kinetix::targets {

@@ -5,8 +5,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "targets/mesh/triangle_tree.hpp"
-
 namespace kinetix::targets {
 namespace {
 

@@ -4,14 +4,11 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <map>
 #include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "targets/document/wording.hpp"
 #include "targets/mesh/mesh_file.hpp"

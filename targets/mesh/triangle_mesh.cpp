@@ -1,9 +1,6 @@
 #include "targets/mesh/triangle_mesh.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
-#include <numeric>
 
 #include "model/base/algorithms.hpp"
 

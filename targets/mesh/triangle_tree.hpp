@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
 #include <optional>
-#include <vector>
 
 #include "model/base/box.hpp"
 #include "targets/mesh/triangle_mesh.hpp"

@@ -1,8 +1,6 @@
 #include "targets/outline/outline.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
 #include <boost/geometry/algorithms/append.hpp>
 #include <boost/geometry/algorithms/area.hpp>
 #include <boost/geometry/algorithms/correct.hpp>
@@ -14,11 +12,8 @@
 #include <boost/geometry/strategies/strategies.hpp>
 #include <cmath>
 #include <complex>
-#include <limits>
-#include <utility>
 
 #include "model/base/geometry.hpp"
-#include "targets/curve/curve.hpp"
 #include "targets/curve/polyline.hpp"
 
 namespace kinetix::targets {

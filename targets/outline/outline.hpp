@@ -1,9 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <optional>
-#include <vector>
-
 #include "targets/curve/read_curve.hpp"
 
 namespace kinetix::targets {

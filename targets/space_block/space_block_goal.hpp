@@ -1,9 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
-#include <optional>
-#include <vector>
 
 #include "targets/document/section.hpp"
 

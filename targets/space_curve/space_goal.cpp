@@ -1,14 +1,9 @@
 #include "targets/space_curve/space_goal.hpp"
 
 #include <Eigen/Dense>
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "model/base/box.hpp"
-#include "model/base/geometry.hpp"
-#include "targets/curve/curve.hpp"
 #include "targets/curve/polyline.hpp"
 
 namespace kinetix::targets {

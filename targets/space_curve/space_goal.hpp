@@ -1,8 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
-
 #include "model/linkage/state.hpp"
 #include "targets/curve/curve.hpp"
 #include "targets/curve/read_curve.hpp"

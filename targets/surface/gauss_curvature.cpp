@@ -1,7 +1,5 @@
 #include "targets/surface/gauss_curvature.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "targets/surface/surface_patch.hpp"
 
 namespace kinetix::targets {

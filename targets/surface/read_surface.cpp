@@ -3,14 +3,11 @@
 #include <filesystem>
 
 #include "model/base/geometry.hpp"
-#include "model/base/invalid_input.hpp"
 #include "targets/curve/read_curve.hpp"
-#include "targets/document/section.hpp"
 #include "targets/document/wording.hpp"
 #include "targets/helmet/head_pose.hpp"
 #include "targets/mesh/mesh_file.hpp"
 #include "targets/surface/revolution.hpp"
-#include "targets/surface/surface_patch.hpp"
 
 namespace kinetix::targets {
 namespace {

@@ -1,10 +1,8 @@
 #include "targets/surface/revolution.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "model/base/geometry.hpp"
-#include "model/base/invalid_input.hpp"
 
 namespace kinetix::targets {
 namespace {

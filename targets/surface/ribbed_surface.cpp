@@ -1,6 +1,5 @@
 #include "targets/surface/ribbed_surface.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "model/base/decompositions.hpp"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/Geometry>
-
 #include "targets/curve/space_curve.hpp"
 #include "targets/mesh/triangle_tree.hpp"
 #include "targets/surface/surface_patch.hpp"

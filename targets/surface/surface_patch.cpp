@@ -1,8 +1,6 @@
 #include "targets/surface/surface_patch.hpp"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <new>

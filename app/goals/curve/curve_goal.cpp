@@ -1,9 +1,4 @@
 #include <fmt/format.h>
-#include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
-#include <utility>
-#include <vector>
 
 #include "app/goals/curve/curve_search.hpp"
 #include "app/pipeline/robust_search.hpp"

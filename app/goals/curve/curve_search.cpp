@@ -1,27 +1,17 @@
 #include "app/goals/curve/curve_search.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <tuple>
-#include <utility>
 
 #include "app/files/file_header.hpp"
-#include "app/files/goal_settings.hpp"
 #include "app/files/process_section.hpp"
 #include "app/files/structure_section.hpp"
 #include "app/pipeline/equilibrium.hpp"
 #include "app/pipeline/print_tolerance.hpp"
 #include "app/pipeline/robust_search.hpp"
 #include "app/run/design_hinges.hpp"
-#include "model/base/invalid_input.hpp"
-#include "model/contact/wall_contact.hpp"
-#include "model/lattice/lattice_motion.hpp"
-#include "optim/curve/curve_fit.hpp"
-#include "optim/solvers/multi_start.hpp"
 #include "targets/curve/read_curve.hpp"
-#include "targets/document/section.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <string>
-#include <utility>
-
 #include "app/files/goal_settings.hpp"
 #include "app/run/goal.hpp"
 #include "app/run/search_result.hpp"

@@ -1,17 +1,13 @@
 #include "app/goals/display/display_file.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <cmath>
 
 #include "app/files/drive_section.hpp"
 #include "app/files/file_header.hpp"
 #include "app/files/process_section.hpp"
-#include "app/files/structure_section.hpp"
 #include "app/goals/display/display_panel.hpp"
 #include "optim/display/display_search.hpp"
 #include "targets/display/read_display.hpp"
-#include "targets/document/section.hpp"
 
 namespace kinetix::app {
 namespace {

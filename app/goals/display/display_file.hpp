@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/files/goal_settings.hpp"
 #include "app/files/hinge_section.hpp"
 #include "app/files/lattice_section.hpp"

@@ -2,12 +2,8 @@
 
 #include <fmt/format.h>
 #include <unistd.h>
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <thread>
 #include <tuple>
-#include <utility>
 
 #include "app/files/process_section.hpp"
 #include "app/goals/display/display_outcome.hpp"
@@ -15,9 +11,6 @@
 #include "app/pipeline/drive_loads.hpp"
 #include "app/pipeline/physics.hpp"
 #include "app/run/goal.hpp"
-#include "model/base/geometry.hpp"
-#include "model/lattice/lattice_motion.hpp"
-#include "targets/display/display_goal.hpp"
 
 namespace kinetix::app {
 namespace {

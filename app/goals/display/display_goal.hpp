@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/goals/display/display_file.hpp"
 #include "targets/display/display_goal.hpp"
 

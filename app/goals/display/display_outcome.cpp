@@ -1,15 +1,7 @@
 #include "app/goals/display/display_outcome.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
-
-#include "app/pictures/panel_picture.hpp"
-#include "app/run/run.hpp"
-#include "model/base/geometry.hpp"
-#include "targets/display/display_goal.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <vector>
-
 #include "app/pictures/panel_picture.hpp"
 #include "app/pipeline/drive_loads.hpp"
 #include "app/run/run.hpp"

@@ -1,18 +1,11 @@
 #include "app/goals/display/display_panel.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <cmath>
 
 #include "app/pipeline/closed_form.hpp"
-#include "app/pipeline/drive_loads.hpp"
 #include "app/pipeline/equilibrium.hpp"
 #include "app/pipeline/print_tolerance.hpp"
 #include "app/result/print_evidence.hpp"
-#include "model/elastic/newton.hpp"
-#include "model/elastic/path/equilibrium_path.hpp"
-#include "model/lattice/lattice_motion.hpp"
-#include "targets/display/display_goal.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <stop_token>
-#include <string>
-#include <utility>
-
 #include "app/goals/display/display_file.hpp"
 #include "app/goals/display/display_outcome.hpp"
 #include "app/run/run.hpp"

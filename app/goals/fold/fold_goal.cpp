@@ -1,23 +1,13 @@
 #include "app/goals/fold/fold_goal.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <utility>
 
-#include "app/goals/fold/fold_shape.hpp"
-#include "app/pipeline/drive_loads.hpp"
 #include "app/pipeline/equilibrium.hpp"
 #include "app/pipeline/robust_search.hpp"
 #include "app/run/goal.hpp"
 #include "app/run/run.hpp"
 #include "model/base/algorithms.hpp"
 #include "model/closure/drive_theta.hpp"
-#include "model/lattice/lattice_motion.hpp"
-#include "optim/fold/fit_box.hpp"
-#include "targets/document/number.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <map>
 
 #include "app/goals/fold/fold_goal.hpp"
 #include "app/result/result_json.hpp"

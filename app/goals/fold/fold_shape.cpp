@@ -1,15 +1,9 @@
 #include "app/goals/fold/fold_shape.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <cmath>
 
 #include "app/files/file_header.hpp"
-#include "app/files/goal_settings.hpp"
 #include "app/files/structure_section.hpp"
-#include "optim/fold/fit_box.hpp"
-#include "targets/document/number.hpp"
-#include "targets/document/section.hpp"
 #include "targets/fold/read_fold.hpp"
 
 namespace kinetix::app {

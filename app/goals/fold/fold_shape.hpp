@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "app/files/goal_settings.hpp"
 #include "app/files/hinge_section.hpp"

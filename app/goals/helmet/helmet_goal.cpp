@@ -1,21 +1,13 @@
 #include "app/goals/helmet/helmet_goal.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
-#include <utility>
 
 #include "app/files/file_header.hpp"
-#include "app/files/goal_settings.hpp"
 #include "app/files/structure_section.hpp"
 #include "app/goals/ribs/ribs_goal.hpp"
 #include "app/result/result_json.hpp"
 #include "app/result/state_json.hpp"
 #include "app/run/goal.hpp"
-#include "model/contact/wall_contact.hpp"
-#include "targets/document/section.hpp"
-#include "targets/helmet/head.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "app/files/goal_settings.hpp"
 #include "optim/ribs/fit_ribs.hpp"
 #include "targets/helmet/head.hpp"

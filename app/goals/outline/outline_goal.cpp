@@ -1,17 +1,12 @@
 #include "app/goals/outline/outline_goal.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
-#include <nlohmann/json.hpp>
 
 #include "app/pictures/panel_picture.hpp"
 #include "app/result/result_json.hpp"
 #include "app/result/state_json.hpp"
 #include "app/run/goal.hpp"
 #include "app/run/run.hpp"
-#include "model/base/box.hpp"
-#include "model/base/invalid_input.hpp"
-#include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::app {
 namespace {

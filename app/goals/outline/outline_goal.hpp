@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "app/goals/outline/outline_search.hpp"
 #include "app/run/search_result.hpp"
 

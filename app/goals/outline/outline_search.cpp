@@ -1,23 +1,11 @@
 #include "app/goals/outline/outline_search.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <utility>
 
 #include "app/files/file_header.hpp"
 #include "app/files/process_section.hpp"
-#include "model/base/geometry.hpp"
-#include "model/base/invalid_input.hpp"
 #include "model/base/parallel_runs.hpp"
-#include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/planar/regular_lattices.hpp"
-#include "optim/outline/fit_outline.hpp"
-#include "targets/document/section.hpp"
-#include "targets/outline/outline.hpp"
 
 namespace kinetix::app {
 namespace {

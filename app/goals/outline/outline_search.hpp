@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-
 #include "app/files/goal_settings.hpp"
 #include "app/files/lattice_section.hpp"
 #include "app/run/run_options.hpp"

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/run/run.hpp"
-#include "app/run/run_options.hpp"
 #include "model/base/algorithms.hpp"
 #include "targets/document/wording.hpp"
 

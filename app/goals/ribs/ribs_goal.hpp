@@ -1,11 +1,5 @@
 #pragma once
 
-#include <limits>
-#include <nlohmann/json_fwd.hpp>
-#include <stop_token>
-#include <string>
-#include <vector>
-
 #include "app/run/goal.hpp"
 #include "optim/ribs/fit_ribs.hpp"
 #include "optim/ribs/ribs_cover.hpp"

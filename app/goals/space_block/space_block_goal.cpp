@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "app/files/file_header.hpp"
 #include "app/files/goal_settings.hpp"

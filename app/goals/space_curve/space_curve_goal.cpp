@@ -1,11 +1,7 @@
 #include "app/goals/space_curve/space_curve_goal.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "app/files/file_header.hpp"
 #include "app/files/structure_section.hpp"
@@ -14,11 +10,6 @@
 #include "app/run/goal.hpp"
 #include "app/run/run.hpp"
 #include "app/run/run_options.hpp"
-#include "model/base/box.hpp"
-#include "model/lattice/lattice_motion.hpp"
-#include "model/lattice/square/family/drive.hpp"
-#include "targets/document/section.hpp"
-#include "targets/space_curve/space_goal.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "app/files/goal_settings.hpp"
 #include "optim/space_curve/fit_space_curve.hpp"
 

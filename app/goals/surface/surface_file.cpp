@@ -1,14 +1,7 @@
 #include "app/goals/surface/surface_file.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "app/files/file_header.hpp"
 #include "app/files/process_section.hpp"
-#include "app/files/structure_section.hpp"
-#include "model/base/invalid_input.hpp"
-#include "model/contact/wall_contact.hpp"
-#include "targets/document/section.hpp"
 #include "targets/surface/read_surface.hpp"
 
 namespace kinetix::app {

@@ -1,22 +1,10 @@
 #include "app/goals/surface/surface_goal.hpp"
 
 #include <fmt/format.h>
-#include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
-#include "app/goals/surface/surface_file.hpp"
 #include "app/result/result_json.hpp"
-#include "app/run/goal.hpp"
-#include "app/run/run.hpp"
-#include "app/run/run_options.hpp"
-#include "model/base/geometry.hpp"
-#include "model/base/invalid_input.hpp"
-#include "model/lattice/lattice_motion.hpp"
-#include "model/lattice/origami/quad_mesh.hpp"
 #include "optim/surface/developable.hpp"
-#include "optim/surface/fit_surface.hpp"
-#include "optim/surface/surface_problem.hpp"
 
 namespace kinetix::app {
 namespace {

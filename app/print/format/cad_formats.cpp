@@ -1,7 +1,4 @@
 #include <fmt/format.h>
-#include <Eigen/Geometry>
-#include <cmath>
-#include <map>
 
 #include "app/cad/cad_formats.hpp"
 #include "app/print/format/print_format.hpp"

@@ -1,12 +1,5 @@
 #include <cairo-pdf.h>
 #include <fmt/format.h>
-#include <algorithm>
-#include <array>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <stdexcept>
-#include <utility>
 
 #include "app/print/format/print_format.hpp"
 #include "app/print/format/sheet_drawing.hpp"

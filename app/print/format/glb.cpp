@@ -1,7 +1,5 @@
-#include <Eigen/Geometry>
 #include <bit>
 #include <cstdint>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/print/format/print_format.hpp"

@@ -1,9 +1,5 @@
 #include <fmt/format.h>
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <optional>
 #include <queue>
 #include <set>
 

@@ -1,12 +1,5 @@
 #include "app/print/format/print_format.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
-#include "model/base/geometry.hpp"
-#include "model/base/invalid_input.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <optional>
-#include <string_view>
-#include <vector>
-
 #include "app/print/sheet/print_sheet.hpp"
 #include "app/run/goal_outcome.hpp"
 

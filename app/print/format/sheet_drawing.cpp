@@ -1,12 +1,6 @@
 #include "app/print/format/sheet_drawing.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
 #include <boost/polygon/polygon.hpp>
-#include <cmath>
-#include <limits>
-#include <span>
 
 namespace kinetix::app {
 namespace {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "app/print/sheet/print_sheet.hpp"
 
 namespace kinetix::app {

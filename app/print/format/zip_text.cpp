@@ -2,7 +2,6 @@
 
 #include <zip.h>
 
-#include <memory>
 #include <stdexcept>
 
 namespace kinetix::app {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "app/run/goal_outcome.hpp"
 
 namespace kinetix::app {

@@ -1,17 +1,9 @@
 #include "app/print/sheet/coupon.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <map>
 #include <numeric>
-#include <stdexcept>
-#include <vector>
 
 #include "app/print/sheet/fold_motion.hpp"
-#include "model/base/geometry.hpp"
-#include "model/linkage/linkage.hpp"
 
 namespace kinetix::app {
 namespace {

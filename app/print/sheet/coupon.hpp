@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string_view>
-
 #include "app/print/sheet/print_sheet.hpp"
 #include "model/solids/polyhedron.hpp"
 

@@ -2,11 +2,6 @@
 
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-
-#include "model/contact/swept_motion.hpp"
 
 namespace kinetix::app {
 namespace {

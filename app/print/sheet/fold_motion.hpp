@@ -2,9 +2,6 @@
 
 class btConvexHullShape;
 
-#include <memory>
-#include <vector>
-
 #include "app/print/sheet/print_sheet.hpp"
 #include "model/contact/swept_motion.hpp"
 #include "model/material/process.hpp"

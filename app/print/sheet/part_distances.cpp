@@ -1,7 +1,5 @@
 #include "app/print/sheet/part_distances.hpp"
 
-#include <algorithm>
-
 #include "model/contact/wall_contact.hpp"
 
 namespace kinetix::app {

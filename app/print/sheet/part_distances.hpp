@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <utility>
-#include <vector>
-
 #include "app/print/sheet/fold_motion.hpp"
 #include "app/print/sheet/path_clearance.hpp"
 #include "model/contact/swept_motion.hpp"

@@ -1,7 +1,5 @@
 #include "app/print/sheet/path_clearance.hpp"
 
-#include <cmath>
-#include <map>
 #include <set>
 
 #include "app/print/sheet/part_distances.hpp"

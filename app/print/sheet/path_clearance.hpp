@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "app/print/sheet/print_sheet.hpp"
 
 namespace kinetix::app {

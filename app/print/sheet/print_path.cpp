@@ -1,16 +1,11 @@
 #include "app/print/sheet/print_path.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <utility>
 
 #include "app/pipeline/drive_loads.hpp"
 #include "app/pipeline/physics.hpp"
 #include "app/print/sheet/fold_motion.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
-#include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <Eigen/Geometry>
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/files/design_file.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/linkage/exact_motion.hpp"

@@ -1,17 +1,10 @@
 #include "app/print/sheet/print_sheet.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <array>
-#include <cmath>
 
-#include "app/files/hinge_section.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "app/print/sheet/fold_motion.hpp"
 #include "model/assembly/assembly.hpp"
-#include "model/base/invalid_input.hpp"
-#include "model/material/manufactured_hinge.hpp"
-#include "model/solids/hinge_shape.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/files/design_file.hpp"
 #include "app/print/sheet/print_path.hpp"
 #include "model/linkage/exact_motion.hpp"

@@ -1,9 +1,6 @@
 #include "app/studio/messages/message.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <new>
 #include <system_error>
@@ -13,11 +10,6 @@
 #include "app/run/plan.hpp"
 #include "app/studio/messages/templates.hpp"
 #include "app/version.hpp"
-#include "model/base/geometry.hpp"
-#include "model/base/invalid_input.hpp"
-#include "model/material/manufactured_hinge.hpp"
-#include "model/material/process.hpp"
-#include "targets/document/document.hpp"
 #include "targets/document/text_file.hpp"
 
 namespace kinetix::app::studio {

@@ -1,11 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <exception>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "app/studio/play/player.hpp"
 #include "app/studio/play/shape.hpp"

@@ -1,8 +1,6 @@
 #include "app/studio/messages/templates.hpp"
 
 #include "app/files/structure_section.hpp"
-#include "model/lattice/square/family/exact_family.hpp"
-#include "model/lattice/square/structure.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app::studio {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string_view>
-#include <vector>
-
 #include "app/files/design_file.hpp"
 
 namespace kinetix::app::studio {

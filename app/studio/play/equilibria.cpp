@@ -1,16 +1,10 @@
 #include "app/studio/play/equilibria.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <cmath>
 
 #include "app/pipeline/physics.hpp"
-#include "model/base/geometry.hpp"
-#include "model/closure/closure.hpp"
 #include "model/closure/drive_theta.hpp"
-#include "model/elastic/elastic_system.hpp"
 #include "model/elastic/path/near_equilibrium.hpp"
-#include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::app::studio {
 namespace {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <vector>
-
 #include "app/studio/play/shape.hpp"
 #include "model/elastic/path/stable_states.hpp"
 

@@ -1,8 +1,6 @@
 #include "app/studio/play/page_updates.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <string_view>
 

@@ -1,13 +1,10 @@
 #pragma once
 
 #include <chrono>
-#include <cstddef>
-#include <functional>
 #include <limits>
 #include <list>
 #include <map>
 #include <memory>
-#include <string>
 
 #include "model/linkage/state.hpp"
 

@@ -1,12 +1,8 @@
 #include "app/studio/play/player.hpp"
 
-#include <algorithm>
-
 #include "app/pipeline/drive_loads.hpp"
 #include "app/pipeline/physics.hpp"
-#include "model/base/invalid_input.hpp"
 #include "model/closure/drive_theta.hpp"
-#include "model/lattice/lattice_motion.hpp"
 
 namespace kinetix::app::studio {
 namespace {

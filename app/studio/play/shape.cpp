@@ -1,23 +1,13 @@
 #include "app/studio/play/shape.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <boost/math/tools/minima.hpp>
-#include <cmath>
 
 #include "app/files/bodies_section.hpp"
 #include "app/pipeline/drive_loads.hpp"
 #include "app/pipeline/physics.hpp"
-#include "app/studio/play/page_updates.hpp"
 #include "model/assembly/assembly_motion.hpp"
 #include "model/assembly/shells.hpp"
-#include "model/base/geometry.hpp"
-#include "model/base/invalid_input.hpp"
-#include "model/closure/closure.hpp"
 #include "model/closure/drive_theta.hpp"
-#include "model/contact/wall_contact.hpp"
-#include "model/lattice/lattice_motion.hpp"
-#include "model/linkage/linkage_drive.hpp"
 
 namespace kinetix::app::studio {
 namespace {

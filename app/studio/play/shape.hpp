@@ -1,11 +1,5 @@
 #pragma once
 
-#include <array>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <vector>
-
 #include "app/files/design_file.hpp"
 #include "app/studio/play/page_updates.hpp"
 #include "model/assembly/assembly.hpp"

@@ -1,17 +1,12 @@
 #include "app/studio/session/autosave.hpp"
 
 #include <fmt/format.h>
-#include <cmath>
 #include <cstdlib>
-#include <filesystem>
 
 #include "app/files/bodies_section.hpp"
-#include "app/io/atomic_file.hpp"
 #include "app/io/bytes.hpp"
 #include "app/result/state_json.hpp"
 #include "app/studio/messages/message.hpp"
-#include "model/base/geometry.hpp"
-#include "model/base/invalid_input.hpp"
 #include "targets/document/text_file.hpp"
 
 namespace kinetix::app::studio {

@@ -1,11 +1,8 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <string>
 
 #include "app/files/design_file.hpp"
 #include "app/io/atomic_file.hpp"

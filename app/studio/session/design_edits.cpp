@@ -1,13 +1,8 @@
 #include "app/studio/session/design_edits.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <cmath>
-#include <set>
 
 #include "app/files/structure_section.hpp"
-#include "model/assembly/assembly.hpp"
-#include "model/base/invalid_input.hpp"
 #include "model/lattice/square/changed_cells.hpp"
 #include "model/lattice/square/sheet_symmetry.hpp"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <nlohmann/json.hpp>
-#include <vector>
-
 #include "app/files/design_file.hpp"
 #include "app/studio/messages/message.hpp"
 

@@ -1,19 +1,11 @@
 #include "app/studio/session/session.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
 
 #include "app/exports/exporters.hpp"
 #include "app/files/bodies_section.hpp"
-#include "app/io/atomic_file.hpp"
 #include "app/pipeline/imported_bodies.hpp"
-#include "app/run/run.hpp"
-#include "app/studio/messages/message.hpp"
 #include "app/studio/messages/templates.hpp"
-#include "app/studio/session/autosave.hpp"
-#include "app/studio/session/design_edits.hpp"
 
 namespace kinetix::app::studio {
 namespace {

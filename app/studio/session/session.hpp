@@ -1,9 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "app/run/run.hpp"
 #include "app/studio/play/equilibria.hpp"
 #include "app/studio/play/player.hpp"

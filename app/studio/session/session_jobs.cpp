@@ -1,7 +1,3 @@
-#include <filesystem>
-#include <mutex>
-#include <optional>
-
 #include "app/console/console.hpp"
 #include "app/goals/registry.hpp"
 #include "app/io/atomic_file.hpp"

@@ -1,10 +1,5 @@
 #include "app/studio/session/session_loop.hpp"
 
-#include <algorithm>
-#include <chrono>
-
-#include "app/studio/messages/message.hpp"
-
 namespace kinetix::app::studio {
 namespace {
 

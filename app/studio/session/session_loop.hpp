@@ -2,16 +2,8 @@
 
 #include <condition_variable>
 #include <deque>
-#include <functional>
-#include <map>
-#include <memory>
 #include <mutex>
-#include <nlohmann/json.hpp>
-#include <optional>
-#include <stop_token>
-#include <string>
 #include <thread>
-#include <utility>
 
 #include "app/studio/messages/message.hpp"
 #include "app/studio/play/page_updates.hpp"

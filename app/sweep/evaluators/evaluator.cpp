@@ -1,6 +1,5 @@
 #include "app/sweep/evaluators/evaluator.hpp"
 
-#include <algorithm>
 #include <new>
 #include <nlohmann/json.hpp>
 
@@ -10,10 +9,7 @@
 #include "app/pipeline/pipeline.hpp"
 #include "app/print/fit.hpp"
 #include "app/result/result_json.hpp"
-#include "app/run/run.hpp"
 #include "model/elastic/path/near_equilibrium.hpp"
-#include "model/lattice/lattice_motion.hpp"
-#include "model/lattice/square/family/exact_family.hpp"
 #include "optim/doe/analysis.hpp"
 
 namespace kinetix::app {

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "app/result/verdict.hpp"
 #include "app/sweep/plan/sweep_plan.hpp"
 

@@ -1,12 +1,8 @@
 #include "app/sweep/plan/doe_file.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <limits>
 
 #include "app/files/file_header.hpp"
-#include "targets/document/section.hpp"
 
 namespace kinetix::app {
 namespace {

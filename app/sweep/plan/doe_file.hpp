@@ -1,10 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/run/plan.hpp"
 #include "optim/doe/sampling.hpp"
 #include "targets/document/edit_document.hpp"

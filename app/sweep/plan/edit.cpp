@@ -2,16 +2,9 @@
 
 #include <fmt/format.h>
 #include <charconv>
-#include <limits>
 #include <set>
 
-#include "app/files/design_file.hpp"
-#include "app/files/drive_section.hpp"
-#include "app/files/goal_settings.hpp"
 #include "app/goals/registry.hpp"
-#include "model/lattice/square/crease.hpp"
-#include "model/lattice/square/structure.hpp"
-#include "targets/document/number.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {

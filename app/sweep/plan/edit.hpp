@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/files/design_file.hpp"
 #include "app/run/goal.hpp"
 #include "app/sweep/plan/doe_file.hpp"

@@ -2,23 +2,11 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <span>
 
 #include "app/goals/registry.hpp"
-#include "app/run/goal.hpp"
 #include "model/assembly/assembly.hpp"
 #include "model/base/algorithms.hpp"
-#include "model/base/invalid_input.hpp"
-#include "model/lattice/lattice.hpp"
-#include "model/lattice/lattice_motion.hpp"
-#include "model/linkage/state.hpp"
 #include "optim/doe/analysis.hpp"
 #include "targets/document/edit_document.hpp"
 #include "targets/document/wording.hpp"

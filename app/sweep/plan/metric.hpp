@@ -1,11 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <nlohmann/json_fwd.hpp>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "app/run/goal.hpp"
 
 namespace kinetix::app {

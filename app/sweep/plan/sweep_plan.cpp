@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <algorithm>
 #include <set>
 
 #include "app/goals/registry.hpp"
-#include "model/lattice/lattice_motion.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {

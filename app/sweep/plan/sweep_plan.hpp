@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <span>
-
 #include "app/sweep/plan/edit.hpp"
 #include "app/sweep/plan/metric.hpp"
 #include "optim/doe/sampling.hpp"

@@ -1,14 +1,10 @@
 #include "app/sweep/table/sweep_output.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/io/atomic_file.hpp"
 #include "app/io/text_pattern.hpp"
 #include "optim/doe/analysis.hpp"
 #include "optim/doe/random.hpp"
-#include "targets/document/number.hpp"
 
 namespace kinetix::app {
 namespace {

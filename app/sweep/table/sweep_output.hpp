@@ -1,7 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "app/sweep/table/sweep_table.hpp"
 
 namespace kinetix::app {

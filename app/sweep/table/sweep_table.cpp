@@ -5,21 +5,14 @@
 #include <sqlite3.h>
 #include <sys/file.h>
 #include <unistd.h>
-#include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <filesystem>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <set>
-#include <string_view>
 
 #include "app/io/bytes.hpp"
 #include "app/sweep/table/sweep_output.hpp"
 #include "app/version.hpp"
-#include "model/base/invalid_input.hpp"
-#include "targets/document/document.hpp"
 #include "targets/document/text_file.hpp"
 
 namespace kinetix::app {

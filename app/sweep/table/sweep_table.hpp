@@ -1,11 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "app/sweep/evaluators/evaluator.hpp"
 #include "app/sweep/plan/sweep_plan.hpp"
 

@@ -5,13 +5,8 @@
 #define MPICH_SKIP_MPICXX 1
 #include <mpi.h>
 
-#include <chrono>
 #include <cstdlib>
 #include <exception>
-#include <thread>
-#include <utility>
-
-#include "app/sweep/workers/worker_pools.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <string>
-
 #include "app/sweep/workers/worker_pools.hpp"
 
 namespace kinetix::app {

@@ -6,22 +6,11 @@
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <algorithm>
 #include <cerrno>
-#include <csignal>
-#include <cstring>
 #include <exception>
 #include <iterator>
-#include <limits>
-#include <memory>
-#include <mutex>
-#include <optional>
-#include <stdexcept>
-#include <utility>
 
 #include "app/io/bytes.hpp"
-#include "app/run/run_options.hpp"
-#include "app/sweep/evaluators/evaluator.hpp"
 #include "model/base/parallel_runs.hpp"
 
 namespace kinetix::app {

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "app/sweep/evaluators/evaluator.hpp"
 #include "app/sweep/plan/sweep_plan.hpp"
 

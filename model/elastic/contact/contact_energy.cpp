@@ -1,8 +1,5 @@
 #include "model/elastic/contact/contact_energy.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <tuple>
 
 namespace kinetix::model {

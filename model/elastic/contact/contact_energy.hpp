@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <optional>
-#include <vector>
-
 #include "model/contact/wall_contact.hpp"
 #include "model/elastic/contact/contact_plates.hpp"
 #include "model/elastic/contact/relative_motion.hpp"

@@ -1,9 +1,5 @@
 #include "model/elastic/contact/contact_plates.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-
 namespace kinetix::model {
 namespace {
 

@@ -1,10 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "model/hinge/element.hpp"
 #include "model/linkage/linkage.hpp"

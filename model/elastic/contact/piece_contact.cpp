@@ -1,8 +1,5 @@
 #include "model/elastic/contact/piece_contact.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
 #include <span>

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <optional>
-#include <utility>
-#include <vector>
-
 #include "model/contact/wall_contact.hpp"
 #include "model/hinge/element.hpp"
 #include "model/linkage/linkage.hpp"

@@ -1,8 +1,6 @@
 #include "model/elastic/contact/relative_motion.hpp"
 
 #include <Eigen/LU>
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <vector>
 
 #include "model/linkage/state.hpp"
 

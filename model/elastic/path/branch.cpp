@@ -1,7 +1,5 @@
 #include "model/elastic/path/branch.hpp"
 
-#include <cmath>
-
 #include "model/elastic/lowest_mode.hpp"
 
 namespace kinetix::model {

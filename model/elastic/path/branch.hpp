@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "model/elastic/newton.hpp"
 #include "model/elastic/path/closed_form.hpp"
 

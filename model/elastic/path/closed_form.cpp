@@ -1,9 +1,5 @@
 #include "model/elastic/path/closed_form.hpp"
 
-#include <Eigen/Geometry>
-#include <cmath>
-
-#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/closure.hpp"
 #include "model/closure/drive_theta.hpp"

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <optional>
-#include <string>
-
 #include "model/elastic/elastic_system.hpp"
 #include "model/linkage/exact_motion.hpp"
 

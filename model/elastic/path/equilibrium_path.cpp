@@ -1,10 +1,5 @@
 #include "model/elastic/path/equilibrium_path.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <utility>
-
 #include "model/base/invalid_input.hpp"
 #include "model/closure/closure.hpp"
 #include "model/closure/drive_theta.hpp"

@@ -1,12 +1,6 @@
 #pragma once
 
-#include <cmath>
-#include <functional>
-#include <memory>
-#include <optional>
 #include <stop_token>
-#include <string>
-#include <vector>
 
 #include "model/elastic/newton.hpp"
 #include "model/hinge/elasticity.hpp"

@@ -1,7 +1,5 @@
 #include "model/elastic/path/measured_system.hpp"
 
-#include <cmath>
-
 namespace kinetix::model {
 
 Eigen::VectorXd path_direction(const ElasticSystem& system, const State& state, double theta,

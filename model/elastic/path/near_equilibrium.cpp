@@ -1,9 +1,5 @@
 #include "model/elastic/path/near_equilibrium.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "model/elastic/path/closed_form.hpp"
 #include "model/elastic/path/measured_system.hpp"
 

@@ -1,10 +1,5 @@
 #include "model/elastic/path/path_head.hpp"
 
-#include <cmath>
-#include <utility>
-
-#include "model/elastic/path/measured_system.hpp"
-
 namespace kinetix::model {
 namespace {
 

@@ -1,10 +1,5 @@
 #include "model/elastic/path/path_record.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::model {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "model/elastic/path/branch.hpp"
 #include "model/elastic/path/closed_form.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"

@@ -1,10 +1,5 @@
 #include "model/elastic/path/stable_states.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-
-#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/closure.hpp"
 #include "model/closure/drive_theta.hpp"

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "model/elastic/path/turning_points.hpp"
 
 namespace kinetix::model {

@@ -1,12 +1,6 @@
 #include "model/elastic/path/step_solver.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include "model/closure/closure.hpp"
-#include "model/elastic/path/measured_system.hpp"
 
 namespace kinetix::model {
 namespace {

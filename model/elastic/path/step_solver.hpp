@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <optional>
-
 #include "model/elastic/path/branch.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/elastic/path/measured_system.hpp"

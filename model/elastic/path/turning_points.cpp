@@ -1,10 +1,5 @@
 #include "model/elastic/path/turning_points.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <utility>
-
 #include "model/closure/drive_theta.hpp"
 #include "model/elastic/path/measured_system.hpp"
 

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <utility>
-#include <vector>
-
 #include "model/elastic/path/equilibrium_path.hpp"
 
 /// Turning points of an equilibrium path: of its energy, where the drive's load changes sign, and of its

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
-#include <vector>
 
 #include "model/base/geometry.hpp"
 #include "model/lattice/origami/quad_mesh.hpp"

@@ -1,12 +1,6 @@
 #include "model/lattice/origami/origami_sheet.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-
-#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/origami/quad_mesh.hpp"
 
 namespace kinetix::model {
 namespace {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "model/lattice/origami/quad_mesh.hpp"
 #include "model/lattice/planar/planar_structure.hpp"
 #include "model/linkage/exact_motion.hpp"

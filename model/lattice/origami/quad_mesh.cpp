@@ -1,9 +1,6 @@
 #include "model/lattice/origami/quad_mesh.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
-#include <string>
 
 #include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"

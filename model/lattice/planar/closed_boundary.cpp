@@ -1,6 +1,5 @@
 #include "model/lattice/planar/closed_boundary.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

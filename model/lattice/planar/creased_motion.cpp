@@ -1,21 +1,14 @@
 #include "model/lattice/planar/creased_motion.hpp"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
-#include <string>
 #include <utility>
 
-#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/drive_theta.hpp"
 #include "model/hinge/crease_law.hpp"
 #include "model/lattice/planar/exact_designs.hpp"
-#include "model/lattice/planar/planar_motion.hpp"
-#include "model/linkage/exact_motion.hpp"
 
 namespace kinetix::model {
 namespace {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <Eigen/Geometry>
-#include <string>
-#include <vector>
-
 #include "model/lattice/planar/planar_crease.hpp"
 
 namespace kinetix::model {

@@ -3,8 +3,6 @@
 #include <Eigen/SPQRSupport>
 #include <Eigen/SparseCore>
 
-#include "model/lattice/planar/planar_motion.hpp"
-
 namespace kinetix::model {
 namespace {
 

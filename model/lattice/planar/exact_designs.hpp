@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <memory>
 
 #include "model/lattice/planar/planar_crease.hpp"

@@ -1,12 +1,9 @@
 #include "model/lattice/planar/planar_crease.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
 #include "model/base/algorithms.hpp"
-#include "model/base/geometry.hpp"
 
 namespace kinetix::model {
 namespace {

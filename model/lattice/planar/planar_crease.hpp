@@ -1,8 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
-
 #include "model/lattice/planar/planar_motion.hpp"
 
 namespace kinetix::model {

@@ -1,10 +1,7 @@
 #include "model/lattice/planar/planar_graph.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "model/base/algorithms.hpp"

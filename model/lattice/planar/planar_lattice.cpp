@@ -1,10 +1,7 @@
 #include "model/lattice/planar/planar_lattice.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
 #include <functional>
 #include <numbers>
 #include <string_view>
-#include <vector>
 
 #include "model/lattice/planar/planar_graph.hpp"
 

@@ -1,14 +1,11 @@
 #include "model/lattice/planar/planar_motion.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/drive_theta.hpp"
 #include "model/lattice/planar/creased_motion.hpp"
-#include "model/linkage/linkage_drive.hpp"
 
 namespace kinetix::model {
 namespace {

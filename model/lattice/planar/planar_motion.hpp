@@ -1,10 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "model/lattice/planar/planar_structure.hpp"
 #include "model/linkage/exact_motion.hpp"
 #include "model/linkage/linkage_drive.hpp"

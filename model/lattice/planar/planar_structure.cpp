@@ -1,7 +1,5 @@
 #include "model/lattice/planar/planar_structure.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "model/lattice/planar/planar_lattice.hpp"
 #include "model/linkage/linkage.hpp"
 

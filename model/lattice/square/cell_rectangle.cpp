@@ -1,7 +1,5 @@
 #include "model/lattice/square/cell_rectangle.hpp"
 
-#include <algorithm>
-
 namespace kinetix::model {
 namespace {
 

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <compare>
-#include <string>
-#include <vector>
-
 #include "model/lattice/square/structure.hpp"
 
 namespace kinetix::model {

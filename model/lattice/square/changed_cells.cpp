@@ -1,7 +1,5 @@
 #include "model/lattice/square/changed_cells.hpp"
 
-#include <algorithm>
-
 #include "model/lattice/square/crease.hpp"
 
 namespace kinetix::model {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <vector>
-
 #include "model/lattice/square/structure.hpp"
 
 namespace kinetix::model {

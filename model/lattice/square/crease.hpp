@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "model/hinge/crease_law.hpp"
 #include "model/lattice/square/structure.hpp"
 

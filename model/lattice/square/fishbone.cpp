@@ -1,7 +1,5 @@
 #include "model/lattice/square/fishbone.hpp"
 
-#include <algorithm>
-
 #include "model/base/invalid_input.hpp"
 
 namespace kinetix::model {

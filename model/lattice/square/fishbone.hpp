@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "model/lattice/square/crease.hpp"
 
 namespace kinetix::model {

@@ -1,7 +1,5 @@
 #include "model/lattice/square/sheet_symmetry.hpp"
 
-#include <algorithm>
-
 #include "model/lattice/square/changed_cells.hpp"
 
 namespace kinetix::model {

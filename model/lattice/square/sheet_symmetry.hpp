@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-
 #include "model/lattice/square/structure.hpp"
 
 namespace kinetix::model {

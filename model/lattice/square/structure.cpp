@@ -1,14 +1,11 @@
 #include "model/lattice/square/structure.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <memory>
 #include <numeric>
-#include <string>
 
 #include "model/base/invalid_input.hpp"
-#include "model/linkage/linkage.hpp"
 
 namespace kinetix::model {
 namespace {

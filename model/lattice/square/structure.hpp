@@ -1,11 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
 #include <compare>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "model/linkage/linkage.hpp"
 

@@ -1,9 +1,5 @@
 #include "model/lattice/square/unit_laws.hpp"
 
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "model/base/invalid_input.hpp"
 #include "model/hinge/crease_law.hpp"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "model/closure/mobility.hpp"
 #include "model/lattice/square/structure.hpp"
 

@@ -1,16 +1,11 @@
 #include "model/lattice/square/family/classification.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <memory>
 #include <utility>
 
 #include "model/base/algorithms.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/closure/drive_theta.hpp"
-#include "model/lattice/planar/planar_motion.hpp"
 #include "model/lattice/square/family/drive.hpp"
-#include "model/lattice/square/family/net.hpp"
 
 namespace kinetix::model {
 

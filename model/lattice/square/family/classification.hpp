@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "model/lattice/planar/planar_motion.hpp"
 #include "model/lattice/square/family/exact_family.hpp"
 #include "model/lattice/square/family/net.hpp"

@@ -1,15 +1,10 @@
 #include "model/lattice/square/family/drive.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
 #include <tuple>
 
 #include "model/base/invalid_input.hpp"
-#include "model/lattice/planar/planar_motion.hpp"
-#include "model/lattice/square/family/classification.hpp"
-#include "model/linkage/linkage_drive.hpp"
 
 namespace kinetix::model {
 namespace {

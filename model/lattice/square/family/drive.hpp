@@ -1,10 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-#include <variant>
-#include <vector>
-
 #include "model/closure/closure.hpp"
 #include "model/lattice/square/family/classification.hpp"
 #include "model/lattice/square/structure.hpp"

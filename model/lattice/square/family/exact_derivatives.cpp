@@ -1,7 +1,6 @@
 #include "model/lattice/square/family/exact_derivatives.hpp"
 
 #include <Eigen/Geometry>
-#include <cmath>
 
 namespace kinetix::model {
 namespace {

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <cmath>
-#include <vector>
-
 #include "model/lattice/square/family/exact_family.hpp"
 
 namespace kinetix::model {

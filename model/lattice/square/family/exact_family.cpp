@@ -1,10 +1,7 @@
 #include "model/lattice/square/family/exact_family.hpp"
 
-#include <algorithm>
 #include <limits>
-#include <string>
 
-#include "model/base/geometry.hpp"
 #include "model/base/invalid_input.hpp"
 #include "model/lattice/square/family/classification.hpp"
 

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cmath>
 #include <type_traits>
-#include <vector>
 
 #include "model/lattice/square/structure.hpp"
 #include "model/linkage/state.hpp"

@@ -1,8 +1,5 @@
 #include "model/lattice/square/family/fold_angles.hpp"
 
-#include <array>
-#include <cmath>
-
 namespace kinetix::model {
 namespace {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "model/lattice/square/crease.hpp"
 
 namespace kinetix::model {

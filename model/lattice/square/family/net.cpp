@@ -1,13 +1,6 @@
 #include "model/lattice/square/family/net.hpp"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-
 #include "model/base/algorithms.hpp"
-#include "model/lattice/square/crease.hpp"
 #include "model/lattice/square/family/classification.hpp"
 #include "model/lattice/square/family/exact_family.hpp"
 #include "model/linkage/exact_motion.hpp"

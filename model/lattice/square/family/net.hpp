@@ -1,9 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <string>
-#include <vector>
-
 #include "model/lattice/square/family/fold_angles.hpp"
 #include "model/lattice/square/structure.hpp"
 #include "model/linkage/state.hpp"
