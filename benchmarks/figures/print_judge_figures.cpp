@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const shapes = KINETIX_SHAPES;
+const char* const shapes_folder = KINETIX_SHAPES;
 
 /// Output of a command, both streams, and its exit code.
 struct CommandText {
@@ -137,7 +137,7 @@ std::vector<Figure> print_judge_figures() {
   fs::create_directories(scratch);
   Verdicts verdicts;
   std::vector<fs::path> targets;
-  for (const auto& entry : fs::directory_iterator(shapes))
+  for (const auto& entry : fs::directory_iterator(shapes_folder))
     if (entry.path().extension() == ".yaml" && entry.path().stem() != "qr_code")
       targets.push_back(entry.path());
   std::sort(targets.begin(), targets.end());

@@ -24,8 +24,9 @@ struct Course {
 constexpr Course courses[] = {{3, 0.1},       {5, 0.1},         {7, 0.1},
                               {10, 0.1},      {15, 1.0 / 15},   {30, 1.0 / 30},
                               {60, 1.0 / 60}, {240, 1.0 / 240}, {1000, 1.0 / 1000}};
-constexpr double at_rest[] = {1e-1, 1e-3, 1e-6};  // rad/s of a hinge at which a run ends, from loose to tight
-constexpr double levels[] = {1e-3, 1e-4, 1e-6};   // cell edges, of hinge gap and error, from loose to tight
+constexpr double resting_speeds[] = {1e-1, 1e-3,
+                                     1e-6};      // rad/s of a hinge at which a run ends, from loose to tight
+constexpr double levels[] = {1e-3, 1e-4, 1e-6};  // cell edges, of hinge gap and error, from loose to tight
 // s: finer settings after such a run cannot be the fastest, even where none before has met the tightest level.
 constexpr double too_long = 1.5;
 constexpr double far_slower = 4;  // times the fastest that met it: finer settings are slower still
@@ -95,7 +96,7 @@ bool is_over(const std::vector<PeerRun>& runs) {
 std::vector<PeerRun> bullet_runs(const PeerScene& scene) {
   std::vector<PeerRun> runs;
   for (const Course& course : courses)
-    for (const double rest : at_rest)
+    for (const double rest : resting_speeds)
       for (const double stiffness : {1e4, 1e8}) {
         sim::PhysicsOptions options;
         options.step_s = course.step_s;
@@ -114,7 +115,7 @@ std::vector<PeerRun> bullet_runs(const PeerScene& scene) {
 
 void add_mujoco_runs(const PeerScene& scene, MujocoSettings::Bodies bodies, std::vector<PeerRun>& runs) {
   for (const Course& course : courses)
-    for (const double rest : at_rest)
+    for (const double rest : resting_speeds)
       for (const int iterations : {2, 20})
         for (const auto integrator :
              {MujocoSettings::Integrator::euler, MujocoSettings::Integrator::implicit}) {

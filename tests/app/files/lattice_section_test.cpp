@@ -40,13 +40,13 @@ const std::string drawn_squares =
     dxf(line(0, 0, 10, 0) + line(10, 0, 20, 0) + line(0, 10, 10, 10) + line(10, 10, 20, 10) +
         line(0, 0, 0, 10) + line(10, 0, 10, 10) + line(20, 0, 20, 10));
 
-Design read(const std::string& text) {
+Design read_text(const std::string& text) {
   const TemporaryFolder folder;
   folder.write("squares.dxf", drawn_squares);
   return read_design(folder.write("sheet.yaml", text));
 }
 
-void expect_same(const Design& a, const Design& b) {
+void expect_equal_designs(const Design& a, const Design& b) {
   const model::Lattice &s = a.structure, &r = b.structure;
   EXPECT_EQ(lattice_name(s), lattice_name(r));
   EXPECT_EQ(s.size().edge_mm, r.size().edge_mm);
@@ -94,7 +94,7 @@ TEST(LatticeSection, SurvivesWritingAndReadingBitForBit) {
   for (const std::string& keys : sheets)
     for (int round = 0; round < 8; ++round) {
       SCOPED_TRACE(keys + " seed 21 round " + std::to_string(round));
-      Design file = read(structure(keys));
+      Design file = read_text(structure(keys));
       const double edge = file.structure.size().edge_mm;
       for (int h = 0; h < file.structure.hinges(); ++h)
         if (random() % 3)
@@ -104,7 +104,7 @@ TEST(LatticeSection, SurvivesWritingAndReadingBitForBit) {
         file.structure.hinge(h).offset = std::round(1e6 * file.structure.hinge(h).offset * edge) / 1e6 / edge;
       file.theta = unit(random) - 0.5;
       if (round % 2) file.drive = model::HingeTurn{file.structure.hinges() - 1, 2 * unit(random) - 1};
-      expect_same(read(design_text(file)), file);
+      expect_equal_designs(read_text(design_text(file)), file);
     }
 }
 
@@ -116,8 +116,8 @@ TEST(LatticeSection, KeepsVerticesOfAnyDrawingBitForBit) {
     model::PlanarGraph graph = testing::random_quads(4, round);
     for (Eigen::Vector2d& p : graph.vertices) p = (p * 17.3 + Eigen::Vector2d(-30, 5)) / edge;
     Design file{.name = "drawn", .structure = make_planar_structure(graph, {edge, edge / 10, edge})};
-    const Design once = read(design_text(file));
-    expect_same(read(design_text(once)), once);
+    const Design once = read_text(design_text(file));
+    expect_equal_designs(read_text(design_text(once)), once);
     for (int v = 0; v < file.structure.bodies(); ++v)
       EXPECT_LE((once.structure.rest_position(v) - file.structure.rest_position(v)).norm(), 1e-13);
   }
@@ -129,7 +129,7 @@ TEST(LatticeSection, GivesBlocksSlenderWallsWhicheverOfTheirSizesAFileGives) {
   for (const auto& [keys, thickness, height] : {std::tuple("", 1.0, 1.0),
                                                 {", wall_mm: {thickness: 0.9}", 0.9, 1.0},
                                                 {", wall_mm: {height: 2}", 1.0, 2.0}}) {
-    const Design file = read(structure(std::string("lattice: sodalite, cells: [1, 1, 1]") + keys));
+    const Design file = read_text(structure(std::string("lattice: sodalite, cells: [1, 1, 1]") + keys));
     EXPECT_EQ(file.structure.size().thickness_mm, thickness) << keys;
     EXPECT_EQ(file.structure.size().height_mm, height) << keys;
   }
@@ -162,8 +162,8 @@ TEST(LatticeSection, KeepsTheSizeOfAPatternThatSaysItsUnit) {
 }
 
 TEST(LatticeSection, DrawsTheSameByListAndByDrawing) {
-  const Design listed = read(structure("lattice: graph, " + two_squares)),
-               drawn = read(structure("lattice: graph, drawing: squares.dxf"));
+  const Design listed = read_text(structure("lattice: graph, " + two_squares)),
+               drawn = read_text(structure("lattice: graph, drawing: squares.dxf"));
   EXPECT_EQ(drawn.structure.size().edge_mm, 10) << "the mean length of the walls";
   ASSERT_EQ(drawn.structure.bodies(), 6);
   for (int v = 0; v < 6; ++v) EXPECT_EQ(drawn.structure.rest_position(v), listed.structure.rest_position(v));
@@ -175,9 +175,9 @@ TEST(LatticeSection, RefusesAGapThatIsLongerThanItsOwnWall) {
       "lattice: graph, vertices_mm: [[0, 0], [20, 0], [0, 5], [20, 5]], walls: [[0, 1], [2, 3], [0, 2], [1, "
       "3]]");
   const std::string hinge = "hinge: {kind: block, material: tango, thickness_mm: 0.5, height_mm: 4, gap_mm: ";
-  EXPECT_EQ(read(oblong + hinge + "4.9}\n").hinge.made->gap_mm, 4.9);
+  EXPECT_EQ(read_text(oblong + hinge + "4.9}\n").hinge.made->gap_mm, 4.9);
   try {
-    read(oblong + hinge + "6}\n");
+    read_text(oblong + hinge + "6}\n");
     FAIL() << "no error";
   } catch (const InvalidInput& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("a gap of 6 mm is longer than wall"));
@@ -186,8 +186,8 @@ TEST(LatticeSection, RefusesAGapThatIsLongerThanItsOwnWall) {
 }
 
 TEST(LatticeSection, DrawsRegularLatticesAsTheModelDoes) {
-  const Design file = read(structure("lattice: honeycomb, cells: [4, 3], rim: closed, cell_mm: 20") +
-                           "design: {hinges: [{wall: [0, 4], t: 0.25, offset_mm: 3}]}\n");
+  const Design file = read_text(structure("lattice: honeycomb, cells: [4, 3], rim: closed, cell_mm: 20") +
+                                "design: {hinges: [{wall: [0, 4], t: 0.25, offset_mm: 3}]}\n");
   const model::PlanarGraph graph = closed_boundary(lattice_graph(model::honeycomb_lattice, 4, 3));
   ASSERT_EQ(file.structure.bodies(), static_cast<int>(graph.vertices.size()));
   EXPECT_EQ(file.structure.planar()->graph.edges, graph.edges);
@@ -195,19 +195,19 @@ TEST(LatticeSection, DrawsRegularLatticesAsTheModelDoes) {
   EXPECT_EQ(file.structure.hinge(0).t, 0.25);
   EXPECT_DOUBLE_EQ(file.structure.hinge(0).offset, 0.15);
   EXPECT_NEAR(
-      read(structure("lattice: rhombus, cells: [1, 1], angle_deg: 90")).structure.rest_position(3).x(), 10,
-      1e-12);
+      read_text(structure("lattice: rhombus, cells: [1, 1], angle_deg: 90")).structure.rest_position(3).x(),
+      10, 1e-12);
 }
 
 TEST(LatticeSection, ClosesTheRimOfADrawing) {
   const std::string hexagon =
       "vertices_mm: [[2, 0], [1, 1.7], [-1, 1.7], [-2, 0], [-1, -1.7], [1, -1.7]],\n"
       "  walls: [[0, 1], [1, 2], [2, 3], [3, 4], [4, 5], [5, 0]]";
-  EXPECT_EQ(read(structure("lattice: graph, " + hexagon)).structure.hinges(), 6);
-  const Design closed = read(structure("lattice: graph, " + hexagon + ", rim: closed"));
+  EXPECT_EQ(read_text(structure("lattice: graph, " + hexagon)).structure.hinges(), 6);
+  const Design closed = read_text(structure("lattice: graph, " + hexagon + ", rim: closed"));
   EXPECT_EQ(closed.structure.hinges(), 7);
   EXPECT_EQ(closed.structure.cells(), 2);
-  expect_same(read(design_text(closed)), closed);
+  expect_equal_designs(read_text(design_text(closed)), closed);
 }
 
 TEST(LatticeSection, SaysWhereAndWhatIsAllowed) {

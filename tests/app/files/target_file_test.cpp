@@ -29,7 +29,7 @@ CurveFile read_curve_target(const std::string& file) {
   return read_curve_file(root);
 }
 
-CurveFile read(const std::string& text) {
+CurveFile read_curve(const std::string& text) {
   TemporaryFolder folder;
   return read_curve_target(folder.write("rib.yaml", text));
 }
@@ -42,7 +42,7 @@ DisplayFile read_display_target(const std::string& file) {
 
 TEST(TargetFile, IsStricterWithFlatCurvesAndWithSmallCells) {
   const auto tolerance = [](const std::string& points, const std::string& rest = {}) {
-    return read("kinetix: 1\ntarget: {kind: curve, points: " + points + "}\n" + rest).shape_tolerance;
+    return read_curve("kinetix: 1\ntarget: {kind: curve, points: " + points + "}\n" + rest).shape_tolerance;
   };
   EXPECT_EQ(tolerance("[[0, 0], [100, 50], [200, 0]]"), 0.01);
   const double flat = std::hypot(300, 25);
@@ -95,9 +95,9 @@ TEST(TargetFile, CurvesInSpaceHaveCellsThatCanBePrinted) {
 /// least 8 columns remain.
 TEST(TargetFile, TakesAsManyColumnsAsItsProcessCanPrint) {
   const auto columns = [](int length_mm, const std::string& more) {
-    return read("kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [" + std::to_string(length_mm / 2) +
-                ", 0], [" + std::to_string(length_mm / 2) + ", " + std::to_string(length_mm / 2) + "]]}\n" +
-                more)
+    return read_curve("kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [" + std::to_string(length_mm / 2) +
+                      ", 0], [" + std::to_string(length_mm / 2) + ", " + std::to_string(length_mm / 2) +
+                      "]]}\n" + more)
         .columns;
   };
   EXPECT_EQ(columns(400, ""), 40);
@@ -110,7 +110,8 @@ TEST(TargetFile, TakesAsManyColumnsAsItsProcessCanPrint) {
 
 TEST(TargetFile, GivesAStripItsLengthAtAThetaThatItMayHave) {
   const auto edge_mm = [](const std::string& range) {
-    return read(target + "structure: {cells: [20, 1]}\nvariables: {theta: {range_deg: " + range + "}}\n")
+    return read_curve(target + "structure: {cells: [20, 1]}\nvariables: {theta: {range_deg: " + range +
+                      "}}\n")
         .size.edge_mm;
   };
   EXPECT_DOUBLE_EQ(edge_mm("[10, 40]") * 20 * std::cos(30 * radians_per_degree), 100);
@@ -119,7 +120,7 @@ TEST(TargetFile, GivesAStripItsLengthAtAThetaThatItMayHave) {
 }
 
 TEST(TargetFile, NeedsNoMoreThanAVersionAndATarget) {
-  const CurveFile file = read(target);
+  const CurveFile file = read_curve(target);
   EXPECT_EQ(file.name, "rib");
   EXPECT_EQ(file.curve.length(), 100);
   EXPECT_EQ(file.columns, 19);
@@ -140,7 +141,7 @@ TEST(TargetFile, NeedsNoMoreThanAVersionAndATarget) {
 }
 
 TEST(TargetFile, TakesWhatIsGiven) {
-  const CurveFile file = read(
+  const CurveFile file = read_curve(
       "kinetix: 1\nname: helmet_rib-2.b\ntarget: {kind: curve, points: [[0, 0], [60, 0], [60, 40]]}\n"
       "structure: {cells: [12, 12], cell_mm: 8, wall_mm: {thickness: 0.8, height: 6}}\n"
       "variables:\n  beta: {range_deg: [-50, 40], per: all, symmetry: rotate_2}\n  theta: {range_deg: [3, "
@@ -167,13 +168,13 @@ TEST(TargetFile, TakesWhatIsGiven) {
 }
 
 TEST(TargetFile, ChoosesTheColumnsThatFitACellSize) {
-  EXPECT_EQ(read(target + "structure: {cell_mm: 8}").columns, 14);
-  EXPECT_EQ(read(target + "structure: {cell_mm: 100}").columns, 2);
+  EXPECT_EQ(read_curve(target + "structure: {cell_mm: 8}").columns, 14);
+  EXPECT_EQ(read_curve(target + "structure: {cell_mm: 100}").columns, 2);
 }
 
 TEST(TargetFile, TakesAListOfCellsThatIsARectangle) {
   const CurveFile file =
-      read(target + "structure: {cells: [[0, 0], [1, 1], [0, 1], [2, 0], [1, 0], [2, 1]]}");
+      read_curve(target + "structure: {cells: [[0, 0], [1, 1], [0, 1], [2, 0], [1, 0], [2, 1]]}");
   EXPECT_EQ(file.columns, 3);
   EXPECT_EQ(file.rows, 2);
 }

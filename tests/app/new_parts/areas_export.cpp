@@ -20,7 +20,7 @@ std::vector<NamedContent> write(const Run& run, const nlohmann::ordered_json&) {
 // Name, extensions, whether every run writes it, and the function that writes it.
 const Exporter areas_export = {"areas", {"txt"}, false, write};
 
-[[maybe_unused]] const bool registered = (add_exporter(areas_export), true);
+[[maybe_unused]] const bool exporter_registered = (add_exporter(areas_export), true);
 
 }  // namespace
 }  // namespace kinetix::app

@@ -107,7 +107,7 @@ const GoalKind width_kind = {.name = "width",
                              .table = width_keys,
                              .metrics = {{"width_mm", "mm", "width of the folded strip"}}};
 
-[[maybe_unused]] const bool registered = (add_goal_kind(width_kind), true);
+[[maybe_unused]] const bool goal_registered = (add_goal_kind(width_kind), true);
 
 }  // namespace
 }  // namespace kinetix::app

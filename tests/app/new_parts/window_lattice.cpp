@@ -16,7 +16,7 @@ std::vector<Eigen::Vector2d> corners(int i, int j, double) {
 const PlanarLattice window_lattice = {"window", "rectangles of 2 x 1 with a vertex in their long sides",
                                       corners};
 
-[[maybe_unused]] const bool registered = (add_planar_lattice(window_lattice), true);
+[[maybe_unused]] const bool lattice_registered = (add_planar_lattice(window_lattice), true);
 
 }  // namespace
 }  // namespace kinetix::model

@@ -235,7 +235,7 @@ TEST(RefineDisplay, BuysContrastByALittleStrain) {
   EXPECT_LE(strained.view.t.maxCoeff(), 0.8);
 }
 
-void expect_a_letter_that_the_rule_blurs(int cells, int evaluations) {
+void expect_unblurred_letter(int cells, int evaluations) {
   const model::Structure panel = make_structure(model::rectangle(cells, cells), {});
   DisplayOptions options = pressed(0.12);
   options.starts = 2;
@@ -252,9 +252,9 @@ void expect_a_letter_that_the_rule_blurs(int cells, int evaluations) {
   EXPECT_LE(design.view.t.maxCoeff(), 0.92);
 }
 
-TEST(FitDisplay, ShowsALetterThatTheRuleAloneBlurs) { expect_a_letter_that_the_rule_blurs(6, 30); }
+TEST(FitDisplay, ShowsALetterThatTheRuleAloneBlurs) { expect_unblurred_letter(6, 30); }
 
-TEST(FitDisplaySoak, ShowsALetterThatTheRuleAloneBlurs) { expect_a_letter_that_the_rule_blurs(10, 60); }
+TEST(FitDisplaySoak, ShowsALetterThatTheRuleAloneBlurs) { expect_unblurred_letter(10, 60); }
 
 TEST(FitDisplay, SameAnswerForAnyNumberOfThreads) {
   const model::Structure panel = make_structure(model::rectangle(4, 4), {});
