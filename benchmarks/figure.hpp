@@ -36,6 +36,7 @@ std::vector<Figure> framed_physics_figures();
 std::vector<Figure> compensation_figures();
 std::vector<Figure> print_figures();
 std::vector<Figure> print_judge_figures();
+std::vector<Figure> measured_figures();
 std::vector<Figure> studio_figures();
 std::vector<Figure> bridge_figures();
 std::vector<Figure> import_figures();

@@ -69,6 +69,7 @@ constexpr Group groups[] = {{"whole_runs", kinetix::bench::whole_run_figures, tr
                             {"matter", kinetix::bench::compensation_figures},
                             {"print", kinetix::bench::print_figures},
                             {"print_judges", kinetix::bench::print_judge_figures},
+                            {"measured", kinetix::bench::measured_figures, true},
                             {"studio", kinetix::bench::studio_figures},
                             {"bridges", kinetix::bench::bridge_figures},
                             {"import", kinetix::bench::import_figures},
