@@ -27,7 +27,7 @@ constexpr double first_damping = 1e-3;  // of the stiffness
 constexpr double least_damping = 1e-9;  // of the stiffness: keeps the tangent regular within the play
 constexpr int most_steps = 4000;        // of Newton's method, far more than the pulls of the benchmarks take
 constexpr int most_tries = 40;          // of a step with more damping
-constexpr int layers = 2;               // crosses per cell
+constexpr int panels = 2;  // of crosses, one cross per cell each; tips join the crosses of one panel
 
 /// Pin between two crosses, with its place on both.
 struct Pin {
@@ -46,40 +46,40 @@ class Crosses {
   explicit Crosses(const CrossedLattice& lattice) : lattice_(lattice) {
     const int n = lattice.side;
     const double psi = std::acos(lattice.spacing_mm / (2 * lattice.arm_mm));
-    q_ = force_ = VectorXd::Zero(3 * layers * n * n);
+    q_ = force_ = VectorXd::Zero(3 * panels * n * n);
     const Vector2d along_x(lattice.arm_mm, 0), along_y(0, lattice.arm_mm), centre(0, 0);
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {
         pins_.push_back({cross(i, j, 0), cross(i, j, 1), centre, centre});
-        for (int layer = 0; layer < layers; ++layer) {
-          const int sense = (i + j + layer) % 2 == 0 ? 1 : -1;
-          q_.segment<3>(3 * cross(i, j, layer)) << i * lattice.spacing_mm, j * lattice.spacing_mm,
+        for (int panel = 0; panel < panels; ++panel) {
+          const int sense = (i + j + panel) % 2 == 0 ? 1 : -1;
+          q_.segment<3>(3 * cross(i, j, panel)) << i * lattice.spacing_mm, j * lattice.spacing_mm,
               sense * psi;
-          if (i + 1 < n) pins_.push_back({cross(i, j, layer), cross(i + 1, j, layer), along_x, -along_x});
-          if (j + 1 < n) pins_.push_back({cross(i, j, layer), cross(i, j + 1, layer), along_y, -along_y});
+          if (i + 1 < n) pins_.push_back({cross(i, j, panel), cross(i + 1, j, panel), along_x, -along_x});
+          if (j + 1 < n) pins_.push_back({cross(i, j, panel), cross(i, j + 1, panel), along_y, -along_y});
         }
       }
   }
 
   PulledLattice pulled(int i, int j, const Vector2d& force) {
     const VectorXd start = q_;
-    for (int layer = 0; layer < layers; ++layer) force_.segment<2>(3 * cross(i, j, layer)) = force / layers;
+    for (int panel = 0; panel < panels; ++panel) force_.segment<2>(3 * cross(i, j, panel)) = force / panels;
     PulledLattice out{.converged = settle()};
     for (int a = 0; a < lattice_.side; ++a)
       for (int b = 0; b < lattice_.side; ++b) {
         Vector2d moved = Vector2d::Zero();
-        for (int layer = 0; layer < layers; ++layer)
-          moved += (q_ - start).segment<2>(3 * cross(a, b, layer)) / layers;
+        for (int panel = 0; panel < panels; ++panel)
+          moved += (q_ - start).segment<2>(3 * cross(a, b, panel)) / panels;
         out.moved_mm.push_back(moved);
       }
     return out;
   }
 
  private:
-  int cross(int i, int j, int layer) const { return layers * (lattice_.side * i + j) + layer; }
+  int cross(int i, int j, int panel) const { return panels * (lattice_.side * i + j) + panel; }
 
   /// Both crosses of the first cell are held.
-  static constexpr int held_unknowns = 3 * layers;
+  static constexpr int held_unknowns = 3 * panels;
 
   Vector2d gap(const Pin& pin, const VectorXd& q) const {
     return q.segment<2>(3 * pin.first) + turned(pin.on_first, q[3 * pin.first + 2]) -

@@ -6,7 +6,8 @@
 namespace kinetix::bench {
 
 /// Flat lattice of cells of two crosses each, one above the other. A pin joins the two crosses of a cell at their
-/// centres. Pins join each tip to the cross of the other layer in the next cell. All pins have the same clearance.
+/// centres. Pins join the tips of an upper cross to the lower crosses of the next cells. So the crosses are two panels, which are
+/// in turn above and below each other. All pins have the same clearance.
 struct CrossedLattice {
   int side = 5;           ///< cells along x and along y, > 1
   double arm_mm = 0;      ///< from the centre of a cross to the pin at its tip, > spacing_mm / 2

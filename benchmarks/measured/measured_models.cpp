@@ -65,12 +65,14 @@ struct Nearest {
 };
 
 Nearest nearest_on(const std::vector<CurvePoint>& curve, const Vector2d& stretch) {
+  constexpr double tie = 1e-12;  // ratio: of two equally near states, the one with the larger theta counts
   Nearest best;
   for (std::size_t k = 1; k < curve.size(); ++k) {
     const Vector2d along = curve[k].stretch - curve[k - 1].stretch, to = stretch - curve[k - 1].stretch;
     const double part = std::clamp(to.dot(along) / along.squaredNorm(), 0.0, 1.0);
     const double distance = (to - part * along).norm();
-    if (distance < best.distance) best = {std::lerp(curve[k - 1].theta, curve[k].theta, part), distance};
+    if (distance < best.distance + tie)
+      best = {std::lerp(curve[k - 1].theta, curve[k].theta, part), distance};
   }
   return best;
 }

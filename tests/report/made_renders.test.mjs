@@ -26,6 +26,7 @@ test("prints that stay apart are good", async () => {
   await openWith({as_made: PRINTS});
   page.holds('class="verdict good"');
   page.unsaid("stay apart");
+  page.holds("These figures are estimates, not measurements.");
   await openWith({as_made: {...PRINTS, free_of_contact: null}});
   page.holds("That walls of prints stay apart on the way is not proven.");
 });

@@ -58,7 +58,7 @@ function describePrintTolerance({printTolerance}) {
           `${source.hinge} (${percent(source.share)} of what errors do).`;
   const designed = finite(printTolerance.designed) === null ? "" : `, ${millimetres(printTolerance.designed)} as designed`;
   return `Printed by ${printTolerance.process}, it ends up ${millimetres(printTolerance.rms)} from the goal (rms over points of the sheet and over ` +
-      `prints${designed}); 95 of 100 prints stay within ${millimetres(printTolerance.p95)}, and ${millimetres(printTolerance.tolerance)} are allowed.` + there + most +
+      `prints${designed}); 95 of 100 prints stay within ${millimetres(printTolerance.p95)}, and ${millimetres(printTolerance.tolerance)} are allowed. These figures are estimates, not measurements.` + there + most +
       (printTolerance.play ? ` Without the play of its pins it would be ${millimetres(printTolerance.play.rms_without_mm)}, and ${millimetres(printTolerance.play.p95_without_mm)}.` : "") +
       describeAssumedHinges(printTolerance.taken) + describeContact(printTolerance) + (printTolerance.confirmed ? "" : " That is to first order, and does not hold here: " + describeSamplePrints(printTolerance.prints));
 }

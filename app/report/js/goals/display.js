@@ -224,7 +224,7 @@ function printsTable(display) {
   return html("div", {class: "scroll"},
               table(["prints", "contrast, mean", "contrast that 95 of 100 keep", "AUC"],
                     [row("expected", expected), row(`${display.printed.count} looked at in the elastic model`, prints)],
-                    display.printed.confirmed === false ? "What prints show: first order is far from them" : "What prints show"));
+                    display.printed.confirmed === false ? "What prints show, estimated: first order is far from them" : "What prints show, estimated"));
 }
 
 /** Describes the size of a panel that is needed or estimated. The reasons are at the top of the page. */
