@@ -13,6 +13,7 @@ _kinetix_opt() {
     --process) COMPREPLY=($(compgen -W "polyjet fdm sla sls" -- "$word")); return ;;
     --unit) COMPREPLY=($(compgen -W "mm cm m in ft" -- "$word")); return ;;
     --material) COMPREPLY=($(compgen -W "tango tpu95a pp pa12" -- "$word")); return ;;
+    --slicer) COMPREPLY=($(compgen -W "prusa orca bambu cura" -- "$word")); return ;;
     --hinge) COMPREPLY=($(compgen -W "pin block film" -- "$word")); return ;;
     --state) COMPREPLY=($(compgen -W "flat folded" -- "$word")); return ;;
     -o) COMPREPLY=($(compgen -d -- "$word")); return ;;
@@ -24,7 +25,7 @@ _kinetix_opt() {
     simulate) options="$common -o --open --model --theta-deg --drives --time-limit" ;;
     sweep) options="$common -o --open --resume --share" ;;
     check) options="$common" ;;
-    export) options="$common -o --format --process --hinge --clearance --cell-mm --bed --loose-rods --caps --orient --slice --coupon --state" ;;
+    export) options="$common -o --format --process --hinge --clearance --cell-mm --bed --loose-rods --caps --orient --slicer --slice --coupon --state" ;;
     import) options="$common -o --hard --soft --unit --soft-material --material --hinges --tile-mm --thickness-mm --kerf-mm" ;;
     view) options="$common --no-open --port" ;;
     *) options="$common --version -o --open --no-verify --time-limit --fidelity --monte-carlo" ;;

@@ -130,6 +130,9 @@ void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintReque
                  "of stl, 3mf and step: flat (default), over, on the other side, or best: whichever has the "
                  "least overhang")
       ->type_name("WAY");
+  app.add_option("--slicer", request.slicer,
+                 "prusa, orca, bambu or cura, that 3mf is for (default: one file for all of them)")
+      ->type_name("NAME");
   app.add_flag("--slice", request.slice, "asks PrusaSlicer how long fdm or sla takes, and for the material");
   app.add_flag("--coupon", request.coupon,
                "instead of a design, pins with gaps of 0.1 to 0.6 mm: prints tell which ones turn");

@@ -11,6 +11,7 @@
 #include "app/print/print_report.hpp"
 #include "app/print/sheet/coupon.hpp"
 #include "app/print/sheet/print_sheet.hpp"
+#include "app/print/slicer_advice.hpp"
 #include "app/run/design_hinges.hpp"
 #include "targets/document/wording.hpp"
 
@@ -52,6 +53,14 @@ std::optional<model::HingeKind> kind_of(const PrintRequest& request) {
   return named<model::HingeKind>(
       "--hinge", request.hinge,
       {{"pin", model::HingeKind::pin}, {"block", model::HingeKind::block}, {"film", model::HingeKind::film}});
+}
+
+/// Returns the slicer that the 3MF file is for; empty: all.
+std::optional<Slicer> slicer_of(const PrintRequest& request) {
+  if (request.slicer.empty()) return std::nullopt;
+  std::vector<std::pair<std::string_view, Slicer>> all;
+  for (const Slicer slicer : all_slicers) all.emplace_back(option_name(slicer), slicer);
+  return named<Slicer>("--slicer", request.slicer, all);
 }
 
 std::vector<const PrintFormat*> formats_of(const PrintRequest& request) {
@@ -217,6 +226,17 @@ std::optional<std::string> unlaid_note(const PrintRequest& request, const Format
                      others);
 }
 
+/// Describes a requested slicer that no format is for, or that does not slice for the process.
+std::optional<std::string> slicer_note(const PrintJob& job, const Formats& formats) {
+  if (!job.slicer) return std::nullopt;
+  if (std::find(formats.begin(), formats.end(), &threemf_format) == formats.end())
+    return fmt::format("--slicer changes nothing in {}: only 3mf has settings of a slicer",
+                       names_of(formats, [](const PrintFormat&) { return true; }));
+  if (can_slice(*job.slicer, job.sheet)) return std::nullopt;
+  return fmt::format("{} does not slice for {}: its files are for --process fdm", program_name(*job.slicer),
+                     job.sheet.process.name);
+}
+
 /// Describes the formats in which hinges only turn, for a sheet whose hinges stretch along its path.
 std::optional<std::string> unstretched_note(const PrintSheet& sheet, const Formats& formats) {
   const std::string rigid = names_of(formats, [](const PrintFormat& format) { return format.turns_alone; });
@@ -240,6 +260,10 @@ struct Source {
     if (!design) {
       reject_design_options(request);
       PrintJob job{make_coupon(process, bed_of(request))};
+      job.slicer = slicer_of(request);
+      if (const std::string names = slicer_names(job); !names.empty())
+        job.sheet.warnings.push_back("this coupon is for " + names +
+                                     ": another slicer may leave another gap that turns");
       const PathClearance clearance = path_clearance(job.sheet);
       return {std::move(job), clearance};
     }
@@ -338,15 +362,17 @@ bool can_describe_in_report(const Source& source, const PrintJob& job) {
 Exported exported(const Source& source, const PrintRequest& request, const std::string& where,
                   const Progress& progress) {
   const auto formats = formats_of(request);
+  const auto slicer_choice = slicer_of(request);
   for (const PrintFormat* format : formats)
     if (format->load) format->load();
   OutputFolder folder(where);
   progress("building solids", -1);
   PreparedPrint print = source.prepared_for(request);
   lay_as_requested(request, print.job);
-  for (auto& note :
-       {always_flat_note(request, formats), flat_tiles_note(request, print.job.sheet),
-        unlaid_note(request, formats, print.job.lie), unstretched_note(print.job.sheet, formats)})
+  print.job.slicer = slicer_choice;
+  for (auto& note : {always_flat_note(request, formats), flat_tiles_note(request, print.job.sheet),
+                     unlaid_note(request, formats, print.job.lie), unstretched_note(print.job.sheet, formats),
+                     slicer_note(print.job, formats)})
     if (note) print.job.sheet.warnings.push_back(*note);
   if (request.slice) progress("slicing", -1);
   const std::optional<SlicerAnswer> slicer =
@@ -389,6 +415,7 @@ Exported export_design(const Design& design, const PrintRequest& request, const 
 int export_command(const CommandOptions& options, const PrintRequest& request) {
   formats_of(request);
   process_of(request, model::processes().front());
+  slicer_of(request);
   const Source source = source_of(request);
   const std::string folder = options.folder_of(source.name(), "_print");
   const Exported out = exported(source, request, folder, Console(options.quiet, false).progress());

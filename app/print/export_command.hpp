@@ -19,6 +19,7 @@ struct PrintRequest {
   bool caps = false;            ///< knuckles of pins as equal round caps, wherever their axes are
   bool folded = false;          ///< the state of the design instead of flat
   std::string orient = "flat";  ///< orientation on the bed: a name of lies(), or "best", the least overhang
+  std::string slicer;           ///< by name, that the 3MF is for; empty: all that slice for the process
   bool slice = false;           ///< asks a slicer for time and material
   bool coupon = false;          ///< a test piece for hinges instead of the design
 };

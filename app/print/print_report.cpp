@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <filesystem>
 
+#include "app/print/slicer_advice.hpp"
 #include "app/report/report.hpp"
 #include "app/result/state_json.hpp"
 #include "model/base/box.hpp"
@@ -209,15 +210,6 @@ Json swelling_json(const PrintSheet& sheet, const PathClearance& clearance) {
   return std::max(0.0, clearance.flat_mm / 2);
 }
 
-/// Returns the least clearance of all pins, mm; 0 without pins.
-double min_clearance_mm(const PrintSheet& sheet) {
-  std::optional<double> least;
-  for (const model::HingePrint& hinge : sheet.hinges)
-    if (hinge.made.kind == model::HingeKind::pin)
-      least = std::min(least.value_or(hinge.made.clearance_mm), hinge.made.clearance_mm);
-  return least.value_or(0);
-}
-
 Json gaps_json(const std::optional<GapSettings>& gaps) {
   if (!gaps) return nullptr;
   return {{"closing_radius_mm", gaps->closing_radius_mm},
@@ -225,11 +217,15 @@ Json gaps_json(const std::optional<GapSettings>& gaps) {
           {"xy_compensation_mm", gaps->expansion_mm}};
 }
 
-std::string describe_gaps(const GapSettings& gaps) {
-  return fmt::format(
-      "slice gap closing radius {:g} mm, elephant foot compensation {:g} mm, XY size compensation {:g} mm: "
-      "set in the 3MF file, to be set by hand for STL",
-      gaps.closing_radius_mm, gaps.elephant_foot_mm, gaps.expansion_mm);
+Json slicer_settings_json(const PrintJob& job) {
+  Json out = Json::object();
+  const std::vector<Slicer> slicers = slicers_for(job);
+  for (const Slicer slicer : slicers) {
+    Json& settings = out[std::string(option_name(slicer))] = Json::object();
+    for (const auto& [key, value] : object_settings(slicer, job.sheet, slicers.size() > 1))
+      settings[key] = value;
+  }
+  return out;
 }
 
 std::string format_print_time(double seconds) {
@@ -305,6 +301,7 @@ std::vector<std::string> print_warnings(const PrintJob& job) {
                   " prints one material: soft parts are a print of their own, to be glued to the walls");
   for (const auto& notes : {material_warnings(job.sheet), room_warnings(job)})
     out.insert(out.end(), notes.begin(), notes.end());
+  if (auto separation = separation_warning(job)) out.push_back(std::move(*separation));
   if (const auto film = thin_film_warning(job.sheet)) out.push_back(*film);
   if (const auto rods = rods_warning(job.sheet)) out.push_back(*rods);
   const double steep = steepest_deg(job.sheet);
@@ -338,9 +335,10 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
       {"bodies", count_bodies(sheet)},
       {"hinges", sheet.hinges.size()},
       {"volume_mm3", {{"hard", volume_mm3(hard)}, {"soft", soft.points.empty() ? 0.0 : volume_mm3(soft)}}},
-      {"clearance_mm", min_clearance_mm(sheet)},
+      {"clearance_mm", least_clearance_mm(sheet).value_or(0)},
       {"swelling_mm", swelling_json(sheet, clearance)},
       {"gap_settings", gaps_json(gap_settings(sheet))},
+      {"slicer_settings", slicer_settings_json(job)},
       {"bounds_mm", vector_json(bounds(joined(hard, soft)))},
       {"orientation", job.lie},
       {"overhang_mm2", orientations_json(lies(job))},
@@ -383,7 +381,7 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
   line("orientation", describe_orientation(job));
   if (slicer) line("slicer", describe_slicer_estimate(*slicer, sheet.tiles));
   line("supports", describe_supports(job));
-  if (const auto gaps = gap_settings(sheet)) line("gaps", describe_gaps(*gaps));
+  for (const auto& [label, text] : slicer_advice(job)) line(label, text);
   const LeastDistance& nearest = clearance.nearest;
   if (nearest.first >= 0 && sheet.path.size() > 1)
     line("fold",

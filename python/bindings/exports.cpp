@@ -50,6 +50,7 @@ void add_exports(py::module_& core) {
       .def_readwrite("caps", &PrintRequest::caps)
       .def_readwrite("folded", &PrintRequest::folded)
       .def_readwrite("orient", &PrintRequest::orient)
+      .def_readwrite("slicer", &PrintRequest::slicer)
       .def_readwrite("slice", &PrintRequest::slice);
   core.def("export_files", export_files);
 }

@@ -87,7 +87,7 @@ class Exported(NamedTuple):
 def export(design: Union[Design, Source, Result], formats: Union[str, Sequence[str]],
            folder: "str | os.PathLike[str]", *, process: str = "", hinge: str = "", clearance_mm: float = 0,
            cell_mm: float = 0, bed_mm: Optional[Tuple[float, float]] = None, loose_rods: bool = False, folded: bool = False,
-           orient: str = "flat", slice: bool = False, caps: bool = False) -> Exported:
+           orient: str = "flat", slice: bool = False, caps: bool = False, slicer: str = "") -> Exported:
     """Writes a design for printers, CAD and simulators: all files or none.
 
     :param formats: names, or ``all``: stl, 3mf, step, svg, dxf, mjcf, glb, scad.
@@ -100,6 +100,7 @@ def export(design: Union[Design, Source, Result], formats: Union[str, Sequence[s
     :param loose_rods: rods of pins as separate parts.
     :param folded: the state of the design instead of flat.
     :param orient: ``flat``, ``over``, or ``best``.
+    :param slicer: prusa, orca, bambu or cura, that the 3MF file is for; by default all that slice for the process.
     :param slice: requests time and material from PrusaSlicer.
     :param caps: knuckles of pins as identical round caps, for any direction of their axes.
     :raises InvalidInput: for what cannot be made, or not by the process
@@ -109,7 +110,7 @@ def export(design: Union[Design, Source, Result], formats: Union[str, Sequence[s
     request = _core.PrintRequest()
     request.formats = [formats] if isinstance(formats, str) else list(formats)
     request.process, request.hinge, request.cell_mm, request.orient = process, hinge, cell_mm, orient
-    request.clearance_mm = clearance_mm
+    request.clearance_mm, request.slicer = clearance_mm, slicer
     request.bed_mm = list(bed_mm) if bed_mm is not None else []
     request.loose_rods, request.caps, request.folded, request.slice = loose_rods, caps, folded, slice
     files, report = _core.export_files(of._core, os.fspath(folder), request)

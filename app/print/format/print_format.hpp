@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/print/format/slicer_settings.hpp"
 #include "app/print/sheet/print_sheet.hpp"
 #include "app/run/goal_outcome.hpp"
 
@@ -12,6 +13,7 @@ struct PrintJob {
 
   std::optional<model::State> turned = {};  ///< the same state as lay() puts it on the bed
   std::string_view lie = "flat";            ///< orientation on the bed, a name of lies()
+  std::optional<Slicer> slicer = {};        ///< that the 3MF is for; empty: all that slice for the process
 
   const model::State& state() const { return turned ? *turned : unturned(); }
   /// Returns the state in the sheet's own place, however it lies on the bed.
@@ -44,7 +46,7 @@ constexpr double mm3_per_cm3 = 1e3;     // mm^3/cm^3: material is sold by cm^3, 
 /// all.stl, hard.stl and, for elastomer and living hinges, soft.stl: binary, mm, in common coordinates.
 extern const PrintFormat stl_format;
 /// NAME.3mf: one object. Both materials are triangle ranges with an extruder each (PrusaSlicer), and on each triangle
-/// (by the book).
+/// (by the book). For the other slicers both materials are objects, and a third object joins them.
 extern const PrintFormat threemf_format;
 /// NAME.step: a solid per body, rod and soft part, with true cylinders and names.
 extern const PrintFormat step_format;
@@ -80,18 +82,6 @@ TileParts tile_parts(const PrintJob& job, int tile);
 
 /// Returns all loose rods side by side, lying along x on the plane z = 0, mm; empty without any.
 model::Polyhedron laid_out_rods(const PrintSheet& sheet);
-
-/// Slicer settings that keep the gaps of pins open, mm. A slicer's own settings would close them.
-struct GapSettings {
-  double closing_radius_mm = 0;  ///< of slices: gaps narrower than twice this are closed
-  double elephant_foot_mm =
-      0;                    ///< compensation: first layers are narrower by this, as they spread on the bed
-  double expansion_mm = 0;  ///< of all contours in the plane
-};
-
-/// Returns the settings of a sheet; empty without pins. The radius is PrusaSlicer's own if that leaves the least
-/// clearance of a pin open.
-std::optional<GapSettings> gap_settings(const PrintSheet& sheet);
 
 /// Largest overhang that FDM prints without support, degrees from upright (docs/print.md section 3).
 constexpr double steep_deg = 45;

@@ -171,9 +171,19 @@ fill_density = 100%
 fill_pattern = rectilinear
 perimeters = 1
 skirts = 0
-brim_width = 0
 wipe_tower = 0
 )";
+
+constexpr double filament_radius_mm = 1.75 / 2;  // mm, of the filament in two_extruders
+
+/// Returns PrusaSlicer's G-code of a file.
+std::string gcode_of(const std::string& folder, const std::string& file, const std::string& profile) {
+  const std::string settings = written(folder, "extruders.ini", profile), code = folder + "/slices.gcode";
+  run_slicer(folder, "--export-gcode --load " + settings + " " + file + " -o " + code);
+  std::stringstream text;
+  text << std::ifstream(code).rdbuf();
+  return text.str();
+}
 
 }  // namespace
 
@@ -192,16 +202,19 @@ std::string sliced(const std::string& folder, const std::string& file, const Sli
 }
 
 double filament_ratio(const std::string& folder, const std::string& file) {
-  const std::string settings = written(folder, "extruders.ini", two_extruders),
-                    code = folder + "/slices.gcode";
-  run_slicer(folder, "--export-gcode --load " + settings + " " + file + " -o " + code);
-  std::stringstream text;
-  text << std::ifstream(code).rdbuf();
-  const std::string all = text.str();
+  const std::string all = gcode_of(folder, file, two_extruders);
   std::smatch used;
   if (!std::regex_search(all, used, std::regex(R"(; filament used \[mm\] = ([\d.]+), ([\d.]+))")))
-    throw std::runtime_error("no filament in " + code);
+    throw std::runtime_error("no filament in the G-code of " + file);
   return std::stod(used[1]) / std::stod(used[2]);
+}
+
+double filament_mm3(const std::string& folder, const std::string& file, const std::string& profile) {
+  const std::string all = gcode_of(folder, file, two_extruders + profile);
+  std::smatch used;
+  if (!std::regex_search(all, used, std::regex(R"(; filament used \[mm\] = ([\d.]+))")))
+    throw std::runtime_error("no filament in the G-code of " + file);
+  return std::stod(used[1]) * M_PI * filament_radius_mm * filament_radius_mm;
 }
 
 int printed_pieces(const std::string& archive) {

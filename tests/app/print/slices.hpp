@@ -24,6 +24,11 @@ std::string sliced(const std::string& folder, const std::string& file, const Sli
 /// @throws std::runtime_error if the slicer is missing or fails
 double filament_ratio(const std::string& folder, const std::string& file);
 
+/// Computes the filament that PrusaSlicer's G-code of a file extrudes, mm^3.
+/// @param profile settings of the print, as lines of an INI file
+/// @throws std::runtime_error if the slicer is missing or fails
+double filament_mm3(const std::string& folder, const std::string& file, const std::string& profile);
+
 /// Counts the connected pieces in an SLA archive (one PNG per layer). Pixels are connected if they share an edge within
 /// a layer or are above each other in two layers.
 int printed_pieces(const std::string& archive);
