@@ -145,7 +145,7 @@ std::string Console::note(double seconds) {
 }
 
 void Console::show() {
-  next_ = Clock::now() + interval;
+  next_ = repeats_ ? Clock::now() + interval : Clock::time_point::max();
   const double seconds = std::chrono::duration<double>(Clock::now() - since_).count();
   if (terminal_)
     show_bar(seconds);
@@ -183,6 +183,7 @@ void Console::stage(const std::string& name, double done, const std::string& not
     since_ = Clock::now();
     next_ = since_ + interval;
     left_ = {};
+    repeats_ = true;
     if (!terminal_ && logs_starts_) log().info("{} ...", name);
   }
   const int percent = done < 0 ? -1 : static_cast<int>(100 * std::min(done, 1.0));
@@ -193,6 +194,12 @@ void Console::stage(const std::string& name, double done, const std::string& not
   note_ = note;
   so_far_ = so_far;
   if (terminal_ && changes) show();
+}
+
+void Console::stage_once(const std::string& name, const std::string& note) {
+  stage(name, -1, note);
+  const std::lock_guard lock(mutex_);
+  repeats_ = false;
 }
 
 void Console::error(const std::string& message) {

@@ -50,6 +50,8 @@ class Console {
   /// @param note at the end, instead of the time left   @param so_far in words, before the time
   void stage(const std::string& name, double done, const std::string& note = {},
              const std::string& so_far = {});
+  /// Reports a stage of which nothing will be known until it ends. Without a terminal it is one line.
+  void stage_once(const std::string& name, const std::string& note);
   void error(const std::string& message);
   void warning(const std::string& message);  ///< nothing when quiet
   Progress progress();
@@ -67,6 +69,7 @@ class Console {
   std::mutex mutex_;  ///< guards all members below
   std::condition_variable end_;
   bool ends_ = false;
+  bool repeats_ = true;     ///< whether the stage is reported every second
   bool on_screen_ = false;  ///< whether a bar is shown
   int shown_percent_ = -1;
   double done_ = -1;

@@ -335,6 +335,18 @@ void lay_as_requested(const PrintRequest& request, PrintJob& job) {
   lay(job, *named("--orient", request.orient, allowed));
 }
 
+constexpr const char* slicing_stage = "slicing";
+
+/// Returns a progress that reports slicing once: the slicer says nothing until it ends.
+Progress progress_on(Console& console) {
+  return [&console](const std::string& name, double done, const std::string& so_far) {
+    if (name == slicing_stage)
+      console.stage_once(name, so_far);
+    else
+      console.stage(name, done, {}, so_far);
+  };
+}
+
 constexpr const char* record_of_prints = ".kinetix-prints";  // separate from runs' record
 
 /// Checks whether a file is written for some sheets only: soft parts, rods, tiles and strips.
@@ -374,7 +386,7 @@ Exported exported(const Source& source, const PrintRequest& request, const std::
                      unlaid_note(request, formats, print.job.lie), unstretched_note(print.job.sheet, formats),
                      slicer_note(print.job, formats)})
     if (note) print.job.sheet.warnings.push_back(*note);
-  if (request.slice) progress("slicing", -1);
+  if (request.slice) progress(slicing_stage, -1, fmt::format("PrusaSlicer, at most {:g} s", slicing_limit_s));
   const std::optional<SlicerAnswer> slicer =
       request.slice ? std::optional(estimate_by_slicer(print.job)) : std::nullopt;
   FileSet files(folder.path());
@@ -418,7 +430,8 @@ int export_command(const CommandOptions& options, const PrintRequest& request) {
   slicer_of(request);
   const Source source = source_of(request);
   const std::string folder = options.folder_of(source.name(), "_print");
-  const Exported out = exported(source, request, folder, Console(options.quiet, false).progress());
+  Console console(options.quiet, false);
+  const Exported out = exported(source, request, folder, progress_on(console));
   std::string text =
       out.text + fmt::format("{:<12} {}: {}\n", "written", out.folder, fmt::join(out.files, ", "));
   if (!out.report.empty()) text += fmt::format("{:<12} {} has time and material too\n", "report", out.report);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <filesystem>
 
+#include "app/print/format/supports.hpp"
 #include "app/print/slicer_advice.hpp"
 #include "app/report/report.hpp"
 #include "app/result/state_json.hpp"
@@ -114,8 +115,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr double worth_turning = 0.99;  // of the overhang: a smaller gain is rounding of faces
 
-constexpr double shown_mm2 = 0.05;  // mm^2: less is shown as 0.0
-
 Json vector_json(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
 Eigen::Vector3d bounds(const model::Polyhedron& solid) { return model::box_of(solid.points).sizes(); }
@@ -222,8 +221,7 @@ Json slicer_settings_json(const PrintJob& job) {
   const std::vector<Slicer> slicers = slicers_for(job);
   for (const Slicer slicer : slicers) {
     Json& settings = out[std::string(option_name(slicer))] = Json::object();
-    for (const auto& [key, value] : object_settings(slicer, job.sheet, slicers.size() > 1))
-      settings[key] = value;
+    for (const auto& [key, value] : object_settings(slicer, job, slicers.size() > 1)) settings[key] = value;
   }
   return out;
 }
@@ -234,14 +232,19 @@ std::string format_print_time(double seconds) {
                       : fmt::format("{} h {} min", minutes / 60, minutes % 60);
 }
 
+std::string describe_counted_supports(const SliceEstimate& print) {
+  if (print.supports) return "with supports";
+  return print.lacks_supports ? "without the supports that it needs" : "without supports";
+}
+
 std::string describe_slicer_estimate(const SlicerAnswer& slicer, const Tiles& tiles) {
   if (!slicer.estimate) return slicer.no_estimate_reason;
   const SliceEstimate& print = *slicer.estimate;
-  return fmt::format(
-      "{} and {:.2f} cm3 of material{}, {} supports, by PrusaSlicer with its own settings for speed{}",
-      format_print_time(print.seconds), print.material_mm3 / mm3_per_cm3,
-      print.prints > 1 ? fmt::format(" in {} prints", print.prints) : "", print.supports ? "with" : "without",
-      tiles.count() > 1 ? ", as if one bed held all tiles" : "");
+  return fmt::format("{} and {:.2f} cm3 of material{}, {}, by PrusaSlicer with its own settings for speed{}",
+                     format_print_time(print.seconds), print.material_mm3 / mm3_per_cm3,
+                     print.prints > 1 ? fmt::format(" in {} prints", print.prints) : "",
+                     describe_counted_supports(print),
+                     tiles.count() > 1 ? ", as if one bed held all tiles" : "");
 }
 
 /// Returns the orientation of the sheet in its files.
@@ -264,16 +267,6 @@ std::string describe_orientation(const PrintJob& job) {
   if (!(least.overhang_mm2 < worth_turning * now.overhang_mm2)) return hangs + ", no less on the other side";
   return fmt::format("{}, {:.1f} mm2 {} (kinetix-opt export --orient {})", hangs, least.overhang_mm2,
                      least.name == "over" ? "on its other side" : "as it is", least.name);
-}
-
-/// Describes the supports that the process needs under the overhang, as the sheet lies in its files.
-std::string describe_supports(const PrintJob& job) {
-  const double hangs = current_orientation(job, lies(job)).overhang_mm2;
-  if (hangs < shown_mm2) return "none";
-  const std::string& carries = job.sheet.process.carries;
-  if (!carries.empty())
-    return fmt::format("none to plan: {} carries the {:.1f} mm2 that lean", carries, hangs);
-  return fmt::format("under the {:.1f} mm2 that lean more than {:g} degrees over the bed", hangs, steep_deg);
 }
 
 namespace fs = std::filesystem;

@@ -5,12 +5,17 @@
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <thread>
 
 #include "app/io/text_pattern.hpp"
+#include "app/print/format/supports.hpp"
 #include "app/print/format/zip_text.hpp"
 #include "model/base/box.hpp"
 
@@ -40,10 +45,30 @@ class WorkFolder {
   std::error_code ignored_;
 };
 
-enum class Ended { well, badly, not_there };
+using Clock = std::chrono::steady_clock;
+
+enum class Ended { well, badly, not_there, too_late };
+
+constexpr std::chrono::milliseconds between_looks{20};  // ms: short beside the least time of a slicer, 0.2 s
+
+/// Waits for a child process. It is ended at the deadline. @return its status; empty: too late
+std::optional<int> wait_for(pid_t child, Clock::time_point deadline) {
+  int status = 0;
+  for (;;) {
+    const pid_t ended = waitpid(child, &status, WNOHANG);
+    if (ended == child) return status;
+    if (ended < 0 && errno != EINTR) return -1;
+    if (Clock::now() >= deadline) break;
+    std::this_thread::sleep_for(between_looks);
+  }
+  kill(child, SIGKILL);
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return std::nullopt;
+}
 
 /// Runs a program without a shell, and with nothing on the streams of this program.
-Ended run(std::vector<std::string> words) {
+Ended run(std::vector<std::string> words, Clock::time_point deadline) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -56,9 +81,9 @@ Ended run(std::vector<std::string> words) {
   const int error = posix_spawnp(&child, arguments[0], &quiet, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&quiet);
   if (error != 0) return Ended::not_there;
-  int status = 0;
-  if (waitpid(child, &status, 0) != child || !WIFEXITED(status)) return Ended::badly;
-  return WEXITSTATUS(status) == 0 ? Ended::well : Ended::badly;
+  const std::optional<int> status = wait_for(child, deadline);
+  if (!status) return Ended::too_late;
+  return WIFEXITED(*status) && WEXITSTATUS(*status) == 0 ? Ended::well : Ended::badly;
 }
 
 std::string bed_settings(const model::Polyhedron& solid) {
@@ -125,6 +150,13 @@ SliceEstimate read_slices(const std::string& file) {
   return out;
 }
 
+/// A slicer, and how long it may take.
+struct SlicerProgram {
+  std::string name;
+  double limit_s;
+  Clock::time_point deadline;
+};
+
 /// One run of a slicer, with the reader of its output.
 struct Slicing {
   std::string settings, input;
@@ -133,21 +165,27 @@ struct Slicing {
   SliceEstimate (*read)(const std::string& file);
 };
 
-SlicerAnswer sliced(const WorkFolder& folder, const std::string& program, const Slicing& slicing) {
+SlicerAnswer sliced(const WorkFolder& folder, const SlicerProgram& program, const Slicing& slicing) {
   write_file(folder / "settings.ini", slicing.settings);
   const std::string output = folder / slicing.output;
   const Ended ended =
-      run({program, slicing.action, "--load", folder / "settings.ini", slicing.input, "-o", output});
-  if (ended == Ended::not_there) return {{}, "no slicer found: " + program + " is not on PATH"};
-  if (ended == Ended::badly) return {{}, program + " gave up"};
+      run({program.name, slicing.action, "--load", folder / "settings.ini", slicing.input, "-o", output},
+          program.deadline);
+  if (ended == Ended::not_there) return {{}, "no slicer found: " + program.name + " is not on PATH"};
+  if (ended == Ended::badly) return {{}, program.name + " gave up"};
+  if (ended == Ended::too_late)
+    return {{},
+            fmt::format("{} was ended after {:g} s: open the 3MF file (--format 3mf) in the slicer itself, "
+                        "which shows time and material",
+                        program.name, program.limit_s)};
   const SliceEstimate estimate = slicing.read(output);
   if (!(estimate.seconds > 0) || !(estimate.material_mm3 > 0))
-    return {{}, program + " said neither time nor material"};
+    return {{}, program.name + " said neither time nor material"};
   return {estimate};
 }
 
 /// Slices one print after the other. Time and material are those of all prints.
-SlicerAnswer all_sliced(const WorkFolder& folder, const std::string& program,
+SlicerAnswer all_sliced(const WorkFolder& folder, const SlicerProgram& program,
                         const std::vector<Slicing>& prints) {
   SlicerAnswer sum{SliceEstimate{.prints = 0}};
   for (const Slicing& print : prints) {
@@ -161,8 +199,9 @@ SlicerAnswer all_sliced(const WorkFolder& folder, const std::string& program,
 }
 
 /// Slices for FDM. Loose rods lie on the bed and need no supports.
-SlicerAnswer sliced_fdm(const PrintJob& job, const WorkFolder& folder, const std::string& program) {
-  const bool supports = steepest_deg(job.sheet) > steep_deg;
+SlicerAnswer sliced_fdm(PrintJob job, const WorkFolder& folder, const SlicerProgram& program) {
+  job.slicer = Slicer::prusa;  // whichever slicer the files are for
+  const bool supports = plan_supports(job).is_needed;
   const std::string sheet = job.sheet.name + ".3mf", rods = job.sheet.name + "_rods.3mf";
   std::vector<Slicing> prints;
   for (const auto& [name, content] : threemf_format.write(job)) {
@@ -180,8 +219,8 @@ SlicerAnswer sliced_fdm(const PrintJob& job, const WorkFolder& folder, const std
   return out;
 }
 
-/// Slices for SLA. Hard and soft parts are a print each, and so are loose rods.
-SlicerAnswer sliced_sla(const PrintJob& job, const WorkFolder& folder, const std::string& program) {
+/// Slices for SLA. Hard and soft parts are a print each, and so are loose rods. Supports of SLA take PrusaSlicer long.
+SlicerAnswer sliced_sla(const PrintJob& job, const WorkFolder& folder, const SlicerProgram& program) {
   std::vector<Slicing> prints;
   for (const auto& [name, content] : stl_format.write(job)) {
     if (name != "hard.stl" && name != "soft.stl" && name != "rods.stl") continue;
@@ -190,7 +229,9 @@ SlicerAnswer sliced_sla(const PrintJob& job, const WorkFolder& folder, const std
         {bed_settings(name == "rods.stl" ? laid_out_rods(job.sheet) : hard_part(job)) + sla_settings,
          folder / name, "--export-sla", "sheet.sl1", read_slices});
   }
-  return all_sliced(folder, program, prints);
+  SlicerAnswer out = all_sliced(folder, program, prints);
+  if (out.estimate) out.estimate->lacks_supports = plan_supports(job).is_needed;
+  return out;
 }
 
 }  // namespace
@@ -205,10 +246,13 @@ double seconds_of(std::string_view text) {
   return sum;
 }
 
-SlicerAnswer estimate_by_slicer(const PrintJob& job, const std::string& program) {
+SlicerAnswer estimate_by_slicer(const PrintJob& job, const std::string& name, double limit_s) {
   const std::string& process = job.sheet.process.name;
   if (process != "fdm" && process != "sla") return {{}, "no slicer found for " + process};
   const WorkFolder folder;
+  const SlicerProgram program{
+      name, limit_s,
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(limit_s))};
   return process == "fdm" ? sliced_fdm(job, folder, program) : sliced_sla(job, folder, program);
 }
 

@@ -6,11 +6,14 @@ namespace kinetix::app {
 
 /// Time and material of a print, as a slicer estimates them.
 struct SliceEstimate {
-  double seconds = 0;       ///< of printing, s, > 0: all prints one after the other
-  double material_mm3 = 0;  ///< of filament or resin, mm^3, with skirts, > 0
-  bool supports = false;    ///< whether time and material include supports
+  double seconds = 0;           ///< of printing, s, > 0: all prints one after the other
+  double material_mm3 = 0;      ///< of filament or resin, mm^3, with skirts, > 0
+  bool supports = false;        ///< whether time and material include supports
+  bool lacks_supports = false;  ///< whether supports are needed that they do not include: those of SLA
   int prints = 1;  ///< one if both materials are printed together, else one each; and one of loose rods
 };
+
+constexpr double slicing_limit_s = 60;  // s: as long as users wait; the slicer itself can be used for longer
 
 /// Answer of a slicer.
 struct SlicerAnswer {
@@ -19,10 +22,13 @@ struct SlicerAnswer {
 };
 
 /// Asks PrusaSlicer, with settings of the process alone: layers of 0.2 mm and a nozzle of 0.4 mm for FDM, layers of
-/// 0.05 mm for SLA. No setting closes gaps. Supports are on if hinges lean more than FDM prints without. The printer's
-/// own profile will differ. There is no estimate for processes that it does not slice, and without PrusaSlicer.
+/// 0.05 mm for SLA. No setting closes gaps. Supports are on for FDM if plan_supports needs them. The printer's own
+/// profile will differ. There is no estimate for processes that it does not slice, without PrusaSlicer, and beyond the
+/// time limit.
 /// @param program its name, found on PATH, or its file
-SlicerAnswer estimate_by_slicer(const PrintJob& job, const std::string& program = "prusa-slicer");
+/// @param limit_s for all prints together, s, > 0: then the slicer is ended
+SlicerAnswer estimate_by_slicer(const PrintJob& job, const std::string& program = "prusa-slicer",
+                                double limit_s = slicing_limit_s);
 
 /// Reads a duration such as "1d 2h 3m 4s", any of the four missing. @return seconds; NaN for anything else
 double seconds_of(std::string_view text);

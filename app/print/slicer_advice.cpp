@@ -25,7 +25,7 @@ constexpr const char* set_by_hand = "set in the 3MF file, to be set by hand for 
 std::string describe_gaps(const PrintJob& job, const GapSettings& gaps) {
   if (job.slicer == Slicer::cura) {
     std::string values;
-    for (const auto& [key, value] : object_settings(Slicer::cura, job.sheet))
+    for (const auto& [key, value] : object_settings(Slicer::cura, job))
       values += fmt::format("{} {}, ", key, value);
     return values.substr(0, values.size() - 2) + ": " + set_by_hand;
   }

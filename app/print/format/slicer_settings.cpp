@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/print/format/print_format.hpp"
+#include "app/print/format/supports.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -75,6 +76,12 @@ SlicerSettings cura_settings(const PrintSheet& sheet) {
   return out;
 }
 
+SlicerSetting without_supports(Slicer slicer) {
+  if (slicer == Slicer::prusa) return {"support_material", "0"};
+  if (slicer == Slicer::cura) return {"support_enable", "False"};
+  return {"enable_support", "0"};
+}
+
 }  // namespace
 
 std::string_view option_name(Slicer slicer) {
@@ -120,10 +127,12 @@ std::optional<GapSettings> gap_settings(const PrintSheet& sheet) {
                      sheet.process.spreads_on_bed ? usual_foot_mm : 0, 0};
 }
 
-SlicerSettings object_settings(Slicer slicer, const PrintSheet& sheet, bool shared) {
-  if (slicer == Slicer::prusa) return prusa_settings(sheet);
-  if (slicer == Slicer::cura) return cura_settings(sheet);
-  return orca_settings(slicer, sheet, shared);
+SlicerSettings object_settings(Slicer slicer, const PrintJob& job, bool shared) {
+  SlicerSettings out = slicer == Slicer::prusa  ? prusa_settings(job.sheet)
+                       : slicer == Slicer::cura ? cura_settings(job.sheet)
+                                                : orca_settings(slicer, job.sheet, shared);
+  if (is_extruded(job.sheet) && !plan_supports(job).is_needed) out.push_back(without_supports(slicer));
+  return out;
 }
 
 }  // namespace kinetix::app

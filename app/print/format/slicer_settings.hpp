@@ -55,8 +55,9 @@ struct SlicerSetting {
 };
 using SlicerSettings = std::vector<SlicerSetting>;
 
-/// Returns the settings of the sheet's objects for a slicer (docs/print.md, section Slicers).
+/// Returns the settings of the job's objects for a slicer (docs/print.md section 4). Supports are off if none are
+/// planned for FDM.
 /// @param shared for a file that several slicers read: only keys that Orca and Bambu have in common
-SlicerSettings object_settings(Slicer slicer, const PrintSheet& sheet, bool shared = false);
+SlicerSettings object_settings(Slicer slicer, const PrintJob& job, bool shared = false);
 
 }  // namespace kinetix::app

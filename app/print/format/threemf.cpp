@@ -190,7 +190,7 @@ NamedContent package(const PrintJob& job, const std::string& name, model::Polyhe
   const std::vector<Slicer> slicers = slicers_for(job);
   const auto settings_of = [&](Slicer slicer) -> std::optional<SlicerSettings> {
     if (std::find(slicers.begin(), slicers.end(), slicer) == slicers.end()) return std::nullopt;
-    return object_settings(slicer, job.sheet, slicers.size() > 1);
+    return object_settings(slicer, job, slicers.size() > 1);
   };
   std::vector<NamedContent> files{{"[Content_Types].xml", content_types},
                                   {"_rels/.rels", relationships},

@@ -147,8 +147,9 @@ TEST(Export, AsksForSupportsWhereTheProcessNeedsThem) {
   for (const auto& [options, words] :
        {std::pair{"--process fdm --hinge block", "supports     none\n"},
         {"--process fdm --hinge pin --cell-mm 30",
-         "supports     under the {:.1f} mm2 that lean more than 45 degrees"},
-        {"--process sla --hinge pin", "supports     under the {:.1f} mm2 that lean more than 45 degrees"},
+         "supports     none: the {:.1f} mm2 between the knuckles of pins bridge their gaps"},
+        {"--process sla --hinge pin",
+         "supports     none: the {:.1f} mm2 between the knuckles of pins bridge their gaps"},
         {"--process polyjet --hinge pin",
          "none to plan: support material that the printer lays down by itself "
          "carries the {:.1f} mm2"},

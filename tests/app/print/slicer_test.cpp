@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -36,6 +37,69 @@ TEST(Slicer, TellsTimeAndAsMuchMaterialAsThereIsVolume) {
     EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("of material"));
     EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr(", without supports, by PrusaSlicer"));
   }
+}
+
+/// Walls that lean by 50 degrees.
+std::string steep_panel() {
+  return std::string(panel).replace(
+      std::string(panel).find("theta_deg: 20"), 13,
+      "theta_deg: 15, hinges: [{wall: [[0, 0], [1, 0]], beta_deg: 50}, {wall: [[0, 1], "
+      "[1, 1]], beta_deg: -50}, {wall: [[0, 2], [1, 2]], beta_deg: 50}]");
+}
+
+/// Undersides of knuckles bridge the gaps of upright pins. Leaning walls need supports, which SLA slices do not count.
+TEST(Slicer, CountsTheSupportsThatPrintTxtPlans) {
+  for (const auto& [design, options, counted, planned] :
+       {std::tuple{std::string(panel), "--hinge pin --process fdm --cell-mm 24", ", without supports, by",
+                   "supports     none: the "},
+        {std::string(panel), "--hinge pin --process sla", ", without supports, by",
+         "supports     none: the "},
+        {steep_panel(), "--hinge block --process fdm", ", with supports, by", "supports     under the "},
+        {steep_panel(), "--hinge block --process sla", ", without the supports that it needs, by",
+         "supports     under the "}}) {
+    const Scratch scratch;
+    const Outcome run = exported(scratch, design, std::string("--format 3mf --slice ") + options);
+    ASSERT_EQ(run.code, 0) << options << run.err;
+    EXPECT_THAT(run.out, HasSubstr(counted)) << options;
+    EXPECT_THAT(run.out, HasSubstr(planned)) << options;
+    const Json settings = print_json_of(scratch)["slicer_settings"]["prusa"];
+    EXPECT_EQ(settings.contains("support_material"),
+              design == panel && std::string(options).find("fdm") != std::string::npos);
+  }
+}
+
+/// Writes a program of shell commands. @return its path
+std::string script(const Scratch& scratch, const std::string& name, const std::string& commands) {
+  const std::string file = scratch.write(name, "#!/bin/sh\n" + commands + "\n");
+  fs::permissions(file, fs::perms::owner_all);
+  return file;
+}
+
+TEST(Slicer, ThatTakesTooLongIsEndedWithAdvice) {
+  const Scratch scratch;
+  const app::PreparedPrint print = app::prepared(app::read_design(scratch.write("panel.yaml", panel)),
+                                                 *model::find_process("sla"), {}, false);
+  const std::string slow = script(scratch, "slow", "exec sleep 60");
+  const auto start = std::chrono::steady_clock::now();
+  const app::SlicerAnswer answer = app::estimate_by_slicer(print.job, slow, 0.5);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+  EXPECT_FALSE(answer.estimate);
+  EXPECT_THAT(answer.no_estimate_reason,
+              HasSubstr("was ended after 0.5 s: open the 3MF file (--format 3mf) in the slicer itself"));
+}
+
+TEST(Slicer, IsOneLineOfProgress) {
+  const Scratch scratch;
+  script(scratch, "prusa-slicer", "sleep 3; exit 1");
+  const Outcome run =
+      kinetix_opt("export " + scratch.write("panel.yaml", panel) +
+                      " --format stl --hinge block --process sla --slice -o " + std::string(scratch / "out"),
+                  "PATH=" + scratch.path() + ":$PATH ");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::size_t first = run.err.find("slicing ... PrusaSlicer, at most 60 s");
+  EXPECT_NE(first, std::string::npos) << run.err;
+  EXPECT_EQ(run.err.find("slicing", first + 1), std::string::npos) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("slicer       prusa-slicer gave up"));
 }
 
 /// Loose rods are a separate file and a separate print.
