@@ -52,6 +52,19 @@ std::string describe_opening(const PrintJob& job) {
   return out;
 }
 
+/// Describes what no setting does for gaps of pins where they meet the bed, and across layers.
+std::string describe_first_layer(const PrintJob& job) {
+  const model::Filament& filament = *job.sheet.process.filament;
+  const std::string layers = fmt::format(
+      "layers of {:g} mm or less, the first too: gaps between knuckles are "
+      "at least two of them high",
+      filament.layer_mm);
+  const std::string knife = "; separate parts that fuse on the bed with a knife";
+  if (job.slicer == Slicer::cura) return layers + knife;
+  return layers + knife +
+         fmt::format(", as slicers do not narrow outlines below {:g} mm there", 2 * filament.line_mm);
+}
+
 }  // namespace
 
 std::string slicer_names(const PrintJob& job) {
@@ -66,6 +79,8 @@ std::vector<std::pair<const char*, std::string>> slicer_advice(const PrintJob& j
   if (const std::string names = slicer_names(job); !names.empty())
     out.emplace_back("made for", fmt::format("{}: {}", names, describe_opening(job)));
   if (const auto gaps = gap_settings(job.sheet)) out.emplace_back("gaps", describe_gaps(job, *gaps));
+  if (job.sheet.process.filament && least_clearance_mm(job.sheet))
+    out.emplace_back("first layer", describe_first_layer(job));
   return out;
 }
 

@@ -120,6 +120,22 @@ TEST(SlicerSettings, SeparateTwoMaterialsAsTheSlicerReadsThem) {
               HasSubstr("separates hard and soft parts for PrusaSlicer only: for another slicer export"));
 }
 
+/// No setting of a slicer narrows thin outlines on the bed.
+TEST(SlicerSettings, LeaveTheFirstLayerOfThinWallsToTheUser) {
+  for (const auto& [options, has_advice] : {std::pair{"--hinge pin --process fdm --cell-mm 24", true},
+                                            {"--hinge pin --process sla", false},
+                                            {"--hinge block --process fdm", false}}) {
+    const Scratch scratch;
+    ASSERT_EQ(exported(scratch, panel, std::string("--format 3mf ") + options).code, 0);
+    const std::string advice =
+        "first layer  layers of 0.2 mm or less, the first too: gaps between knuckles are at least two of "
+        "them "
+        "high; separate parts that fuse on the bed with a knife, as slicers do not narrow outlines below 0.8 "
+        "mm there";
+    EXPECT_EQ(text_of(scratch / "out/print.txt").find(advice) != std::string::npos, has_advice) << options;
+  }
+}
+
 TEST(SlicerSettings, OfAnUnknownSlicerAreRefusedWithTheAllowedNames) {
   expect_refused(panel, "--format 3mf --slicer slic3r",
                  "--slicer: unknown slicer `slic3r`; allowed: prusa, orca, bambu, cura");
