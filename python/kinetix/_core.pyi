@@ -82,6 +82,7 @@ class PrintRequest:
     bed_mm: List[float]
     loose_rods: bool
     caps: bool
+    slicer: str
     folded: bool
     orient: str
     slice: bool

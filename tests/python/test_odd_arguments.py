@@ -42,7 +42,7 @@ CALLS = {
                  "fidelity": "False", "time_limit_s": "1.0", "progress": "None"},
     "export": {"design": "d", "formats": "['svg']", "folder": "'out'", "process": "''", "hinge": "''", "clearance_mm": "0",
                "cell_mm": "0", "bed_mm": "None", "loose_rods": "False", "folded": "False", "orient": "'flat'", "slice": "False",
-               "caps": "False"},
+               "caps": "False", "slicer": "''"},
     "Goal": {"error": "lambda poses: poses[0, :3]", "tolerance": "1.0", "gradient": "None", "columns": "3", "cell_mm": "10.0",
              "rows": "1", "wall_mm": "None", "beta": "(-1.0, 1.0)", "theta": "(0.035, 0.77)", "per": "'column'",
              "symmetry": "'none'", "solver": "'ceres'", "starts": "1", "max_evaluations": "10", "name": "'goal'"},

@@ -113,6 +113,9 @@ class Runs(Scratch):
         made = kinetix.export(strip(4, cell_mm=16), ["stl", "dxf"], self.folder / "print", process="fdm")
         self.assertEqual(made.print["bodies"], 10)
         self.assertEqual(sorted(made.files), sorted(p.name for p in (self.folder / "print").iterdir()))
+        self.assertEqual(list(made.print["slicer_settings"]), ["prusa", "orca", "bambu", "cura"])
+        cura = kinetix.export(strip(4, cell_mm=16), "3mf", self.folder / "cura", process="fdm", slicer="cura")
+        self.assertEqual(list(cura.print["slicer_settings"]), ["cura"])
         with self.assertRaisesRegex(kinetix.InvalidInput, "unknown .*`slt`.*did you mean `stl`"):
             kinetix.export(strip(4), "slt", self.folder / "none")
         for lengths, text in (({"cell_mm": -5}, "cell_mm is -5"), ({"clearance_mm": 50}, "clearance_mm is 50"),
