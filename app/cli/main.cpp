@@ -101,10 +101,10 @@ void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintReque
   app.add_option("--process", request.process,
                  "polyjet, fdm, sla or sls: what it can print is checked (default: the design's)")
       ->type_name("NAME");
-  app.add_option(
-         "--hinge", request.hinge,
-         "pin, block or film, where the design does not say how its hinges are made (default: pins where "
-         "they fit, else blocks)")
+  app.add_option("--hinge", request.hinge,
+                 "pin, block or film, where the design leaves hinges open or computes them as joints "
+                 "(default: those of "
+                 "the design, else the first kind of the process that fits)")
       ->type_name("KIND");
   app.add_option(
          "--clearance", request.clearance_mm,

@@ -247,6 +247,8 @@ const targets::KeyTable& hinge_entry_keys() {
 std::optional<std::string> find_offset_misfit(const Design& design, int hinge) {
   const auto& made = hinge_at(design.hinge, design.hinge_overrides, hinge).made;
   if (!made) return std::nullopt;
+  const bool is_joint = design.hinge.model == HingeSection::Model::rotary;
+  if (is_joint && made->kind != model::HingeKind::pin) return std::nullopt;  // prints give it a foot
   const model::CellSize size = design.structure.size();
   const double offset_mm = std::abs(design.structure.hinge(hinge).offset) * size.edge_mm;
   const double rounding_mm = 1e-9 * size.edge_mm;  // rounding by the digits of a file

@@ -128,7 +128,7 @@ void ParallelChecks::prove_range() {
 }
 
 void ParallelChecks::check_export() {
-  if (run_.goal && !run_.states.empty() && options_.printable)
+  if (run_.goal && !run_.print && !run_.states.empty() && options_.printable)
     found_.print = options_.printable(written_design(run_));
 }
 
@@ -137,11 +137,11 @@ void ParallelChecks::check_export() {
 Run with_check_results(Run run, CheckResults check_results) {
   run.timings.print_tolerance = check_results.print_tolerance_s;
   run.timings.certify = check_results.certify_s;
+  if (check_results.print) run.print = std::move(check_results.print);
   if (check_results.printed) {
     run.printed = std::move(check_results.printed);
-    if (check_results.print) run.printed->can_be_printed = check_results.print->is_accepted;
+    if (run.print) run.printed->can_be_printed = run.print->is_accepted;
   }
-  run.print = std::move(check_results.print);
   if (!check_results.prints_unknown.empty()) {
     run.prints_unknown = std::move(check_results.prints_unknown);
     run.plan.why.push_back("what prints come to is not known: " + run.prints_unknown);
@@ -338,12 +338,26 @@ Run settled(Run run, const Goal& goal, const RunOptions& options) {
   return run;
 }
 
+namespace {
+
+/// Gives joints that the file leaves open the hinges that `export` would print. All that follows reads the design.
+SearchResult with_printed_hinges(SearchResult found, const RunOptions& options) {
+  const bool turns_freely = found.design.hinge.model == HingeSection::Model::rotary;
+  if (!options.printable || !turns_freely || !leaves_hinges_open(found.design)) return found;
+  const PrintAnswer answer = options.printable(requested_design(found));
+  if (answer.is_accepted) found.design = with_manufactured_hinges(found.design, answer.made);
+  if (!options.stop.stop_requested()) found.print = answer;  // a stopped run gives no verdict on prints
+  return found;
+}
+
+}  // namespace
+
 Run run_goal(const Goal& goal, const RunOptions& options) {
   Stopwatch watch;
   SearchResult found = goal.search(options);
   found.design.name = goal.name;
   const double seconds = watch.lap();
-  Run run = run_found(std::move(found), &goal, options);
+  Run run = run_found(with_printed_hinges(std::move(found), options), &goal, options);
   run.timings.optimise = seconds;
   return run;
 }

@@ -93,7 +93,7 @@ std::optional<PrintedGoal> expected_with(const SearchResult& found, const Printe
   };
   PrintedGoal out;
   out.can_be_printed = print_problems(found.design).empty();
-  out.assumed = design.hinges.assumed;
+  out.soft = design.hinges.soft;
   out.made = with(scatter_with(found.design, true));
   if (const auto pin = loosest_pin(found.design);
       pin && clearance_scatter(*pin, found.design.process.sd).place_mm > 0)
@@ -168,13 +168,14 @@ model::ManufacturedHinge soft_block(const SearchResult& found, const model::Link
   return block;
 }
 
-/// Computes the energy of all turns in the exact state at theta, N mm. @param k_turn of each hinge, N mm/rad
-double turning_energy(const SearchResult& found, const model::Linkage& linkage, double k_turn, double theta) {
+/// Computes the energy of all turns from flat in the exact state at theta, N mm. @param hinges stiffness of each
+double turning_energy(const SearchResult& found, const model::Linkage& linkage,
+                      const std::vector<model::Elasticity>& hinges, double theta) {
   const model::State state = found.plan.exact.at(theta);
   double sum = 0;
   for (int h = 0; h < found.design.structure.hinges(); ++h) {
     const double turn = hinge_turn(linkage, state, h);
-    sum += k_turn * turn * turn / 2;
+    sum += hinges[h].k_turn * turn * turn / 2;
   }
   return sum;
 }
@@ -182,8 +183,8 @@ double turning_energy(const SearchResult& found, const model::Linkage& linkage, 
 /// Computes the load that holds the fold against the springs alone, N or N mm: the derivative of the energy by the
 /// travel of the drive. Plates approach as the sheet does, which need not follow the cosine of theta.
 double holding_load(const SearchResult& found, const model::LinkageDrive& drive,
-                    const model::Linkage& linkage, const model::Elasticity& elasticity) {
-  const auto energy = [&](double at) { return turning_energy(found, linkage, elasticity.k_turn, at); };
+                    const model::Linkage& linkage, const std::vector<model::Elasticity>& hinges) {
+  const auto energy = [&](double at) { return turning_energy(found, linkage, hinges, at); };
   const auto coordinate = [&](double at) { return work_coordinate(drive, linkage, found.plan.exact.at(at)); };
   const double more = found.theta + part, less = found.theta - part;
   return (energy(more) - energy(less)) / (coordinate(more) - coordinate(less));
@@ -254,23 +255,21 @@ PrintHinges print_hinges(const SearchResult& found, const model::LinkageDrive& d
   const model::Linkage linkage(found.design.structure);
   const model::ManufacturedHinge block = soft_block(found, linkage, design);
   PrintHinges out{elasticity_of(block), {}, std::nullopt};
-  const model::Elasticity soft = out.elasticity;
-  int open = 0;
-  double largest_strain = 0;
+  std::optional<SoftHinges> soft;
   for (int h = 0; h < found.design.structure.hinges(); ++h) {
     const auto& made = hinge_section(found.design, h).made;
     const double turn = hinge_turn(linkage, design, h);
     out.elasticity.each.push_back(set_at(made.value_or(block), turn));
     out.elasticity.k_point = std::max(out.elasticity.k_point, out.elasticity.each.back().k_point);
-    if (made) continue;
-    ++open;
-    largest_strain = std::max(largest_strain, hinge_strain(block, linkage, design, h));
+    if (made && made->kind == model::HingeKind::pin) continue;
+    if (!soft) soft = SoftHinges{.made = made.value_or(block), .is_assumed = !made};
+    soft->strain = std::max(soft->strain, hinge_strain(made.value_or(block), linkage, design, h));
   }
-  if (open == 0) return out;
-  out.assumed = AssumedHinges{.made = block, .strain = largest_strain};
-  if (open == found.design.structure.hinges() && found.plan.exact && drive.is_external())
-    out.assumed->load = holding_load(found, drive, linkage, soft);
-  out.assumed->is_force = drive.has_force();
+  if (!soft) return out;
+  if (found.plan.exact && drive.is_external())
+    soft->load = holding_load(found, drive, linkage, out.elasticity.each);
+  soft->is_force = drive.has_force();
+  out.soft = soft;
   return out;
 }
 

@@ -39,8 +39,8 @@ std::optional<PrintedGoal> analyse_print_tolerance(const Run& run, const model::
 /// Hinges and drive with which prints of a run are judged.
 struct PrintHinges {
   model::Elasticity elasticity;
-  model::LinkageDrive drive;             ///< holds the prints
-  std::optional<AssumedHinges> assumed;  ///< assumed hinges, if the file leaves hinges open
+  model::LinkageDrive drive;       ///< holds the prints
+  std::optional<SoftHinges> soft;  ///< of a design whose hinges turn freely; empty if all are pins
 };
 
 /// Returns the hinges of prints of a design. Elastic hinges are the file's, under the drive that holds the design.

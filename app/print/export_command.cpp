@@ -47,7 +47,7 @@ model::Process process_of(const PrintRequest& request, const model::Process& of_
   return *named("--process", request.process, all);
 }
 
-/// Returns the requested kind of hinge; empty: pins if they fit.
+/// Returns the requested kind of hinge; empty: the first that fits.
 std::optional<model::HingeKind> kind_of(const PrintRequest& request) {
   if (request.hinge.empty()) return std::nullopt;
   return named<model::HingeKind>(
@@ -88,6 +88,15 @@ void check_clearance_override(const PrintRequest& request, const Design& design)
         "the design's own pins have a clearance of {:g} mm, and --clearance asks for {:g}: change "
         "`clearance_mm` in the design",
         *own, request.clearance_mm));
+}
+
+/// Returns the design to print. Joints are left open again for another process, another kind of hinge, or other sizes of
+/// hinges or cells. The motion of joints does not depend on their hinges.
+Design reopened(Design design, const PrintRequest& request) {
+  const bool names_process = !request.process.empty() && request.process != design.process.name;
+  const bool changes = names_process || !request.hinge.empty() || request.clearance_mm > 0 || request.caps ||
+                       request.loose_rods || request.cell_mm > 0;
+  return changes ? with_open_joints(std::move(design)) : design;
 }
 
 /// Rejects options that would change a coupon. Its bed and orientation may be chosen.
@@ -272,9 +281,10 @@ struct Source {
       return {{imported_sheet(*design, process, request.folded), request.folded}, {}};
     }
     try {
-      PreparedPrint print = prepared_of_design(request, process);
+      const Design printed = reopened(*design, request);
+      PreparedPrint print = prepared_of_design(printed, request, process);
       check_state(request, print.job.sheet);
-      for (std::string& idle : idle_options(request, *design, print.job.sheet))
+      for (std::string& idle : idle_options(request, printed, print.job.sheet))
         print.job.sheet.warnings.push_back(std::move(idle));
       if (auto note = size_note(*design, print.job.sheet))
         print.job.sheet.warnings.push_back(std::move(*note));
@@ -290,9 +300,10 @@ struct Source {
   }
 
  private:
-  PreparedPrint prepared_of_design(const PrintRequest& request, const model::Process& process) const {
+  static PreparedPrint prepared_of_design(const Design& design, const PrintRequest& request,
+                                          const model::Process& process) {
     std::optional<model::HingeKind> kind = kind_of(request);
-    check_clearance_override(request, *design);
+    check_clearance_override(request, design);
     if (request.caps && kind.value_or(model::HingeKind::pin) != model::HingeKind::pin)
       throw InvalidInput("--caps are of pins");
     if (request.caps) kind = model::HingeKind::pin;
@@ -301,9 +312,14 @@ struct Source {
                        .caps = request.caps,
                        .bed_mm = bed_of(request),
                        .edge_mm = request.cell_mm};
-    if (!kind) return prepare_fitting_print(*design, process, choice, request.folded);
+    if (!kind) {
+      model::Process tried = process;
+      if (request.clearance_mm > 0 || request.loose_rods)  // sizes of pins
+        tried.hinges = {model::HingeKind::pin, model::HingeKind::block};
+      return prepare_fitting_print(design, tried, choice, request.folded);
+    }
     choice.kind = *kind;
-    return prepared(*design, process, choice, request.folded);
+    return prepared(design, process, choice, request.folded);
   }
 };
 

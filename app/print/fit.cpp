@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 #include <set>
 
+#include "app/run/design_hinges.hpp"
+
 namespace kinetix::app {
 namespace {
 
@@ -161,23 +163,36 @@ std::string describe_alternative(const Order& order, const Attempt& refused, Pri
 struct Fitted {
   PrintChoice choice;
   Attempt attempt;
-  std::string no_pins = {};  ///< why hinges that the design leaves open are not pins
+  std::vector<std::string> refused = {};  ///< why kinds that were tried before do not fit, one sentence each
 };
 
-/// Tries pins, then elastomer hinges. @param choice its kind does not count
+std::string plural_kind(model::HingeKind kind) { return to_string(kind) + "s"; }
+
+/// Tries the kinds of the process (model::Process::hinges). @param choice its kind does not count
 Fitted fitted(const Order& order, PrintChoice choice, ClearanceSearch search) {
-  choice.kind = model::HingeKind::pin;
-  Fitted out{choice, best_attempt(order, choice, search)};
-  if (out.attempt.print || !leaves_hinges_open(order.design)) return out;
-  choice.kind = model::HingeKind::block;
-  return {choice, best_attempt(order, choice, search), std::move(out.attempt.reason)};
+  Fitted out;
+  for (const model::HingeKind kind : order.process.hinges) {
+    if (!out.attempt.reason.empty())
+      out.refused.push_back(plural_kind(out.choice.kind) + " do not fit: " + out.attempt.reason);
+    choice.kind = kind;
+    out.choice = choice;
+    out.attempt = best_attempt(order, choice, search);
+    if (out.attempt.print || !leaves_hinges_open(order.design)) break;
+  }
+  return out;
 }
 
-/// Explains why neither pins nor elastomer hinges fit, or why the design's own hinges do not. @param refused result of
-/// a verdict
+/// Names the kinds that do not fit, before the reason of the last one. Empty for hinges of the design itself.
+std::string describe_refused_kinds(const Order& order) {
+  if (!leaves_hinges_open(order.design)) return "";
+  std::vector<std::string> kinds;
+  for (const model::HingeKind kind : order.process.hinges) kinds.push_back(plural_kind(kind));
+  return fmt::format("neither {} fit: with {} ", fmt::join(kinds, " nor "), kinds.back());
+}
+
+/// Explains why no kind of hinge fits, or why the design's own hinges do not. @param refused result of a verdict
 std::string reason_of(const Order& order, const Fitted& refused) {
-  const Attempt words = attempt(order, refused.choice, ClearanceSearch::least);
-  return (leaves_hinges_open(order.design) ? "neither pins nor blocks fit: with blocks " : "") + words.reason;
+  return describe_refused_kinds(order) + attempt(order, refused.choice, ClearanceSearch::least).reason;
 }
 
 /// Joins kinds: "block, pin".
@@ -220,13 +235,12 @@ PreparedPrint prepare_fitting_print(const Design& design, const model::Process& 
   const Order order{design, process, folded};
   Fitted found = fitted(order, choice, ClearanceSearch::least);
   if (!found.attempt.print) {
-    if (leaves_hinges_open(design))
-      found.attempt.reason = "neither pins nor blocks fit: with blocks " + found.attempt.reason;
+    found.attempt.reason = describe_refused_kinds(order) + found.attempt.reason;
     refuse(order, found.attempt, found.choice);
   }
-  if (found.choice.kind == model::HingeKind::block)
-    found.attempt.print->job.sheet.warnings.push_back("hinges are blocks, as pins do not fit: " +
-                                                      found.no_pins);
+  for (const std::string& why : found.refused)
+    found.attempt.print->job.sheet.warnings.push_back(
+        fmt::format("hinges are {}, as {}", plural_kind(found.choice.kind), why));
   return std::move(*found.attempt.print);
 }
 
@@ -234,7 +248,10 @@ PrintAnswer answer_of_export(const Design& design) try {
   const Order order{design, design.process, false};
   const Fitted found = fitted(order, {}, ClearanceSearch::verdict);
   if (!found.attempt.print) return {false, named_kinds(design, found.choice.kind), reason_of(order, found)};
-  return {true, named_kinds(found.attempt.print->job.sheet)};
+  const PrintSheet& sheet = found.attempt.print->job.sheet;
+  PrintAnswer answer{true, named_kinds(sheet)};
+  for (const model::HingePrint& hinge : sheet.hinges) answer.made.push_back(hinge.made);
+  return answer;
 } catch (const InvalidInput& e) {
   return {false, {}, e.reason()};
 }

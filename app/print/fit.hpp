@@ -26,9 +26,10 @@ struct PreparedPrint {
 PreparedPrint prepared(const Design& design, const model::Process& process, const PrintChoice& choice,
                        bool folded);
 
-/// Prepares a print with pins if they fit, else with elastomer hinges and a warning that gives the reason.
+/// Prepares a print with the first kind of hinge that fits, of those that the process names (model::Process::hinges). A
+/// warning gives the reason against each kind before it.
 /// @param choice its kind does not count
-/// @throws NotPrintable with the needs of elastomer hinges.
+/// @throws NotPrintable with the needs of the last kind.
 /// @throws InvalidInput for a bed that does not hold each body
 PreparedPrint prepare_fitting_print(const Design& design, const model::Process& process, PrintChoice choice,
                                     bool folded);
@@ -37,8 +38,8 @@ PreparedPrint prepare_fitting_print(const Design& design, const model::Process& 
 /// change within rounding.
 std::optional<std::string> describe_resizing(double from_mm, double to_mm);
 
-/// Returns the answer of `export` without options to a design: pins if they fit, else elastomer hinges, and the hinges
-/// that the design describes. It does not propose a larger cell edge, which takes long to find.
+/// Returns the answer of `export` without options to a design, with its hinges: those that the design describes, and
+/// the first kind that fits for the others. It does not propose a larger cell edge, which takes long to find.
 PrintAnswer answer_of_export(const Design& design);
 
 }  // namespace kinetix::app

@@ -37,8 +37,8 @@ std::string classify_load(const Equilibrium& equilibrium) {
   return equilibrium.drive.has_force() ? classify_force(load) : classify_moment(load);
 }
 
-std::string classify_load(const AssumedHinges& assumed) {
-  return assumed.is_force ? classify_force(*assumed.load) : classify_moment(*assumed.load);
+std::string classify_load(const SoftHinges& soft) {
+  return soft.is_force ? classify_force(*soft.load) : classify_moment(*soft.load);
 }
 
 namespace {

@@ -12,8 +12,8 @@ std::string classify_force(double newtons);
 std::string classify_moment(double newton_mm);
 /// Describes the peak actuation load. Shape-memory drives need none: "its own springs".
 std::string classify_load(const Equilibrium& equilibrium);
-/// Classifies the load that holds assumed hinges at the design. @pre taken.load
-std::string classify_load(const AssumedHinges& assumed);
+/// Classifies the load that holds soft hinges at the design. @pre soft.load
+std::string classify_load(const SoftHinges& soft);
 
 /// Returns the section `equilibrium` of result.json.
 nlohmann::ordered_json equilibrium_json(const Equilibrium& equilibrium);

@@ -47,7 +47,7 @@ std::optional<std::pair<std::string, std::string>> offset_line(const Run& run) {
   double worst = 1e-9 * size.edge_mm;  // mm: rounding of a file's digits
   for (int h = 0; h < run.design.structure.hinges(); ++h) {
     const auto& made = hinge_section(run.design, h).made;
-    if (!made) continue;
+    if (!made || !find_offset_misfit(run.design, h)) continue;
     const double offset = std::abs(run.design.structure.hinge(h).offset) * size.edge_mm;
     const double most = largest_offset_mm(*made, size);
     if (!(offset - most > worst)) continue;
@@ -166,17 +166,17 @@ std::string describe_print_verdict(const Run& run) {
                                                   : "NOT EVERY PRINT HOLDS";
 }
 
-Json assumed_hinges_json(const AssumedHinges& assumed) {
-  Json out = {{"kind", to_string(assumed.made.kind)},
-              {"material", assumed.made.material.name},
-              {"gap_mm", assumed.made.gap_mm},
-              {"thickness_mm", assumed.made.thickness_mm},
-              {"height_mm", assumed.made.height_mm},
-              {"strain", assumed.strain},
-              {"strain_allowed", assumed.made.material.strain_max}};
-  if (assumed.load)
-    out["load"] = {
-        {"value", *assumed.load}, {"unit", assumed.load_unit()}, {"effort", classify_load(assumed)}};
+Json soft_hinges_json(const SoftHinges& soft) {
+  Json out = {{"kind", to_string(soft.made.kind)},
+              {"material", soft.made.material.name},
+              {"gap_mm", soft.made.gap_mm},
+              {"thickness_mm", soft.made.thickness_mm},
+              {"height_mm", soft.made.height_mm},
+              {"strain", soft.strain},
+              {"strain_allowed", soft.made.material.strain_max},
+              {"assumed", soft.is_assumed}};
+  if (soft.load)
+    out["load"] = {{"value", *soft.load}, {"unit", soft.load_unit()}, {"effort", classify_load(soft)}};
   return out;
 }
 
@@ -218,17 +218,15 @@ std::string held_load_text(double load) {
   return load < 100 ? fmt::format("{:.3g}", load) : fmt::format("{:.0f}", load);
 }
 
-std::string describe_assumed_hinges(const AssumedHinges& assumed) {
-  const model::ManufacturedHinge& block = assumed.made;
+std::string describe_soft_hinges(const SoftHinges& soft) {
+  const model::ManufacturedHinge& block = soft.made;
   const std::string held =
-      !assumed.load ? ""
-                    : fmt::format(", held there by {} {} ({})", held_load_text(std::abs(*assumed.load)),
-                                  assumed.load_unit(), classify_load(assumed));
-  return fmt::format(
-      "hinges, left open, are taken for {} blocks {:.1f} mm long that keep their turns: strained by {:.2f} "
-      "of "
-      "{:g}{}",
-      block.material.name, block.gap_mm, assumed.strain, block.material.strain_max, held);
+      !soft.load ? ""
+                 : fmt::format(", held there by {} {} ({})", held_load_text(std::abs(*soft.load)),
+                               soft.load_unit(), classify_load(soft));
+  return fmt::format("hinges are {}{} {}s {:.1f} mm long that keep their turns: strained by {:.2f} of {:g}{}",
+                     soft.is_assumed ? "assumed to be " : "", block.material.name, to_string(block.kind),
+                     block.gap_mm, soft.strain, block.material.strain_max, held);
 }
 
 /// Returns the reasons why prints leave the goal, one sentence each. Empty if they keep it.
@@ -310,7 +308,7 @@ Json print_tolerance_json(const Run& run) {
                         {"other_side", starts->other_side},
                         {"either_side", starts->either_side},
                         {"failed", starts->failed}};
-  if (run.printed->assumed) out["taken"] = assumed_hinges_json(*run.printed->assumed);
+  if (run.printed->soft) out["taken"] = soft_hinges_json(*run.printed->soft);
   if (const auto& tight = run.printed->without_clearance)
     out["play"] = {{"clearance_mm", loosest_pin(run.design)->clearance_mm},
                    {"tilt_deg", to_degrees(clearance_tilt(*loosest_pin(run.design)))},
@@ -371,8 +369,8 @@ std::vector<SummaryLine> print_tolerance_lines(const Run& run) {
                  loosest_pin(run.design)->clearance_mm, to_degrees(clearance_tilt(*loosest_pin(run.design))),
                  tight->rms_mm, run.compared_with, tight->p95_mm)});
   if (run.printed->runs) lines.push_back({"", describe_sample_prints(*run.printed, run.compared_with)});
-  if (run.printed->assumed) {
-    lines.push_back({"", describe_assumed_hinges(*run.printed->assumed)});
+  if (run.printed->soft) {
+    lines.push_back({"", describe_soft_hinges(*run.printed->soft)});
     lines.push_back({"", "`hinge:` and `drive:` in the file say what other hinges come to"});
   }
   return lines;

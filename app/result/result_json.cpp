@@ -189,6 +189,7 @@ Json hinge_json(const Design& design, int index, double usual_reach_mm, const mo
               {"point_mm", point_json(s.rest_position(wall.lower) + edge_mm * hinge.lower_arm)},
               {"axis", point_json(hinge.axis)},
               {"reach_mm", reach_of(design, index, usual_reach_mm, elasticity)}};
+  if (design.hinge.model == HingeSection::Model::rotary) return out;  // a joint
   if (const auto k = framed_stiffness(hinge_section(design, index))) out["k"] = stiffness_json(*k);
   return out;
 }

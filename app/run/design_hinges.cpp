@@ -18,6 +18,30 @@ std::vector<model::ManufacturedHinge> manufactured_hinges(const Design& design) 
   return all;
 }
 
+bool leaves_hinges_open(const Design& design) {
+  const auto all = hinge_sections(design);
+  return std::any_of(all.begin(), all.end(), [](const HingeSection* hinge) { return !hinge->made; });
+}
+
+Design with_manufactured_hinges(const Design& design, const std::vector<model::ManufacturedHinge>& made) {
+  Design out = design;
+  for (int h = 0; h < static_cast<int>(made.size()); ++h) {
+    HingeSection hinge = hinge_section(design, h);
+    if (hinge.made) continue;
+    hinge.made = made[h];
+    const bool is_common = !design.hinge_overrides.contains(h) && out.hinge.made.value_or(made[h]) == made[h];
+    (is_common ? out.hinge : out.hinge_overrides[h]) = hinge;
+  }
+  return out;
+}
+
+Design with_open_joints(Design design) {
+  if (design.hinge.model != HingeSection::Model::rotary) return design;
+  design.hinge.made.reset();
+  design.hinge_overrides.clear();
+  return design;
+}
+
 std::optional<model::ManufacturedHinge> loosest_pin(const Design& design) {
   std::optional<model::ManufacturedHinge> loosest;
   for (const model::ManufacturedHinge& made : manufactured_hinges(design))

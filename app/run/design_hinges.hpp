@@ -11,6 +11,17 @@ const HingeSection& hinge_section(const Design& design, int hinge);
 /// Lists how hinges are made, each kind once. Empty if the design does not say.
 std::vector<model::ManufacturedHinge> manufactured_hinges(const Design& design);
 
+/// Checks whether the design leaves the kind of some hinge open.
+bool leaves_hinges_open(const Design& design);
+
+/// Returns the design with these hinges in place of those that it leaves open.
+/// @param made by hinge; those of hinges that the design describes do not count
+Design with_manufactured_hinges(const Design& design, const std::vector<model::ManufacturedHinge>& made);
+
+/// Returns the design with all hinges left open if they are computed as joints: their motion does not depend on how they
+/// are manufactured.
+Design with_open_joints(Design design);
+
 /// Returns the pin with the largest clearance among those that do not move freely within it.
 std::optional<model::ManufacturedHinge> loosest_pin(const Design& design);
 

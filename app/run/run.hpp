@@ -74,9 +74,10 @@ struct CompensationResult {
   std::string why;            ///< why the compensation ended, or why there is no equilibrium
 };
 
-/// Hinges assumed if the file leaves them open: soft blocks of the process, at rest at the turns of the design.
-struct AssumedHinges {
+/// Soft hinges of prints whose design is computed with joints, at rest at the turns of the design.
+struct SoftHinges {
   model::ManufacturedHinge made;
+  bool is_assumed = false;          ///< whether no hinge that could be printed is known
   double strain = 0;                ///< largest strain of these hinges, ratio
   std::optional<double> load = {};  ///< load that folds the design if only turns of hinges resist, N or N mm
   bool is_force = true;  ///< whether `load` is a force, N, of plates; else a moment, N mm, of a driven hinge
@@ -96,7 +97,7 @@ struct PrintedGoal {
   /// the process leaves them (ProvenRanges::printed). In addition, at most the share most_touching of sample prints
   /// touches. Empty if nothing is proven of these states, such as equilibria of elastic hinges.
   std::optional<bool> free_of_contact = {};
-  std::optional<AssumedHinges> assumed = {};
+  std::optional<SoftHinges> soft = {};
   /// Sample prints whose walls touch during the motion to the fold; empty if none could be checked.
   std::optional<model::TouchingPrints> touching = {};
   /// Sample prints pressed from flat, for elastic hinges between plates; empty if none were checked.
@@ -176,7 +177,6 @@ struct Run : SearchResult {
   std::vector<std::string> violations;    ///< why the goal is not met, in words
   bool strained = false;                  ///< whether the one violation is the strain of a hinge
   std::optional<PrintedGoal> printed;     ///< of goals that are judged by distances
-  std::optional<PrintAnswer> print;       ///< answer of `export` for the design; empty if not requested
   std::optional<ProvenRanges> certified;  ///< theta without contact; empty if not requested
   bool stopped = false;                   ///< whether it is the best so far, after a stop request
   std::string prints_unknown;             ///< why the print tolerance of a goal is not known; empty if it is

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "model/base/progress.hpp"
+#include "model/material/manufactured_hinge.hpp"
 #include "optim/solvers/multi_start.hpp"
 
 namespace kinetix::app {
@@ -17,8 +18,9 @@ struct Design;
 /// Answer of `export` without options to a design.
 struct PrintAnswer {
   bool is_accepted = false;
-  std::string hinges;    ///< kinds of hinges that it would print, or tried last
-  std::string why = {};  ///< why it rejects the design, one sentence
+  std::string hinges;                               ///< kinds of hinges that it would print, or tried last
+  std::string why = {};                             ///< why it rejects the design, one sentence
+  std::vector<model::ManufacturedHinge> made = {};  ///< by hinge, as it would print them; empty if it rejects
 };
 
 /// Options of the command line.

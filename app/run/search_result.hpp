@@ -92,6 +92,8 @@ struct SearchResult {
   };
   std::optional<Known> known = {};
   PhysicsRequest physics = {};
+  /// Answer of `export` to a goal's design; empty if not requested, or if its hinges are settled by equilibrium.
+  std::optional<PrintAnswer> print = {};
   std::vector<std::string> notes = {};  ///< sentences for the plan
   TurnBounds bounds = {};               ///< bounds of tilts and theta in the compensation for elastic hinges
 

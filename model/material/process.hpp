@@ -39,6 +39,8 @@ struct Process {
   bool spreads_on_bed = false;     ///< first layers spread: plastic is pressed, resin is overcured
   std::optional<Filament> filament = {};  ///< of extrusion processes, whose overhangs sag
   std::string carries = {};               ///< support of overhangs that needs no planning; empty: none
+  /// Kinds of hinges that a design may leave open, in the order in which they are tried.
+  std::vector<HingeKind> hinges = {HingeKind::pin, HingeKind::block};
 
   bool operator==(const Process& other) const {
     return name == other.name && clearance_mm == other.clearance_mm &&

@@ -3,12 +3,36 @@
 #include "model/linkage/state.hpp"
 #include "targets/curve/space_curve.hpp"
 #include "targets/document/section.hpp"
-#include "targets/helmet/head_dome.hpp"
 #include "targets/helmet/head_pose.hpp"
 #include "targets/mesh/mesh_solid.hpp"
 #include "targets/mesh/triangle_tree.hpp"
 
 namespace kinetix::targets {
+
+/// Part of the dome that is invented because the mesh is open there.
+struct DomeOpening {
+  double width_mm = 0;  ///< across, at its widest
+  double top_z = 0;     ///< of its highest place, mm, in the frame of the head that was given
+};
+
+/// Outer envelope of the top of a head as one clean sheet. It joins the outermost places in all directions from an
+/// inner point, down to dome_angle from above. The directions are evenly spread over a sphere, about one per square
+/// degree. Inner shells, doubled and flipped triangles are gone, and holes are closed. Thin ears protrude as in the
+/// mesh.
+struct HeadDome {
+  TriangleMesh mesh;                  ///< mm; no holes, edges shared by at most two triangles, wound outward
+  int closed = 0;                     ///< vertices of the mesh that lie over holes
+  std::vector<DomeOpening> openings;  ///< those holes
+};
+
+/// End of the dome, rad from straight up as seen from the inner point: 30 deg below level. At 80 mm from that point it
+/// is then 115 mm below the crown, past the default coverage.
+inline constexpr double dome_angle = 120 * 3.14159265358979323846 / 180;
+
+/// Finds the dome. Holes are closed by the membrane of the distance from the inner point. A hole that reaches the
+/// dome's boundary is left open.
+/// @param core the inner point, mm, z up
+HeadDome head_dome(const MeshSolid& head, const Eigen::Vector3d& core);
 
 /// Depth below the crown, mm, of the point from which the head's top is seen. It is half the breadth of a man's head,
 /// so sides and top are about equally far from it.
@@ -21,7 +45,7 @@ struct Head {
   Eigen::Isometry3d to_mesh;
   /// Solid that the whole mesh encloses, without parts that float next to it: the head as given.
   MeshSolid scan;
-  /// The top of the head as one clean sheet without holes (head_dome.hpp).
+  /// The top of the head as one clean sheet without holes (head_dome()).
   MeshDistance dome;
   /// Section of the dome by the sagittal plane x = 0, from the back to the front; 0 above (or below) the origin.
   SpaceCurve profile;

@@ -1,4 +1,4 @@
-#include "targets/helmet/head_dome.hpp"
+#include "targets/helmet/head.hpp"
 
 #include <map>
 #include <numbers>

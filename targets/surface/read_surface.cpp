@@ -1,4 +1,4 @@
-#include "targets/surface/read_surface.hpp"
+#include "targets/surface/ribbed_surface.hpp"
 
 #include <filesystem>
 

@@ -46,7 +46,7 @@ class Command:
 
 COMMANDS = [
     Command("optimise", ("IN/rib.yaml", "-o", "OUT"), steady=("design.yaml",)),
-    Command("simulate", ("simulate", "IN/design.yaml", "--model", "equilibrium", "-o", "OUT"), steady=("design.yaml",)),
+    Command("simulate", ("simulate", "IN/design.yaml", "--model", "equilibrium", "--theta-deg", "2", "-o", "OUT"), steady=("design.yaml",)),
     Command("verify", ("verify", "IN/design.yaml", "-o", "OUT"), steady=("design.yaml",)),
     Command("export", ("export", "IN/design.yaml", "--format", "stl,3mf,svg,dxf,mjcf,glb,scad", "-o", "OUT"),
             steady=("all.stl", "rib.3mf", "rib.svg", "rib.dxf", "rib.xml", "rib.glb", "print.json")),

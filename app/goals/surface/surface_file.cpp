@@ -2,7 +2,7 @@
 
 #include "app/files/file_header.hpp"
 #include "app/files/process_section.hpp"
-#include "targets/surface/read_surface.hpp"
+#include "targets/surface/ribbed_surface.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/result/result_json.hpp"
-#include "optim/surface/developable.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -249,12 +249,6 @@ void make_solids(PrintSheet& sheet) {
                              : soft_solid(sheet.linkage, h, sheet.hinges[h]));
 }
 
-bool leaves_hinges_open(const Design& design) {
-  if (!design.hinge.made) return true;
-  return std::any_of(design.hinge_overrides.begin(), design.hinge_overrides.end(),
-                     [](const auto& own) { return !own.second.made; });
-}
-
 PrintSheet make_print_sheet(const Design& design, const PrintPath& path, const model::Process& process,
                             const PrintChoice& choice) {
   return SheetMaker(design, path, process, choice).made();

@@ -64,9 +64,6 @@ struct PrintChoice {
 model::CellSize resized(const model::CellSize& size, const PrintChoice& choice,
                         const model::Process& process);
 
-/// Checks whether the design leaves the kind of some hinge open.
-bool leaves_hinges_open(const Design& design);
-
 /// Makes the sheet of a design. Hinges that the design leaves open are pins with the least rod and clearance of the
 /// process, or elastomer or living hinges as long as the fold needs.
 /// @param path of the design.

@@ -144,7 +144,7 @@ function cellsText(structure) {
 
 /** Describes the peak load of the drive, N or N mm, with its effort; null if no elastic model was run. */
 function forceText({equilibrium, raw, printTolerance}) {
-  if (!equilibrium) return assumedForceText(printTolerance?.taken);
+  if (!equilibrium) return softHingeForceText(printTolerance?.taken);
   const {effort} = raw.equilibrium, steps = list(raw.equilibrium.path).filter((step) => finite(step.load) !== null);
   if (effort === SHAPE_MEMORY_SPRINGS) return "nobody's: its own springs fold it";
   if (!steps.length) return null;
@@ -152,17 +152,17 @@ function forceText({equilibrium, raw, printTolerance}) {
   return `${figures(most, 2)} ${unit} at most` + (effort ? `: a matter for ${effort}` : "");
 }
 
-/** Describes the load on assumed hinges, which the file leaves open; null if it is unknown. */
-function assumedForceText(taken) {
+/** Describes the load that folds soft hinges to the design; null if it is unknown. */
+function softHingeForceText(taken) {
   const load = someDictionary(taken?.load);
   if (!load || finite(load.value) === null) return null;
   const unit = load.unit === "N mm" ? `N${SPACE}mm` : "N";
   return `${figures(Math.abs(load.value), 2)} ${unit} with soft blocks in its hinges: a matter for ${load.effort}`;
 }
 
-/** Describes the strain of elastomer and living hinges; null if it is unknown. */
-function strainText({metrics: {strain_max: most, strain_allowed: allowed}}) {
-  if (finite(most) === null || finite(allowed) === null) return null;
+/** Describes the strain of elastomer and living hinges; null if it is unknown, or if the print tolerance has it. */
+function strainText({metrics: {strain_max: most, strain_allowed: allowed}, printTolerance}) {
+  if (printTolerance?.taken || finite(most) === null || finite(allowed) === null) return null;
   return `${figures(most, 2)} of the ${neat(allowed)} that the hinges' material bears${most > allowed ? ": more than it bears" : ""}`;
 }
 

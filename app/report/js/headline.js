@@ -32,10 +32,10 @@ function designVerdict(data) {
   };
 }
 
-/** Describes assumed hinges, which the file leaves open, in one sentence; "" if there are none. */
-function describeAssumedHinges(taken) {
+/** Describes the soft hinges with which prints are judged, in one sentence; "" if there are none. */
+function describeSoftHinges(taken) {
   if (!taken) return "";
-  return ` Its hinges are left open: they are taken for blocks of ${taken.material}, ${millimetres(taken.gap_mm)} long, that keep the ` +
+  return ` Its hinges are ${taken.assumed ? "assumed to be " : ""}${taken.kind}s of ${taken.material}, ${millimetres(taken.gap_mm)} long. They keep the ` +
       `turns of the design and are strained by ${figures(taken.strain, 2)} of ${neat(taken.strain_allowed)} that they bear.`;
 }
 
@@ -60,7 +60,7 @@ function describePrintTolerance({printTolerance}) {
   return `Printed by ${printTolerance.process}, it ends up ${millimetres(printTolerance.rms)} from the goal (rms over points of the sheet and over ` +
       `prints${designed}); 95 of 100 prints stay within ${millimetres(printTolerance.p95)}, and ${millimetres(printTolerance.tolerance)} are allowed. These figures are estimates, not measurements.` + there + most +
       (printTolerance.play ? ` Without the play of its pins it would be ${millimetres(printTolerance.play.rms_without_mm)}, and ${millimetres(printTolerance.play.p95_without_mm)}.` : "") +
-      describeAssumedHinges(printTolerance.taken) + describeContact(printTolerance) + (printTolerance.confirmed ? "" : " That is to first order, and does not hold here: " + describeSamplePrints(printTolerance.prints));
+      describeSoftHinges(printTolerance.taken) + describeContact(printTolerance) + (printTolerance.confirmed ? "" : " That is to first order, and does not hold here: " + describeSamplePrints(printTolerance.prints));
 }
 
 /** Describes the compensation for elastic hinges; null without one. */

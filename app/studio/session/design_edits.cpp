@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/files/structure_section.hpp"
+#include "app/run/design_hinges.hpp"
 #include "model/lattice/square/changed_cells.hpp"
 #include "model/lattice/square/sheet_symmetry.hpp"
 
@@ -191,7 +192,7 @@ Design with_hinges(Design design, const Message& message) {
   if (const model::SheetSymmetry symmetry = symmetry_of(message, design); symmetry.any())
     change_images(hinges, symmetry, message, design.structure);
   validate_hinges(design.structure);
-  return with_limited_offsets(std::move(design));
+  return with_limited_offsets(with_open_joints(std::move(design)));  // another turn needs other hinges
 }
 
 Design with_cell(Design design, const Message& message) {

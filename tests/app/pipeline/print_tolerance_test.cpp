@@ -384,7 +384,7 @@ TEST(AsMadeResult, JudgesGoalsOfEveryKindBySoftBlocks) {
     ASSERT_TRUE(made.contains("taken")) << one.out;
     EXPECT_EQ(made["taken"]["material"], "tango");
     EXPECT_LE(made["taken"]["strain"], made["taken"]["strain_allowed"]);
-    EXPECT_THAT(one.out, HasSubstr("taken for tango blocks"));
+    EXPECT_THAT(one.out, HasSubstr("hinges are tango blocks"));
     EXPECT_THAT(one.out, ::testing::ContainsRegex("held there by [0-9.]+ N"));
     // The rms of 100 prints is within 7 % in 95 of 100 cases.
     EXPECT_EQ(made["prints"]["failed"], 0) << goal;

@@ -107,7 +107,9 @@ struct Exported {
     const Outcome run = kinetix_opt("export " + found(target) + " --format " + formats + " --process " +
                                     process + " --hinge " + hinge + " -o " + std::string(scratch / "out"));
     EXPECT_EQ(run.code, 0) << run.err;
-    print = app::prepared(app::read_design(found(target) + "/design.yaml"), *model::find_process(process),
+    app::Design design = app::read_design(found(target) + "/design.yaml");
+    design.hinge.made.reset();  // as --hinge does
+    print = app::prepared(design, *model::find_process(process),
                           {.kind = hinge == "pin"    ? model::HingeKind::pin
                                    : hinge == "film" ? model::HingeKind::film
                                                      : model::HingeKind::block},

@@ -109,8 +109,8 @@ struct FreeHinge {
 };
 
 FreeHinge hinge_of(const Run& run) {
-  const model::Elasticity e = run.printed->assumed ? elasticity_of(run.printed->assumed->made)
-                                                   : elasticity_of(*run.design.hinge.made);
+  const model::Elasticity e =
+      run.printed->soft ? elasticity_of(run.printed->soft->made) : elasticity_of(*run.design.hinge.made);
   return {stiffness_of(e), e.reach_mm};
 }
 

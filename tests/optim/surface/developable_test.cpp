@@ -1,4 +1,4 @@
-#include "optim/surface/developable.hpp"
+#include "optim/surface/fit_surface.hpp"
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>

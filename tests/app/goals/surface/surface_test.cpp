@@ -7,7 +7,7 @@
 #include "app/goals/surface/surface_goal.hpp"
 #include "app/pipeline/pipeline.hpp"
 #include "model/base/invalid_input.hpp"
-#include "optim/surface/developable.hpp"
+#include "optim/surface/fit_surface.hpp"
 #include "targets/document/document.hpp"
 #include "tests/app/searched_goal.hpp"
 #include "tests/support/temporary_folder.hpp"
