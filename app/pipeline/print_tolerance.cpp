@@ -262,8 +262,10 @@ PrintHinges print_hinges(const SearchResult& found, const model::LinkageDrive& d
     out.elasticity.each.push_back(set_at(made.value_or(block), turn));
     out.elasticity.k_point = std::max(out.elasticity.k_point, out.elasticity.each.back().k_point);
     if (made && made->kind == model::HingeKind::pin) continue;
-    if (!soft) soft = SoftHinges{.made = made.value_or(block), .is_assumed = !made};
-    soft->strain = std::max(soft->strain, hinge_strain(made.value_or(block), linkage, design, h));
+    const model::ManufacturedHinge& bent = made ? *made : block;
+    const double strain = hinge_strain(bent, linkage, design, h);
+    if (!soft || strain / bent.material.strain_max > soft->strain / soft->made.material.strain_max)
+      soft = SoftHinges{.made = bent, .is_assumed = !made, .strain = strain};
   }
   if (!soft) return out;
   if (found.plan.exact && drive.is_external())

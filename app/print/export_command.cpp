@@ -11,7 +11,7 @@
 #include "app/print/print_report.hpp"
 #include "app/print/sheet/coupon.hpp"
 #include "app/print/sheet/print_sheet.hpp"
-#include "app/print/slicer_advice.hpp"
+#include "app/print/slicer.hpp"
 #include "app/run/design_hinges.hpp"
 #include "targets/document/wording.hpp"
 

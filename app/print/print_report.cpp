@@ -4,8 +4,8 @@
 #include <fmt/ranges.h>
 #include <filesystem>
 
-#include "app/print/format/supports.hpp"
-#include "app/print/slicer_advice.hpp"
+#include "app/print/format/print_format.hpp"
+#include "app/print/slicer.hpp"
 #include "app/report/report.hpp"
 #include "app/result/state_json.hpp"
 #include "model/base/box.hpp"

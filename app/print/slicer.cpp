@@ -15,7 +15,7 @@
 #include <thread>
 
 #include "app/io/text_pattern.hpp"
-#include "app/print/format/supports.hpp"
+#include "app/print/format/print_format.hpp"
 #include "app/print/format/zip_text.hpp"
 #include "model/base/box.hpp"
 

@@ -33,4 +33,13 @@ SlicerAnswer estimate_by_slicer(const PrintJob& job, const std::string& program 
 /// Reads a duration such as "1d 2h 3m 4s", any of the four missing. @return seconds; NaN for anything else
 double seconds_of(std::string_view text);
 
+/// Joins the names of the slicers that a 3MF file is for and that slice for its process; empty without any.
+std::string slicer_names(const PrintJob& job);
+
+/// Returns lines of print.txt on the slicers that the files are for: label and text.
+std::vector<std::pair<const char*, std::string>> slicer_advice(const PrintJob& job);
+
+/// Warns if the 3MF file does not separate hard and soft parts for all its slicers.
+std::optional<std::string> separation_warning(const PrintJob& job);
+
 }  // namespace kinetix::app

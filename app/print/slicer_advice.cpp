@@ -1,4 +1,4 @@
-#include "app/print/slicer_advice.hpp"
+#include "app/print/slicer.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -74,11 +74,12 @@ struct CompensationResult {
   std::string why;            ///< why the compensation ended, or why there is no equilibrium
 };
 
-/// Soft hinges of prints whose design is computed with joints, at rest at the turns of the design.
+/// Soft hinges of prints whose design is computed with joints, at rest at the turns of the design. Sizes are of the one
+/// that is strained most for its material.
 struct SoftHinges {
   model::ManufacturedHinge made;
   bool is_assumed = false;          ///< whether no hinge that could be printed is known
-  double strain = 0;                ///< largest strain of these hinges, ratio
+  double strain = 0;                ///< of that hinge, ratio
   std::optional<double> load = {};  ///< load that folds the design if only turns of hinges resist, N or N mm
   bool is_force = true;  ///< whether `load` is a force, N, of plates; else a moment, N mm, of a driven hinge
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "app/print/format/print_format.hpp"
-#include "app/print/format/supports.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/print/format/supports.hpp"
+#include "app/print/format/print_format.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
