@@ -23,6 +23,7 @@
 #include "app/result/verdict.hpp"
 #include "app/run/design_hinges.hpp"
 #include "app/sweep/plan/sweep_plan.hpp"
+#include "targets/document/edit_document.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -124,7 +125,8 @@ RunOptions run_options(const CommandOptions& options, Console& console, const st
           .prints = options.prints,
           .stop = stop,
           .fidelity = options.fidelity,
-          .printable = answer_of_export};
+          .printable = answer_of_export,
+          .printable_size = find_printable_size};
 }
 
 using RunFunction = std::function<Run(const RunOptions&)>;
@@ -174,9 +176,13 @@ int run_and_write(const CommandOptions& options, const RunFunction& function, co
   return exit_code(verdict_of(run));
 }
 
-/// Reads the file once: a file that changes between two reads would be two designs.
+/// Reads the file once, with the keys that options replace. A file that changes between two reads would be two designs.
 targets::Node document_of(const CommandOptions& options) {
-  return targets::read_document(options.file, max_design_bytes);
+  const targets::Node root = targets::read_document(options.file, max_design_bytes);
+  if (options.changes.empty()) return root;
+  targets::DocumentEditor changed(root);
+  for (const auto& [key, value] : options.changes) changed.put(targets::parse_path(key), value);
+  return changed.root();
 }
 
 /// Applies --theta-deg to imported bodies. It drives the hinge that the file names, or the hinge that turns most in
@@ -259,7 +265,7 @@ int run_design_command(const CommandOptions& options, Model model, const std::st
 
 int optimise_command(const CommandOptions& options) {
   Stopwatch watch;
-  const Target target = read_target(options.file);
+  const Target target = read_target(document_of(options));
   return run_and_write(
       options, [&](const RunOptions& of) { return run_goal(*target.goal, of); }, target.goal->name, "",
       watch);
@@ -279,7 +285,7 @@ int simulate_command(const CommandOptions& options) {
 
 int check_command(const CommandOptions& options) {
   Console console(options.quiet);
-  const CheckedFile checked = check_file(options.file, console.progress());
+  const CheckedFile checked = check_file(options.file, document_of(options), console.progress());
   std::cout << (options.json ? checked.json().dump(1) + "\n" : checked.text());
   return done;
 }
@@ -415,8 +421,7 @@ nlohmann::ordered_json CheckedFile::json() const {
   return out;
 }
 
-CheckedFile check_file(const std::string& file, const Progress& progress) {
-  const targets::Node root = targets::read_document(file, max_design_bytes);
+CheckedFile check_file(const std::string& file, const targets::Node& root, const Progress& progress) {
   if (root.kind() != targets::Node::Kind::map)
     throw root.error(
         "is no map of keys, which a target, a design and a sweep are; the first is `kinetix: 1`");

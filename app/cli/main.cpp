@@ -90,6 +90,30 @@ void add_file(CLI::App& app, CommandOptions& options, const std::string& name, c
   app.add_option(name, options.file, what)->required()->type_name("");
 }
 
+/// Adds the options that replace keys of the file: how the sheet is made.
+void add_choices(CLI::App& app, CommandOptions& options) {
+  const auto add = [&](const char* name, const char* key, std::string form, const char* what) {
+    return app.add_option_function<std::string>(
+        name,
+        [&options, key, form = std::move(form)](const std::string& value) {
+          options.changes.emplace_back(key, fmt::format(fmt::runtime(form), value));
+        },
+        what);
+  };
+  std::vector<std::string> processes;
+  for (const kinetix::model::Process& process : kinetix::model::processes())
+    processes.push_back(process.name);
+  add("--process", "process", "{}", "polyjet, fdm, sla or sls, in place of the file's process")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(processes));
+  add("--hinge", "hinge", "{{kind: {}}}",
+      "pin, block or film, in place of the file's hinges; sizes follow from the process")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"pin", "block", "film"}));
+  add("--bed", "bed_mm", "[{}]", "bed of your printer, mm: a larger sheet is cut into tiles")
+      ->type_name("X,Y");
+}
+
 void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintRequest& request) {
   app.add_option("DESIGN.yaml|DIR", request.source, "a design, or the folder of a result")->type_name("");
   add_common(app, options);
@@ -239,6 +263,7 @@ int run(int argc, char** argv) {
   add_common(app, options);
   add_output(app, options, results_folder);
   add_open(app, options);
+  add_choices(app, options);
   app.add_flag_callback(
       "--no-verify", [&] { options.verify = false; }, "skip the physics run");
   add_time_limit(app, options, "the best so far");
@@ -260,6 +285,7 @@ int run(int argc, char** argv) {
              command == check ? "the file to read, or the folder of a result"
                               : "a design, or the folder of a result");
     add_common(*command, options);
+    add_choices(*command, options);
     if (command == check) continue;
     add_output(*command, options, results_folder);
     add_open(*command, options);

@@ -99,6 +99,8 @@ struct CommandOptions {
   std::string
       folder;  ///< empty: results/<name>, with _verified, _exact, _equilibrium or _bullet for a design
   bool folder_given = false;
+  /// Keys of the file that options replace, and their values in YAML.
+  std::vector<std::pair<std::string, std::string>> changes = {};
   bool json = false;
   bool quiet = false;
   bool verify = true;

@@ -211,11 +211,18 @@ std::string hinges_text(const Design& design) {
 }
 
 std::string hinge_section_text(const HingeSection& hinge) {
+  if (hinge.kind && !hinge.made) return fmt::format("hinge: {{kind: {}}}\n", to_string(*hinge.kind));
   const std::string contact =
       hinge.k_contact ? ", k_contact: " + targets::shortest_text(*hinge.k_contact) : "";
   return fmt::format("hinge: {{model: {}, {}{}}}\n",
                      hinge.model == HingeSection::Model::rotary ? "rotary" : "elastic", hinge_text(hinge),
                      contact);
+}
+
+std::string bed_text(const model::Process& process) {
+  if (!process.is_bed_given) return "";
+  return fmt::format("bed_mm: [{}, {}]\n", targets::shortest_text(process.bed_mm[0]),
+                     targets::shortest_text(process.bed_mm[1]));
 }
 
 std::string physics_text(const PhysicsSection& physics) {
@@ -247,8 +254,7 @@ const targets::KeyTable& hinge_entry_keys() {
 std::optional<std::string> find_offset_misfit(const Design& design, int hinge) {
   const auto& made = hinge_at(design.hinge, design.hinge_overrides, hinge).made;
   if (!made) return std::nullopt;
-  const bool is_joint = design.hinge.model == HingeSection::Model::rotary;
-  if (is_joint && made->kind != model::HingeKind::pin) return std::nullopt;  // prints give it a foot
+  if (design.hinge.model == HingeSection::Model::rotary) return std::nullopt;  // prints give joints a foot
   const model::CellSize size = design.structure.size();
   const double offset_mm = std::abs(design.structure.hinge(hinge).offset) * size.edge_mm;
   const double rounding_mm = 1e-9 * size.edge_mm;  // rounding by the digits of a file
@@ -286,6 +292,7 @@ const targets::KeyTable& design_keys() {
       {"hinge", hinge_keys(), "what the hinges are made of"},
       {"physics", physics_keys(), "settings of the physics run"},
       design_process_key(),
+      bed_key(),
   });
   return keys;
 }
@@ -304,7 +311,7 @@ Design read_design(const targets::Node& node) {
   check_gaps(root, file);
   check_offsets(root, file);
   file.physics = read_physics(root, file.structure.size().edge_mm);
-  if (root.optional("process")) file.process = read_process(root);
+  file.process = read_process(root);
   return file;
 }
 
@@ -323,7 +330,8 @@ std::string design_text(const Design& design) {
          hinges_text(design) + drive_text(design.structure, design.drive, design.side) +
          hinge_section_text(design.hinge) + physics_text(design.physics) +
          (design.process == model::processes().front() ? ""
-                                                       : "process: " + process_text(design.process) + "\n");
+                                                       : "process: " + process_text(design.process) + "\n") +
+         bed_text(design.process);
 }
 
 }  // namespace kinetix::app

@@ -210,9 +210,14 @@ std::optional<model::ShapeMemory> read_goal_drive(const targets::Section& root) 
 
 void note_process(const GoalSettings& settings, const model::CellSize& size,
                   std::vector<std::string>& notes) {
-  note_process(settings.process, size, settings.hinge.made, notes);
-  for (const HingePart& part : settings.hinge_parts)
-    note_process(settings.process, size, part.hinge.made, notes);
+  const auto note = [&](const std::optional<model::ManufacturedHinge>& made) {
+    for (const model::PrintProblem& problem : print_problems(settings.process, size, made)) {
+      const std::string text = problem.what + ": the search tries larger cells and walls";
+      if (std::find(notes.begin(), notes.end(), text) == notes.end()) notes.push_back(text);
+    }
+  };
+  note(settings.hinge.made);
+  for (const HingePart& part : settings.hinge_parts) note(part.hinge.made);
 }
 
 targets::Key robust_key(const std::string& over) {
@@ -235,6 +240,7 @@ targets::KeyTable goal_keys(std::vector<targets::Key> own, const std::string& hi
   }
   own.push_back({"physics", physics_keys(), "settings of the physics run"});
   own.push_back(process_key());
+  own.push_back(bed_key());
   own.insert(own.end(), more.begin(), more.end());
   return file_keys(std::move(own));
 }
@@ -255,7 +261,8 @@ void read_settings(const targets::Section& root, double edge_mm, GoalSettings& s
 
 void read_hinges(const targets::Section& root, const std::optional<model::CellSize>& size,
                  GoalSettings& settings) {
-  if (const auto hinge = root.optional("hinge"); hinge && !size)
+  settings.hinge.kind = read_open_kind(root);
+  if (const auto hinge = root.optional("hinge"); hinge && !size && !settings.hinge.kind)
     throw hinge->key_error(
         "needs structure.cell_mm: a hinge has its size, and cells that are left out get theirs by the "
         "search");
@@ -266,8 +273,7 @@ void read_hinges(const targets::Section& root, const std::optional<model::CellSi
     refuse_lines(root, settings.hinge_parts);
   }
   refuse_idle_drive(root, settings);
-  settings.process = size ? read_process(root, *size, settings.hinge.made) : read_process(root);
-  for (const HingePart& part : settings.hinge_parts) read_process(root, *size, part.hinge.made);
+  settings.process = read_process(root);
 }
 
 targets::Key tilt_range_key(const optim::AngleRange& usual) {

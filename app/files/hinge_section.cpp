@@ -89,9 +89,8 @@ std::vector<targets::Key> stiffness_and_shape() {
        "tilting"},
       {"kind", value::choice(kinds), targets::no_default,
        "how the hinge is made, from which its stiffness follows ([hinges](hinges.md)): `pin`, a rod in "
-       "knuckles with "
-       "play; `block`, soft material in the gap between the halves of the wall; `film`, a thin film over the "
-       "gap"},
+       "knuckles with play; `block`, soft material in the gap between the halves of the wall; `film`, a thin "
+       "film over the gap. With no other key, hinges stay joints and get the sizes that the process needs"},
       {"material", value::either({value::choice(material_names()), value::map(material_keys())}),
        targets::otherwise("needed; of a pin `" + std::string(default_pin) + "`"), material_meaning()},
       {"gap_mm", &ManufacturedHinge::gap_mm,
@@ -235,6 +234,10 @@ HingeSection read_stiffness_or_shape(const targets::Section& section, const mode
 }
 
 HingeSection read_section(const targets::Section& root, const model::CellSize& size, HingeSection hinge) {
+  if (const auto kind = read_open_kind(root)) {
+    hinge.kind = kind;
+    return hinge;
+  }
   const targets::Section section = root.section("hinge");
   const bool has_parts = section.knows("except") && section.optional("except");
   if (section.optional("kind") || section.optional("k") || has_parts) hinge.model = Model::elastic;
@@ -315,6 +318,16 @@ const targets::KeyTable& hinge_part_keys() {
     return all;
   }());
   return keys;
+}
+
+std::optional<model::HingeKind> read_open_kind(const targets::Section& root) {
+  const targets::Section section = root.section("hinge");
+  if (!section.given() || !section.optional("kind")) return std::nullopt;
+  for (const std::string_view key : hinge_keys().names())
+    if (key != "kind" && section.knows(key) && section.optional(key)) return std::nullopt;
+  HingeKind kind{};
+  section.read("kind", kind, kinds);
+  return kind;
 }
 
 HingeSection read_hinge_section(const targets::Section& root, const model::CellSize& size) {

@@ -20,6 +20,7 @@ struct HingeSection {
   std::optional<double> k_contact = {};  ///< of walls in contact, N/mm, > 0; empty: 10 k_point or 5 max(k)
   std::optional<model::HingeStiffness> k = {};        ///< replaces k_point and k_turn
   std::optional<model::ManufacturedHinge> made = {};  ///< replaces all of them except k_contact
+  std::optional<model::HingeKind> kind = {};  ///< of hinges whose sizes are left open; empty: left open too
 
   bool operator==(const HingeSection&) const = default;
 };
@@ -38,6 +39,10 @@ const targets::KeyTable& single_hinge_keys();
 const targets::KeyTable& hinge_part_keys();
 /// Returns the keys of the column or row of such an entry.
 const targets::KeyTable& hinge_line_keys();
+
+/// Reads the kind of hinges whose sizes the file leaves open: `hinge: {kind: pin}`. Empty if it does not.
+/// @param root the whole document
+std::optional<model::HingeKind> read_open_kind(const targets::Section& root);
 
 /// Reads the section. @param root the whole document   @param size for the ranges of lengths, and for what a made
 /// hinge takes from its wall

@@ -8,6 +8,9 @@ namespace {
 
 namespace value = targets::value;
 
+// mm: from a single cell to a hall.
+const targets::Bounds side_of_bed = targets::from_to(1, 1e5, "mm");
+
 std::vector<std::string> process_names() {
   std::vector<std::string> names;
   for (const model::Process& process : model::processes()) names.push_back(process.name);
@@ -78,6 +81,11 @@ targets::Key design_process_key() {
       "what `export` makes it for ([print.md](print.md)), if its `--process` does not say otherwise");
 }
 
+targets::Key bed_key() {
+  return {"bed_mm", value::list(value::number(side_of_bed), "`[x, y]`", 2, 2), targets::no_default,
+          "bed of the printer, mm: a larger sheet is cut into tiles that join by hinges"};
+}
+
 std::string process_text(const model::Process& process) {
   const model::Process& base = *model::find_process(process.name);
   if (process == base) return process.name;
@@ -87,24 +95,9 @@ std::string process_text(const model::Process& process) {
   return fmt::format("{{base: {}, {}}}", process.name, own);
 }
 
-std::string problem_text(const model::PrintProblem& problem) {
-  if (!std::isfinite(problem.cell_mm))
-    return problem.what + ". Give at least that much; larger cells do not help";
-  return fmt::format(
-      "{}; it could be with a cell_mm of {:.3g}, as a larger sheet or one of fewer cells, if walls "
-      "and hinges become as much larger: those that the file gives in mm stay as they are",
-      problem.what, problem.cell_mm);
-}
+namespace {
 
-void note_process(const model::Process& process, const model::CellSize& size,
-                  const std::optional<model::ManufacturedHinge>& made, std::vector<std::string>& notes) {
-  for (const model::PrintProblem& problem : print_problems(process, size, made)) {
-    const std::string note = problem_text(problem);
-    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
-  }
-}
-
-model::Process read_process(const targets::Section& root) {
+model::Process read_limits(const targets::Section& root) {
   const auto node = root.optional("process");
   if (!node) return model::processes().front();
   if (node->kind() != targets::Node::Kind::map) return named(*node);
@@ -116,14 +109,16 @@ model::Process read_process(const targets::Section& root) {
   return process;
 }
 
-model::Process read_process(const targets::Section& root, const model::CellSize& size,
-                            const std::optional<model::ManufacturedHinge>& made) {
-  const model::Process process = read_process(root);
-  const auto node = root.optional("process");
-  if (!node) return process;
-  const auto problems = print_problems(process, size, made);
-  if (problems.empty()) return process;
-  throw node->error(problem_text({problems.front().what, min_cell_mm(process, size, made)}));
+}  // namespace
+
+model::Process read_process(const targets::Section& root) {
+  model::Process process = read_limits(root);
+  const auto bed = root.knows("bed_mm") ? root.optional("bed_mm") : std::nullopt;
+  if (!bed) return process;
+  const auto sides = bed->list_of(2, "[x, y] in mm");
+  process.bed_mm = {sides[0].number(side_of_bed), sides[1].number(side_of_bed)};
+  process.is_bed_given = true;
+  return process;
 }
 
 }  // namespace kinetix::app

@@ -1,8 +1,11 @@
 #include "app/goals/registry.hpp"
 
 #include <fmt/format.h>
+#include <map>
 
 #include "app/files/file_header.hpp"
+#include "app/files/structure_section.hpp"
+#include "targets/document/edit_document.hpp"
 
 namespace kinetix::app {
 
@@ -85,6 +88,91 @@ void check_robust(const targets::Node& root, const GoalKind& kind) {
       fmt::format("goals of kind {} have no robust search; these have: {}", kind.name, kinds_with("robust")));
 }
 
+/// File of a target, and keys that are to be other than it has them.
+class ChangedTarget {
+ public:
+  explicit ChangedTarget(const targets::Node& root) : given_(root), changed_(root) {}
+
+  /// Returns a value of the section `structure` with the changes so far; empty if there is none.
+  std::optional<targets::Node> structure(const std::string& key) const { return of_structure(root(), key); }
+  /// Checks whether the file itself gives a key of that section.
+  bool gives(const std::string& key) const { return of_structure(given_, key).has_value(); }
+
+  void set_structure(const std::string& key, const std::string& yaml) {
+    changes_given_ |= gives(key);
+    changed_.put(targets::parse_path("structure." + key), yaml);
+    structure_[key] = yaml;
+  }
+
+  bool changes_given() const { return changes_given_; }
+  targets::Node root() const { return changed_.root(); }
+  /// Returns the keys that differ: "structure: {cell_mm: 12.5}".
+  std::string keys() const {
+    std::string all;
+    for (const auto& [key, yaml] : structure_) all += (all.empty() ? "" : ", ") + key + ": " + yaml;
+    return "structure: {" + all + "}";
+  }
+
+ private:
+  static std::optional<targets::Node> of_structure(const targets::Node& root, const std::string& key) {
+    const auto section = root.optional("structure");
+    return section && section->kind() == targets::Node::Kind::map ? section->optional(key) : std::nullopt;
+  }
+
+  targets::Node given_;
+  targets::DocumentEditor changed_;
+  std::map<std::string, std::string> structure_;
+  bool changes_given_ = false;
+};
+
+std::string text(double number) { return fmt::format("{:.6g}", number); }
+
+/// Sets fewer cells of the same total length, if the file gives their number or the kind has a usual one.
+/// @return whether it did
+bool set_fewer_cells(const GoalKind& kind, double share, ChangedTarget& target) {
+  const auto cells = target.structure("cells");
+  if (!cells && (!kind.usual_cells || target.gives("cell_mm"))) return false;
+  std::array<int, 2> sides = kind.usual_cells.value_or(std::array{0, 0});
+  if (cells) {
+    const auto rectangle = as_rectangle(read_cells(*cells));
+    if (!rectangle) throw cells->error("has no columns and rows");
+    sides = *rectangle;
+  }
+  const auto fewer = [&](int side) { return std::max(1, static_cast<int>(std::floor(side * share))); };
+  if (const auto cell_mm = target.structure("cell_mm"))
+    target.set_structure("cell_mm", text(cell_mm->number() * sides[0] / fewer(sides[0])));
+  target.set_structure("cells", fmt::format("[{}, {}]", fewer(sides[0]), fewer(sides[1])));
+  return true;
+}
+
+/// Gives a target cells of another size, mm. @param before size of its cells, mm
+void resize(const GoalKind& kind, const model::CellSize& before, const model::CellSize& size,
+            ChangedTarget& target) {
+  const bool is_larger = size.edge_mm > before.edge_mm;
+  if (is_larger && !(kind.keeps_length && set_fewer_cells(kind, before.edge_mm / size.edge_mm, target)))
+    target.set_structure("cell_mm", text(size.edge_mm));
+  const bool has_walls = size.thickness_mm == before.thickness_mm && size.height_mm == before.height_mm;
+  if (target.structure("wall_mm") && has_walls) return;
+  target.set_structure(
+      "wall_mm", fmt::format("{{thickness: {}, height: {}}}", text(size.thickness_mm), text(size.height_mm)));
+}
+
+/// Reads a goal that can be read again with other cells.
+std::unique_ptr<Goal> read_resizable(const GoalKind& kind, const ChangedTarget& target) {
+  std::unique_ptr<Goal> goal = kind.read(target.root());
+  goal->resize = [&kind, target](const model::CellSize& before,
+                                 const model::CellSize& size) -> std::optional<Goal::Resized> {
+    try {
+      ChangedTarget next = target;
+      resize(kind, before, size, next);
+      return Goal::Resized{read_resizable(kind, next), next.keys(), next.changes_given()};
+    } catch (const InvalidInput&) {
+      return std::nullopt;  // the goal allows no such cells
+    }
+  };
+  return goal;
+}
+
 }  // namespace
 
 const std::vector<const GoalKind*>& goal_kinds() { return kinds(); }
@@ -97,7 +185,7 @@ Target read_target(const targets::Node& root) {
   check_kind_of_file(root);
   const GoalKind& kind = kind_of(root);
   check_robust(root, kind);
-  return {&kind, kind.read(root)};
+  return {&kind, read_resizable(kind, ChangedTarget(root))};
 }
 
 }  // namespace kinetix::app

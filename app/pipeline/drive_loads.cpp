@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "app/pipeline/equilibrium.hpp"
 #include "app/pipeline/physics.hpp"
+#include "app/run/design_hinges.hpp"
 #include "model/closure/drive_theta.hpp"
 
 namespace kinetix::app {
@@ -102,12 +104,14 @@ constexpr double same_theta = 5e-3;  // ratio to theta: work grows with its squa
 constexpr int max_rounds = 8;    // rounds per drive; each reduces the error by the square of the sheet's lag
 constexpr double widest = 1.55;  // rad: limit of a drive, just below a right angle
 
+using SeeStep = std::function<void(const model::EquilibriumStep&, const model::State&)>;
+
 /// Follows a drive. Repeats with its target scaled by theta over the reached theta, until the sheet reaches theta.
 void drive_to(double theta, const model::Linkage& linkage, const model::ExactMotion& exact,
               const model::Elasticity& elasticity, const model::EquilibriumPathOptions& path,
-              DriveTrial& trial) {
+              DriveTrial& trial, const SeeStep& see) {
   for (int k = 0; k < max_rounds; ++k) {
-    trial.path = trace_equilibrium({linkage, trial.drive, exact}, elasticity, path);
+    trial.path = trace_equilibrium({linkage, trial.drive, exact}, elasticity, path, see);
     trial.theta = mean_theta(linkage, trial.path.state);
     trial.at_goal = std::abs(trial.theta - theta) <= same_theta * std::abs(theta);
     const double next = trial.drive.theta() * theta / trial.theta;
@@ -117,9 +121,9 @@ void drive_to(double theta, const model::Linkage& linkage, const model::ExactMot
 }
 
 void follow(double theta, const model::Linkage& linkage, const model::ExactMotion& exact,
-            const model::Elasticity& elasticity, const model::EquilibriumPathOptions& path,
-            DriveTrial& trial) {
-  drive_to(theta, linkage, exact, elasticity, path, trial);
+            const model::Elasticity& elasticity, const model::EquilibriumPathOptions& path, DriveTrial& trial,
+            const SeeStep& see = {}) {
+  drive_to(theta, linkage, exact, elasticity, path, trial, see);
   trial.load_peak = largest_load(trial.path);
   trial.force_N = trial.drive.has_force() ? trial.load_peak : trial.load_peak / linkage.size.edge_mm;
   trial.work_Nmm = work_along(trial.path, trial.drive.travel(linkage));
@@ -134,6 +138,98 @@ int least(const std::vector<DriveTrial>& trials, double DriveTrial::*number) {
   return best;
 }
 
+/// Returns a drive as a design has it.
+model::Drive as_in_design(const model::LinkageDrive& drive) {
+  if (drive.has_plates())
+    return model::Plates{.axis = drive.axis, .compression = drive.compression, .branch = drive.branch};
+  if (drive.hinge >= 0) return model::HingeTurn{drive.hinge, drive.angle};
+  return model::CordPull{drive.through, drive.shorten_mm, drive.branch};
+}
+
+constexpr double part = 1e-4;  // rad of theta to either side, the step of difference quotients
+
+/// Computes the energy of all turns from flat in the exact state at theta, N mm. @param hinges stiffness of each
+double turning_energy(const SearchResult& found, const model::Linkage& linkage,
+                      const std::vector<model::Elasticity>& hinges, double theta) {
+  const model::State state = found.plan.exact.at(theta);
+  double sum = 0;
+  for (int h = 0; h < found.design.structure.hinges(); ++h) {
+    const double turn = hinge_turn(linkage, state, h);
+    sum += hinges[h].k_turn * turn * turn / 2;
+  }
+  return sum;
+}
+
+/// Computes the load that holds the fold against turns of hinges alone, N or N mm: the derivative of the energy by the
+/// travel of the drive. Plates approach as the sheet does, which need not follow the cosine of theta.
+double holding_load(const SearchResult& found, const model::LinkageDrive& drive,
+                    const model::Linkage& linkage, const std::vector<model::Elasticity>& hinges) {
+  const auto energy = [&](double at) { return turning_energy(found, linkage, hinges, at); };
+  const auto coordinate = [&](double at) { return work_coordinate(drive, linkage, found.plan.exact.at(at)); };
+  const double more = found.theta + part, less = found.theta - part;
+  return (energy(more) - energy(less)) / (coordinate(more) - coordinate(less));
+}
+
+/// Drive, and the load by which turns of hinges alone resist it.
+struct EstimatedDrive {
+  std::string name;
+  model::LinkageDrive drive;
+  double load = 0;     ///< N or N mm
+  double force_N = 0;  ///< a moment over its lever, one cell edge
+};
+
+EstimatedDrive estimated(const SearchResult& found, const std::string& name,
+                         const model::LinkageDrive& drive) {
+  const model::Linkage linkage = found.design.structure;
+  std::vector<model::Elasticity> hinges;
+  for (int h = 0; h < found.design.structure.hinges(); ++h)
+    hinges.push_back(elasticity_of(*hinge_section(found.design, h).made));
+  const double load = std::abs(holding_load(found, drive, linkage, hinges));
+  return {name, drive, load, drive.has_force() ? load : load / linkage.size.edge_mm};
+}
+
+/// Returns the drives that exist, those of least force first.
+std::vector<EstimatedDrive> estimated_drives(const SearchResult& found) {
+  std::vector<EstimatedDrive> all;
+  for (const model::TrialDrive& trial : trial_drives(found.design.structure, found.plan.exact, found.theta))
+    if (trial.drive) all.push_back(estimated(found, trial.name, *trial.drive));
+  std::erase_if(all, [](const EstimatedDrive& drive) { return !std::isfinite(drive.force_N); });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.force_N < b.force_N; });
+  return all;
+}
+
+Folding folding_by(const std::string& name, const model::LinkageDrive& drive, double load) {
+  return {.name = name, .drive = as_in_design(drive), .load = load, .is_force = drive.has_force()};
+}
+
+constexpr int max_bodies_to_fold = 180;    // above this, paths of soft hinges take longer than the search
+constexpr int most_iterations = 15;        // per step: a fold near its exact motion needs about 5
+constexpr double shortest_step = 0.01;     // rad of theta: a sheet that needs shorter ones is about to buckle
+constexpr double largest_departure = 0.2;  // rad of a hinge from the exact motion: more is another fold
+
+/// Follows a drive with soft hinges until the sheet leaves its exact motion.
+DriveTrial followed(const SearchResult& found, const EstimatedDrive& drive, const std::stop_token& stop) {
+  DriveTrial trial{.name = drive.name, .why_not = {}, .drive = drive.drive, .path = {}};
+  std::stop_source ends;
+  model::EquilibriumPathOptions path = path_of_run(found.plan.planar);
+  path.contact = false;  // walls are proven free of contact along the exact motion
+  path.min_step = shortest_step;
+  path.newton.max_iterations = most_iterations;
+  path.stop = ends.get_token();
+  const auto see = [&](const model::EquilibriumStep& step, const model::State& state) {
+    const double off = turn_distance(found.design.structure, state,
+                                     found.plan.exact.at(mean_theta(found.design.structure, state)));
+    if (stop.stop_requested() || !(off <= largest_departure)) ends.request_stop();
+    if (!(off <= largest_departure) && trial.why_not.empty())
+      trial.why_not =
+          fmt::format("the sheet leans or buckles from theta {:.1f} deg on", to_degrees(step.theta));
+  };
+  follow(found.theta, found.design.structure, found.plan.exact, elasticity_of(found.design), path, trial,
+         see);
+  return trial;
+}
+
 /// Returns the names of the drives not tried: those from index `first` on that exist.
 std::vector<std::string> names_after(std::size_t first, const std::vector<model::TrialDrive>& drives) {
   std::vector<std::string> names;
@@ -143,6 +239,39 @@ std::vector<std::string> names_after(std::size_t first, const std::vector<model:
 }
 
 }  // namespace
+
+std::optional<Folding> find_folding(const SearchResult& found, const RunOptions& options) {
+  const Design& design = found.design;
+  if (leaves_hinges_open(design) || !found.plan.exact || found.theta == 0) return std::nullopt;
+  const std::vector<model::ManufacturedHinge> made = manufactured_hinges(design);
+  if (std::all_of(made.begin(), made.end(), [](const auto& h) { return h.kind == model::HingeKind::pin; })) {
+    const model::LinkageDrive usual = drive_to(design.structure, found.theta);
+    const double load = estimated(found, "", usual).load;
+    if (!std::isfinite(load)) return std::nullopt;
+    Folding free = folding_by(describe(as_in_design(usual)), usual, load);
+    free.turns_freely = true;
+    return free;
+  }
+  if (design.structure.bodies() > max_bodies_to_fold) return std::nullopt;
+  std::string why;
+  for (const EstimatedDrive& drive : estimated_drives(found)) {
+    const DriveTrial trial = followed(found, drive, options.stop);
+    if (options.stop.stop_requested()) return std::nullopt;
+    if (trial.holds()) return folding_by(trial.name, trial.drive, trial.load_peak);
+    if (why.empty())
+      why = trial.name + ": " +
+            (!trial.why_not.empty() ? trial.why_not
+             : trial.reached()      ? "the fold is not stable"
+                                    : trial.path.why);
+  }
+  return Folding{.name = {}, .why_not = "no drive folds it with these hinges (" + why + ")"};
+}
+
+Folding folding_of(const model::EquilibriumPath& path, const model::LinkageDrive& drive,
+                   const std::string& name) {
+  if (!drive.is_external()) return {.name = "springs of shape memory", .is_unaided = true};
+  return folding_by(name.empty() ? describe(as_in_design(drive)) : name, drive, largest_load(path));
+}
 
 DriveTrials try_drives(const Design& design, const RunOptions& options) {
   const model::Linkage linkage = design.structure;

@@ -3,6 +3,7 @@
 #include "app/files/design_file.hpp"
 #include "app/files/hinge_section.hpp"
 #include "app/run/run_options.hpp"
+#include "app/run/search_result.hpp"
 #include "model/elastic/path/equilibrium_path.hpp"
 #include "model/linkage/exact_motion.hpp"
 
@@ -91,6 +92,17 @@ struct DriveTrials {
   bool stopped = false;                   ///< whether a stop request came before all drives were tried
   std::vector<std::string> not_tried;     ///< names of the drives left out after a stop request
 };
+
+/// Finds how a sheet with its manufactured hinges is folded from flat to its theta. Pins turn freely: their drive is the
+/// usual one of the sheet, and the load that of their friction along the exact motion. With soft hinges it is the drive
+/// of least force, of model::trial_drives, that holds the sheet there. Drives are followed in equilibrium, those first
+/// whose force is least if only turns of hinges resist.
+/// Empty without an exact motion or a theta, for hinges that are left open, for more than 180 bodies with soft hinges,
+/// and after a stop request.   @pre planned
+std::optional<Folding> find_folding(const SearchResult& found, const RunOptions& options);
+/// Returns the folding along an equilibrium path that reached its goal. @param name of its drive
+Folding folding_of(const model::EquilibriumPath& path, const model::LinkageDrive& drive,
+                   const std::string& name);
 
 /// Tries the drives of model::trial_drives on a design with elastic hinges. Each folds the sheet from flat until its
 /// mean theta is the design's. After a stop request, returns the trials so far.

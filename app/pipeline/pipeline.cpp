@@ -307,6 +307,8 @@ Run run_found(SearchResult found, const Goal* goal, const RunOptions& options) {
   if (task) run.timings.verify = seconds;
   if (simulated) run = with_physics(std::move(run), goal, std::move(*simulated), *task, options);
   run = with_strain(std::move(run));
+  if (run.goal && run.equilibrium && run.equilibrium->reached())
+    run.folding = folding_of(run.equilibrium->path, run.equilibrium->drive, "");
   run.stopped = options.stop.stop_requested();
   if (goal && !run.compensation && run.plan.model != Model::equilibrium)
     model::append(exact_frames(run), run.states);
@@ -338,26 +340,11 @@ Run settled(Run run, const Goal& goal, const RunOptions& options) {
   return run;
 }
 
-namespace {
-
-/// Gives joints that the file leaves open the hinges that `export` would print. All that follows reads the design.
-SearchResult with_printed_hinges(SearchResult found, const RunOptions& options) {
-  const bool turns_freely = found.design.hinge.model == HingeSection::Model::rotary;
-  if (!options.printable || !turns_freely || !leaves_hinges_open(found.design)) return found;
-  const PrintAnswer answer = options.printable(requested_design(found));
-  if (answer.is_accepted) found.design = with_manufactured_hinges(found.design, answer.made);
-  if (!options.stop.stop_requested()) found.print = answer;  // a stopped run gives no verdict on prints
-  return found;
-}
-
-}  // namespace
-
 Run run_goal(const Goal& goal, const RunOptions& options) {
   Stopwatch watch;
-  SearchResult found = goal.search(options);
-  found.design.name = goal.name;
+  Searched searched = search_printable(goal, options);
   const double seconds = watch.lap();
-  Run run = run_found(with_printed_hinges(std::move(found), options), &goal, options);
+  Run run = run_found(std::move(searched.found), searched.goal.get(), options);
   run.timings.optimise = seconds;
   return run;
 }

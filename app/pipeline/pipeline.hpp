@@ -25,4 +25,16 @@ Run held(SearchResult found, const Goal* goal, const RunOptions& options);
 /// drive stops before its goal.
 Run settled(Run run, const Goal& goal, const RunOptions& options);
 
+/// Result of a search, and the goal that it was for.
+struct Searched {
+  std::shared_ptr<const Goal> goal;  ///< the given one, or the same with other cells
+  SearchResult found;
+};
+
+/// Searches for a goal and chooses hinges that `export` would print. Cells that cannot be printed become larger, with
+/// walls that the process needs, if the file leaves their sizes open. If the file gives them, its own design is the
+/// result, and PrintAnswer::why names sizes that were searched and work.
+/// @param goal must outlive the result
+Searched search_printable(const Goal& goal, const RunOptions& options);
+
 }  // namespace kinetix::app

@@ -65,7 +65,9 @@ std::string describe_rejection(const Run& run, const Expected& found, const RunO
   if (!found.hinges_withstand) return "its hinges are strained by more than their material bears";
   if (!options.printable) return "";
   const PrintAnswer print = options.printable(written_design(run));
-  return print.is_accepted ? "" : "it cannot be printed: " + print.why;
+  if (!print.is_accepted) return "it cannot be printed: " + print.why;
+  const bool has_joints = run.design.hinge.model == HingeSection::Model::rotary;
+  return has_joints && !has_pins_alone(run.design) ? "pins do not fit it, and soft hinges seldom fold" : "";
 }
 
 /// Evaluates a trial. @param plain result of the plain search
@@ -95,7 +97,16 @@ RobustCandidate unevaluated_candidate(double theta, double cell_mm, const HingeS
   return out;
 }
 
+SearchResult with_printed_hinges(SearchResult found, const RunOptions& options) {
+  const bool has_joints = found.design.hinge.model == HingeSection::Model::rotary;
+  if (!options.printable || !has_joints || !leaves_hinges_open(found.design)) return found;
+  const PrintAnswer answer = options.printable(requested_design(found));
+  if (answer.is_accepted) found.design = with_manufactured_hinges(found.design, answer.made);
+  return found;
+}
+
 RobustCandidate robust_candidate(SearchResult found, const Goal& goal, const RunOptions& options) {
+  found = with_printed_hinges(std::move(found), options);
   RobustCandidate out =
       unevaluated_candidate(found.theta, found.design.structure.size().edge_mm, found.design.hinge);
   Run run = held(std::move(found), &goal, options);

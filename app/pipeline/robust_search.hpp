@@ -24,6 +24,9 @@ struct RobustTrial {
 
 using RobustSolve = std::function<SearchResult(const RobustTrial&, const RunOptions&)>;
 
+/// Gives open joints the hinges that `export` would print; the search stays as it is if it would print none.
+SearchResult with_printed_hinges(SearchResult found, const RunOptions& options);
+
 /// Evaluates a design that was found as the pipeline would, without a simulation.
 RobustCandidate robust_candidate(SearchResult found, const Goal& goal, const RunOptions& options);
 

@@ -40,11 +40,19 @@ Value named(const char* option, const std::string& name,
 /// Returns the process to print by. The design's own limits also apply if its process is requested by name.
 /// @param of_design the design's process
 model::Process process_of(const PrintRequest& request, const model::Process& of_design) {
-  if (request.process.empty()) return of_design;
-  if (of_design.name == request.process) return of_design;
-  std::vector<std::pair<std::string_view, const model::Process*>> all;
-  for (const model::Process& process : model::processes()) all.emplace_back(process.name, &process);
-  return *named("--process", request.process, all);
+  model::Process out = of_design;
+  if (!request.process.empty() && of_design.name != request.process) {
+    std::vector<std::pair<std::string_view, const model::Process*>> all;
+    for (const model::Process& process : model::processes()) all.emplace_back(process.name, &process);
+    out = *named("--process", request.process, all);
+    if (of_design.is_bed_given) out.bed_mm = of_design.bed_mm;
+    out.is_bed_given = of_design.is_bed_given;
+  }
+  if (request.bed_mm.size() == 2) {
+    out.bed_mm = {request.bed_mm[0], request.bed_mm[1]};
+    out.is_bed_given = true;
+  }
+  return out;
 }
 
 /// Returns the requested kind of hinge; empty: the first that fits.
@@ -131,11 +139,6 @@ void reject_sheet_options(const PrintRequest& request) {
     if (std::find(meshes.begin(), meshes.end(), name) == meshes.end())
       throw InvalidInput(fmt::format("--format: {} is of sheets; {}{}", targets::in_ticks(name), instead,
                                      targets::joined(meshes)));
-}
-
-std::optional<Eigen::Vector2d> bed_of(const PrintRequest& request) {
-  if (request.bed_mm.size() != 2) return std::nullopt;
-  return Eigen::Vector2d(request.bed_mm[0], request.bed_mm[1]);
 }
 
 /// Rejects the folded state of a sheet for which only the flat state is known.
@@ -268,7 +271,7 @@ struct Source {
     const model::Process process = process_of(request, design ? design->process : model::processes().front());
     if (!design) {
       reject_design_options(request);
-      PrintJob job{make_coupon(process, bed_of(request))};
+      PrintJob job{make_coupon(process, requested_bed(process))};
       job.slicer = slicer_of(request);
       if (const std::string names = slicer_names(job); !names.empty())
         job.sheet.warnings.push_back("this coupon is for " + names +
@@ -310,7 +313,7 @@ struct Source {
     PrintChoice choice{.clearance_mm = request.clearance_mm,
                        .loose_rods = request.loose_rods,
                        .caps = request.caps,
-                       .bed_mm = bed_of(request),
+                       .bed_mm = requested_bed(process),
                        .edge_mm = request.cell_mm};
     if (!kind) {
       model::Process tried = process;

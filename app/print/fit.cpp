@@ -97,16 +97,18 @@ Attempt best_attempt(const Order& order, const PrintChoice& choice,
   return first;
 }
 
-/// Returns a cell edge above the refused one that fits, mm; empty: none up to largest_scale. One step smaller does not
-/// fit, and most larger edges do.
+/// Returns a cell edge that fits, mm; empty: none up to largest_scale. It is the refused one if larger walls are enough.
+/// Otherwise one step smaller does not fit, and most larger edges do.
 std::optional<double> enough_mm(const Order& order, PrintChoice choice) {
   choice.bed_mm.reset();
   const model::CellSize& size = order.design.structure.size();
   const double refused_mm = choice.edge_mm > 0 ? choice.edge_mm : size.edge_mm;
-  const auto fits = [&](double steps) {
-    choice.edge_mm = steps * step_mm;
+  const auto prints = [&](double edge_mm) {
+    choice.edge_mm = edge_mm;
     return best_attempt(order, choice, ClearanceSearch::verdict).print.has_value();
   };
+  const auto fits = [&](double steps) { return prints(steps * step_mm); };
+  if (prints(refused_mm)) return refused_mm;
   double low = std::floor(refused_mm / step_mm), high = low + 1;  // steps
   while (!fits(high)) {
     low = high;
@@ -166,12 +168,18 @@ struct Fitted {
   std::vector<std::string> refused = {};  ///< why kinds that were tried before do not fit, one sentence each
 };
 
+/// Returns the kinds of hinges to try, in order.
+std::vector<model::HingeKind> kinds_of(const Order& order) {
+  const auto& kind = order.design.hinge.kind;
+  return kind ? std::vector{*kind} : order.process.hinges;
+}
+
 std::string plural_kind(model::HingeKind kind) { return to_string(kind) + "s"; }
 
 /// Tries the kinds of the process (model::Process::hinges). @param choice its kind does not count
 Fitted fitted(const Order& order, PrintChoice choice, ClearanceSearch search) {
   Fitted out;
-  for (const model::HingeKind kind : order.process.hinges) {
+  for (const model::HingeKind kind : kinds_of(order)) {
     if (!out.attempt.reason.empty())
       out.refused.push_back(plural_kind(out.choice.kind) + " do not fit: " + out.attempt.reason);
     choice.kind = kind;
@@ -186,7 +194,8 @@ Fitted fitted(const Order& order, PrintChoice choice, ClearanceSearch search) {
 std::string describe_refused_kinds(const Order& order) {
   if (!leaves_hinges_open(order.design)) return "";
   std::vector<std::string> kinds;
-  for (const model::HingeKind kind : order.process.hinges) kinds.push_back(plural_kind(kind));
+  for (const model::HingeKind kind : kinds_of(order)) kinds.push_back(plural_kind(kind));
+  if (kinds.size() == 1) return fmt::format("{} do not fit: ", kinds.front());
   return fmt::format("neither {} fit: with {} ", fmt::join(kinds, " nor "), kinds.back());
 }
 
@@ -246,7 +255,7 @@ PreparedPrint prepare_fitting_print(const Design& design, const model::Process& 
 
 PrintAnswer answer_of_export(const Design& design) try {
   const Order order{design, design.process, false};
-  const Fitted found = fitted(order, {}, ClearanceSearch::verdict);
+  const Fitted found = fitted(order, {.bed_mm = requested_bed(design.process)}, ClearanceSearch::verdict);
   if (!found.attempt.print) return {false, named_kinds(design, found.choice.kind), reason_of(order, found)};
   const PrintSheet& sheet = found.attempt.print->job.sheet;
   PrintAnswer answer{true, named_kinds(sheet)};
@@ -254,6 +263,21 @@ PrintAnswer answer_of_export(const Design& design) try {
   return answer;
 } catch (const InvalidInput& e) {
   return {false, {}, e.reason()};
+}
+
+std::optional<model::CellSize> find_printable_size(const Design& design) try {
+  const Order order{design, design.process, false};
+  std::optional<model::CellSize> least;
+  for (const model::HingeKind kind : kinds_of(order)) {
+    PrintChoice choice{.kind = kind};
+    const std::optional<double> edge_mm = enough_mm(order, choice);
+    if (!edge_mm || (least && *edge_mm >= least->edge_mm)) continue;
+    choice.edge_mm = *edge_mm;
+    least = resized(design.structure.size(), choice, design.process);
+  }
+  return least;
+} catch (const InvalidInput&) {
+  return std::nullopt;  // a design that has no print path has none with larger cells
 }
 
 }  // namespace kinetix::app

@@ -39,7 +39,11 @@ PreparedPrint prepare_fitting_print(const Design& design, const model::Process& 
 std::optional<std::string> describe_resizing(double from_mm, double to_mm);
 
 /// Returns the answer of `export` without options to a design, with its hinges: those that the design describes, and
-/// the first kind that fits for the others. It does not propose a larger cell edge, which takes long to find.
+/// the first kind that fits for the others.
 PrintAnswer answer_of_export(const Design& design);
+
+/// Finds the smallest cells, at least as large as the design's, with which `export` would write the design, mm. Walls
+/// are as thick and high as the design's, or as the process needs. Empty if there are none up to 100 times as large.
+std::optional<model::CellSize> find_printable_size(const Design& design);
 
 }  // namespace kinetix::app

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/result/state_json.hpp"
 #include "model/elastic/path/closed_form.hpp"
 
 namespace kinetix::app {
@@ -37,8 +38,29 @@ std::string classify_load(const Equilibrium& equilibrium) {
   return equilibrium.drive.has_force() ? classify_force(load) : classify_moment(load);
 }
 
-std::string classify_load(const SoftHinges& soft) {
-  return soft.is_force ? classify_force(*soft.load) : classify_moment(*soft.load);
+namespace {
+
+// N and N mm: by hand, and with a clamp or a tool.
+constexpr std::array most_by_hand = {100.0, 3000.0}, most_by_clamp = {1000.0, 30000.0};
+
+}  // namespace
+
+std::string describe_folding(const Folding& folding) {
+  if (!folding.is_possible()) return folding.why_not;
+  if (folding.is_unaided) return "unaided: its springs fold it";
+  const std::string load = folding.is_force ? fmt::format("{:.3g} N", folding.load)
+                                            : fmt::format("{:.3g} N mm about one hinge", folding.load);
+  const std::string effort = describe_effort(folding);
+  if (effort == "no") return "it takes " + load + " to fold, more than a clamp gives: " + folding.name;
+  return fmt::format("{} with {}{}: {}", effort, load,
+                     folding.turns_freely ? " of friction, which is assumed" : "", folding.name);
+}
+
+std::string describe_effort(const Folding& folding) {
+  if (folding.is_unaided) return "unaided";
+  const std::size_t unit = folding.is_force ? 0 : 1;
+  if (!folding.is_possible() || !(folding.load <= most_by_clamp[unit])) return "no";
+  return folding.load <= most_by_hand[unit] ? "by hand" : "with a clamp";
 }
 
 namespace {
@@ -125,6 +147,60 @@ void add_equilibrium_metrics(const Equilibrium& equilibrium, Json& metrics) {
   if (!equilibrium.from_exact) return;
   metrics["exact_rms"] = equilibrium.from_exact->rms;
   metrics["exact_max"] = equilibrium.from_exact->max;
+}
+
+namespace {
+
+/// Formatter of a drive by the keys of a design.
+struct DriveJson {
+  const model::Lattice& structure;
+
+  Json wall(int hinge) const { return Json::parse(wall_name(structure, hinge)); }
+
+  Json operator()(const model::Plates& plates) const {
+    return {{"kind", "plates"}, {"axis", to_string(plates.axis)}, {"compression", plates.compression}};
+  }
+  Json operator()(const model::HingeTurn& turn) const {
+    return {{"kind", "hinge"}, {"wall", wall(turn.hinge)}, {"angle_deg", to_degrees(turn.angle)}};
+  }
+  Json operator()(const model::CordPull& cord) const {
+    Json through = Json::array();
+    for (const int hinge : cord.through) through.push_back(wall(hinge));
+    return {{"kind", "cord"}, {"through", through}, {"shorten_mm", cord.shorten_mm}};
+  }
+  Json operator()(const model::ShapeMemory& hot) const {
+    return {{"kind", "shape_memory"}, {"angle_deg", to_degrees(hot.angle)}, {"k_turn", hot.k_turn}};
+  }
+  Json operator()(const model::BodyPull&) const { return nullptr; }
+};
+
+Json hinge_json(const model::ManufacturedHinge& hinge) {
+  Json out = {{"kind", to_string(hinge.kind)}, {"material", hinge.material.name}};
+  if (hinge.kind == model::HingeKind::pin)
+    out.update({{"diameter_mm", hinge.diameter_mm}, {"clearance_mm", hinge.clearance_mm}});
+  else
+    out.update({{"gap_mm", hinge.gap_mm}, {"thickness_mm", hinge.thickness_mm}});
+  out["height_mm"] = hinge.height_mm;
+  out["k"] = stiffness_json(stiffness(hinge));
+  return out;
+}
+
+}  // namespace
+
+Json manufacture_json(const Design& design, const model::ManufacturedHinge& hinge,
+                      const std::optional<Folding>& folding) {
+  const bool has_load = folding && folding->is_possible() && !folding->is_unaided;
+  const auto load = [&](bool is_force) {
+    return has_load && folding->is_force == is_force ? Json(folding->load) : Json(nullptr);
+  };
+  return {{"process", design.process.name},
+          {"hinge", hinge_json(hinge)},
+          {"drive", folding && folding->drive ? std::visit(DriveJson{design.structure}, *folding->drive)
+                                              : Json(nullptr)},
+          {"force_N", load(true)},
+          {"moment_Nmm", load(false)},
+          {"folds", folding ? Json(describe_effort(*folding)) : Json(nullptr)},
+          {"lock", nullptr}};
 }
 
 Json compensation_json(const CompensationResult& compensation) {

@@ -12,8 +12,15 @@ std::string classify_force(double newtons);
 std::string classify_moment(double newton_mm);
 /// Describes the peak actuation load. Shape-memory drives need none: "its own springs".
 std::string classify_load(const Equilibrium& equilibrium);
-/// Classifies the load that holds soft hinges at the design. @pre soft.load
-std::string classify_load(const SoftHinges& soft);
+/// Returns how a sheet is folded, as in result.json: "by hand" up to 100 N or 3 N m, "with a clamp" up to 1000 N or
+/// 30 N m, "unaided" by springs in the hinges, else "no".
+std::string describe_effort(const Folding& folding);
+/// Describes how a sheet is folded, one sentence: "by hand with 3.2 N, plates normal to y".
+std::string describe_folding(const Folding& folding);
+
+/// Returns the section `manufacture` of result.json: how a design is printed and folded. @param hinge of most hinges
+nlohmann::ordered_json manufacture_json(const Design& design, const model::ManufacturedHinge& hinge,
+                                        const std::optional<Folding>& folding);
 
 /// Returns the section `equilibrium` of result.json.
 nlohmann::ordered_json equilibrium_json(const Equilibrium& equilibrium);

@@ -88,8 +88,9 @@ std::optional<HingeStrain> worst_strain(const Run& run) {
 std::vector<std::string> unprintable(const Run& run) {
   std::vector<std::string> all;
   if (!run.goal) return all;
-  for (const model::PrintProblem& problem : print_problems(run.design)) all.push_back(problem_text(problem));
-  if (all.empty() && run.print && !run.print->is_accepted) all.push_back(run.print->why);
+  if (run.print && !run.print->is_accepted) all.push_back(run.print->why);
+  if (run.print) return all;
+  for (const model::PrintProblem& problem : print_problems(run.design)) all.push_back(problem.what);
   return all;
 }
 
@@ -175,8 +176,6 @@ Json soft_hinges_json(const SoftHinges& soft) {
               {"strain", soft.strain},
               {"strain_allowed", soft.made.material.strain_max},
               {"assumed", soft.is_assumed}};
-  if (soft.load)
-    out["load"] = {{"value", *soft.load}, {"unit", soft.load_unit()}, {"effort", classify_load(soft)}};
   return out;
 }
 
@@ -213,20 +212,11 @@ std::optional<std::string> describe_flat_starts(const PrintedGoal& printed) {
   return text + ": bend the sheet a little to its side by hand before the plates close";
 }
 
-/// Formats a load with three digits, and with all integer digits, so that large forces have no power of ten.
-std::string held_load_text(double load) {
-  return load < 100 ? fmt::format("{:.3g}", load) : fmt::format("{:.0f}", load);
-}
-
 std::string describe_soft_hinges(const SoftHinges& soft) {
   const model::ManufacturedHinge& block = soft.made;
-  const std::string held =
-      !soft.load ? ""
-                 : fmt::format(", held there by {} {} ({})", held_load_text(std::abs(*soft.load)),
-                               soft.load_unit(), classify_load(soft));
-  return fmt::format("hinges are {}{} {}s {:.1f} mm long that keep their turns: strained by {:.2f} of {:g}{}",
+  return fmt::format("hinges are {}{} {}s {:.1f} mm long that keep their turns: strained by {:.2f} of {:g}",
                      soft.is_assumed ? "assumed to be " : "", block.material.name, to_string(block.kind),
-                     block.gap_mm, soft.strain, block.material.strain_max, held);
+                     block.gap_mm, soft.strain, block.material.strain_max);
 }
 
 /// Returns the reasons why prints leave the goal, one sentence each. Empty if they keep it.

@@ -220,6 +220,7 @@ std::string summary(const Run& run) {
   for (const auto& [label, words] : compensation_lines(run)) text += line(label, words);
   for (const auto& [label, words] : robust_lines(run)) text += line(label, words);
   for (const auto& [label, words] : print_tolerance_lines(run)) text += line(label, words);
+  if (run.folding && run.folding->is_possible()) text += line("folds", describe_folding(*run.folding));
   if (run.equilibrium)
     for (const auto& [label, words] : equilibrium_lines(run)) text += line(label, words);
   if (run.verification) text += physics_lines(run);

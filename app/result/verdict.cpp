@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/pipeline/physics.hpp"
+#include "app/result/motion_evidence.hpp"
 #include "app/result/print_evidence.hpp"
 #include "app/run/design_hinges.hpp"
 #include "model/assembly/assembly.hpp"
@@ -85,6 +86,8 @@ std::optional<Reasons> drive_reasons(const Run& run) {
   } else if (auto contact = contact_reason(run)) {
     why.push_back(std::move(*contact));
   }
+  if (run.folding && !run.equilibrium && describe_effort(*run.folding) == "no")
+    why.push_back(describe_folding(*run.folding));
   if (!run.states.empty())
     if (auto strained = describe_overstrain(run.design, run.states.front().poses))
       why.push_back(std::move(*strained));
@@ -107,6 +110,8 @@ void add_warnings(const Run& run, RunVerdict& verdict) {
   if (!run.goal) return;
   if (!run.met()) warn_all(verdict, run.physics_violations());
   warn_all(verdict, shown_measure(run).warnings);
+  if (run.print && run.print->is_accepted && !run.folding && !run.equilibrium)
+    verdict.warn("which drive folds it is not known");
   if (!run.prints_unknown.empty()) verdict.warn("print tolerance is not known: " + run.prints_unknown);
   if (run.printed) warn_all(verdict, scatter_warnings(run));
 }

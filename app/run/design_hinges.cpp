@@ -23,6 +23,12 @@ bool leaves_hinges_open(const Design& design) {
   return std::any_of(all.begin(), all.end(), [](const HingeSection* hinge) { return !hinge->made; });
 }
 
+bool has_pins_alone(const Design& design) {
+  const auto made = manufactured_hinges(design);
+  return !leaves_hinges_open(design) &&
+         std::all_of(made.begin(), made.end(), [](const auto& h) { return h.kind == model::HingeKind::pin; });
+}
+
 Design with_manufactured_hinges(const Design& design, const std::vector<model::ManufacturedHinge>& made) {
   Design out = design;
   for (int h = 0; h < static_cast<int>(made.size()); ++h) {

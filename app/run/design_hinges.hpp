@@ -14,6 +14,9 @@ std::vector<model::ManufacturedHinge> manufactured_hinges(const Design& design);
 /// Checks whether the design leaves the kind of some hinge open.
 bool leaves_hinges_open(const Design& design);
 
+/// Checks whether all hinges are pins with known sizes.
+bool has_pins_alone(const Design& design);
+
 /// Returns the design with these hinges in place of those that it leaves open.
 /// @param made by hinge; those of hinges that the design describes do not count
 Design with_manufactured_hinges(const Design& design, const std::vector<model::ManufacturedHinge>& made);

@@ -17,6 +17,17 @@ class Goal {
 
   const std::string name;  ///< names folders of results
 
+  /// Goal of the same file with other cells.
+  struct Resized {
+    std::shared_ptr<const Goal> goal;
+    std::string keys;            ///< of the file that differ, in YAML: "structure: {cell_mm: 12.5}"
+    bool changes_given = false;  ///< whether the file itself gives one of them
+  };
+  /// Reads the file again with cells of another size, mm, on top of the changes so far. Empty if the goal does not allow
+  /// it. Not set for goals that were not read from a file. @param before size of its cells, mm
+  std::function<std::optional<Resized>(const model::CellSize& before, const model::CellSize& size)> resize =
+      {};
+
   /// Returns estimates that need no search.
   virtual Forecast forecast() const = 0;
   /// Searches for a design. @throws InvalidInput for a target that leaves nothing to search
@@ -64,6 +75,11 @@ struct GoalKind {
   Model model = Model::exact;       ///< source of its states
   std::vector<GoalMetric> metrics;  ///< entries that its searches add to `metrics`
   std::vector<GoalMeasure> measures = {};
+  bool keeps_length =
+      false;  ///< whether larger cells are fewer, since the goal gives a length; else sheets grow
+  /// Columns and rows of kinds that keep a length, if the file gives neither them nor their size. Empty: a cell size
+  /// sets them.
+  std::optional<std::array<int, 2>> usual_cells = {};
 };
 
 /// Goal that was read, with its kind.

@@ -78,12 +78,8 @@ struct CompensationResult {
 /// that is strained most for its material.
 struct SoftHinges {
   model::ManufacturedHinge made;
-  bool is_assumed = false;          ///< whether no hinge that could be printed is known
-  double strain = 0;                ///< of that hinge, ratio
-  std::optional<double> load = {};  ///< load that folds the design if only turns of hinges resist, N or N mm
-  bool is_force = true;  ///< whether `load` is a force, N, of plates; else a moment, N mm, of a driven hinge
-
-  std::string load_unit() const { return is_force ? "N" : "N mm"; }
+  bool is_assumed = false;  ///< whether no hinge that could be printed is known
+  double strain = 0;        ///< of that hinge, ratio
 };
 
 /// Print tolerance of a result.

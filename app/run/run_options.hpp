@@ -42,6 +42,8 @@ struct RunOptions {
   bool fidelity = false;  ///< whether to simulate with larger steps too, for the speed-against-error table
   /// Returns the answer of `export` without options to a design (app/print/fit.hpp). Empty: not requested.
   std::function<PrintAnswer(const Design&)> printable = {};
+  /// Returns cells with which `export` would write a design that it rejects (app/print/fit.hpp). Empty: not requested.
+  std::function<std::optional<model::CellSize>(const Design&)> printable_size = {};
   std::shared_ptr<const BodyPieces> pieces = {};  ///< of an earlier run, reused if they fit
 };
 

@@ -52,6 +52,19 @@ struct TurnBounds {
   std::function<std::vector<optim::TiltTie>(const model::Lattice&)> ties = optim::tilt_ties;
 };
 
+/// Folding of a sheet with its own hinges, by the drive of least force.
+struct Folding {
+  std::string name;  ///< of the drive, such as "plates normal to y"; empty: no drive folds it
+  std::optional<model::Drive> drive = {};  ///< as in a design; empty: no drive folds it
+  double load = 0;                         ///< largest on the path: N, of a turned hinge N mm; 0 of springs
+  bool is_force = true;                    ///< whether `load` is in N
+  bool is_unaided = false;                 ///< whether springs in the hinges fold it
+  bool turns_freely = false;               ///< whether all hinges are pins: `load` is that of their friction
+  std::string why_not = {};                ///< why no drive folds it, one sentence
+
+  bool is_possible() const { return why_not.empty(); }
+};
+
 /// Simulation that a goal requests.
 struct PhysicsRequest {
   enum class When { always, if_met, never };
@@ -94,6 +107,8 @@ struct SearchResult {
   PhysicsRequest physics = {};
   /// Answer of `export` to a goal's design; empty if not requested, or if its hinges are settled by equilibrium.
   std::optional<PrintAnswer> print = {};
+  /// Folding by the hinges of the design; empty if it is not known.
+  std::optional<Folding> folding = {};
   std::vector<std::string> notes = {};  ///< sentences for the plan
   TurnBounds bounds = {};               ///< bounds of tilts and theta in the compensation for elastic hinges
 

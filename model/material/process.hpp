@@ -32,7 +32,7 @@ struct Process {
   PrintError sd = {};
   std::string source = {};
   std::string rubber = {};            ///< name of the material of soft parts
-  std::array<double, 2> bed_mm = {};  ///< of a common printer, x and y
+  std::array<double, 2> bed_mm = {};  ///< of a common printer or the user's, x and y
   double max_height_mm = 0;           ///< largest height of a print on that printer
   bool is_multi_material = false;  ///< hard and soft material in one print; else soft parts are printed apart
   std::string film = {};           ///< material of walls printed with living hinges; empty: separate strips
@@ -41,6 +41,7 @@ struct Process {
   std::string carries = {};               ///< support of overhangs that needs no planning; empty: none
   /// Kinds of hinges that a design may leave open, in the order in which they are tried.
   std::vector<HingeKind> hinges = {HingeKind::pin, HingeKind::block};
+  bool is_bed_given = false;  ///< whether bed_mm is the user's: a larger sheet is cut into tiles
 
   bool operator==(const Process& other) const {
     return name == other.name && clearance_mm == other.clearance_mm &&

@@ -101,6 +101,7 @@ std::shared_ptr<app::Run> run_in_python(const RunFunction& function, const std::
     app::RunOptions options = choice.options;
     options.stop = stop.get_token();
     options.printable = app::answer_of_export;
+    options.printable_size = app::find_printable_size;
     if (listener)
       options.progress = [&](const std::string& stage, double done, const std::string& words) {
         (*listener)(stage, done, words);

@@ -144,6 +144,42 @@ void DocumentEditor::set(int item, double value) {
   at.value = shortest_text(value);
 }
 
+namespace {
+
+/// Copies an item and all below it to a place of a tree. The copies have no line, since no file holds them.
+void graft(const Tree& from, int item, Tree& to, int place) {
+  const Tree::Item& source = from.items[item];
+  Tree::Item& target = to.items[place];
+  target.kind = source.kind;
+  target.is_quoted = source.is_quoted;
+  target.value = source.value;
+  target.line = target.column = target.key_line = target.key_column = 0;
+  target.children.clear();
+  for (const int child : source.children) {
+    const int added = static_cast<int>(to.items.size());
+    to.items[place].children.push_back(added);
+    Tree::Item& entry = to.items.emplace_back();
+    entry.parent = place;
+    entry.position = from.items[child].position;
+    entry.key = from.items[child].key;
+    graft(from, child, to, added);
+  }
+}
+
+}  // namespace
+
+void DocumentEditor::put(const DocumentPath& path, const std::string& yaml) {
+  const Node value = parse_document("value: " + yaml, tree_->file).required("value", "");
+  int item = 0;
+  for (const PathStep& step : path) {
+    const Node::Kind kind = tree_->items[item].kind;
+    if (kind != Node::Kind::map && kind != Node::Kind::empty)
+      throw Node(tree_, item).error("is not a map of keys");
+    item = child(item, step.key, true);
+  }
+  graft(value.tree(), value.item(), *tree_, item);
+}
+
 Node DocumentEditor::root() const { return {tree_, 0}; }
 
 }  // namespace kinetix::targets

@@ -21,7 +21,7 @@ using DocumentPath = std::vector<PathStep>;
 DocumentPath parse_path(std::string_view text);
 std::string to_string(const DocumentPath& path);
 
-/// A copy of a document in which numbers are replaced, as if the file held them.
+/// A copy of a document in which values are replaced, as if the file held them.
 class DocumentEditor {
  public:
   explicit DocumentEditor(const Node& root);
@@ -40,6 +40,10 @@ class DocumentEditor {
   /// Returns the number as the file has it, in the key's unit; empty for a key that was added and not set.
   std::optional<double> number(int item) const;
   void set(int item, double value);
+  /// Replaces or adds a value. Maps that the file omits are added.
+  /// @param path of keys alone   @param yaml such as `pin` or `[220, 220]`
+  /// @throws InvalidInput if that is not YAML, or if the path meets anything but maps
+  void put(const DocumentPath& path, const std::string& yaml);
 
   /// Returns the document in its present state. It must not be used after the next set().
   Node root() const;

@@ -323,6 +323,7 @@ extern const GoalKind curve_kind = {
                  "[distance of midline and goal](#shape_rms-and-shape_max), root mean square"},
                 {"shape_max", "", "likewise, the largest"}},
     .measures = {{"shape_rms", measured<&targets::CurveError::rms>},
-                 {"shape_max", measured<&targets::CurveError::max>}}};
+                 {"shape_max", measured<&targets::CurveError::max>}},
+    .keeps_length = true};
 
 }  // namespace kinetix::app

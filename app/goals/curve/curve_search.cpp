@@ -254,7 +254,7 @@ CurveStrip evaluate_strip(const Goal& goal, CurveStrip strip, const SearchResult
   CurveCandidate out{unevaluated_candidate(design.design.theta, strip.file.size.edge_mm, strip.file.hinge),
                      strip.file.columns, design.error.rms};
   out.designed_mm = design.error.rms * design.error.scale_mm;
-  const SearchResult found = planned(make_search_result(strip));
+  const SearchResult found = planned(with_printed_hinges(make_search_result(strip), options));
   const model::Lattice& sheet = found.design.structure;
   const auto printed = estimate_print_tolerance(found, goal_drive(found, sheet, out.theta), found.own,
                                                 goal.observe(found, sheet, found.own)->points);
@@ -263,7 +263,9 @@ CurveStrip evaluate_strip(const Goal& goal, CurveStrip strip, const SearchResult
   out.is_allowed = printed && printed->can_be_printed && !strip.found.contact.touches &&
                    withstands_strain(found.design, found.own) &&
                    design.error.rms <= strip.file.shape_tolerance &&
-                   (!options.printable || options.printable(requested_design(found)).is_accepted);
+                   (!options.printable || has_pins_alone(found.design) ||
+                    (found.design.hinge.model == HingeSection::Model::elastic &&
+                     options.printable(requested_design(found)).is_accepted));
   strip.candidate = std::move(out);
   return strip;
 }

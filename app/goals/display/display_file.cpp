@@ -171,7 +171,7 @@ void read_goal(const targets::Section& root, DisplayFile& file) {
       read_display(root.required("target", ""), structure.optional("cells"), file.lattice.cell_shape());
   file.size = read_size(structure, display_cell_mm);
   file.hinge = read_elastic_hinge_section(root, file.size);
-  file.process = read_process(root, file.size, file.hinge.made);
+  file.process = read_process(root);
   root.section("target").read("channel", file.channel, channels);
   file.symmetry = read_symmetry(t_section(root), file.goal.columns, file.goal.rows);
   read_offset(root, file);

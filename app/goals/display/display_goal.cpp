@@ -141,7 +141,7 @@ class DisplayGoal final : public Goal {
     const double turn = file_.by_hinge ? file_.angle : turn_of_compression(file_.compression);
     if (const auto motion = exact_motion(out.sheet)) out.folded_mm = size_of(out.sheet, motion.at(turn / 2));
     if (!file_.goal.whole) out.notes.push_back(lost_strokes(file_.goal));
-    note_process(file_.process, out.sheet.size(), file_.hinge.made, out.notes);
+    note_process(file_, out.sheet.size(), out.notes);
     return out;
   }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/files/file_header.hpp"
+#include "app/files/process_section.hpp"
 #include "app/files/structure_section.hpp"
 #include "targets/fold/read_fold.hpp"
 
@@ -32,26 +33,30 @@ targets::KeyTable fold_tolerance_keys() {
   return targets::KeyTable(std::move(keys));
 }
 
+/// Returns a function that gives the walls for any cell edge: sizes from the file, and defaults from the edge, at least
+/// as thick as the process prints.
+std::function<model::CellSize(double)> walls_for(const targets::Section& structure,
+                                                 const model::CellSize& given, double least_wall_mm) {
+  const targets::Section wall = structure.section("wall_mm");
+  const bool has_thickness = wall.optional("thickness").has_value(),
+             has_height = wall.optional("height").has_value();
+  return [=](double edge_mm) {
+    model::CellSize size = default_size(edge_mm);
+    size.thickness_mm = std::max(size.thickness_mm, least_wall_mm);
+    if (has_thickness) size.thickness_mm = given.thickness_mm;
+    if (has_height) size.height_mm = given.height_mm;
+    return size;
+  };
+}
+
 void read_structure(const targets::Section& root, FoldFile& file) {
   const auto node = root.optional("structure");
   if (const auto cells = node ? node->optional("cells") : std::nullopt)
     throw cells->key_error(
         "the cells of a fold follow from its faces; give them in target.box or target.net");
   file.size = read_size(root.section("structure"), fold_cell_mm);
-}
-
-/// Returns a function that gives the walls for any cell edge: sizes from the file, and defaults from the edge.
-std::function<model::CellSize(double)> walls_for(const targets::Section& structure,
-                                                 const model::CellSize& given) {
-  const targets::Section wall = structure.section("wall_mm");
-  const bool has_thickness = wall.optional("thickness").has_value(),
-             has_height = wall.optional("height").has_value();
-  return [=](double edge_mm) {
-    model::CellSize size = default_size(edge_mm);
-    if (has_thickness) size.thickness_mm = given.thickness_mm;
-    if (has_height) size.height_mm = given.height_mm;
-    return size;
-  };
+  file.size =
+      walls_for(root.section("structure"), file.size, read_process(root).min_wall_mm)(file.size.edge_mm);
 }
 
 /// Chooses the cells and their edge for a box of given size.
@@ -65,13 +70,13 @@ void choose_cells(const targets::Section& root, FoldFile& file) {
   if (structure.optional("cell_mm")) options.edge_mm = file.size.edge_mm;
   options.fold.tilt = file.tilt;
   options.fold.theta = file.theta;
-  options.size = [&](double edge_mm) { return read_size(structure, edge_mm); };
+  const model::CellSize given = file.size;
+  options.size = walls_for(structure, given, read_process(root).min_wall_mm);
   const optim::BoxInCells box = target.located([&] { return fit_box(options); });
   file.size = options.size(box.edge_mm);
   file.goal = targets::box_goal(box.edges, options.open, options.crease_columns);
   file.goal.box_mm = options.required_mm;
   file.box_folded_mm = box.folded_mm;
-  options.size = walls_for(structure, file.size);
   file.box = std::move(options);
 }
 

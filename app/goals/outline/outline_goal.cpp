@@ -271,13 +271,15 @@ extern const GoalKind outline_kind = {
     .example = "target: {kind: outline, points: outline.csv}",
     .read = [](const targets::Node& root) { return make_goal(read_outline_file(root)); },
     .table = outline_keys,
-    .metrics = {
-        {"outline_rms", "", "[vertices of the rim from the outline](#outline_rms-and-iou), root mean square"},
-        {"outline_max", "", "likewise, the largest"},
-        {"iou", "", "[area that panel and outline share](#outline_rms-and-iou), over that of both"},
-        {"flat_rms", "", "outline_rms of the flat panel, where its outline is prescribed"},
-        {"flat_iou", "", "iou of the flat panel, likewise"},
-        {"outline_rms_physics", "", "outline_rms in the physics run"},
-        {"iou_physics", "", "iou in the physics run"}}};
+    .metrics = {{"outline_rms", "",
+                 "[vertices of the rim from the outline](#outline_rms-and-iou), root mean square"},
+                {"outline_max", "", "likewise, the largest"},
+                {"iou", "", "[area that panel and outline share](#outline_rms-and-iou), over that of both"},
+                {"flat_rms", "", "outline_rms of the flat panel, where its outline is prescribed"},
+                {"flat_iou", "", "iou of the flat panel, likewise"},
+                {"outline_rms_physics", "", "outline_rms in the physics run"},
+                {"iou_physics", "", "iou in the physics run"}},
+    .keeps_length = true,
+    .usual_cells = {{usual_side, usual_side}}};
 
 }  // namespace kinetix::app

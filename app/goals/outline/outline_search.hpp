@@ -8,6 +8,9 @@
 
 namespace kinetix::app {
 
+/// Columns and rows of a panel whose file gives none.
+inline constexpr int usual_side = 12;
+
 /// Content of a target.yaml of kind outline, with defaults filled in. Angles in radians, lengths in mm. Required are
 /// `kinetix: 1` and a `target`.
 ///
@@ -19,7 +22,7 @@ struct OutlineFile : GoalSettings {
   targets::Outline folded{{{0, 0}, {1, 0}, {0, 1}}};  ///< target.points
   std::optional<targets::Outline> flat = {};          ///< target.flat
   LatticeChoice lattice = {};                    ///< structure.lattice, angle_deg, rim (closed by default)
-  int columns = 12, rows = 12;                   ///< structure.cells: the panel before it is trimmed; >= 1
+  int columns = usual_side, rows = usual_side;   ///< structure.cells: the panel before it is trimmed; >= 1
   bool trims = true;                             ///< structure.trim: the flat panel is cut to the outline
   std::optional<double> cell_mm = {};            ///< nullopt: the panel gets the size of the outline
   std::optional<double> thickness_mm = {};       ///< structure.wall_mm

@@ -422,9 +422,10 @@ extern const GoalKind space_curve_kind = {
     .example = "target: {kind: space_curve, points: helix.csv}",
     .read = [](const targets::Node& root) { return make_goal(read_space_curve_file(root)); },
     .table = space_curve_keys,
-    .metrics = {
-        {"shape_rms", "", "[distance of midline and goal](#shape_rms-and-shape_max), root mean square"},
-        {"shape_max", "", "likewise, the largest"},
-        {"shape_rms_physics", "", "shape_rms in the physics run"}}};
+    .metrics = {{"shape_rms", "",
+                 "[distance of midline and goal](#shape_rms-and-shape_max), root mean square"},
+                {"shape_max", "", "likewise, the largest"},
+                {"shape_rms_physics", "", "shape_rms in the physics run"}},
+    .keeps_length = true};
 
 }  // namespace kinetix::app

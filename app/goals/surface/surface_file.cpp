@@ -185,7 +185,6 @@ RibsFile read_ribs_file(const targets::Node& node) {
     throw curvature->key_error("belongs to a sheet of facets, ribs follow any curvature; leave it out");
   tolerance.read("covered_share", file.covered_tolerance);
   read_settings(root, file.spec.size.edge_mm, file);
-  file.process = read_process(root, file.spec.size, {});
   return file;
 }
 

@@ -179,6 +179,11 @@ class SheetMaker {
 
 }  // namespace
 
+std::optional<Eigen::Vector2d> requested_bed(const model::Process& process) {
+  if (!process.is_bed_given) return std::nullopt;
+  return Eigen::Vector2d(process.bed_mm[0], process.bed_mm[1]);
+}
+
 model::CellSize resized(const model::CellSize& size, const PrintChoice& choice,
                         const model::Process& process) {
   if (!(choice.edge_mm > 0)) return size;

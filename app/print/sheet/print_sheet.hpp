@@ -59,6 +59,9 @@ struct PrintChoice {
   double edge_mm = 0;  ///< cell edge, mm; 0: the design's. Walls only grow to what the process needs
 };
 
+/// Returns the bed of the user's printer, mm; empty if it is not given.
+std::optional<Eigen::Vector2d> requested_bed(const model::Process& process);
+
 /// Returns the size of cells with the chosen edge. Walls have at least the thickness, and with pins the height, that
 /// the process needs.
 model::CellSize resized(const model::CellSize& size, const PrintChoice& choice,

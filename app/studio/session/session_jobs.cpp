@@ -91,6 +91,7 @@ void Session::search_for(const std::string& file, std::shared_ptr<const void> ke
       options.stop = stop;
       options.engine = &engine_;
       options.printable = answer_of_export;
+      options.printable_size = find_printable_size;
       auto run = std::make_shared<Run>(run_goal(*target.goal, options));
       enqueue([this, run] { found(run); });
     } catch (const std::exception& e) {

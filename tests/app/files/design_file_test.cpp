@@ -560,7 +560,6 @@ TEST(DesignFile, SaysWhereAndWhatIsAllowed) {
        8,
        "hinge",
        {"`thickness_mm` is missing"}},
-      {strip + "hinge: {kind: pin}\n", 3, 8, "hinge", {"`diameter_mm` is missing"}},
       {strip + "hinge: {kind: pin, diameter_mm: 1, gap_mm: 1}\n",
        3,
        36,

@@ -335,10 +335,6 @@ TEST(Matter, ATargetsPartsAreItsCreases) {
               HasSubstr("goal.yaml:5:23: hinge.except[0].at: a column is named in designs"));
   EXPECT_THAT(finished(scratch, soft_disc + "hinge: {except: [{at: creases, " + film).err,
               HasSubstr("goal.yaml:6:9: hinge.except: names creases, which a panel has none of"));
-  EXPECT_THAT(finished(scratch, arc + "process: fdm\nhinge: {k_turn: 1, except: [{at: creases, kind: pin, "
-                                      "diameter_mm: 1, clearance_mm: 0.3}]}\n")
-                  .err,
-              HasSubstr("a rod of 1 mm is less than fdm prints, 3 mm"));
 }
 
 TEST(Matter, TiltsStayWithinTheFilesRange) {
@@ -580,15 +576,6 @@ TEST(Matter, RefusesWhatCannotBeMade) {
     std::string text;
     const char* message;
   } cases[] = {
-      {arc + "hinge: {kind: pin, diameter_mm: 3, clearance_mm: 0.1}\nprocess: fdm\n",
-       "goal.yaml:6:10: process: a clearance of 0.1 mm is less than fdm prints, 0.3 mm"},
-      {"kinetix: 1\ntarget: {kind: fold, box: [2, 2, 2]}\nstructure: {cell_mm: 5}\nprocess: sla\n",
-       "goal.yaml:4:10: process: a wall of 0.5 mm is less than sla prints, 0.8 mm; it could be with "
-       "a cell_mm of 8, as a larger sheet or one of fewer cells"},
-      {"kinetix: 1\ntarget: {kind: fold, box: [2, 2, 2]}\n"
-       "structure: {wall_mm: {thickness: 0.4}}\nprocess: fdm\n",
-       "a cell_mm of 20, as a larger sheet or one of fewer cells, if walls and hinges become as much "
-       "larger: those that the file gives in mm stay as they are"},
       {letter + "variables: {offset_mm: 0.5}\n",
        "variables.offset_mm: a hinge made so in walls of 2 mm can sit at most 0.4 mm off their middle"},
       {letter + "tolerance: {strain: 0.8}\n",

@@ -51,9 +51,9 @@ TEST(AsMadeResult, SaysWhatPrintsComeTo) {
 TEST(AsMadeResult, IsConfirmedByPrints) {
   const Scratch scratch;
   const std::string folder = scratch / "out";
-  const Outcome run =
-      kinetix_opt(scratch.write("arc.yaml", made_arc) + " -o " + folder + " --no-verify --monte-carlo 500");
-  ASSERT_EQ(run.code, 0) << run.out << run.err;
+  const Outcome run = kinetix_opt(scratch.write("arc.yaml", made_arc) + " -o " + folder +
+                                  " --no-verify --hinge block --monte-carlo 500");
+  ASSERT_EQ(run.code, 3) << run.out << run.err;
   EXPECT_THAT(run.out, HasSubstr("500 prints in the elastic model"));
   const Json result = Json::parse(text_of(folder + "/result.json"));
   EXPECT_EQ(schema_errors(result), "");
@@ -71,8 +71,9 @@ TEST(AsMadeResult, OfAFlatStripCountsWhatBendsItOutOfItsPlane) {
     const std::string file =
         scratch.write("strip.yaml", "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [50, " + middle +
                                         "], [100, 0]]}\n");
-    const Outcome run = kinetix_opt(file + " -o " + std::string(scratch / "out") + " --no-verify");
-    EXPECT_EQ(run.code, 0) << run.err;
+    const Outcome run =
+        kinetix_opt(file + " -o " + std::string(scratch / "out") + " --no-verify --hinge block");
+    EXPECT_TRUE(run.code == 0 || run.code == 3) << run.err;
     return Json::parse(text_of(scratch / "out/result.json"))["as_made"];
   };
   const Json flat = made("0"), risen = made("0.01");
@@ -89,10 +90,9 @@ TEST(AsMadeResult, GrowsWithTheErrorsOfTheProcess) {
     const double rms = made["rms_mm"], designed = made["designed_mm"];
     return rms * rms - designed * designed;
   };
-  const Json one = printed(scratch, "process: {base: fdm, sd: {t_mm: 0.05, tilt_deg: 0.25}}\n")
-                       .result["as_made"],
-             two =
-                 printed(scratch, "process: {base: fdm, sd: {t_mm: 0.1, tilt_deg: 0.5}}\n").result["as_made"];
+  const Json
+      one = printed(scratch, "process: {base: fdm, sd: {t_mm: 0.05, tilt_deg: 0.25}}\n", 3).result["as_made"],
+      two = printed(scratch, "process: {base: fdm, sd: {t_mm: 0.1, tilt_deg: 0.5}}\n", 3).result["as_made"];
   EXPECT_EQ(one["process"], "fdm");
   EXPECT_THAT(text_of(scratch / "out/design.yaml"), HasSubstr("process: {base: fdm, sd: {t_mm: 0.1}}\n"))
       << "what differs from its base";
@@ -126,7 +126,7 @@ TEST(AsMadeResult, NotesBeforeTheSearchWhatTheUsualProcessCannotPrint) {
   const Outcome by_default = checked(curve);
   EXPECT_EQ(by_default.code, 0) << by_default.err;
   EXPECT_THAT(by_default.out, HasSubstr("a wall of 0.5 mm is less than polyjet prints, 0.6 mm"));
-  EXPECT_EQ(checked(curve + "process: polyjet\n").code, 2);
+  EXPECT_EQ(checked(curve + "process: polyjet\n").code, 0);
   EXPECT_THAT(checked("target: {kind: surface, shape: cap}\nstructure: {wall_mm: {thickness: 0.3}}\n").out,
               HasSubstr("a wall of 0.3 mm is less than polyjet prints"));
 }
@@ -143,7 +143,7 @@ TEST(AsMadeResult, TakesLimitsOfOnesOwnPrinter) {
                 process + "\n"));
   };
   EXPECT_EQ(checked("{base: polyjet, least_wall_mm: 0.5}").code, 0);
-  EXPECT_THAT(checked("{base: polyjet, least_wall_mm: 0.7}").err,
+  EXPECT_THAT(checked("{base: polyjet, least_wall_mm: 0.7}").out,
               HasSubstr("a wall of 0.5 mm is less than polyjet prints, 0.7 mm"));
   EXPECT_THAT(checked("{least_pin_mm: -1}").err, HasSubstr("process.least_pin_mm"));
   EXPECT_THAT(checked("{clearance_mm: .nan}").err, HasSubstr("process.clearance_mm"));
@@ -167,7 +167,8 @@ TEST(AsMadeResult, SaysWhatPlayAdds) {
   EXPECT_LT(one["play"]["rms_without_mm"], one["rms_mm"]);
   EXPECT_LT(one["rms_mm"], other["rms_mm"]) << "clearances that scatter are larger ones";
   EXPECT_EQ(one["play"]["rms_without_mm"], other["play"]["rms_without_mm"]);
-  EXPECT_FALSE(printed(scratch, "").result["as_made"].contains("play")) << "of hinges that are no pins";
+  EXPECT_FALSE(printed(scratch, "hinge: {kind: block}\n", 3).result["as_made"].contains("play"))
+      << "of hinges that are no pins";
 }
 
 TEST(AsMadeResult, SaysWhyItDoesNotHold) {
@@ -225,7 +226,7 @@ TEST(AsMadeResult, OfNoPrintThatSettlesSaysSoAndNoNumbers) {
         "[900000, 0]]}\nstructure: {cells: [12, 1]}\n",
         "target: {kind: outline, points: [[0, 0], [0.005, 0], [0.005, 0.005], [0, 0.005]]}\n"
         "structure: {cells: [4, 4]}\n"}) {
-    const SearchResult one = found(scratch, goal);
+    const SearchResult one = found(scratch, goal, " --hinge block");
     const Json& made = one.result["as_made"];
     EXPECT_EQ(made["prints"]["count"], 0);
     EXPECT_EQ(made["prints"]["failed"], 20);
@@ -245,7 +246,9 @@ TEST(AsMadeResult, CanBePrintedOnlyWhereExportWritesIt) {
        {std::pair{"target: {kind: curve, points: [[0, 0], [30, 12], [60, 16], [90, 12], [120, 0]]}\n"
                   "structure: {cells: [12, 1]}\n",
                   true},
-        {"target: {kind: space_block, factor: [0.82, 0.86, 0.88], size_mm: [120, 120, 120]}\n", false}}) {
+        {"target: {kind: outline, points: [[90, 0], [12, 18], [-60, 75], [-24, 0], [-75, -90], [12, -18]]}\n"
+         "structure: {cells: [5, 5]}\ntolerance: {shape: 0.2, iou: 0.2}\n",
+         false}}) {
     const SearchResult one = found(scratch, goal);
     const Json& made = one.result["as_made"];
     const Outcome print =
@@ -256,7 +259,8 @@ TEST(AsMadeResult, CanBePrintedOnlyWhereExportWritesIt) {
     if (fits) continue;
     EXPECT_EQ(made["holds"], false);
     EXPECT_EQ(one.result["made_problems"][0]["kind"], "print");
-    EXPECT_THAT(print.err, HasSubstr(made["why"][0].get<std::string>()));
+    const std::string why = made["why"][0];  // advice is after it
+    EXPECT_THAT(print.err, HasSubstr(why.substr(0, why.find("; with"))));
   }
 }
 
@@ -269,7 +273,7 @@ TEST(AsMadeResult, SaysWhetherWallsOfPrintsMayMeet) {
         {"target: {kind: curve, points: [[0, 0], [30, 12], [60, 16], [90, 12], [120, 0]]}\n"
          "structure: {cells: [12, 1]}\n",
          true}}) {
-    const SearchResult one = found(scratch, goal);
+    const SearchResult one = found(scratch, goal, " --hinge block");
     EXPECT_EQ(one.result["as_made"]["free_of_contact"], is_free) << one.out;
     EXPECT_EQ(one.result["certified"]["covers_theta_printed"], is_free);
     EXPECT_EQ(one.out.find("walls of prints may meet: theta") == std::string::npos, is_free) << one.out;
@@ -348,7 +352,8 @@ TEST(AsMadeResult, JudgesPrintsOfDisplaysByTheirTolerances) {
   const Scratch scratch;
   const std::string letter =
       "kinetix: 1\ntarget: {kind: display, rows: [\"0000\", \"0110\", \"0110\", \"0000\"]}\n"
-      "solver: {starts: 1, max_evaluations: 8}\ntolerance: {auc: 0.6, contrast: 0.5, stretch: 0.9}\n";
+      "solver: {starts: 1, max_evaluations: 8}\ntolerance: {auc: 0.6, contrast: 0.5, stretch: 0.9}\n"
+      "structure: {cell_mm: 10}\n";
   const auto shown = [&](const std::string& more) {
     const std::string folder = scratch / "out";
     const Outcome run =
@@ -359,8 +364,8 @@ TEST(AsMadeResult, JudgesPrintsOfDisplaysByTheirTolerances) {
     return result["display"]["printed"];
   };
   const Json exact = shown("process: {sd: {t_mm: 0, tilt_deg: 0}}\n");
-  EXPECT_EQ(exact["holds"], true) << exact.dump();
-  EXPECT_TRUE(exact["why"].empty());
+  EXPECT_EQ(exact["holds"], false) << "export would not write it";
+  EXPECT_EQ(exact["why"].size(), 1u) << exact.dump();
   const Json rough = shown("process: {sd: {t_mm: 1.5, tilt_deg: 0}}\n");
   EXPECT_EQ(rough["holds"], false) << rough.dump();
   EXPECT_FALSE(rough["why"].empty());
@@ -369,83 +374,26 @@ TEST(AsMadeResult, JudgesPrintsOfDisplaysByTheirTolerances) {
 const std::string octagon =
     "[[10, 0], [7.1, 7.1], [0, 10], [-7.1, 7.1], [-10, 0], [-7.1, -7.1], [0, -10], [7.1, -7.1], [10, 0]]";
 
-// Covers every kind of goal that is judged by distances. The files do not specify hinges.
+// Covers every kind of goal that is judged by distances.
 TEST(AsMadeResult, JudgesGoalsOfEveryKindBySoftBlocks) {
   const Scratch scratch;
   for (const std::string& goal :
        {"target: {kind: fold, box: [1, 1, 1], open: top}\ntolerance: {angle_deg: 1}\n"s,
         "target: {kind: fold, solid: tetrahedron}\n"s,
-        "target: {kind: surface, shape: cap}\nstructure: {facets: [3, 3]}\n"s,
         "target: {kind: outline, points: " + octagon + "}\nstructure: {cells: [5, 5], cell_mm: 10}\n",
         "target: {kind: space_curve, points: [[0, 0, 0], [50, 0, 10], [100, 15, 12], [150, 40, 10]]}\n"
         "structure: {cells: [20, 1]}\n"s}) {
-    const SearchResult one = found(scratch, goal, " --monte-carlo 100");
+    const SearchResult one = found(scratch, goal, " --hinge block --monte-carlo 100");
     const Json& made = one.result["as_made"];
     ASSERT_TRUE(made.contains("taken")) << one.out;
     EXPECT_EQ(made["taken"]["material"], "tango");
     EXPECT_LE(made["taken"]["strain"], made["taken"]["strain_allowed"]);
     EXPECT_THAT(one.out, HasSubstr("hinges are tango blocks"));
-    EXPECT_THAT(one.out, ::testing::ContainsRegex("held there by [0-9.]+ N"));
     // The rms of 100 prints is within 7 % in 95 of 100 cases.
     EXPECT_EQ(made["prints"]["failed"], 0) << goal;
     EXPECT_NEAR(made["prints"]["rms_mm"], made["rms_mm"].get<double>(), 0.2 * made["rms_mm"].get<double>())
         << goal;
   }
-}
-
-/// Returns the assumed block of a result whose file does not specify hinges.
-model::ManufacturedHinge block_of(const Json& assumed) {
-  return {.kind = model::HingeKind::block,
-          .material = *model::find_material("tango"),
-          .gap_mm = assumed["gap_mm"],
-          .thickness_mm = assumed["thickness_mm"],
-          .height_mm = assumed["height_mm"]};
-}
-
-// In a plane every hinge turns by twice theta, as the driven hinge does.
-TEST(AsMadeResult, SaysWhatHoldsAFoldOfSoftBlocks) {
-  const Scratch scratch;
-  const std::string folder = scratch / "out";
-  const Outcome run =
-      kinetix_opt(scratch.write("disc.yaml", "kinetix: 1\ntarget: {kind: outline, points: " + octagon +
-                                                 "}\nstructure: {cells: [6, 6], cell_mm: 12}\n") +
-                  " -o " + folder + " --no-verify");
-  ASSERT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
-  const Json result = Json::parse(text_of(folder + "/result.json"));
-  const Json& assumed = result["as_made"]["taken"];
-  const model::ManufacturedHinge block = block_of(assumed);
-  const double theta = result["metrics"]["theta_rad"],
-               moment = static_cast<double>(result["structure"]["hinges"].size()) * stiffness(block).turn *
-                        2 * std::abs(theta);
-  EXPECT_NEAR(std::abs(assumed["load"]["value"].get<double>()), moment, 1e-6 * moment);
-  EXPECT_EQ(assumed["load"]["unit"], "N mm");
-  EXPECT_EQ(assumed["load"]["effort"], "fingers");
-  EXPECT_NEAR(assumed["strain"], strain(block, 2 * theta), 1e-12);
-}
-
-// The block's rotors turn by twice theta. Plates close in by 1 - cos(2 theta) of the rotors, not by 1 - cos(theta) of
-// the block.
-TEST(AsMadeResult, SaysWhatHoldsABlockInSpace) {
-  const Scratch scratch;
-  const std::string folder = scratch / "out";
-  const double size_mm = 60, pressed = 0.82;  // along y, between the plates, as a share of the size
-  const Outcome run = kinetix_opt(
-      scratch.write(
-          "block.yaml",
-          "kinetix: 1\ntarget: {kind: space_block, factor: [0.86, 0.82, 0.88], size_mm: [60, 60, 60]}\n"
-          "structure: {cells: [1, 1, 1]}\n") +
-      " -o " + folder + " --no-verify");
-  ASSERT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
-  const Json result = Json::parse(text_of(folder + "/result.json"));
-  const Json& assumed = result["as_made"]["taken"];
-  const model::ManufacturedHinge block = block_of(assumed);
-  const double theta = result["metrics"]["theta_rad"], hinges = 72;
-  ASSERT_EQ(result["structure"]["hinges"].size(), hinges);
-  const double energy_by_theta = hinges * stiffness(block).turn * 2 * theta * 2;
-  const double way_by_theta = size_mm * (1 - pressed) / (1 - std::cos(2 * theta)) * 2 * std::sin(2 * theta);
-  EXPECT_EQ(assumed["load"]["unit"], "N");
-  EXPECT_NEAR(std::abs(assumed["load"]["value"].get<double>()), energy_by_theta / way_by_theta,
-              1e-6 * energy_by_theta / way_by_theta);
 }
 
 TEST(AsMadeResult, RefusesProcessesThatNobodyHas) {

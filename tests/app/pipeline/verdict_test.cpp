@@ -96,16 +96,16 @@ TEST(Verdict, ThreeGoesBeforeFourAndWhatWasNotAskedCountsForNothing) {
 // Sheets of three kinds that `export` refuses, and walls thinner than the process prints.
 TEST(Verdict, OfASheetThatExportRefusesIsThree) {
   const Scratch scratch;
-  const std::string letter = scratch.write(
-                        "letter.yaml",
-                        "kinetix: 1\ntarget: {kind: display, glyph: S}\nstructure: {cells: [10, 10]}\n"
-                        "drive: {kind: hinge}\n"),
-                    star = scratch.write(
-                        "star.yaml",
-                        "kinetix: 1\ntarget: {kind: outline, points: [[90, 0], [12, 18], [-60, 75], [-24, "
-                        "0], [-75, -90], [12, "
-                        "-18]]}\nstructure: {cells: [5, 5]}\ntolerance: {shape: 0.2, iou: 0.2}\n"),
-                    handle = scratch.write("handle.yaml", thin_handle());
+  const std::string
+      letter = scratch.write(
+          "letter.yaml",
+          "kinetix: 1\ntarget: {kind: display, glyph: S}\nstructure: {cells: [10, 10], cell_mm: 10}\n"
+          "drive: {kind: hinge}\n"),
+      star = scratch.write("star.yaml",
+                           "kinetix: 1\ntarget: {kind: outline, points: [[90, 0], [12, 18], [-60, 75], [-24, "
+                           "0], [-75, -90], [12, "
+                           "-18]]}\nstructure: {cells: [5, 5]}\ntolerance: {shape: 0.2, iou: 0.2}\n"),
+      handle = scratch.write("handle.yaml", thin_handle());
   const std::string thin = scratch.write(
       "thin.yaml",
       "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [30, 12], [60, 16], [90, 12], [120, 0]]}\n"
@@ -213,7 +213,7 @@ TEST(Verdict, StandsFirstInTheSummary) {
                                   (scratch / "out").string());
   EXPECT_EQ(run.code, 3);
   EXPECT_EQ(run.out.substr(0, run.out.find('\n')), "handle: goal met, not printable");
-  EXPECT_THAT(run.out, HasSubstr("\n  error      a wall of 0.262 mm is less than polyjet prints, 0.6 mm"));
+  EXPECT_THAT(run.out, HasSubstr("with blocks a wall of 0.262 mm is less than polyjet prints, 0.6 mm"));
 }
 
 }  // namespace

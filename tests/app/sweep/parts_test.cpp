@@ -53,6 +53,24 @@ TEST(DocumentEditor, FindsAddsAndReplacesNumbers) {
   EXPECT_EQ(root.optional("a")->optional("b")->number(), 1);
 }
 
+TEST(DocumentEditor, PutsValuesInPlaceOfOthers) {
+  const targets::Node root = targets::parse_document("a: {b: 1}\nh: {kind: pin, x: [1, 2]}\n", "file.yaml");
+  targets::DocumentEditor editor(root);
+  editor.put(targets::parse_path("h"), "{kind: block, list: [3, {d: 4}]}");
+  editor.put(targets::parse_path("a.c.d"), "word");
+  editor.put(targets::parse_path("bed_mm"), "[220, 200]");
+  const targets::Node changed = editor.root();
+  EXPECT_EQ(changed.optional("h")->optional("kind")->text(""), "block");
+  EXPECT_FALSE(changed.optional("h")->optional("x"));
+  EXPECT_EQ(changed.optional("h")->optional("list")->list("")[1].optional("d")->number(), 4);
+  EXPECT_EQ(changed.optional("a")->optional("c")->optional("d")->text(""), "word");
+  EXPECT_EQ(changed.optional("a")->optional("b")->number(), 1);
+  EXPECT_EQ(changed.optional("bed_mm")->list("").size(), 2u);
+  EXPECT_EQ(root.optional("h")->optional("kind")->text(""), "pin") << "the document itself stays";
+  EXPECT_NE(refusal([&] { editor.put(targets::parse_path("a.b.c"), "1"); }), "");
+  EXPECT_NE(refusal([&] { editor.put(targets::parse_path("a"), "{"); }), "");
+}
+
 TEST(Edit, WritesEachNumberOfAHingeAndItsMirrorImage) {
   using Kind = app::Edit::Kind;
   for (const bool flipped : {false, true}) {

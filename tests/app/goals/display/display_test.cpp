@@ -308,6 +308,7 @@ TEST(DisplayLimits, AreJudgedByTheLoadsThatAreTold) {
 target: {kind: display, rows: ["0110", "0110", "0000", "1111"], channel: area}
 tolerance: {contrast: 0, auc: 0.51, stretch: 1, force_N: 100000}
 solver: {starts: 1, max_evaluations: 30}
+structure: {cell_mm: 10}
 )";
   const Outcome run = kinetix_opt(scratch.write("t.yaml", goal) + " --no-verify -o " + scratch.path());
   const Json result = Json::parse(text_of(scratch / "result.json"));

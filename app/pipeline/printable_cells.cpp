@@ -1,0 +1,101 @@
+#include <fmt/format.h>
+
+#include "app/pipeline/drive_loads.hpp"
+#include "app/pipeline/pipeline.hpp"
+#include "app/run/design_hinges.hpp"
+
+namespace kinetix::app {
+namespace {
+
+constexpr int most_changes = 6;              // of larger cells: with fewer cells, hinges turn and lean more
+constexpr int most_changes_of_displays = 1;  // their panels only grow, and their searches take seconds
+
+bool is_refused(const SearchResult& found) { return found.print && !found.print->is_accepted; }
+
+bool has_joints(const SearchResult& found) { return found.design.hinge.model == HingeSection::Model::rotary; }
+
+/// Returns the search with how its sheet is folded.
+SearchResult with_folding(SearchResult found, const RunOptions& options) {
+  options.progress("drive", -1);
+  found.folding = find_folding(planned(found, true), options);
+  return found;
+}
+
+/// Searches, and gives open joints the hinges that `export` would print. All that follows reads the design.
+SearchResult searched(const Goal& goal, const RunOptions& options) {
+  SearchResult found = goal.search(options);
+  found.design.name = goal.name;
+  if (!options.printable || !leaves_hinges_open(found.design) || options.stop.stop_requested()) return found;
+  found.print = options.printable(requested_design(found));
+  if (!found.print->is_accepted || !has_joints(found)) return found;
+  found.design = with_manufactured_hinges(found.design, found.print->made);
+  return has_pins_alone(found.design) ? with_folding(std::move(found), options) : found;
+}
+
+bool meets_goal(const Searched& one, const RunOptions& options) {
+  return held(one.found, one.goal.get(), options).met();
+}
+
+/// Goal with cells that its process can print.
+struct Printable {
+  Goal::Resized resized;
+  Searched searched;
+};
+
+/// Checks whether a search is complete: its hinges can be printed, and are pins or of the kind that the file names.
+/// Soft hinges are the second choice for joints, since a drive seldom folds a whole sheet of them.
+bool is_complete(const SearchResult& found) {
+  const bool is_settled = !has_joints(found) || found.design.hinge.kind || has_pins_alone(found.design);
+  return !is_refused(found) && is_settled;
+}
+
+/// Finds cells that bring a search nearer to one that is complete, mm. Empty if there are none.
+std::optional<model::CellSize> find_next_size(const SearchResult& found, const RunOptions& options) {
+  Design design = with_open_joints(requested_design(found));
+  if (!is_refused(found) && !design.hinge.kind) design.hinge.kind = model::HingeKind::pin;
+  return options.printable_size(design);
+}
+
+/// Searches with other cells until they can be printed and the goal is met. Empty if that does not happen.
+std::optional<Printable> find_printable(const Goal& goal, SearchResult found, const RunOptions& options) {
+  std::optional<Goal::Resized> last;
+  const int most = has_joints(found) ? most_changes : most_changes_of_displays;
+  for (int k = 0; k < most && !options.stop.stop_requested(); ++k) {
+    const std::optional<model::CellSize> size = find_next_size(found, options);
+    if (!size) return std::nullopt;
+    last = (last ? *last->goal : goal).resize(found.design.structure.size(), *size);
+    if (!last) return std::nullopt;
+    Searched one{last->goal, searched(*last->goal, options)};
+    if (is_complete(one.found))
+      return meets_goal(one, options) ? std::optional(Printable{*last, std::move(one)}) : std::nullopt;
+    found = std::move(one.found);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Searched search_printable(const Goal& goal, const RunOptions& options) {
+  Searched given{{std::shared_ptr<const Goal>{}, &goal}, searched(goal, options)};
+  if (!given.found.print || !options.printable_size) return given;
+  const bool is_worthwhile = !is_complete(given.found) && goal.resize && meets_goal(given, options);
+  std::optional<Printable> other = is_worthwhile ? find_printable(goal, given.found, options) : std::nullopt;
+  if (other && !other->resized.changes_given) {
+    other->searched.found.notes.push_back("sizes that the process needs: " + other->resized.keys);
+    return std::move(other->searched);
+  }
+  const std::string advice =
+      other ? fmt::format("; with `{}` the goal is met and can be printed", other->resized.keys)
+      : is_worthwhile
+          ? "; larger cells and walls were searched, and none both prints with pins and meets the goal"
+          : "";
+  if (is_refused(given.found)) {
+    given.found.print->why += advice;
+  } else if (has_joints(given.found) && !given.found.folding) {
+    given.found = with_folding(std::move(given.found), options);
+    if (given.found.folding && !given.found.folding->is_possible()) given.found.folding->why_not += advice;
+  }
+  return given;
+}
+
+}  // namespace kinetix::app

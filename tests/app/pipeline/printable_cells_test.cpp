@@ -1,0 +1,192 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/files/design_file.hpp"
+#include "app/goals/registry.hpp"
+#include "app/pipeline/drive_loads.hpp"
+#include "app/pipeline/pipeline.hpp"
+#include "app/print/fit.hpp"
+#include "app/result/motion_evidence.hpp"
+#include "app/run/design_hinges.hpp"
+#include "tests/app/program.hpp"
+
+namespace kinetix::testing {
+namespace {
+
+using app::Design;
+using app::Folding;
+using app::Goal;
+using ::testing::HasSubstr;
+
+constexpr const char* rainbow =
+    "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [30, 12], [60, 16], [90, 12], [120, 0]]}\n";
+
+app::RunOptions printable_options() {
+  app::RunOptions options;
+  options.verify = false;
+  options.printable = app::answer_of_export;
+  options.printable_size = app::find_printable_size;
+  return options;
+}
+
+app::Run run_of(const Scratch& scratch, const std::string& text) {
+  return run_goal(*app::read_target(scratch.write("goal.yaml", text)).goal, printable_options());
+}
+
+const model::CellSize& size_of(const app::Run& run) { return run.design.structure.size(); }
+
+// FDM prints pins in cells of some 12 mm. Forty cells of a curve of 130 mm would be 4 mm.
+TEST(PrintableCells, OfACurveBecomeFewerIfTheFileLeavesThemOpen) {
+  const Scratch scratch;
+  const app::Run run = run_of(scratch, std::string(rainbow) + "process: fdm\n");
+  ASSERT_TRUE(run.print);
+  EXPECT_TRUE(run.print->is_accepted) << run.print->why;
+  EXPECT_TRUE(run.met()) << run.violations.front();
+  EXPECT_GE(size_of(run).thickness_mm, model::find_process("fdm")->min_wall_mm);
+  EXPECT_TRUE(app::answer_of_export(app::written_design(run)).is_accepted);
+}
+
+// Keys that the file gives stay. The advice is read again as a user would, and works.
+TEST(PrintableCells, AdviceForCellsThatTheFileGivesWorks) {
+  const Scratch scratch;
+  const app::Run run = run_of(scratch, std::string(rainbow) + "process: fdm\nstructure: {cells: [24, 1]}\n");
+  EXPECT_EQ(run.design.structure.squares()->cells.size(), 24u);
+  ASSERT_TRUE(run.print);
+  const std::string why = !run.print->is_accepted ? run.print->why : run.folding.value_or(Folding{}).why_not;
+  const std::size_t from = why.find("`structure: "), to = why.find('`', from + 1);
+  ASSERT_NE(from, std::string::npos) << why;
+  const std::string keys = why.substr(from + 1, to - from - 1);
+  const app::Run advised = run_of(scratch, std::string(rainbow) + "process: fdm\n" + keys + "\n");
+  EXPECT_TRUE(advised.met());
+  EXPECT_TRUE(advised.print->is_accepted) << keys << advised.print->why;
+  EXPECT_TRUE(advised.folding->turns_freely);
+}
+
+TEST(PrintableCells, OfANetBecomeLarger) {
+  const Scratch scratch;
+  const std::string net = "kinetix: 1\ntarget: {kind: fold, box: [2, 2, 1]}\nprocess: sls\n";
+  const app::Run run = run_of(scratch, net);
+  EXPECT_TRUE(run.print->is_accepted) << run.print->why;
+  EXPECT_TRUE(run.met());
+  EXPECT_GE(size_of(run).edge_mm, 10);
+}
+
+/// Returns the goal of a text with other cells, as YAML, and whether the text itself gives one of its keys.
+std::pair<std::string, bool> changed_keys(const std::string& text, const model::CellSize& before,
+                                          const model::CellSize& size) {
+  const Scratch scratch;
+  const app::Target target = app::read_target(scratch.write("goal.yaml", text));
+  const auto changed = target.goal->resize(before, size);
+  return changed ? std::pair(changed->keys, changed->changes_given) : std::pair(std::string(), false);
+}
+
+TEST(PrintableCells, KeysOfLargerCellsKeepTheLengthThatAGoalGives) {
+  const model::CellSize before{10, 1, 6}, larger{16, 1, 6};
+  const std::string curve = rainbow, fold = "kinetix: 1\ntarget: {kind: fold, box: [2, 2, 1]}\n",
+                    outline =
+                        "kinetix: 1\ntarget: {kind: outline, points: [[0, 0], [90, 0], [90, 90], [0, 90]]}\n";
+  EXPECT_EQ(changed_keys(curve, before, larger),
+            std::pair(std::string("structure: {cell_mm: 16, wall_mm: {thickness: 1, height: 6}}"), false));
+  EXPECT_EQ(changed_keys(curve + "structure: {cells: [20, 1]}\n", before, larger),
+            std::pair(std::string("structure: {cells: [12, 1], wall_mm: {thickness: 1, height: 6}}"), true));
+  EXPECT_EQ(
+      changed_keys(curve + "structure: {cells: [20, 1], cell_mm: 9}\n", before, larger),
+      std::pair(std::string("structure: {cell_mm: 15, cells: [12, 1], wall_mm: {thickness: 1, height: 6}}"),
+                true));
+  EXPECT_EQ(changed_keys(fold, before, larger),
+            std::pair(std::string("structure: {cell_mm: 16, wall_mm: {thickness: 1, height: 6}}"), false));
+  EXPECT_EQ(
+      changed_keys(fold + "structure: {cell_mm: 10, wall_mm: {thickness: 1, height: 6}}\n", before, larger),
+      std::pair(std::string("structure: {cell_mm: 16}"), true));
+  EXPECT_EQ(changed_keys(outline, before, larger),
+            std::pair(std::string("structure: {cells: [7, 7], wall_mm: {thickness: 1, height: 6}}"), false));
+}
+
+/// Returns how a strip of two cells is folded. @param hinge section of the design
+std::optional<Folding> folding_of_strip(const Scratch& scratch, const std::string& hinge) {
+  app::SearchResult found;
+  found.design = app::read_design(scratch.write(
+      "design.yaml",
+      "kinetix: 1\nstructure: {cells: [2, 1], cell_mm: 20, wall_mm: {thickness: 2, height: 8}}\n"
+      "design: {theta_deg: 20}\n" +
+          hinge));
+  found.theta = found.design.theta;
+  return find_folding(planned(std::move(found), true), {});
+}
+
+/// Returns the largest load of the equilibrium path of the last design with a drive.
+double simulated_load(const Scratch& scratch, const Folding& folding) {
+  Design design = app::read_design(scratch / "design.yaml");
+  design.drive = folding.drive;
+  const app::Run run = run_design(design, app::Model::equilibrium, {});
+  EXPECT_TRUE(run.equilibrium->reached());
+  return largest_load(run.equilibrium->path);
+}
+
+// Pins resist by their friction alone, 0.1 N mm/rad each. The elastic model has the same friction.
+TEST(FindFolding, OfPinsIsTheFrictionOfAll) {
+  const Scratch scratch;
+  const auto free =
+      folding_of_strip(scratch, "hinge: {model: rotary, kind: pin, diameter_mm: 3, clearance_mm: 0.3}\n");
+  ASSERT_TRUE(free);
+  EXPECT_TRUE(free->turns_freely);
+  EXPECT_EQ(app::describe_effort(*free), "by hand");
+  EXPECT_NEAR(simulated_load(scratch, *free), free->load, 0.01 * free->load);
+  EXPECT_FALSE(folding_of_strip(scratch, "")) << "hinges left open have no force";
+}
+
+// All 40 pins of a plane panel turn by 2 theta. Plates 80 mm apart close in to cos(theta) of that.
+TEST(FindFolding, OfPinsInAPlaneIsTheClosedForm) {
+  const Scratch scratch;
+  app::SearchResult found;
+  found.design = app::read_design(scratch.write(
+      "design.yaml",
+      "kinetix: 1\nstructure: {cells: [4, 4], cell_mm: 20, wall_mm: {thickness: 2, height: 8}}\n"
+      "design: {theta_deg: 20}\nhinge: {model: rotary, kind: pin, diameter_mm: 3, clearance_mm: 0.3}\n"));
+  const double theta = found.theta = found.design.theta;
+  const auto free = find_folding(planned(std::move(found), true), {});
+  ASSERT_TRUE(free);
+  constexpr double friction = 0.1, pins = 40;  // N mm/rad per pin
+  const double energy_rate = pins * friction * 2 * theta * 2;
+  const double expected = free->is_force ? energy_rate / (80 * std::sin(theta)) : energy_rate / 2;
+  EXPECT_NEAR(free->load, expected, 1e-6 * expected);
+}
+
+// The drive of a stiff film holds the fold in the equilibrium path of `simulate`, with the same load.
+TEST(FindFolding, OfSoftHingesIsTheLoadOfTheirEquilibrium) {
+  const Scratch scratch;
+  const std::string film = "hinge: {kind: film, material: pp, gap_mm: 2, thickness_mm: 0.4}\n";
+  const auto folded = folding_of_strip(scratch, film);
+  ASSERT_TRUE(folded);
+  ASSERT_TRUE(folded->is_possible()) << folded->why_not;
+  EXPECT_FALSE(folded->turns_freely);
+  EXPECT_NEAR(simulated_load(scratch, *folded), folded->load, 0.01 * folded->load);
+}
+
+// Long strips of rubber lean between plates and follow no single hinge.
+TEST(FindFolding, SaysThatNoDriveFoldsALongStripOfRubber) {
+  const Scratch scratch;
+  const app::Run run = run_of(scratch, std::string(rainbow) +
+                                           "structure: {cells: [12, 1], cell_mm: 12}\n"
+                                           "hinge: {kind: block}\n");
+  ASSERT_TRUE(run.folding);
+  EXPECT_FALSE(run.folding->is_possible());
+  EXPECT_THAT(run.folding->why_not, HasSubstr("no drive folds it"));
+  EXPECT_EQ(app::describe_effort(*run.folding), "no");
+}
+
+TEST(FindFolding, EffortsAreThoseOfAHandAndAClamp) {
+  const auto effort = [](double load, bool is_force) {
+    return app::describe_effort({.name = "plates", .load = load, .is_force = is_force});
+  };
+  EXPECT_EQ(effort(100, true), "by hand");
+  EXPECT_EQ(effort(101, true), "with a clamp");
+  EXPECT_EQ(effort(1001, true), "no");
+  EXPECT_EQ(effort(NAN, true), "no");
+  EXPECT_EQ(effort(3000, false), "by hand");
+  EXPECT_EQ(effort(30000, false), "with a clamp");
+  EXPECT_EQ(app::describe_effort({.name = "springs", .is_unaided = true}), "unaided");
+}
+
+}  // namespace
+}  // namespace kinetix::testing
