@@ -243,8 +243,7 @@ std::vector<std::string> names_after(std::size_t first, const std::vector<model:
 std::optional<Folding> find_folding(const SearchResult& found, const RunOptions& options) {
   const Design& design = found.design;
   if (leaves_hinges_open(design) || !found.plan.exact || found.theta == 0) return std::nullopt;
-  const std::vector<model::ManufacturedHinge> made = manufactured_hinges(design);
-  if (std::all_of(made.begin(), made.end(), [](const auto& h) { return h.kind == model::HingeKind::pin; })) {
+  if (has_pins_alone(design)) {
     const model::LinkageDrive usual = drive_to(design.structure, found.theta);
     const double load = estimated(found, "", usual).load;
     if (!std::isfinite(load)) return std::nullopt;

@@ -93,7 +93,10 @@ Searched search_printable(const Goal& goal, const RunOptions& options) {
     given.found.print->why += advice;
   } else if (has_joints(given.found) && !given.found.folding) {
     given.found = with_folding(std::move(given.found), options);
-    if (given.found.folding && !given.found.folding->is_possible()) given.found.folding->why_not += advice;
+    if (!given.found.folding)
+      given.found.notes.push_back("which drive folds these soft hinges is not known" + advice);
+    else if (!given.found.folding->is_possible())
+      given.found.folding->why_not += advice;
   }
   return given;
 }
