@@ -90,15 +90,9 @@ Searched search_printable(const Goal& goal, const RunOptions& options) {
       : is_worthwhile
           ? "; larger cells and walls were searched, and none both prints with pins and meets the goal"
           : "";
-  if (is_refused(given.found)) {
-    given.found.print->why += advice;
-  } else if (has_joints(given.found) && !given.found.folding) {
+  given.found.print->advice = advice;
+  if (!is_refused(given.found) && has_joints(given.found) && !given.found.folding)
     given.found = with_folding(std::move(given.found), options);
-    if (!given.found.folding)
-      given.found.notes.push_back("which drive folds these soft hinges is not known" + advice);
-    else if (!given.found.folding->is_possible())
-      given.found.folding->why_not += advice;
-  }
   return given;
 }
 

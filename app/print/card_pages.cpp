@@ -26,11 +26,22 @@ std::string escape_html(std::string_view text) {
   return out;
 }
 
+constexpr double units_per_mm = 100;  // 1/mm: whole units make pictures half as long as decimals
+
+/// Returns the outlines in units of a picture, each point relative to the one before.
 std::string path_data(const CardPicture::Shape& shape) {
   std::string out;
   for (const Ring& ring : shape.rings) {
-    for (std::size_t k = 0; k < ring.size(); ++k)
-      out += fmt::format("{}{:.5g} {:.5g}", k == 0 ? "M" : "L", ring[k].x(), ring[k].y());
+    Eigen::Vector2i last(0, 0);
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Eigen::Vector2i at = (units_per_mm * ring[k]).array().round().cast<int>();
+      out += fmt::format("{}{}{}{}",
+                         k == 0   ? "M"
+                         : k == 1 ? "l"
+                                  : " ",
+                         at.x() - last.x(), at.y() < last.y() ? "" : " ", at.y() - last.y());
+      last = at;
+    }
     if (!shape.fill.empty()) out += "Z";
   }
   return out;
@@ -38,18 +49,21 @@ std::string path_data(const CardPicture::Shape& shape) {
 
 std::string picture_svg(const CardPicture& picture) {
   std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.5g} {1:.5g}\" width=\"{0:.5g}mm\" "
-      "role=\"img\" aria-label=\"{2}\" fill-rule=\"evenodd\" stroke-linejoin=\"round\">",
-      picture.size.x(), picture.size.y(), escape_html(picture.caption));
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" width=\"{:.5g}mm\" "
+      "role=\"img\" aria-label=\"{}\" fill-rule=\"evenodd\" stroke-linejoin=\"round\">",
+      units_per_mm * picture.size.x(), units_per_mm * picture.size.y(), picture.size.x(),
+      escape_html(picture.caption));
   for (const CardPicture::Shape& shape : picture.shapes)
-    out += fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{:g}\"/>\n", path_data(shape),
-                       shape.fill.empty() ? "none" : shape.fill, shape.stroke, shape.stroke_mm);
+    out +=
+        fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{:g}\"/>\n", path_data(shape),
+                    shape.fill.empty() ? "none" : shape.fill, shape.stroke, units_per_mm * shape.stroke_mm);
   for (const CardPicture::Label& label : picture.labels)
     out += fmt::format(
-        "<text x=\"{:.5g}\" y=\"{:.5g}\" font-size=\"{:g}\" text-anchor=\"middle\" "
+        "<text x=\"{:.0f}\" y=\"{:.0f}\" font-size=\"{:g}\" text-anchor=\"middle\" "
         "font-family=\"sans-serif\">"
         "{}</text>",
-        label.foot.x(), label.foot.y(), label_mm, escape_html(label.text));
+        units_per_mm * label.foot.x(), units_per_mm * label.foot.y(), units_per_mm * label_mm,
+        escape_html(label.text));
   return out + "</svg>";
 }
 

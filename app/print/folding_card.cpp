@@ -13,7 +13,7 @@ using Eigen::Vector2d;
 using Rings = std::vector<std::vector<Vector2d>>;
 
 constexpr double picture_wide_mm = 180, picture_high_mm = 78;  // mm, of A4 within its margins
-constexpr double rim_mm = 16;                                  // mm about a sheet, for arrows
+constexpr double arrow_rim_mm = 16, bare_rim_mm = 2;           // mm about a sheet, with arrows and without
 constexpr double outline_mm = 0.12, bold_mm = 0.8;             // mm
 constexpr double arrow_mm = 12, head_mm = 4;                   // mm, length of an arrow and of its head
 constexpr const char *body_fill = "#d9d9d4", *ink = "#202020", *push = "#c03030";
@@ -21,6 +21,7 @@ constexpr const char *body_fill = "#d9d9d4", *ink = "#202020", *push = "#c03030"
 /// Place of a sheet on a picture: how its mm become mm on the page.
 struct PageScale {
   Vector2d low, high;  ///< box of the drawing, mm
+  double rim_mm;       ///< about the drawing, mm of the page
   double reduction;    ///< mm of the sheet per mm of the page
 
   Vector2d operator()(const Vector2d& p) const {
@@ -30,11 +31,11 @@ struct PageScale {
 };
 
 /// Returns the least reduction in steps of a half with which a drawing fits: 1 is true size.
-PageScale fit_on_page(const SheetDrawing& drawing) {
+PageScale fit_on_page(const SheetDrawing& drawing, double rim_mm) {
   const Vector2d sides = drawing.high - drawing.low;
   const double least =
       std::max(sides.x() / (picture_wide_mm - 2 * rim_mm), sides.y() / (picture_high_mm - 2 * rim_mm));
-  return {drawing.low, drawing.high, std::max(1.0, std::ceil(2 * least) / 2)};
+  return {drawing.low, drawing.high, rim_mm, std::max(1.0, std::ceil(2 * least) / 2)};
 }
 
 std::string describe_scale(double reduction) {
@@ -143,12 +144,15 @@ std::string describe_cleaning(const std::string& process, bool supports) {
   return "There are no supports. Take it off the bed, and cut off what spread there.";
 }
 
+constexpr double thinnest_blade_mm = 0.2;  // mm: blades of knives begin there
+
 std::string describe_freeing(const PrintSheet& sheet) {
   if (sheet.kind() != model::HingeKind::pin) return "Bend every hinge once to each side.";
-  return fmt::format(
-      "Turn every hinge a few degrees to and fro. Where one sticks, push a blade of less than {:.2g} mm into "
-      "its gap.",
-      least_clearance_mm(sheet).value_or(0));
+  const double clearance_mm = least_clearance_mm(sheet).value_or(0);
+  const std::string stuck = clearance_mm < thinnest_blade_mm
+                                ? "warm it with a hair dryer, and turn it again."
+                                : fmt::format("push a blade into its gap of {:.2g} mm.", clearance_mm);
+  return "Turn every hinge a few degrees to and fro. Where one sticks, " + stuck;
 }
 
 std::string describe_force(const Folding& folding) {
@@ -182,7 +186,7 @@ Eigen::Matrix3d slanted_view() {
 
 CardPicture draw_fold(const PrintSheet& sheet) {
   const SheetDrawing view = sheet_view(sheet, sheet.path.back(), slanted_view());
-  const PageScale scale = fit_on_page(view);
+  const PageScale scale = fit_on_page(view, bare_rim_mm);
   CardPicture picture{scale.size()};
   add_parts(picture, scale, view.bodies, body_fill);
   picture.caption = fmt::format("Folded: {}, seen from a corner, {}", describe_box(sheet, sheet.path.back()),
@@ -195,7 +199,7 @@ CardPicture draw_fold(const PrintSheet& sheet) {
 FoldingCard make_folding_card(const PrintJob& job) {
   const PrintSheet& sheet = job.sheet;
   const SheetDrawing drawing = sheet_drawing(sheet);
-  const PageScale scale = fit_on_page(drawing);
+  const PageScale scale = fit_on_page(drawing, arrow_rim_mm);
   CardPicture flat{scale.size()};
   add_parts(flat, scale, drawing.bodies, body_fill);
   add_parts(flat, scale, drawing.soft, "#2e6fb7");
@@ -210,7 +214,10 @@ FoldingCard make_folding_card(const PrintJob& job) {
     const std::string how = std::visit(DriveDrawing{sheet, drawing, scale, flat}, *folding->drive);
     if (!std::holds_alternative<model::HingeTurn>(*folding->drive)) {
       const int start = middle_hinge(drawing);
-      add_turn(flat, scale(drawing.hinges[start].place), sense_of_turn(sheet, start));
+      const Vector2d place = scale(drawing.hinges[start].place);
+      add_turn(flat, place, sense_of_turn(sheet, start));
+      flat.labels.push_back(
+          {place + Vector2d(arrow_rim_mm, -arrow_rim_mm / 2), fmt::format("hinge {}", start + 1)});
       card.steps.push_back(
           {"Start", fmt::format("A flat sheet can fold to two sides. Turn one half of hinge {} as the round "
                                 "arrow shows, and hold it.",

@@ -88,7 +88,7 @@ std::optional<HingeStrain> worst_strain(const Run& run) {
 std::vector<std::string> unprintable(const Run& run) {
   std::vector<std::string> all;
   if (!run.goal) return all;
-  if (run.print && !run.print->is_accepted) all.push_back(run.print->why);
+  if (run.print && !run.print->is_accepted) all.push_back(run.print->why + run.print->advice);
   if (run.print) return all;
   for (const model::PrintProblem& problem : print_problems(run.design)) all.push_back(problem.what);
   return all;

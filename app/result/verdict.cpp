@@ -63,10 +63,10 @@ Reasons agreement_reasons(const Run& run) {
   return why;
 }
 
+std::string advice_of(const Run& run) { return run.print ? run.print->advice : ""; }
+
 Reasons print_reasons(const Run& run) {
-  if (run.print->is_accepted) return {};
-  const Reasons why = unprintable(run);
-  return why.empty() ? Reasons{run.print->why} : why;
+  return run.print->is_accepted ? Reasons{} : Reasons{run.print->why + run.print->advice};
 }
 
 /// Returns the reasons why the drive does not reach the reported state; nullopt if the run has no model of the drive.
@@ -87,7 +87,7 @@ std::optional<Reasons> drive_reasons(const Run& run) {
     why.push_back(std::move(*contact));
   }
   if (run.folding && !run.equilibrium && describe_effort(*run.folding) == "no")
-    why.push_back(describe_folding(*run.folding));
+    why.push_back(describe_folding(*run.folding) + advice_of(run));
   if (!run.states.empty())
     if (auto strained = describe_overstrain(run.design, run.states.front().poses))
       why.push_back(std::move(*strained));
@@ -111,7 +111,7 @@ void add_warnings(const Run& run, RunVerdict& verdict) {
   if (!run.met()) warn_all(verdict, run.physics_violations());
   warn_all(verdict, shown_measure(run).warnings);
   if (run.print && run.print->is_accepted && !run.folding && !run.equilibrium)
-    verdict.warn("which drive folds it is not known");
+    verdict.warn("which drive folds it is not known" + advice_of(run));
   if (!run.prints_unknown.empty()) verdict.warn("print tolerance is not known: " + run.prints_unknown);
   if (run.printed) warn_all(verdict, scatter_warnings(run));
 }

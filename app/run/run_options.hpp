@@ -20,8 +20,10 @@ struct Folding;
 /// Answer of `export` without options to a design.
 struct PrintAnswer {
   bool is_accepted = false;
-  std::string hinges;                               ///< kinds of hinges that it would print, or tried last
-  std::string why = {};                             ///< why it rejects the design, one sentence
+  std::string hinges;    ///< kinds of hinges that it would print, or tried last
+  std::string why = {};  ///< why it rejects the design, one sentence
+  std::string advice =
+      {};  ///< what was searched in its place: "; with `KEYS` the goal is met and can be printed"
   std::vector<model::ManufacturedHinge> made = {};  ///< by hinge, as it would print them; empty if it rejects
   /// Draws the folding card of the print (app/print/folding_card.hpp); empty if it rejects.
   std::function<nlohmann::ordered_json(const std::optional<Folding>&)> draw_card = {};

@@ -82,6 +82,7 @@ struct ToleranceOptions {
   int probes = 150;                 ///< above this number of points, as many random mixtures are used; >= 2
   bool planar = false;              ///< prints move in the plane z = 0 only
   bool contact = false;             ///< walls of prints press on each other in equilibrium
+  int most_settled = 1000;          ///< sample prints that may be checked for contact in equilibrium
   unsigned seed = 1;                ///< of the random mixtures
   int threads = 1;                  ///< for the equilibria of prints; 0 = all cores. Does not change results
   std::function<bool()> stop = {};  ///< asked from any thread before each print; true ends the run

@@ -450,8 +450,8 @@ std::optional<TouchingPrints> touching_prints(const PrintedLinkage& printed, con
          (counted.prints == 0 || !are_enough(counted, most > 0 ? largest_relative_error : of_large_sheets))) {
     std::vector<Matrix4Xd> next(prints_at_once);
     for (Matrix4Xd& of_print : next) of_print = errors.next();
-    const bool are_all = counted.settled == counted.prints;
-    prints.count(next, are_all ? most - prints.equilibria() : -1, counted);
+    const bool are_all = counted.settled == counted.prints && counted.prints < options.most_settled;
+    prints.count(next, are_all && most > 0 ? most - prints.equilibria() : -1, counted);
     if (prints.stops()) break;
   }
   return counted.prints > 0 ? std::optional(counted) : std::nullopt;

@@ -18,6 +18,7 @@ import time
 
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SHAPES = os.path.join(SOURCE, "targets", "shapes")
+longest_s = 300  # of one run of the program
 PROCESSES = ["fdm", "sla", "sls", "polyjet"]
 
 
@@ -31,7 +32,10 @@ def without_cell_mm(text):
 
 
 def run(program, *arguments):
-    done = subprocess.run([program, *arguments, "--quiet"], capture_output=True, text=True, timeout=1800)
+    try:
+        done = subprocess.run([program, *arguments, "--quiet"], capture_output=True, text=True, timeout=longest_s)
+    except subprocess.TimeoutExpired:
+        return 124, f"not through after {longest_s} s"
     return done.returncode, (done.stdout + done.stderr).strip()
 
 

@@ -167,6 +167,7 @@ class DisplayGoal final : public Goal {
     SearchResult out = described(display->design.view);
     if (display->design.view.at_equilibrium) place_hinges(display->design.view, panel);
     out.design.structure = std::move(panel);
+    out.theta = drive_of(out.design).theta();
     out.known = known_state(display->design);
     out.goal = std::move(display);
     if (out.design.structure.bodies() <= max_bodies_of_physics) return out;

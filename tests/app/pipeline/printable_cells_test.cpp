@@ -52,7 +52,9 @@ TEST(PrintableCells, AdviceForCellsThatTheFileGivesWorks) {
   const app::Run run = run_of(scratch, std::string(rainbow) + "process: fdm\nstructure: {cells: [24, 1]}\n");
   EXPECT_EQ(run.design.structure.squares()->cells.size(), 24u);
   ASSERT_TRUE(run.print);
-  const std::string why = !run.print->is_accepted ? run.print->why : run.folding.value_or(Folding{}).why_not;
+  const std::string why =
+      (!run.print->is_accepted ? run.print->why : run.folding.value_or(Folding{}).why_not) +
+      run.print->advice;
   const std::size_t from = why.find("`structure: "), to = why.find('`', from + 1);
   ASSERT_NE(from, std::string::npos) << why;
   const std::string keys = why.substr(from + 1, to - from - 1);
