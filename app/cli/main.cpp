@@ -186,7 +186,7 @@ void add_import(CLI::App& app, CommandOptions& options, kinetix::app::ImportRequ
          "name of the material, colour or part that is soft (default: by words such as soft, tpu, tango)")
       ->type_name("NAME");
   app.add_option("--material", request.material,
-                 "of the soft parts, for their stiffness: tango (default), tpu95a, pp or pa12")
+                 "of the soft parts, for their stiffness: tango (default), tpu95a, pp, pa12 or acrylic")
       ->type_name("NAME");
   app.add_option("--hinges", request.hinges, "YAML file with the axes of hinges that the shape leaves open")
       ->type_name("FILE");
