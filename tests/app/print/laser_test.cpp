@@ -9,7 +9,6 @@
 #include "app/print/format/sheet_drawing.hpp"
 #include "model/base/geometry.hpp"
 #include "tests/app/print/exports.hpp"
-#include "tests/app/print/slices.hpp"
 #include "tests/app/program.hpp"
 
 namespace kinetix::testing {
