@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 #include <set>
 
-#include "app/print/format/sheet_drawing.hpp"
+#include "app/print/format/cut_drawing.hpp"
 
 namespace kinetix::app {
 namespace {

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 #include <set>
 
+#include "app/print/folding_card.hpp"
 #include "app/run/design_hinges.hpp"
 
 namespace kinetix::app {
@@ -295,6 +297,10 @@ PrintAnswer answer_of_export(const Design& design) try {
   const PrintSheet& sheet = found.attempt.print->job.sheet;
   PrintAnswer answer{true, named_kinds(sheet)};
   for (const model::HingePrint& hinge : sheet.hinges) answer.made.push_back(hinge.made);
+  answer.draw_card = [job = std::make_shared<PrintJob>(found.attempt.print->job)](const auto& folding) {
+    job->folding = folding;
+    return card_json(make_folding_card(*job));
+  };
   return answer;
 } catch (const InvalidInput& e) {
   return {false, {}, e.reason()};

@@ -8,6 +8,7 @@
 #include "app/print/format/print_format.hpp"
 #include "app/print/slicer.hpp"
 #include "app/report/report.hpp"
+#include "app/result/motion_evidence.hpp"
 #include "app/result/state_json.hpp"
 #include "model/base/box.hpp"
 #include "targets/document/text_file.hpp"
@@ -345,6 +346,9 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
       {"loose_rods", sheet.loose_rods()},
       {"caps", sheet.has_caps()},
       {"tiles", {sheet.tiles.columns, sheet.tiles.rows}},
+      {"force_N", load_json(job.folding, true)},
+      {"moment_Nmm", load_json(job.folding, false)},
+      {"folds", job.folding ? Json(describe_effort(*job.folding)) : Json(nullptr)},
       {"k", {{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}, {"turn", k.turn}}},
       {"path",
        {{"states", sheet.path.size()},
@@ -389,6 +393,7 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
     line("fold",
          fmt::format("{:.3f} mm stay between solids from flat to {:.1f} degrees, least at {:.1f} degrees",
                      nearest.mm, to_degrees(sheet.thetas.back()), to_degrees(nearest.theta)));
+  if (job.folding) line("force", describe_folding(*job.folding));
   for (const std::string& warning : print_warnings(job)) line("note", warning);
   return out;
 }

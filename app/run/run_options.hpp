@@ -3,6 +3,7 @@
 #include <chrono>
 #include <memory>
 #include <mutex>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <stdexcept>
 
@@ -14,6 +15,7 @@ namespace kinetix::app {
 
 struct BodyPieces;
 struct Design;
+struct Folding;
 
 /// Answer of `export` without options to a design.
 struct PrintAnswer {
@@ -21,6 +23,8 @@ struct PrintAnswer {
   std::string hinges;                               ///< kinds of hinges that it would print, or tried last
   std::string why = {};                             ///< why it rejects the design, one sentence
   std::vector<model::ManufacturedHinge> made = {};  ///< by hinge, as it would print them; empty if it rejects
+  /// Draws the folding card of the print (app/print/folding_card.hpp); empty if it rejects.
+  std::function<nlohmann::ordered_json(const std::optional<Folding>&)> draw_card = {};
 };
 
 /// Options of the command line.

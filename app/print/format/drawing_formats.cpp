@@ -1,6 +1,7 @@
 #include <cairo-pdf.h>
 #include <fmt/format.h>
 
+#include "app/print/format/cut_drawing.hpp"
 #include "app/print/format/print_format.hpp"
 #include "app/print/format/sheet_drawing.hpp"
 
@@ -201,8 +202,8 @@ void draw_check(cairo_t* page, const Vector2d& at) {
   show_centred(page, check_text_place(at), check_line_text());
 }
 
-/// Draws a page. @param drawn function that draws in mm, y down
-std::string pdf_page(const DrawnPage& whole, const std::function<void(cairo_t*)>& drawn) {
+/// Draws a page as PDF. @param drawn draws in mm, y down
+std::string page_bytes(const DrawnPage& whole, const std::function<void(cairo_t*)>& drawn) {
   const Vector2d size = points_per_mm * whole.size;
   std::string out;
   const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
@@ -223,9 +224,17 @@ std::string pdf_page(const DrawnPage& whole, const std::function<void(cairo_t*)>
   return out;
 }
 
+}  // namespace
+
+std::string pdf_page(const Vector2d& drawn_mm, const std::function<void(cairo_t*)>& drawn) {
+  return page_bytes(drawn_page(drawn_mm), drawn);
+}
+
+namespace {
+
 /// Draws a sheet 1:1, on one page as large as it.
 std::string pdf(const PrintSheet& sheet, const SheetDrawing& drawing) {
-  return pdf_page(drawn_page(drawing.high - drawing.low), [&](cairo_t* page) {
+  return pdf_page(drawing.high - drawing.low, [&](cairo_t* page) {
     draw(page, drawing, drawing.bodies, 0.85);
     draw(page, drawing, drawing.soft, 0.5);
     cairo_set_font_size(page, number_height_mm(sheet));
@@ -277,7 +286,7 @@ void draw_labels(cairo_t* page, const Strips& strips, const std::vector<Strips::
 }
 
 std::string strips_pdf(const Strips& strips) {
-  return pdf_page(drawn_page(strips.size), [&](cairo_t* page) {
+  return pdf_page(strips.size, [&](cairo_t* page) {
     const auto line_to = [&](const Vector2d& p) { cairo_line_to(page, p.x(), strips.size.y() - p.y()); };
     for (const auto& cut : strips.cuts) {
       for (const Vector2d& p : cut) line_to(p);
@@ -328,7 +337,7 @@ std::string cut_svg(const CutDrawing& drawing) {
 
 /// Draws a cut sheet 1:1. It has no line to measure, which a cutter would cut.
 std::string cut_pdf(const CutDrawing& drawing) {
-  return pdf_page({drawing.high - drawing.low}, [&](cairo_t* page) {
+  return page_bytes({drawing.high - drawing.low}, [&](cairo_t* page) {
     cairo_set_line_width(page, hairline_mm);
     const auto draw_line = [&](const std::vector<Vector2d>& line) {
       cairo_new_sub_path(page);

@@ -19,9 +19,9 @@ bp::point_data<int> on_grid(const Eigen::Vector3d& p) {
 }
 
 /// Returns the convex hull of corners seen from above, counter-clockwise and exact (Andrew's monotone chain).
-Points shadow(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& at) {
+Points shadow(const std::vector<Eigen::Vector3d>& corners, const model::Pose& place) {
   Points points, out;
-  for (const Eigen::Vector3d& p : corners) points.push_back(on_grid(p + at));
+  for (const Eigen::Vector3d& p : corners) points.push_back(on_grid(place.R * p + place.p));
   std::sort(points.begin(), points.end());
   const auto left = [](const auto& a, const auto& b, const auto& c) {
     const auto wide = [](int x) { return static_cast<long long>(x); };
@@ -46,16 +46,14 @@ Ring ring_of(const Polygon& polygon) {
   return ring;
 }
 
-using Area = bp::polygon_set_data<int>;
-
-void add_to(Area& area, const Points& points) {
+std::vector<Ring> united(const std::vector<Points>& shadows) {
   using namespace bp::operators;
-  bp::polygon_data<int> polygon;
-  bp::set_points(polygon, points.begin(), points.end());
-  area += polygon;
-}
-
-std::vector<Ring> rings_of(const Area& set) {
+  bp::polygon_set_data<int> set;
+  for (const Points& shadow : shadows) {
+    bp::polygon_data<int> polygon;
+    bp::set_points(polygon, shadow.begin(), shadow.end());
+    set += polygon;
+  }
   std::vector<bp::polygon_with_holes_data<int>> polygons;
   set.get(polygons);
   std::vector<Ring> rings;
@@ -67,12 +65,6 @@ std::vector<Ring> rings_of(const Area& set) {
   return rings;
 }
 
-std::vector<Ring> united(const std::vector<Points>& shadows) {
-  Area area;
-  for (const Points& shadow : shadows) add_to(area, shadow);
-  return rings_of(area);
-}
-
 void find_bounds(SheetDrawing& drawing) {
   Eigen::AlignedBox2d box;
   for (const auto* parts : {&drawing.bodies, &drawing.soft})
@@ -81,88 +73,6 @@ void find_bounds(SheetDrawing& drawing) {
         for (const Vector2d& p : ring) box.extend(p);
   drawing.low = box.min();
   drawing.high = box.max();
-}
-
-const model::ArmSolid& arm_at(const PrintSheet& sheet, int body, int hinge) {
-  const auto& arms = sheet.bodies[body].arms;
-  return *std::find_if(arms.begin(), arms.end(), [&](const auto& arm) { return arm.hinge == hinge; });
-}
-
-constexpr int closed_steps = 2;              // of the grid: ends of walls and bridges may be one step apart
-constexpr double straight_mm = 5 * grid_mm;  // mm: corners that leave a line by less are rounding
-constexpr double engraved_share = 0.6;  // of a wall's thickness: height of numbers, so that they stay within
-constexpr double engraved_room = 0.9;   // of a half wall's length, for a number
-constexpr double least_engraved_mm = 0.8;  // mm: beams of 0.2 mm blur smaller digits
-constexpr double stroke_width = 0.5;       // of a digit's height
-constexpr double stroke_step = 0.75;       // of a digit's height, from one to the next
-
-/// Strokes of a digit, a bit each: top, upper right, lower right, bottom, lower left, upper left, middle.
-constexpr unsigned strokes_of[10] = {0x3f, 0x06, 0x5b, 0x4f, 0x66, 0x6d, 0x7d, 0x07, 0x7f, 0x6f};
-
-/// Returns the ends of a stroke. Digits are 1 high.
-std::pair<Vector2d, Vector2d> stroke(int k) {
-  const double w = stroke_width;
-  const Vector2d corners[] = {{0, 1}, {w, 1}, {w, 0.5}, {w, 0}, {0, 0}, {0, 0.5}};
-  return k == 6 ? std::pair(corners[5], corners[2]) : std::pair(corners[k], corners[(k + 1) % 6]);
-}
-
-/// Returns the width of a text of digits and points over its height.
-double engraved_width(const std::string& text) {
-  return stroke_step * static_cast<double>(text.size() - 1) + stroke_width;
-}
-
-/// Engraves digits and points as single lines. @param middle of the text, mm   @param right unit vector
-void engrave(const std::string& text, const Vector2d& middle, const Vector2d& right, double height,
-             CutDrawing& drawing) {
-  const Vector2d up(-right.y(), right.x());
-  double x = -engraved_width(text) / 2;
-  const auto add = [&](const Vector2d& from, const Vector2d& to) {
-    const auto at = [&](const Vector2d& p) {
-      return Vector2d(middle + height * ((x + p.x()) * right + (p.y() - 0.5) * up));
-    };
-    drawing.scores.push_back({at(from), at(to)});
-  };
-  for (const char c : text) {
-    if (c == '.') add({stroke_width / 2, 0}, {stroke_width / 2, 0.1});
-    for (int k = 0; k < 7 && c != '.'; ++k)
-      if (strokes_of[c - '0'] >> k & 1) add(stroke(k).first, stroke(k).second);
-    x += stroke_step;
-  }
-}
-
-/// Returns a ring without corners that rounding leaves on straight lines.
-Ring without_steps(const Ring& ring) {
-  Ring apart, out;
-  for (const Vector2d& p : ring)
-    if (apart.empty() || (p - apart.back()).norm() > straight_mm) apart.push_back(p);
-  const std::size_t count = apart.size();
-  for (std::size_t k = 0; k < count; ++k) {
-    const Vector2d &before = out.empty() ? apart[count - 1] : out.back(), &after = apart[(k + 1) % count];
-    const Vector2d along = (after - before).normalized();
-    if (std::abs(model::cross(along, apart[k] - before)) > straight_mm) out.push_back(apart[k]);
-  }
-  return out;
-}
-
-/// Engraves the number of a hinge on the longer of its half walls.
-void engrave_number(const PrintSheet& sheet, int h, CutDrawing& drawing) {
-  const std::string text = sheet.marks.empty() ? std::to_string(h + 1) : sheet.marks[h];
-  const model::RestHinge& hinge = sheet.linkage.hinges[h];
-  double room = 0;
-  Vector2d middle, right;
-  for (const int body : {hinge.lower, hinge.upper}) {
-    const model::ArmSolid& arm = arm_at(sheet, body, h);
-    const double from = arm.start, to = arm.edge.dot(arm.point({-arm.end.wall_end, 0}, 0));
-    if (to - from <= room) continue;
-    room = to - from;
-    right = arm.edge.head<2>();
-    middle = sheet.linkage.rest_position(body).head<2>() + (from + to) / 2 * right;
-  }
-  const double height =
-      std::min(engraved_share * sheet.linkage.size.thickness_mm, engraved_room * room / engraved_width(text));
-  if (height < least_engraved_mm) return;
-  const bool is_upside_down = right.x() < -1e-9 || (right.x() < 1e-9 && right.y() < 0);
-  engrave(text, middle, is_upside_down ? Vector2d(-right) : right, height, drawing);
 }
 
 constexpr double knife_mm = 3;     // mm, between strips: room for a knife
@@ -179,6 +89,11 @@ struct Wall {
   double hinge_x, length, height;
   Vector2d axis;  ///< of the hinge, in the wall's plane
 };
+
+const model::ArmSolid& arm_at(const PrintSheet& sheet, int body, int hinge) {
+  const auto& arms = sheet.bodies[body].arms;
+  return *std::find_if(arms.begin(), arms.end(), [&](const auto& arm) { return arm.hinge == hinge; });
+}
 
 Wall wall_of(const PrintSheet& sheet, int h) {
   const model::RestHinge& hinge = sheet.linkage.hinges[h];
@@ -317,13 +232,21 @@ class StripMaker {
 
 double number_height_mm(const PrintSheet& sheet) { return number_share * sheet.linkage.size.edge_mm; }
 
+namespace {
+
+model::Pose at_rest(const PrintSheet& sheet, int body) {
+  return {Eigen::Matrix3d::Identity(), sheet.linkage.rest_position(body)};
+}
+
+}  // namespace
+
 SheetDrawing sheet_drawing(const PrintSheet& sheet) {
   SheetDrawing drawing;
   for (int b = 0; b < static_cast<int>(sheet.bodies.size()); ++b) {
     if (sheet.meshes[b].points.empty()) continue;
     std::vector<Points> shadows;
     for (const model::ConvexPiece& piece : convex_pieces(sheet.bodies[b]))
-      shadows.push_back(shadow(piece.corners, sheet.linkage.rest_position(b)));
+      shadows.push_back(shadow(piece.corners, at_rest(sheet, b)));
     drawing.bodies.push_back({"body " + sheet.linkage.vertex_name(b), united(shadows)});
   }
   for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h) {
@@ -331,8 +254,8 @@ SheetDrawing sheet_drawing(const PrintSheet& sheet) {
     const Eigen::Vector3d lower = sheet.linkage.rest_position(hinge.lower),
                           place = lower + sheet.linkage.size.edge_mm * hinge.lower_arm;
     if (!sheet.soft[h].points.empty())
-      drawing.soft.push_back(
-          {"hinge " + sheet.linkage.wall_name(h), united({shadow(sheet.soft[h].points, lower)})});
+      drawing.soft.push_back({"hinge " + sheet.linkage.wall_name(h),
+                              united({shadow(sheet.soft[h].points, at_rest(sheet, hinge.lower))})});
     const bool pin = sheet.hinges[h].made.kind == model::HingeKind::pin;
     drawing.hinges.push_back({h + 1, place.head<2>(), pin ? sheet.hinges[h].made.diameter_mm / 2 : 0});
   }
@@ -340,39 +263,30 @@ SheetDrawing sheet_drawing(const PrintSheet& sheet) {
   return drawing;
 }
 
-double CutDrawing::length_mm() const {
-  double sum = 0;
-  for (const Ring& ring : cuts)
-    for (std::size_t k = 0; k < ring.size(); ++k) sum += (ring[(k + 1) % ring.size()] - ring[k]).norm();
-  return sum;
-}
-
-CutDrawing cut_drawing(const PrintSheet& sheet) {
-  Area area;
-  const auto at = [&](int body) { return sheet.linkage.rest_position(body); };
-  for (int b = 0; b < static_cast<int>(sheet.bodies.size()); ++b)
+SheetDrawing sheet_view(const PrintSheet& sheet, const model::State& state, const Eigen::Matrix3d& turn) {
+  std::vector<std::pair<double, SheetDrawing::Part>> seen;
+  const auto turned = [&](const model::Pose& pose) { return model::Pose{turn * pose.R, turn * pose.p}; };
+  for (int b = 0; b < static_cast<int>(sheet.bodies.size()); ++b) {
+    if (sheet.meshes[b].points.empty()) continue;
+    const model::Pose place = turned(state[b]);
+    std::vector<Points> shadows;
     for (const model::ConvexPiece& piece : convex_pieces(sheet.bodies[b]))
-      add_to(area, shadow(piece.corners, at(b)));
-  for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h)
-    if (!sheet.soft[h].points.empty())
-      add_to(area, shadow(sheet.soft[h].points, at(sheet.linkage.hinges[h].lower)));
-  const int half_kerf = static_cast<int>(std::lround(sheet.process.kerf_mm / 2 / grid_mm));
-  area.resize(std::max(half_kerf, closed_steps));
-  CutDrawing drawing;
-  std::vector<Ring> outlines;
-  Eigen::AlignedBox2d box;
-  for (const Ring& rounded : rings_of(area)) {
-    Ring ring = without_steps(rounded);
-    for (const Vector2d& p : ring) box.extend(p);
-    const bool is_hole = signed_area(ring.size(), [&](std::size_t k) { return ring[k]; }) < 0;
-    (is_hole ? drawing.cuts : outlines).push_back(std::move(ring));
+      shadows.push_back(shadow(piece.corners, place));
+    seen.push_back({place.p.z(), {"body " + sheet.linkage.vertex_name(b), united(shadows)}});
   }
-  drawing.pieces = static_cast<int>(outlines.size());
-  std::move(outlines.begin(), outlines.end(), std::back_inserter(drawing.cuts));
-  for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h) engrave_number(sheet, h, drawing);
-  drawing.low = box.min();
-  drawing.high = box.max();
-  return drawing;
+  for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h) {
+    if (sheet.soft[h].points.empty()) continue;
+    const std::vector<Eigen::Vector3d> points = placed_soft(sheet, state, h).points;
+    const model::Pose whole{turn, Eigen::Vector3d::Zero()};
+    const Eigen::Vector3d middle = std::accumulate(points.begin(), points.end(), whole.p) / points.size();
+    seen.push_back(
+        {(turn * middle).z(), {"hinge " + sheet.linkage.wall_name(h), united({shadow(points, whole)})}});
+  }
+  std::stable_sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  SheetDrawing view;
+  for (auto& [depth, part] : seen) view.bodies.push_back(std::move(part));
+  find_bounds(view);
+  return view;
 }
 
 Strips strips(const PrintSheet& sheet) { return StripMaker(sheet).made(); }

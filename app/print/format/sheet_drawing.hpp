@@ -2,6 +2,8 @@
 
 #include "app/print/sheet/print_sheet.hpp"
 
+struct _cairo;
+
 namespace kinetix::app {
 
 /// Flat sheet as seen from above, mm, in the coordinates of all other files.
@@ -21,23 +23,6 @@ struct SheetDrawing {
   Eigen::Vector2d low, high;  ///< corners of the least box about all parts, mm
 };
 
-/// Flat sheet as a cutter reads it, mm, in the coordinates of all other files. A beam as wide as the kerf, with its
-/// middle on the cuts, leaves the outline of bodies and bridges together.
-struct CutDrawing {
-  std::vector<std::vector<Eigen::Vector2d>>
-      cuts;  ///< closed: holes clockwise, then outlines counter-clockwise
-  std::vector<std::vector<Eigen::Vector2d>> scores;  ///< open lines of engraved numbers
-  int pieces = 0;                                    ///< outlines: parts that are apart after the cut
-  Eigen::Vector2d low, high;                         ///< corners of the least box about all cuts, mm
-
-  double length_mm() const;  ///< of all cuts
-};
-
-/// Draws the cuts half a kerf outside of the sheet: convex corners stay sharp, others get the beam's radius. Numbers are
-/// engraved within the walls, by the hinges that they name. Walls with no room for numbers have none.
-/// @pre the process cuts sheets
-CutDrawing cut_drawing(const PrintSheet& sheet);
-
 inline constexpr double digit_share = 0.65;    ///< digit's width over the height of letters, in common fonts
 inline constexpr double capital_share = 0.75;  ///< digit's height over the height of letters, in common fonts
 
@@ -46,6 +31,14 @@ double number_height_mm(const PrintSheet& sheet);
 
 /// Draws each part as its shadow from above, to 1e-5 mm.
 SheetDrawing sheet_drawing(const PrintSheet& sheet);
+
+/// Draws a sheet in a state from another side: all parts are in `bodies`, farthest first, and hinges are not marked.
+/// @param state of the path, mm   @param turn rotation of the sheet before it is seen from above
+SheetDrawing sheet_view(const PrintSheet& sheet, const model::State& state, const Eigen::Matrix3d& turn);
+
+/// Draws a page as PDF, the same bytes each time. A page larger than A4 gets a line to measure below the drawing.
+/// @param size_mm of the drawing   @param draw draws in mm, y down
+std::string pdf_page(const Eigen::Vector2d& size_mm, const std::function<void(_cairo*)>& draw);
 
 /// Walls as strips of card to be cut out, scored and glued by hand, side by side on one page, mm, y up. A strip is a
 /// wall in its own plane from vertex to vertex. Its hinge is a line to score. A strip ends in a tab at a vertex with

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "app/files/design_file.hpp"
-#include "app/print/format/sheet_drawing.hpp"
+#include "app/print/format/cut_drawing.hpp"
 #include "model/base/geometry.hpp"
 #include "tests/app/print/exports.hpp"
 #include "tests/app/program.hpp"
