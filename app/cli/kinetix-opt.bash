@@ -10,9 +10,9 @@ _kinetix_opt() {
   case $before in
     --model) COMPREPLY=($(compgen -W "exact equilibrium bullet" -- "$word")); return ;;
     --format) COMPREPLY=($(compgen -W "stl 3mf step svg dxf mjcf glb scad all" -- "$word")); return ;;
-    --process) COMPREPLY=($(compgen -W "polyjet fdm sla sls" -- "$word")); return ;;
+    --process) COMPREPLY=($(compgen -W "polyjet fdm sla sls laser" -- "$word")); return ;;
     --unit) COMPREPLY=($(compgen -W "mm cm m in ft" -- "$word")); return ;;
-    --material) COMPREPLY=($(compgen -W "tango tpu95a pp pa12" -- "$word")); return ;;
+    --material) COMPREPLY=($(compgen -W "tango tpu95a pp pa12 acrylic" -- "$word")); return ;;
     --slicer) COMPREPLY=($(compgen -W "prusa orca bambu cura" -- "$word")); return ;;
     --hinge) COMPREPLY=($(compgen -W "pin block film" -- "$word")); return ;;
     --state) COMPREPLY=($(compgen -W "flat folded" -- "$word")); return ;;

@@ -103,7 +103,7 @@ void add_choices(CLI::App& app, CommandOptions& options) {
   std::vector<std::string> processes;
   for (const kinetix::model::Process& process : kinetix::model::processes())
     processes.push_back(process.name);
-  add("--process", "process", "{}", "polyjet, fdm, sla or sls, in place of the file's process")
+  add("--process", "process", "{}", "polyjet, fdm, sla, sls or laser, in place of the file's process")
       ->type_name("NAME")
       ->check(CLI::IsMember(processes));
   add("--hinge", "hinge", "{{kind: {}}}",
@@ -118,12 +118,13 @@ void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintReque
   app.add_option("DESIGN.yaml|DIR", request.source, "a design, or the folder of a result")->type_name("");
   add_common(app, options);
   add_output(app, options, "folder for the files (default results/NAME_print)");
-  app.add_option("--format", request.formats, kinetix::app::format_help() + "; default with --coupon: 3mf")
+  app.add_option("--format", request.formats,
+                 kinetix::app::format_help() + "; default with --coupon: 3mf, of laser dxf,svg")
       ->delimiter(',')
       ->allow_extra_args(false)  // the design may stand behind it
       ->type_name("NAME");
   app.add_option("--process", request.process,
-                 "polyjet, fdm, sla or sls: what it can print is checked (default: the design's)")
+                 "polyjet, fdm, sla, sls or laser: what it can make is checked (default: the design's)")
       ->type_name("NAME");
   app.add_option("--hinge", request.hinge,
                  "pin, block or film, where the design leaves hinges open or computes them as joints "
@@ -159,7 +160,8 @@ void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintReque
       ->type_name("NAME");
   app.add_flag("--slice", request.slice, "asks PrusaSlicer how long fdm or sla takes, and for the material");
   app.add_flag("--coupon", request.coupon,
-               "instead of a design, pins with gaps of 0.1 to 0.6 mm: prints tell which ones turn");
+               "instead of a design, pins with gaps of 0.1 to 0.6 mm: prints tell which ones turn; of laser "
+               "bridges 0.4 to 1.6 mm wide: the narrowest that stays is your cutter's");
   app.add_option_function<std::string>(
          "--state", [&request](const std::string& state) { request.folded = state == "folded"; },
          "flat (default), as it is printed, or folded")
@@ -184,7 +186,7 @@ void add_import(CLI::App& app, CommandOptions& options, kinetix::app::ImportRequ
          "name of the material, colour or part that is soft (default: by words such as soft, tpu, tango)")
       ->type_name("NAME");
   app.add_option("--material", request.material,
-                 "of the soft parts, for their stiffness: tango (default), tpu95a, pp or pa12")
+                 "of the soft parts, for their stiffness: tango (default), tpu95a, pp, pa12 or acrylic")
       ->type_name("NAME");
   app.add_option("--hinges", request.hinges, "YAML file with the axes of hinges that the shape leaves open")
       ->type_name("FILE");
@@ -226,11 +228,16 @@ exit codes:
   0 done   1 internal error   2 bad input   3 target missed or not reached
   4 physics run disagrees or failed   130 Ctrl-C before there was anything to keep)";
 
-/// Sets 3mf as the default format of a coupon: a 3MF file has the settings that keep the coupon's gaps open.
+/// Sets the default format of a coupon: a 3MF file has the settings that keep the coupon's gaps open, and cutters read
+/// drawings.
 void choose_format(kinetix::app::PrintRequest& request) {
   if (!request.formats.empty()) return;
   if (!request.coupon) throw kinetix::InvalidInput("--format is required, e.g. --format 3mf (see --help)");
-  request.formats = {"3mf"};
+  const kinetix::model::Process* process = kinetix::model::find_process(request.process);
+  if (process && process->cuts_sheets())
+    request.formats = {"dxf", "svg"};
+  else
+    request.formats = {"3mf"};
 }
 
 /// Rejects options given before a command that does not have them: `--no-verify verify` would verify nothing.

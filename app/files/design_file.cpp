@@ -8,6 +8,8 @@
 #include "app/files/lattice_section.hpp"
 #include "app/files/process_section.hpp"
 #include "model/lattice/square/unit_laws.hpp"
+#include "targets/document/edit_document.hpp"
+#include "targets/document/number.hpp"
 
 namespace kinetix::app {
 namespace {
@@ -300,6 +302,11 @@ const targets::KeyTable& design_keys() {
 Design read_design(const targets::Node& node) {
   check_kind_of_file(node);
   if (lists_bodies(node)) return read_bodies(node);
+  if (const auto height_mm = open_wall_height_mm(node)) {
+    targets::DocumentEditor with_height(node);
+    with_height.put(targets::parse_path("structure.wall_mm.height"), targets::shortest_text(*height_mm));
+    return read_design(with_height.root());
+  }
   const targets::Section root = read_root(node, design_keys());
   Design file{.name = read_name(root), .structure = read_structure(root)};
   read_state(root, file);

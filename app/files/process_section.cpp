@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <cmath>
+#include <utility>
 
 namespace kinetix::app {
 namespace {
@@ -10,6 +11,9 @@ namespace value = targets::value;
 
 // mm: from a single cell to a hall.
 const targets::Bounds side_of_bed = targets::from_to(1, 1e5, "mm");
+// mm: from foil to a block that needs another machine.
+const targets::Bounds sheet_thickness = targets::from_to(0.01, 100, "mm");
+const targets::Bounds cut_width = targets::from_to(0, 10, "mm");
 
 std::vector<std::string> process_names() {
   std::vector<std::string> names;
@@ -38,12 +42,29 @@ const targets::KeyTable& sd_keys() {
   return keys;
 }
 
-/// Returns the key of a limit that differs between printers of a process.
-targets::Key limit_key(const char* name, double model::Process::*field, const char* what) {
-  std::string text = what;
+/// Returns the key of a limit that differs between machines of a process. Processes without it have 0.
+targets::Key limit_key(const char* name, double model::Process::*field, const char* what,
+                       const targets::Bounds& bounds = {0, 100, false, true, "mm"}) {
+  std::string text;
   for (const model::Process& p : model::processes())
-    text += fmt::format("{} {} {}", &p == &model::processes().front() ? ":" : ",", p.name, p.*field);
-  return {name, field, value::number({0, 100, false, true, "mm"}), targets::otherwise("the process's"), text};
+    if (p.*field > 0) text += fmt::format("{} {} {}", text.empty() ? ":" : ",", p.name, p.*field);
+  return {name, field, value::number(bounds), targets::otherwise("the process's"), what + text};
+}
+
+std::vector<std::string> material_choices() {
+  std::vector<std::string> names;
+  for (const model::Material& material : model::materials()) names.push_back(material.name);
+  return names;
+}
+
+/// Returns the key of the material that walls and films are made of in one.
+targets::Key one_material_key() {
+  std::string text = "of walls and living hinges made in one";
+  bool is_first = true;
+  for (const model::Process& p : model::processes())
+    if (!p.film.empty())
+      text += fmt::format("{} {} {}", std::exchange(is_first, false) ? ":" : ",", p.name, p.film);
+  return {"material", value::choice(material_choices()), targets::otherwise("the process's"), text};
 }
 
 const targets::KeyTable& custom_process_keys() {
@@ -53,6 +74,14 @@ const targets::KeyTable& custom_process_keys() {
       limit_key("clearance_mm", &model::Process::clearance_mm, "least clearance of a pin, a side"),
       limit_key("least_wall_mm", &model::Process::min_wall_mm, "least thickness of a wall"),
       limit_key("least_pin_mm", &model::Process::min_pin_mm, "least diameter of a pin's rod"),
+      limit_key("least_film_mm", &model::Process::min_film_mm, "least width of a bridge in a cut sheet"),
+      limit_key("sheet_mm", &model::Process::sheet_mm,
+                "thickness of the sheet that is cut, and so the height of all walls; where the file gives "
+                "`structure.wall_mm.height`, that",
+                sheet_thickness),
+      limit_key("kerf_mm", &model::Process::kerf_mm, "width of the cut, which the drawings make up for",
+                cut_width),
+      one_material_key(),
       {"sd", sd_keys(), "how far prints are from what was designed"},
   });
   return keys;
@@ -90,12 +119,56 @@ std::string process_text(const model::Process& process) {
   const model::Process& base = *model::find_process(process.name);
   if (process == base) return process.name;
   std::string own = custom_process_keys().text(process, base);
+  if (process.film != base.film) own += fmt::format("{}material: {}", own.empty() ? "" : ", ", process.film);
   if (const std::string sd = sd_keys().text(process.sd, base.sd); !sd.empty())
     own += fmt::format("{}sd: {{{}}}", own.empty() ? "" : ", ", sd);
   return fmt::format("{{base: {}, {}}}", process.name, own);
 }
 
 namespace {
+
+/// Reads the keys of walls and hinges that are made in one. @throws InvalidInput for keys that the base does not have
+/// @param process the base, whose material is replaced
+void read_one_piece(const targets::Section& own, model::Process& process) {
+  for (const char* key : {"sheet_mm", "kerf_mm", "least_film_mm"})
+    if (const auto given = own.optional(key); given && !process.cuts_sheets())
+      throw given->key_error(
+          fmt::format("is for processes that cut sheets, and {} prints; remove it, or give "
+                      "`base: laser`",
+                      process.name));
+  const auto material = own.optional("material");
+  if (!material) return;
+  if (process.film.empty())
+    throw material->key_error(fmt::format(
+        "is for walls and living hinges made in one, and {} does not print them so; give `hinge.material`",
+        process.name));
+  const std::vector<std::string> names = material_choices();
+  process.film = names[material->one_of({names.begin(), names.end()})];
+}
+
+/// Returns a value of nested maps; empty if one is not given.
+std::optional<targets::Node> nested(const targets::Node& root, std::initializer_list<const char*> keys) {
+  std::optional<targets::Node> node = root;
+  for (const char* key : keys) {
+    if (node->kind() != targets::Node::Kind::map) return std::nullopt;
+    node = node->optional(key);
+    if (!node) return std::nullopt;
+  }
+  return node;
+}
+
+/// Makes the sheet as thick as the file's walls are high.
+void follow_walls(const targets::Section& root, model::Process& process) {
+  const auto height = nested(root.node(), {"structure", "wall_mm", "height"});
+  if (!process.cuts_sheets() || !height) return;
+  const double height_mm = height->number(sheet_thickness);
+  if (nested(root.node(), {"process", "sheet_mm"}) && height_mm != process.sheet_mm)
+    throw height->error(fmt::format(
+        "walls are as high as the sheet that they are cut from is thick, {:g} mm (process.sheet_mm); remove "
+        "one of the two keys",
+        process.sheet_mm));
+  process.sheet_mm = height_mm;
+}
 
 model::Process read_limits(const targets::Section& root) {
   const auto node = root.optional("process");
@@ -104,6 +177,7 @@ model::Process read_limits(const targets::Section& root) {
   const targets::Section own(*node, custom_process_keys());
   const auto base = own.optional("base");
   model::Process process = base ? named(*base) : model::processes().front();
+  read_one_piece(own, process);
   own.read_into(process);
   own.read_into(process.sd);
   return process;
@@ -113,12 +187,23 @@ model::Process read_limits(const targets::Section& root) {
 
 model::Process read_process(const targets::Section& root) {
   model::Process process = read_limits(root);
+  follow_walls(root, process);
   const auto bed = root.knows("bed_mm") ? root.optional("bed_mm") : std::nullopt;
   if (!bed) return process;
   const auto sides = bed->list_of(2, "[x, y] in mm");
   process.bed_mm = {sides[0].number(side_of_bed), sides[1].number(side_of_bed)};
   process.is_bed_given = true;
   return process;
+}
+
+std::optional<double> open_wall_height_mm(const targets::Node& root) {
+  const auto named_in_map = nested(root, {"process", "base"}), process = nested(root, {"process"}),
+             sheet = nested(root, {"process", "sheet_mm"});
+  const auto name = named_in_map ? named_in_map : process;
+  if (!name || name->kind() != targets::Node::Kind::scalar) return std::nullopt;
+  const model::Process* base = model::find_process(name->text("a process"));
+  if (!base || !base->cuts_sheets() || nested(root, {"structure", "wall_mm", "height"})) return std::nullopt;
+  return sheet ? sheet->number(sheet_thickness) : base->sheet_mm;
 }
 
 }  // namespace kinetix::app

@@ -17,7 +17,13 @@ targets::Key bed_key();
 std::string process_text(const model::Process& process);
 
 /// Reads the process and the bed of its printer. The default is the first process, as the paper prints.
+/// A sheet that walls are cut from is as thick as the file's walls are high, if it gives their height.
 /// @param root the whole document
+/// @throws InvalidInput for walls that are not as high as the sheet that they are cut from
 model::Process read_process(const targets::Section& root);
+
+/// Returns the height that walls have because they are cut from a sheet, mm. Empty for a file that gives the height of
+/// its walls, and for processes that print.
+std::optional<double> open_wall_height_mm(const targets::Node& root);
 
 }  // namespace kinetix::app

@@ -4,8 +4,10 @@
 #include <map>
 
 #include "app/files/file_header.hpp"
+#include "app/files/process_section.hpp"
 #include "app/files/structure_section.hpp"
 #include "targets/document/edit_document.hpp"
+#include "targets/document/number.hpp"
 
 namespace kinetix::app {
 
@@ -104,6 +106,12 @@ class ChangedTarget {
     structure_[key] = yaml;
   }
 
+  /// Gives walls that are cut from a sheet its thickness as their height, if the file leaves the height open.
+  void set_open_height() {
+    if (const auto height_mm = open_wall_height_mm(root()))
+      changed_.put(targets::parse_path("structure.wall_mm.height"), targets::shortest_text(*height_mm));
+  }
+
   bool changes_given() const { return changes_given_; }
   targets::Node root() const { return changed_.root(); }
   /// Returns the keys that differ: "structure: {cell_mm: 12.5}".
@@ -185,7 +193,9 @@ Target read_target(const targets::Node& root) {
   check_kind_of_file(root);
   const GoalKind& kind = kind_of(root);
   check_robust(root, kind);
-  return {&kind, read_resizable(kind, ChangedTarget(root))};
+  ChangedTarget target(root);
+  target.set_open_height();
+  return {&kind, read_resizable(kind, target)};
 }
 
 }  // namespace kinetix::app

@@ -43,17 +43,24 @@ struct Printable {
   Searched searched;
 };
 
-/// Checks whether a search is complete: its hinges can be printed, and are pins or of the kind that the file names.
-/// Soft hinges are the second choice for joints, since a drive seldom folds a whole sheet of them.
+bool can_have_pins(const SearchResult& found) {
+  const std::vector<model::HingeKind>& kinds = found.design.process.hinges;
+  return std::find(kinds.begin(), kinds.end(), model::HingeKind::pin) != kinds.end();
+}
+
+/// Checks whether a search is complete: its hinges can be printed, and are pins or of the kind that the file or the
+/// process leaves. Soft hinges are the second choice for joints, since a drive seldom folds a whole sheet of them.
 bool is_complete(const SearchResult& found) {
-  const bool is_settled = !has_joints(found) || found.design.hinge.kind || has_pins_alone(found.design);
+  const bool is_settled =
+      !has_joints(found) || found.design.hinge.kind || has_pins_alone(found.design) || !can_have_pins(found);
   return !is_refused(found) && is_settled;
 }
 
 /// Finds cells that bring a search nearer to one that is complete, mm. Empty if there are none.
 std::optional<model::CellSize> find_next_size(const SearchResult& found, const RunOptions& options) {
   Design design = with_open_joints(requested_design(found));
-  if (!is_refused(found) && !design.hinge.kind) design.hinge.kind = model::HingeKind::pin;
+  if (!is_refused(found) && !design.hinge.kind && can_have_pins(found))
+    design.hinge.kind = model::HingeKind::pin;
   return options.printable_size(design);
 }
 

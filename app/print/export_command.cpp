@@ -172,6 +172,17 @@ std::vector<std::string> idle_options(const PrintRequest& request, const Design&
   return all;
 }
 
+/// Describes walls that are as high as the sheet that they are cut from, if the design has others.
+std::optional<std::string> sheet_note(const Design& design, const PrintSheet& sheet) {
+  const double height_mm = design.structure.size().height_mm;
+  if (!sheet.process.cuts_sheets() || sheet.process.sheet_mm == height_mm) return std::nullopt;
+  return fmt::format(
+      "walls are {:g} mm high, as the sheet is thick, instead of {:g}: bridges are softer or stiffer by as "
+      "much; "
+      "for another sheet give the design `process: {{base: {}, sheet_mm: ...}}` and walls of that height",
+      sheet.process.sheet_mm, height_mm, sheet.process.name);
+}
+
 /// Describes how cells of another edge change the size that the design was made for. Empty if they do not.
 std::optional<std::string> size_note(const Design& design, const PrintSheet& sheet) {
   const double edge_mm = sheet.linkage.size.edge_mm;
@@ -291,6 +302,11 @@ struct Source {
     }
     if (design->structure.assembly()) {
       reject_sheet_options(request);
+      if (process.cuts_sheets())
+        throw InvalidInput(
+            fmt::format("{} cuts flat sheets, and a design of bodies is not one: print it "
+                        "instead (--process fdm)",
+                        process.name));
       return {{imported_sheet(*design, process, request.folded), request.folded}, {}};
     }
     try {
@@ -300,6 +316,8 @@ struct Source {
       for (std::string& idle : idle_options(request, printed, print.job.sheet))
         print.job.sheet.warnings.push_back(std::move(idle));
       if (auto note = size_note(*design, print.job.sheet))
+        print.job.sheet.warnings.push_back(std::move(*note));
+      if (auto note = sheet_note(*design, print.job.sheet))
         print.job.sheet.warnings.push_back(std::move(*note));
       if (auto note = elastic_note(request, *design, print.job.sheet))
         print.job.sheet.warnings.push_back(std::move(*note));

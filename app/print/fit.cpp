@@ -67,6 +67,36 @@ Attempt attempt(const Order& order, const PrintChoice& choice, ClearanceSearch s
   }
 }
 
+/// Returns the first hinge whose axis leans; empty without.
+std::optional<int> first_leaning_hinge(const Design& design) {
+  const model::Linkage linkage(design.structure);
+  for (int h = 0; h < static_cast<int>(linkage.hinges.size()); ++h)
+    if (!is_vertical(linkage.hinges[h])) return h;
+  return std::nullopt;
+}
+
+/// Checks that a process that cuts flat sheets can make the design in some size. @param kinds tried for open hinges
+/// @throws NotPrintable for walls that lean, and for hinges that are not living hinges
+void check_cuttable(const Design& design, const model::Process& process,
+                    std::vector<model::HingeKind> kinds) {
+  if (!process.cuts_sheets()) return;
+  if (const auto hinge = first_leaning_hinge(design)) {
+    const model::HingeParameters& at = design.structure.hinge(*hinge);
+    throw NotPrintable(fmt::format(
+        "{} cuts flat sheets, whose walls all stand upright, and wall {} leans (alpha {:.3g}, beta {:.3g} "
+        "degrees): print the sheet instead (--process fdm), or make a panel, as of `kind: outline`",
+        process.name, wall_name(design.structure, *hinge), to_degrees(at.alpha), to_degrees(at.beta)));
+  }
+  if (!leaves_hinges_open(design)) kinds.clear();
+  for (const model::ManufacturedHinge& made : manufactured_hinges(design)) kinds.push_back(made.kind);
+  for (const model::HingeKind kind : kinds)
+    if (kind != model::HingeKind::film)
+      throw NotPrintable(fmt::format(
+          "{} cuts walls and hinges in one piece, and hinges are {}s: make them bridges (`hinge: {{kind: "
+          "film}}`, or leave them open), or print the sheet instead (--process fdm)",
+          process.name, to_string(kind)));
+}
+
 bool has_leaning_hinges(const Design& design) { return !all_vertical(model::Linkage(design.structure)); }
 
 /// Returns other choices for hinges that the design leaves open. Leaning pins may be lower. Elastomer and living
@@ -171,10 +201,12 @@ struct Fitted {
 };
 
 /// Returns the kinds of hinges to try, in order.
-std::vector<model::HingeKind> kinds_of(const Order& order) {
-  const auto& kind = order.design.hinge.kind;
-  return kind ? std::vector{*kind} : order.process.hinges;
+std::vector<model::HingeKind> kinds_of(const Design& design, const model::Process& process) {
+  const auto& kind = design.hinge.kind;
+  return kind ? std::vector{*kind} : process.hinges;
 }
+
+std::vector<model::HingeKind> kinds_of(const Order& order) { return kinds_of(order.design, order.process); }
 
 std::string plural_kind(model::HingeKind kind) { return to_string(kind) + "s"; }
 
@@ -235,6 +267,7 @@ std::optional<std::string> describe_resizing(double from_mm, double to_mm) {
 
 PreparedPrint prepared(const Design& design, const model::Process& process, const PrintChoice& choice,
                        bool folded) {
+  check_cuttable(design, process, {choice.kind});
   const Order order{design, process, folded};
   Attempt found = best_attempt(order, choice);
   if (found.print) return std::move(*found.print);
@@ -243,6 +276,7 @@ PreparedPrint prepared(const Design& design, const model::Process& process, cons
 
 PreparedPrint prepare_fitting_print(const Design& design, const model::Process& process, PrintChoice choice,
                                     bool folded) {
+  check_cuttable(design, process, kinds_of(design, process));
   const Order order{design, process, folded};
   Fitted found = fitted(order, choice, ClearanceSearch::least);
   if (!found.attempt.print) {
@@ -256,6 +290,7 @@ PreparedPrint prepare_fitting_print(const Design& design, const model::Process& 
 }
 
 PrintAnswer answer_of_export(const Design& design) try {
+  check_cuttable(design, design.process, kinds_of(design, design.process));
   const Order order{design, design.process, false};
   const Fitted found = fitted(order, {.bed_mm = requested_bed(design.process)}, ClearanceSearch::verdict);
   if (!found.attempt.print) return {false, named_kinds(design, found.choice.kind), reason_of(order, found)};
@@ -272,6 +307,7 @@ PrintAnswer answer_of_export(const Design& design) try {
 }
 
 std::optional<model::CellSize> find_printable_size(const Design& design) try {
+  check_cuttable(design, design.process, kinds_of(design, design.process));
   const Order order{design, design.process, false};
   std::optional<model::CellSize> least;
   for (const model::HingeKind kind : kinds_of(order)) {

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <filesystem>
 
+#include "app/print/cut_report.hpp"
 #include "app/print/format/print_format.hpp"
 #include "app/print/slicer.hpp"
 #include "app/report/report.hpp"
@@ -81,6 +82,7 @@ std::vector<std::string> material_warnings(const PrintSheet& sheet) {
   for (const HingeSort& sort : hinge_sorts(sheet)) {
     if (sort.kind == model::HingeKind::pin) continue;
     soft.push_back(fmt::format("{} of {}", plural(sort.kind), describe_material(sort)));
+    if (sheet.process.cuts_sheets()) continue;  // the sheet is of that material
     const std::string& printed = sheet.is_one_material() ? sheet.process.film : sheet.process.rubber;
     const bool chosen = sheet.is_one_material() || sheet.process.is_multi_material;
     if (chosen && sort.material != printed)
@@ -139,6 +141,8 @@ std::string describe_bed(const PrintJob& job) {
   const auto& [x, y] = process.bed_mm;
   const std::string bed =
       fmt::format("larger than the bed of a usual {} printer, {:g} x {:g} mm", process.name, x, y);
+  if (process.cuts_sheets())
+    return fmt::format("larger than the bed of a usual {} cutter, {:g} x {:g} mm", process.name, x, y);
   if (job.sheet.is_imported() || job.folded) return bed;
   return bed +
          fmt::format(": with that bed given (kinetix-opt export --bed {:g},{:g}) it is cut into tiles", x, y);
@@ -151,9 +155,11 @@ std::vector<std::string> room_warnings(const PrintJob& job) {
   std::vector<std::string> out;
   if (!job.sheet.tiles.bed_mm && !fits_on_bed(size.head<2>(), {process.bed_mm[0], process.bed_mm[1]}))
     out.push_back(describe_bed(job));
+  const char* const limit =
+      process.cuts_sheets() ? "thick: a usual {} cutter cuts" : "high: a usual {} printer prints";
   if (size.z() > process.max_height_mm)
-    out.push_back(fmt::format("{:.1f} mm high: a usual {} printer prints {:g} mm at most", size.z(),
-                              process.name, process.max_height_mm));
+    out.push_back(fmt::format("{:.1f} mm {} {:g} mm at most", size.z(),
+                              fmt::format(fmt::runtime(limit), process.name), process.max_height_mm));
   return out;
 }
 
@@ -350,6 +356,7 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
         {"asked_mm", clearance.least().required_mm},
         {"in_hinges", distance_json(sheet, clearance.in_hinges)},
         {"elsewhere", distance_json(sheet, clearance.elsewhere)}}},
+      {"cut", cut_json(sheet)},
       {"warnings", print_warnings(job)}};
 }
 
@@ -375,9 +382,11 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
   if (sheet.loose_rods() > 0)
     line("rods",
          fmt::format("{} parts of their own, which hold by friction in the forks", sheet.loose_rods()));
-  line("orientation", describe_orientation(job));
+  const bool is_cut = sheet.process.cuts_sheets();
+  for (const auto& [label, text] : is_cut ? describe_cut(sheet) : CutLines{}) line(label, text);
+  if (!is_cut) line("orientation", describe_orientation(job));
   if (slicer) line("slicer", describe_slicer_estimate(*slicer, sheet.tiles));
-  line("supports", describe_supports(job));
+  if (!is_cut) line("supports", describe_supports(job));
   for (const auto& [label, text] : slicer_advice(job)) line(label, text);
   const LeastDistance& nearest = clearance.nearest;
   if (nearest.first >= 0 && sheet.path.size() > 1)

@@ -31,7 +31,10 @@ const std::vector<Material>& materials() {
        "nu "
        "0.43 to 0.47, "
        "yield at 0.1; E and nu are taken a little lower; the strain is an estimate, under half of that at "
-       "yield"}};
+       "yield"},
+      {"acrylic", 2900, 0.37, 0.02,
+       "cast sheet of PMMA: Lange's Handbook of Chemistry, 15th edition, table 10.2, 380 000 to 450 000 psi, "
+       "which is 2620 to 3100 MPa, and 2 to 10 % elongation at break; nu is an estimate"}};
   return all;
 }
 

@@ -24,7 +24,8 @@ class Problems {
     if (asked >= least) return;
     std::ostringstream text;
     if (asked < plainly_less * least) text << std::setprecision(3);
-    text << what << " of " << asked << " mm is less than " << process_.name << " prints, " << least << " mm";
+    text << what << " of " << asked << " mm is less than " << process_.name
+         << (process_.cuts_sheets() ? " cuts, " : " prints, ") << least << " mm";
     all_.push_back({text.str(), edge_mm_ * least / asked});
   }
 
@@ -105,7 +106,24 @@ const std::vector<Process>& processes() {
        "pa12",
        false,
        {},
-       "the powder"}};
+       "the powder"},
+      {.name = "laser",
+       .min_wall_mm = 1,
+       .sd = {0.05, 0.1, 0},
+       .source =
+           "kerf: Ponoko, How much material does the laser burn away?, 0.2 mm in acrylic of 3 mm; walls "
+           "and bridges: Cut Laser Cut, Understanding the kerf of the laser, details below 1 mm are "
+           "fragile, cuts nearer than 0.5 mm may burn away what is between them; place: Snapcut, Design "
+           "Guidelines, 0.1 mm, as two deviations; sheet, largest thickness and tilt: estimates",
+       .rubber = "tpu95a",
+       .bed_mm = {600, 300},
+       .max_height_mm = 10,
+       .film = "pp",
+       .carries = "the sheet",
+       .hinges = {HingeKind::film},
+       .min_film_mm = 0.5,
+       .sheet_mm = 3,
+       .kerf_mm = 0.2}};
   return all;
 }
 
@@ -133,6 +151,10 @@ std::vector<PrintProblem> print_problems(const Process& p, const CellSize& size,
                                          const std::optional<ManufacturedHinge>& hinge) {
   Problems problems(p, size.edge_mm);
   problems.compare("a wall", size.thickness_mm, p.min_wall_mm);
+  if (hinge && hinge->kind == HingeKind::film) {
+    problems.compare("a bridge", hinge->thickness_mm, p.min_film_mm);
+    problems.compare("a bridge's length", hinge->gap_mm, p.kerf_mm);
+  }
   if (!hinge || hinge->kind != HingeKind::pin) return std::move(problems).all();
   problems.compare("a rod", hinge->diameter_mm, p.min_pin_mm);
   problems.compare("a clearance", hinge->clearance_mm, p.clearance_mm);

@@ -21,7 +21,7 @@ struct Filament {
   double layer_mm = 0;  ///< height, > 0
 };
 
-/// Limits of a print process, mm. Clearances are per side. For guidance only: printers, resins and settings
+/// Limits of a process that prints or cuts sheets, mm. Clearances are per side. For guidance only: printers, resins and settings
 /// differ.
 struct Process {
   std::string name;                 ///< as in files
@@ -41,16 +41,23 @@ struct Process {
   std::string carries = {};               ///< support of overhangs that needs no planning; empty: none
   /// Kinds of hinges that a design may leave open, in the order in which they are tried.
   std::vector<HingeKind> hinges = {HingeKind::pin, HingeKind::block};
+  double min_film_mm = 0;     ///< thickness of a living hinge; 0: not checked
+  double sheet_mm = 0;        ///< thickness of the flat sheet that walls are cut from; 0: walls are printed
+  double kerf_mm = 0;         ///< width of the cut through that sheet
   bool is_bed_given = false;  ///< whether bed_mm is the user's: a larger sheet is cut into tiles
+
+  /// Checks whether all walls are cut in one piece from a flat sheet: they are as high as it is thick.
+  bool cuts_sheets() const { return sheet_mm > 0; }
 
   bool operator==(const Process& other) const {
     return name == other.name && clearance_mm == other.clearance_mm &&
            upright_clearance_mm == other.upright_clearance_mm && min_wall_mm == other.min_wall_mm &&
-           min_pin_mm == other.min_pin_mm && sd == other.sd;
+           min_pin_mm == other.min_pin_mm && min_film_mm == other.min_film_mm && sheet_mm == other.sheet_mm &&
+           kerf_mm == other.kerf_mm && film == other.film && sd == other.sd;
   }
 };
 
-/// Returns the processes polyjet, fdm, sla and sls (docs/hinges.md section 3).
+/// Returns the processes polyjet, fdm, sla, sls and laser (docs/hinges.md section 3).
 const std::vector<Process>& processes();
 /// Finds a process by name. @return null for an unknown name
 const Process* find_process(std::string_view name);
@@ -77,8 +84,9 @@ struct PrintProblem {
   double cell_mm = 0;
 };
 
-/// Finds walls, rods and clearances that are too small. Elastomer and living hinges are not checked: their
-/// least thickness depends on the line or droplet of the printer.
+/// Finds walls, rods and clearances that are too small, and bridges of a cut sheet that are too narrow, or
+/// shorter than the cut is wide. Printed elastomer and living hinges are not checked: their least thickness
+/// depends on the line or droplet of the printer.
 /// @param hinge empty: for a sheet whose hinges have no dimensions yet
 std::vector<PrintProblem> print_problems(const Process& process, const CellSize& size,
                                          const std::optional<ManufacturedHinge>& hinge);

@@ -208,7 +208,8 @@ ManufacturedHinge open_hinge(HingeKind kind, const Process& process, const CellS
   hinge.material = *find_material(!film                  ? process.rubber
                                   : process.film.empty() ? strip_material
                                                          : process.film);
-  hinge.thickness_mm = film ? std::min(film_mm, size.thickness_mm) : size.thickness_mm;
+  const double thin_mm = std::max(film_mm, process.min_film_mm);
+  hinge.thickness_mm = film ? std::min(thin_mm, size.thickness_mm) : size.thickness_mm;
   return hinge;
 }
 

@@ -87,8 +87,9 @@ int circle_sides(double radius_mm, double tolerance_mm);
 
 /// Returns the hinge that a process assumes if the design does not describe it. A pin has the thinnest rod and the
 /// smallest clearance of the process. An elastomer block is of the process's rubber, as thick as the wall. A living
-/// hinge has the thickness of one line. It is of the process's film material, or a strip of polypropylene if the
-/// process has none. All are as high as the wall. Hinges that span a gap have none yet (open_gap_mm).
+/// hinge has the thickness of one line, or the least that the process cuts. It is of the process's film material, or a
+/// strip of polypropylene if the process has none. All are as high as the wall. Hinges that span a gap have none yet
+/// (open_gap_mm).
 ManufacturedHinge open_hinge(HingeKind kind, const Process& process, const CellSize& size);
 
 /// Returns the gap of a block or film that withstands its turn and stretch, mm, rounded up to whole tenths.

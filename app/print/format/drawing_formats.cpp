@@ -1,6 +1,7 @@
 #include <cairo-pdf.h>
 #include <fmt/format.h>
 
+#include "app/print/format/cut_drawing.hpp"
 #include "app/print/format/print_format.hpp"
 #include "app/print/format/sheet_drawing.hpp"
 
@@ -9,9 +10,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-std::string polyline(const std::vector<Vector2d>& ring, const char* layer) {
-  std::string out =
-      fmt::format("0\nPOLYLINE\n8\n{}\n66\n1\n70\n1\n10\n0\n20\n0\n30\n0\n", layer);  // 70: closed
+/// @param closed 1 for an outline, 0 for an open line
+std::string polyline(const std::vector<Vector2d>& ring, const char* layer, int closed = 1) {
+  std::string out = fmt::format("0\nPOLYLINE\n8\n{}\n66\n1\n70\n{}\n10\n0\n20\n0\n30\n0\n", layer, closed);
   for (const Vector2d& p : ring)
     out += fmt::format("0\nVERTEX\n8\n{}\n10\n{:.5f}\n20\n{:.5f}\n30\n0\n", layer, p.x(), p.y());
   return out + fmt::format("0\nSEQEND\n8\n{}\n", layer);
@@ -21,15 +22,28 @@ std::string layer(const char* name, int colour) {
   return fmt::format("0\nLAYER\n2\n{}\n70\n0\n62\n{}\n6\nCONTINUOUS\n", name, colour);
 }
 
-std::string header(const SheetDrawing& drawing) {
+std::string header(const Vector2d& low, const Vector2d& high) {
   return fmt::format(
       "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n9\n$INSUNITS\n70\n4\n"  // R12, mm
       "9\n$EXTMIN\n10\n{:.5f}\n20\n{:.5f}\n30\n0\n9\n$EXTMAX\n10\n{:.5f}\n20\n{:.5f}\n30\n0\n0\nENDSEC\n",
-      drawing.low.x(), drawing.low.y(), drawing.high.x(), drawing.high.y());
+      low.x(), low.y(), high.x(), high.y());
+}
+
+constexpr int red = 1, blue = 5;  // colours of AutoCAD
+// Layers of cut sheets, in DXF and SVG.
+constexpr const char *cut_layer = "CUT", *score_layer = "SCORE";
+
+std::string cut_dxf(const CutDrawing& drawing) {
+  std::string out = header(drawing.low, drawing.high) + "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n70\n2\n" +
+                    layer(cut_layer, red) + layer(score_layer, blue) +
+                    "0\nENDTAB\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
+  for (const auto& line : drawing.scores) out += polyline(line, score_layer, 0);
+  for (const auto& ring : drawing.cuts) out += polyline(ring, cut_layer);
+  return out + "0\nENDSEC\n0\nEOF\n";
 }
 
 std::string dxf(const PrintSheet& sheet, const SheetDrawing& drawing) {
-  std::string out = header(drawing) + "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n70\n4\n" +
+  std::string out = header(drawing.low, drawing.high) + "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n70\n4\n" +
                     layer("BODIES", 7) + layer("SOFT", 5) + layer("RODS", 3) + layer("NUMBERS", 1) +
                     "0\nENDTAB\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
   for (const SheetDrawing::Part& part : drawing.bodies)
@@ -47,7 +61,9 @@ std::string dxf(const PrintSheet& sheet, const SheetDrawing& drawing) {
 }
 
 std::vector<NamedContent> write_dxf(const PrintJob& job) {
-  return {{job.sheet.name + ".dxf", dxf(job.sheet, sheet_drawing(job.sheet))}};
+  const PrintSheet& sheet = job.sheet;
+  return {{sheet.name + ".dxf",
+           sheet.process.cuts_sheets() ? cut_dxf(cut_drawing(sheet)) : dxf(sheet, sheet_drawing(sheet))}};
 }
 
 }  // namespace
@@ -186,10 +202,8 @@ void draw_check(cairo_t* page, const Vector2d& at) {
   show_centred(page, check_text_place(at), check_line_text());
 }
 
-}  // namespace
-
-std::string pdf_page(const Vector2d& drawn_mm, const std::function<void(cairo_t*)>& drawn) {
-  const DrawnPage whole = drawn_page(drawn_mm);
+/// Draws a page as PDF. @param drawn draws in mm, y down
+std::string page_bytes(const DrawnPage& whole, const std::function<void(cairo_t*)>& drawn) {
   const Vector2d size = points_per_mm * whole.size;
   std::string out;
   const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
@@ -208,6 +222,12 @@ std::string pdf_page(const Vector2d& drawn_mm, const std::function<void(cairo_t*
   if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
     throw std::runtime_error("PDF: the page cannot be drawn");
   return out;
+}
+
+}  // namespace
+
+std::string pdf_page(const Vector2d& drawn_mm, const std::function<void(cairo_t*)>& drawn) {
+  return page_bytes(drawn_page(drawn_mm), drawn);
 }
 
 namespace {
@@ -287,8 +307,60 @@ std::string strips_pdf(const Strips& strips) {
   });
 }
 
+constexpr double hairline_mm = 0.01;  // mm: cutters follow thinner lines, and engrave thicker ones
+
+/// Returns a group of lines of a cut sheet. @param end of each path: "Z" if closed
+std::string lines_svg(const char* id, const char* colour, const CutDrawing& drawing,
+                      const std::vector<std::vector<Vector2d>>& lines, const char* end) {
+  std::string out = fmt::format("<g id=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:g}\">\n", id,
+                                colour, hairline_mm);
+  for (const auto& line : lines) {
+    out += "<path d=\"";
+    for (std::size_t k = 0; k < line.size(); ++k)
+      out += fmt::format("{}{:.8g} {:.8g}", k == 0 ? "M" : "L", line[k].x() - drawing.low.x(),
+                         drawing.high.y() - line[k].y());
+    out += fmt::format("{}\"/>\n", end);
+  }
+  return out + "</g>\n";
+}
+
+std::string cut_svg(const CutDrawing& drawing) {
+  const Vector2d size = drawing.high - drawing.low;
+  return fmt::format(
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.8g}mm\" height=\"{1:.8g}mm\" viewBox=\"0 "
+             "0 "
+             "{0:.8g} {1:.8g}\">\n",
+             size.x(), size.y()) +
+         lines_svg(score_layer, "#0000ff", drawing, drawing.scores, "") +
+         lines_svg(cut_layer, "#ff0000", drawing, drawing.cuts, "Z") + "</svg>\n";
+}
+
+/// Draws a cut sheet 1:1. It has no line to measure, which a cutter would cut.
+std::string cut_pdf(const CutDrawing& drawing) {
+  return page_bytes({drawing.high - drawing.low}, [&](cairo_t* page) {
+    cairo_set_line_width(page, hairline_mm);
+    const auto draw_line = [&](const std::vector<Vector2d>& line) {
+      cairo_new_sub_path(page);
+      for (const Vector2d& p : line) cairo_line_to(page, p.x() - drawing.low.x(), drawing.high.y() - p.y());
+    };
+    cairo_set_source_rgb(page, 0, 0, 1);
+    for (const auto& line : drawing.scores) draw_line(line);
+    cairo_stroke(page);
+    cairo_set_source_rgb(page, 1, 0, 0);
+    for (const auto& ring : drawing.cuts) {
+      draw_line(ring);
+      cairo_close_path(page);
+    }
+    cairo_stroke(page);
+  });
+}
+
 std::vector<NamedContent> write_svg(const PrintJob& job) {
   const PrintSheet& sheet = job.sheet;
+  if (sheet.process.cuts_sheets()) {
+    const CutDrawing cut = cut_drawing(sheet);
+    return {{sheet.name + ".svg", cut_svg(cut)}, {sheet.name + ".pdf", cut_pdf(cut)}};
+  }
   const SheetDrawing drawing = sheet_drawing(sheet);
   std::vector<NamedContent> files{{sheet.name + ".svg", svg(sheet, drawing)},
                                   {sheet.name + ".pdf", pdf(sheet, drawing)}};

@@ -17,20 +17,33 @@ constexpr double wall_mm = 0.8;              // mm: as in the shipped targets
 constexpr double height_mm = 8;              // mm: room for three knuckles
 constexpr double column_mm = 32, row_mm = 20;  // mm, from one hinge to the next: walls stay apart
 
-/// Adds a hinge. @param column index of its gap   @param row index of its tilt
-void add_hinge(int column, int row, const model::Process& process, PrintSheet& sheet) {
-  model::Linkage& linkage = sheet.linkage;
-  const Eigen::Vector3d at = Eigen::Vector3d(column * column_mm, row * row_mm, 0) / edge_mm;
+/// Adds a wall of two bodies. @param from of its lower body, mm   @param beta rad   @return its index
+int add_wall(const Eigen::Vector3d& from, double beta, model::Linkage& linkage) {
+  const Eigen::Vector3d at = from / edge_mm;
   model::HingedWall wall;
   wall.lower = static_cast<int>(linkage.bodies.size());
   wall.upper = wall.lower + 1;
   wall.edge = Eigen::Vector3d::UnitX();
-  wall.hinge.beta = tilts_deg[row] * radians_per_degree;
+  wall.hinge.beta = beta;
   linkage.bodies.push_back({at, 1});
   linkage.bodies.push_back({at + wall.edge, -1});
   for (const model::Plate& plate : plates(wall, static_cast<int>(linkage.hinges.size())))
     linkage.plates.push_back(plate);
   linkage.hinges.push_back(rest_hinge(wall));
+  return static_cast<int>(linkage.hinges.size()) - 1;
+}
+
+/// Makes the solids of a coupon whose hinges are known.
+void finish_coupon(PrintSheet& sheet) {
+  sheet.path = {rest_state(sheet.linkage)};
+  sheet.thetas = {0};
+  sheet.no_path_reason = "a coupon's hinges each turn by themselves";
+  make_solids(sheet);
+}
+
+/// Adds a hinge. @param column index of its gap   @param row index of its tilt
+void add_hinge(int column, int row, const model::Process& process, PrintSheet& sheet) {
+  add_wall({column * column_mm, row * row_mm, 0}, tilts_deg[row] * radians_per_degree, sheet.linkage);
   model::ManufacturedHinge pin;
   pin.kind = model::HingeKind::pin;
   pin.material = *model::find_material("pa12");
@@ -243,9 +256,61 @@ class Raised {
   std::map<std::array<int, 3>, int> corners_;
 };
 
+constexpr int bridges = 7;  // of 0.4, 0.6, ... 1.6 mm: around the 0.5 mm of laser
+constexpr double thinnest_mm = 0.4, bridge_step_mm = 0.2;
+constexpr double bridge_mm = 6;       // mm, from tab to tab: their corners meet beyond a right angle
+constexpr double tab_mm = 6;          // mm, width of a tab: room for its number
+constexpr double tabs_apart_mm = 10;  // mm, from one bridge to the next: pieces stay apart
+
+double bridge_width_mm(int bridge) { return thinnest_mm + bridge_step_mm * bridge; }
+
+std::string bridge_name(int bridge) { return fmt::format("{:.1f}", bridge_width_mm(bridge)); }
+
+void add_bridge(int bridge, PrintSheet& sheet) {
+  const int wall = add_wall({0, bridge * tabs_apart_mm, 0}, 0, sheet.linkage);
+  model::ManufacturedHinge film;
+  film.kind = model::HingeKind::film;
+  film.material = *model::find_material(sheet.process.film);
+  film.gap_mm = bridge_mm;
+  film.thickness_mm = bridge_width_mm(bridge);
+  film.height_mm = sheet.process.sheet_mm;
+  sheet.hinges.push_back({.made = film});
+  sheet.marks.push_back(bridge_name(wall));
+}
+
+/// Makes the coupon of a process that cuts sheets.
+PrintSheet bridge_coupon(const model::Process& process, const std::optional<Eigen::Vector2d>& bed_mm) {
+  PrintSheet sheet;
+  sheet.name = "coupon";
+  sheet.process = process;
+  sheet.linkage.size = {edge_mm, tab_mm, process.sheet_mm};
+  std::string turns;
+  for (int bridge = 0; bridge < bridges; ++bridge) {
+    add_bridge(bridge, sheet);
+    turns +=
+        fmt::format("{}{:.0f}", bridge == 0 ? "" : ", ", to_degrees(largest_turn(sheet.hinges.back().made)));
+  }
+  sheet.linkage.wall_name = [](int hinge) { return bridge_name(hinge) + " mm"; };
+  sheet.linkage.vertex_name = [](int body) {
+    return bridge_name(body / 2) + (body % 2 == 0 ? " mm, left" : " mm, right");
+  };
+  sheet.warnings = {fmt::format(
+      "bridges 0.4 to 1.6 mm wide and {:g} mm long, from below, with their widths on the tabs: bend each by "
+      "hand. {} bears turns of {} degrees by its strain limit. The narrowest bridge that stays whole is your "
+      "cutter's: `process: {{base: {}, least_film_mm: ...}}`. Tabs are {:g} mm wide if `kerf_mm` is right",
+      bridge_mm, process.film, turns, process.name, tab_mm)};
+  finish_coupon(sheet);
+  if (bed_mm) sheet.tiles = coupon_tiles(sheet, *bed_mm);
+  if (sheet.tiles.count() > 1)
+    throw BedTooSmall(fmt::format("the coupon is one drawing, and a bed of {:g} x {:g} mm does not hold it",
+                                  bed_mm->x(), bed_mm->y()));
+  return sheet;
+}
+
 }  // namespace
 
 PrintSheet make_coupon(const model::Process& process, const std::optional<Eigen::Vector2d>& bed_mm) {
+  if (process.cuts_sheets()) return bridge_coupon(process, bed_mm);
   PrintSheet sheet;
   sheet.name = "coupon";
   sheet.process = process;
@@ -257,13 +322,10 @@ PrintSheet make_coupon(const model::Process& process, const std::optional<Eigen:
   sheet.linkage.vertex_name = [](int body) {
     return coupon_hinge_name(body / 2) + (body % 2 == 0 ? ", fork" : ", eye");
   };
-  sheet.path = {rest_state(sheet.linkage)};
-  sheet.thetas = {0};
-  sheet.no_path_reason = "a coupon's hinges each turn by themselves";
   sheet.warnings = {
       "gaps from 0.1 to 0.6 mm a side, left to right, told by the numbers on them; rows lean by 0, 30 and 60 "
       "degrees: the least gap that turns is your printer's, for --clearance"};
-  make_solids(sheet);
+  finish_coupon(sheet);
   for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h) add_number(h, sheet);
   if (bed_mm) sheet.tiles = coupon_tiles(sheet, *bed_mm);
   return sheet;

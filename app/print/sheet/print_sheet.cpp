@@ -73,6 +73,7 @@ class SheetMaker {
     make_whole();
     if (!choice_.bed_mm) return std::move(sheet_);
     sheet_.tiles = cut_into_tiles(boxes(), *choice_.bed_mm);
+    check_one_piece();
     if (sheet_.tiles.count() > 1) make_whole();  // rods between two tiles are loose
     return std::move(sheet_);
   }
@@ -83,6 +84,16 @@ class SheetMaker {
     if (choice_.caps && sheet_.kind() != HingeKind::pin)
       throw InvalidInput("caps are of pins, and the design's hinges are not");
     make_solids(sheet_);
+  }
+
+  /// Checks that a sheet that is cut in one piece is on one bed.
+  void check_one_piece() const {
+    if (!sheet_.process.cuts_sheets() || sheet_.tiles.count() < 2) return;
+    const Eigen::Vector2d& bed = *choice_.bed_mm;
+    throw BedTooSmall(fmt::format(
+        "{} cuts the sheet in one piece, and a bed of {:g} x {:g} mm does not hold it: make it of "
+        "fewer or smaller cells",
+        sheet_.process.name, bed.x(), bed.y()));
   }
 
   /// Returns the boxes of the flat bodies from above, each with the soft parts that are printed with it (tile_parts),
@@ -156,8 +167,9 @@ class SheetMaker {
     const double furthest_mm = largest_offset_mm();
     sheet_.hinges.clear();
     for (int h = 0; h < hinges(); ++h) {
-      const model::ManufacturedHinge made =
+      model::ManufacturedHinge made =
           hinge_at(design_.hinge, design_.hinge_overrides, h).made.value_or(open[h]);
+      if (sheet_.process.cuts_sheets()) made = fitted(made, design_.structure.size(), sheet_.linkage.size);
       check_process(sheet_.process, sheet_.linkage.size, made);
       validate(made, sheet_.linkage.size);
       sheet_.hinges.push_back(with_faces({.made = made,
@@ -186,11 +198,11 @@ std::optional<Eigen::Vector2d> requested_bed(const model::Process& process) {
 
 model::CellSize resized(const model::CellSize& size, const PrintChoice& choice,
                         const model::Process& process) {
-  if (!(choice.edge_mm > 0)) return size;
+  const double height_mm = process.cuts_sheets() ? process.sheet_mm : size.height_mm;
+  if (!(choice.edge_mm > 0)) return {size.edge_mm, size.thickness_mm, height_mm};
   const double clearance = choice.clearance_mm > 0 ? choice.clearance_mm : process.clearance_mm;
   const double min_height = choice.kind == HingeKind::pin ? min_pin_height_mm(clearance, process) : 0;
-  return {choice.edge_mm, std::max(size.thickness_mm, process.min_wall_mm),
-          std::max(size.height_mm, min_height)};
+  return {choice.edge_mm, std::max(size.thickness_mm, process.min_wall_mm), std::max(height_mm, min_height)};
 }
 
 bool PrintSheet::has_soft() const {

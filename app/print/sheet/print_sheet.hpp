@@ -23,11 +23,12 @@ struct PrintSheet {
   Tiles tiles = {};  ///< parts that are printed together
   std::vector<model::State> path;  ///< from flat to the fold (PrintPath); only flat if no motion is known
   std::vector<double> thetas;      ///< of the path, rad
-  std::function<model::State(double)> motion = {};     ///< at a theta, rad; empty if it is not exact
-  std::vector<model::TurnLaw> turns = {};              ///< of each hinge along that motion
-  std::vector<int> jumps = {};                         ///< PrintPath::jumps
-  bool is_path_exact = true;                           ///< else the equilibrium under the design's drive
-  std::string no_path_reason = {};                     ///< reason if only the flat state is known
+  std::function<model::State(double)> motion = {};  ///< at a theta, rad; empty if it is not exact
+  std::vector<model::TurnLaw> turns = {};           ///< of each hinge along that motion
+  std::vector<int> jumps = {};                      ///< PrintPath::jumps
+  bool is_path_exact = true;                        ///< else the equilibrium under the design's drive
+  std::string no_path_reason = {};                  ///< reason if only the flat state is known
+  std::vector<std::string> marks = {};  ///< engraved at each hinge of a cut sheet; empty: the hinge's number
   std::vector<model::HingeStiffness> imported_k = {};  ///< of hinges between imported parts, from the design
   std::vector<std::string> warnings = {};              ///< for the user
 
@@ -63,14 +64,14 @@ struct PrintChoice {
 std::optional<Eigen::Vector2d> requested_bed(const model::Process& process);
 
 /// Returns the size of cells with the chosen edge. Walls have at least the thickness, and with pins the height, that
-/// the process needs.
+/// the process needs. Walls that are cut from a sheet are as high as it is thick.
 model::CellSize resized(const model::CellSize& size, const PrintChoice& choice,
                         const model::Process& process);
 
 /// Makes the sheet of a design. Hinges that the design leaves open are pins with the least rod and clearance of the
 /// process, or elastomer or living hinges as long as the fold needs.
 /// @param path of the design.
-/// @throws BedTooSmall for a bed that does not hold each body.
+/// @throws BedTooSmall for a bed that does not hold each body, or the whole of a sheet that is cut in one piece.
 /// @throws InvalidInput for what the process cannot print, hinges that overlap a junction, and a sheet without hinges
 PrintSheet make_print_sheet(const Design& design, const PrintPath& path, const model::Process& process,
                             const PrintChoice& choice);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -46,6 +47,17 @@ inline nlohmann::json print_json_of(const Scratch& scratch) {
   nlohmann::json json = nlohmann::json::parse(text_of(scratch / "out/print.json"));
   EXPECT_EQ(schema_errors(json, "print"), "");
   return json;
+}
+
+/// Returns both output streams of a program. Fails if the program is missing.
+inline std::string command_output(const std::string& command) {
+  std::string out;
+  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  char text[4096];
+  while (const std::size_t n = std::fread(text, 1, sizeof text, pipe)) out.append(text, n);
+  const int status = pclose(pipe);
+  EXPECT_EQ(WEXITSTATUS(status), 0) << command << "\n" << out;
+  return out;
 }
 
 /// Computes the width of a binary STL file along x, mm.

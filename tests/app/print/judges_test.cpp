@@ -29,17 +29,6 @@ namespace {
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
-/// Returns both output streams of a program. Fails if the program is missing.
-std::string command_output(const std::string& command) {
-  std::string out;
-  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  char text[4096];
-  while (const std::size_t n = std::fread(text, 1, sizeof text, pipe)) out.append(text, n);
-  const int status = pclose(pipe);
-  EXPECT_EQ(WEXITSTATUS(status), 0) << command << "\n" << out;
-  return out;
-}
-
 double number_after(const std::string& text, const std::string& pattern) {
   std::smatch match;
   if (!std::regex_search(text, match, std::regex(pattern + R"(\s*([-+0-9.eE]+))"))) return NAN;

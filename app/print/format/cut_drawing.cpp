@@ -1,0 +1,165 @@
+#include "app/print/format/cut_drawing.hpp"
+
+#include <boost/polygon/polygon.hpp>
+
+#include "app/print/format/sheet_drawing.hpp"
+
+namespace kinetix::app {
+namespace {
+
+namespace bp = boost::polygon;
+using Eigen::Vector2d;
+using CutRing = std::vector<Vector2d>;
+using Area = bp::polygon_set_data<int>;
+
+constexpr double cut_grid_mm = 1e-5;  // mm: as sheet_drawing, up to sheets of 20 m
+constexpr int closed_steps = 2;       // of the grid: ends of walls and bridges may be one step apart
+constexpr double straight_mm = 5 * cut_grid_mm;  // mm: corners that leave a line by less are rounding
+constexpr double engraved_share = 0.6;  // of a wall's thickness: height of numbers, so that they stay within
+constexpr double engraved_room = 0.9;   // of a half wall's length, for a number
+constexpr double least_engraved_mm = 0.8;  // mm: beams of 0.2 mm blur smaller digits
+constexpr double stroke_width = 0.5;       // of a digit's height
+constexpr double stroke_step = 0.75;       // of a digit's height, from one to the next
+
+/// Strokes of a digit, a bit each: top, upper right, lower right, bottom, lower left, upper left, middle.
+constexpr unsigned strokes_of[10] = {0x3f, 0x06, 0x5b, 0x4f, 0x66, 0x6d, 0x7d, 0x07, 0x7f, 0x6f};
+
+/// Returns the ends of a stroke. Digits are 1 high.
+std::pair<Vector2d, Vector2d> stroke(int k) {
+  const double w = stroke_width;
+  const Vector2d corners[] = {{0, 1}, {w, 1}, {w, 0.5}, {w, 0}, {0, 0}, {0, 0.5}};
+  return k == 6 ? std::pair(corners[5], corners[2]) : std::pair(corners[k], corners[(k + 1) % 6]);
+}
+
+/// Returns the width of a text of digits and points over its height.
+double engraved_width(const std::string& text) {
+  return stroke_step * static_cast<double>(text.size() - 1) + stroke_width;
+}
+
+/// Engraves digits and points as single lines. @param middle of the text, mm   @param right unit vector
+void engrave(const std::string& text, const Vector2d& middle, const Vector2d& right, double height,
+             CutDrawing& drawing) {
+  const Vector2d up(-right.y(), right.x());
+  double x = -engraved_width(text) / 2;
+  const auto add = [&](const Vector2d& from, const Vector2d& to) {
+    const auto at = [&](const Vector2d& p) {
+      return Vector2d(middle + height * ((x + p.x()) * right + (p.y() - 0.5) * up));
+    };
+    drawing.scores.push_back({at(from), at(to)});
+  };
+  for (const char c : text) {
+    if (c == '.') add({stroke_width / 2, 0}, {stroke_width / 2, 0.1});
+    for (int k = 0; k < 7 && c != '.'; ++k)
+      if (strokes_of[c - '0'] >> k & 1) add(stroke(k).first, stroke(k).second);
+    x += stroke_step;
+  }
+}
+
+/// Returns bodies and bridges of a flat sheet together.
+Area whole_area(const SheetDrawing& sheet) {
+  using namespace bp::operators;
+  Area area;
+  for (const auto* parts : {&sheet.bodies, &sheet.soft})
+    for (const SheetDrawing::Part& part : *parts)
+      for (const CutRing& ring : part.rings) {
+        std::vector<bp::point_data<int>> points;
+        for (const Vector2d& p : ring)
+          points.emplace_back(static_cast<int>(std::lround(p.x() / cut_grid_mm)),
+                              static_cast<int>(std::lround(p.y() / cut_grid_mm)));
+        bp::polygon_data<int> polygon;
+        bp::set_points(polygon, points.begin(), points.end());
+        area += polygon;
+      }
+  return area;
+}
+
+CutRing ring_on_grid(const auto& polygon) {
+  CutRing ring;
+  for (const auto& p : polygon) ring.push_back(cut_grid_mm * Vector2d(p.x(), p.y()));
+  return ring;
+}
+
+std::vector<CutRing> cut_rings(const Area& area) {
+  std::vector<bp::polygon_with_holes_data<int>> polygons;
+  area.get(polygons);
+  std::vector<CutRing> rings;
+  for (const auto& polygon : polygons) {
+    rings.push_back(ring_on_grid(polygon));
+    for (auto hole = polygon.begin_holes(); hole != polygon.end_holes(); ++hole)
+      rings.push_back(ring_on_grid(*hole));
+  }
+  return rings;
+}
+
+/// Returns a ring without corners that rounding leaves on straight lines.
+CutRing without_steps(const CutRing& ring) {
+  CutRing apart, out;
+  for (const Vector2d& p : ring)
+    if (apart.empty() || (p - apart.back()).norm() > straight_mm) apart.push_back(p);
+  if ((apart.front() - apart.back()).norm() <= straight_mm) apart.pop_back();
+  const std::size_t count = apart.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vector2d &before = out.empty() ? apart[count - 1] : out.back(), &after = apart[(k + 1) % count];
+    const Vector2d along = (after - before).normalized();
+    if (std::abs(model::cross(along, apart[k] - before)) > straight_mm) out.push_back(apart[k]);
+  }
+  return out;
+}
+
+const model::ArmSolid& cut_arm(const PrintSheet& sheet, int body, int hinge) {
+  const auto& arms = sheet.bodies[body].arms;
+  return *std::find_if(arms.begin(), arms.end(), [&](const auto& arm) { return arm.hinge == hinge; });
+}
+
+/// Engraves the number of a hinge on the longer of its half walls.
+void engrave_number(const PrintSheet& sheet, int h, CutDrawing& drawing) {
+  const std::string text = sheet.marks.empty() ? std::to_string(h + 1) : sheet.marks[h];
+  const model::RestHinge& hinge = sheet.linkage.hinges[h];
+  double room = 0;
+  Vector2d middle, right;
+  for (const int body : {hinge.lower, hinge.upper}) {
+    const model::ArmSolid& arm = cut_arm(sheet, body, h);
+    const double from = arm.start, to = arm.edge.dot(arm.point({-arm.end.wall_end, 0}, 0));
+    if (to - from <= room) continue;
+    room = to - from;
+    right = arm.edge.head<2>();
+    middle = sheet.linkage.rest_position(body).head<2>() + (from + to) / 2 * right;
+  }
+  const double height =
+      std::min(engraved_share * sheet.linkage.size.thickness_mm, engraved_room * room / engraved_width(text));
+  if (height < least_engraved_mm) return;
+  const bool is_upside_down = right.x() < -1e-9 || (right.x() < 1e-9 && right.y() < 0);
+  engrave(text, middle, is_upside_down ? Vector2d(-right) : right, height, drawing);
+}
+
+}  // namespace
+
+double CutDrawing::length_mm() const {
+  double sum = 0;
+  for (const CutRing& ring : cuts)
+    for (std::size_t k = 0; k < ring.size(); ++k) sum += (ring[(k + 1) % ring.size()] - ring[k]).norm();
+  return sum;
+}
+
+CutDrawing cut_drawing(const PrintSheet& sheet) {
+  Area area = whole_area(sheet_drawing(sheet));
+  const int half_kerf = static_cast<int>(std::lround(sheet.process.kerf_mm / 2 / cut_grid_mm));
+  area.resize(std::max(half_kerf, closed_steps));
+  CutDrawing drawing;
+  std::vector<CutRing> outlines;
+  Eigen::AlignedBox2d box;
+  for (const CutRing& rounded : cut_rings(area)) {
+    CutRing ring = without_steps(rounded);
+    for (const Vector2d& p : ring) box.extend(p);
+    const bool is_hole = signed_area(ring) < 0;
+    (is_hole ? drawing.cuts : outlines).push_back(std::move(ring));
+  }
+  drawing.pieces = static_cast<int>(outlines.size());
+  std::move(outlines.begin(), outlines.end(), std::back_inserter(drawing.cuts));
+  for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h) engrave_number(sheet, h, drawing);
+  drawing.low = box.min();
+  drawing.high = box.max();
+  return drawing;
+}
+
+}  // namespace kinetix::app
