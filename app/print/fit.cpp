@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <set>
 
+#include "app/print/sheet/lock.hpp"
 #include "app/run/design_hinges.hpp"
 
 namespace kinetix::app {
@@ -97,6 +98,25 @@ Attempt best_attempt(const Order& order, const PrintChoice& choice,
   return first;
 }
 
+/// Adds the lock that the design names. @throws NotPrintable if it does not fit
+PreparedPrint with_lock(PreparedPrint print, const Design& design, ClearanceSearch search) try {
+  if (!design.lock || *design.lock == LockKind::none) return print;
+  add_lock(print.job.sheet, *design.lock);
+  if (search == ClearanceSearch::least) print.clearance = path_clearance(print.job.sheet);
+  return print;
+} catch (const InvalidInput& e) {
+  throw NotPrintable(e.reason());
+}
+
+/// Checks whether there is a print, with room for the lock that the design names.
+bool has_room(Attempt found, const Design& design) try {
+  if (!found.print) return false;
+  with_lock(std::move(*found.print), design, ClearanceSearch::verdict);
+  return true;
+} catch (const NotPrintable&) {
+  return false;
+}
+
 /// Returns a cell edge that fits, mm; empty: none up to largest_scale. It is the refused one if larger walls are enough.
 /// Otherwise one step smaller does not fit, and most larger edges do.
 std::optional<double> enough_mm(const Order& order, PrintChoice choice) {
@@ -105,7 +125,7 @@ std::optional<double> enough_mm(const Order& order, PrintChoice choice) {
   const double refused_mm = choice.edge_mm > 0 ? choice.edge_mm : size.edge_mm;
   const auto prints = [&](double edge_mm) {
     choice.edge_mm = edge_mm;
-    return best_attempt(order, choice, ClearanceSearch::verdict).print.has_value();
+    return has_room(best_attempt(order, choice, ClearanceSearch::verdict), order.design);
   };
   const auto fits = [&](double steps) { return prints(steps * step_mm); };
   if (prints(refused_mm)) return refused_mm;
@@ -235,7 +255,7 @@ PreparedPrint prepared(const Design& design, const model::Process& process, cons
                        bool folded) {
   const Order order{design, process, folded};
   Attempt found = best_attempt(order, choice);
-  if (found.print) return std::move(*found.print);
+  if (found.print) return with_lock(std::move(*found.print), design, ClearanceSearch::least);
   refuse(order, found, choice);
 }
 
@@ -250,15 +270,17 @@ PreparedPrint prepare_fitting_print(const Design& design, const model::Process& 
   for (const std::string& why : found.refused)
     found.attempt.print->job.sheet.warnings.push_back(
         fmt::format("hinges are {}, as {}", plural_kind(found.choice.kind), why));
-  return std::move(*found.attempt.print);
+  return with_lock(std::move(*found.attempt.print), design, ClearanceSearch::least);
 }
 
 PrintAnswer answer_of_export(const Design& design) try {
   const Order order{design, design.process, false};
-  const Fitted found = fitted(order, {.bed_mm = requested_bed(design.process)}, ClearanceSearch::verdict);
+  Fitted found = fitted(order, {.bed_mm = requested_bed(design.process)}, ClearanceSearch::verdict);
   if (!found.attempt.print) return {false, named_kinds(design, found.choice.kind), reason_of(order, found)};
-  const PrintSheet& sheet = found.attempt.print->job.sheet;
+  const PrintSheet sheet =
+      with_lock(std::move(*found.attempt.print), design, ClearanceSearch::verdict).job.sheet;
   PrintAnswer answer{true, named_kinds(sheet)};
+  answer.lock = sheet.lock;
   for (const model::HingePrint& hinge : sheet.hinges) answer.made.push_back(hinge.made);
   return answer;
 } catch (const InvalidInput& e) {

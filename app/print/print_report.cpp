@@ -7,6 +7,7 @@
 #include "app/print/format/print_format.hpp"
 #include "app/print/slicer.hpp"
 #include "app/report/report.hpp"
+#include "app/result/motion_evidence.hpp"
 #include "app/result/state_json.hpp"
 #include "model/base/box.hpp"
 #include "targets/document/text_file.hpp"
@@ -188,6 +189,21 @@ std::string describe_tiles(const PrintSheet& sheet) {
                      tiles.turned ? ", turned on it by a quarter" : "", describe_joining(sheet));
 }
 
+/// Describes what keeps the sheet folded.
+std::string describe_lock(const Lock& lock) {
+  const std::string parts =
+      lock.kind == "clip"
+          ? fmt::format("a clip, printed apart, fits over the posts of bodies {} and {}", lock.bodies[0],
+                        lock.bodies[1])
+          : fmt::format("a strap through the eyes of bodies {} and {}", lock.bodies[0], lock.bodies[1]);
+  const std::string load = lock.force_N > 0 ? fmt::format("the hinges load it with {:.3g} N", lock.force_N)
+                                            : std::string("the hinges turn freely and do not load it");
+  return fmt::format(
+      "{} at the fold, {:.1f} mm apart ({:.1f} mm flat); {}; estimated strength {:.3g} N, of {}, which is "
+      "assumed",
+      parts, lock.folded_mm, lock.flat_mm, load, lock.strength_N, lock.material);
+}
+
 Json slicer_json(const std::optional<SlicerAnswer>& slicer) {
   if (!slicer) return nullptr;
   if (!slicer->estimate) return {{"why_none", slicer->no_estimate_reason}};
@@ -337,6 +353,7 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
       {"overhang_mm2", orientations_json(lies(job))},
       {"slicer", slicer_json(slicer)},
       {"loose_rods", sheet.loose_rods()},
+      {"lock", lock_json(sheet.lock)},
       {"caps", sheet.has_caps()},
       {"tiles", {sheet.tiles.columns, sheet.tiles.rows}},
       {"k", {{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}, {"turn", k.turn}}},
@@ -371,6 +388,7 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
   if (sheet.loose_rods() > 0)
     line("rods",
          fmt::format("{} parts of their own, which hold by friction in the forks", sheet.loose_rods()));
+  if (sheet.lock) line("lock", describe_lock(*sheet.lock));
   line("orientation", describe_orientation(job));
   if (slicer) line("slicer", describe_slicer_estimate(*slicer, sheet.tiles));
   line("supports", describe_supports(job));
