@@ -333,8 +333,7 @@ std::string design_text(const Design& design) {
          hinge_section_text(design.hinge) + physics_text(design.physics) +
          (design.process == model::processes().front() ? ""
                                                        : "process: " + process_text(design.process) + "\n") +
-         bed_text(design.process) +
-         (design.lock ? "lock: " + to_string(*design.lock) + "\n" : "");
+         bed_text(design.process) + (design.lock ? "lock: " + to_string(*design.lock) + "\n" : "");
 }
 
 }  // namespace kinetix::app

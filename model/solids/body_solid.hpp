@@ -37,10 +37,10 @@ struct Post {
   double foot_mm = 0;    ///< height of its foot above all that the body else has, > 0
   double height_mm = 0;  ///< above the foot
   double hole_mm = 0;    ///< width of the hole; 0: none
-  double hole_from_mm = 0,
-         hole_to_mm = 0;  ///< of the hole's upright sides, above the foot; a gable of 45 degrees
-                          ///< ends it, which needs no supports
-  double base_mm = 0;     ///< height of the foot's upper side above the body's origin; body_solids() sets it
+  /// Heights at which upright sides of the hole begin and end, above the foot. A gable of 45 degrees ends the hole: it
+  /// prints without supports.
+  double hole_from_mm = 0, hole_to_mm = 0;
+  double base_mm = 0;  ///< height of the foot's upper side above the body's origin; body_solids() sets it
 
   /// Returns the height of the gable's ridge above the foot, mm.
   double ridge_mm() const { return hole_to_mm + hole_mm / 2; }

@@ -12,25 +12,24 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double post_widths[] = {3, 2.5, 2,
-                                  1.5};    // widths of posts over the wall's thickness, in this order
-constexpr double leg_widths[] = {1.5, 1};  // of the legs of an eye, likewise
-constexpr double hole_width_mm = 1.5;      // of eyes: a zip tie of 2.5 x 1 mm on edge, with clearance
-constexpr double hole_height_mm = 3;
-constexpr double bar_height = 2;  // height of a clip over the wall's thickness
-constexpr double end_width =
-    2;  // width of a clip beyond its holes along the bar, likewise; beside them it is 1
-constexpr double foot_share = 0.25;  // least height of a foot over the wall's thickness
-constexpr double level_share = 0.5;  // largest difference in height of two posts over the wall's thickness
-constexpr double parallel_cos = 0.9986;  // cosine of 3 degrees: posts lean by at most that against each other
-constexpr double same_side_cos = 0.5;    // cosine of the angle between two eyes that a strap joins
-constexpr double steepest_strap = 0.5;   // sine of its angle to the top of a body
-constexpr double tolerance_mm = 0.01;    // mm: of distances between clip and walls
-constexpr double shortening_step_mm = 1e-6;  // mm: shortenings that differ by less are equal
-constexpr double part_of_theta = 1e-4;       // step of difference quotients, ratio to theta
+constexpr double post_widths[] = {3, 2.5, 2, 1.5};  // ratio to the wall's thickness, tried in this order
+constexpr double leg_widths[] = {1.5, 1};  // of eyes, ratio to the wall's thickness, tried in this order
+constexpr double hole_width_mm = 1.5;  // mm, of eyes: for a zip tie of 2.5 x 1 mm on its edge, with clearance
+constexpr double hole_height_mm = 3;   // mm, of eyes: for the same zip tie
+constexpr double bar_height = 2;       // of a clip, ratio to the wall's thickness
+constexpr double end_width = 2;  // of a clip beyond its holes, ratio to the wall's thickness; beside them 1
+constexpr double foot_share = 0.25;  // least height of a foot, ratio to the wall's thickness
+constexpr double level_share =
+    0.5;  // largest difference in height of two posts, ratio to the wall's thickness
+constexpr double parallel_cos = 0.9986;  // of 3 degrees, the largest angle between two posts of a clip
+constexpr double same_side_cos = 0.5;    // of the largest angle between two eyes
+constexpr double steepest_strap = 0.5;   // sine of the largest angle between a strap and the top of a body
+constexpr double tolerance_mm = 0.01;    // mm: of the distance between a clip and walls
+constexpr double least_step_mm = 1e-6;   // mm: shortenings that differ by less are equal
+constexpr double part_of_theta = 1e-4;   // step of difference quotients, ratio to theta
 constexpr std::size_t most_bodies =
-    1000;                         // of sheets in which all pairs are compared; else those with few hinges
-constexpr int most_checked = 24;  // paths to the fold that are checked before there is no room
+    1000;                         // in larger sheets only bodies with fewer hinges than most are compared
+constexpr int most_checked = 24;  // ways to the fold, each as long as one export
 constexpr const char* assumed_material =
     "pa12";  // of walls, unless they are printed in one with living hinges
 
@@ -165,7 +164,7 @@ class LockMaker {
         const int a = bodies[i], b = bodies[j];
         const double shorter = (flat[b].p - flat[a].p).norm() - (fold()[b].p - fold()[a].p).norm();
         if (shorter > 2 * clearance_)
-          out.push_back({a, b, std::round(shorter / shortening_step_mm) * shortening_step_mm});
+          out.push_back({a, b, std::round(shorter / least_step_mm) * least_step_mm});
       }
     std::stable_sort(out.begin(), out.end(),
                      [](const BodyPair& a, const BodyPair& b) { return a.shortening_mm > b.shortening_mm; });
@@ -303,8 +302,8 @@ class LockMaker {
     return std::max(0.0, (energy(after) - energy(before)) / nearer);
   }
 
-  /// Returns the force at which a section reaches the strain of its material, N: the least of bending and shear of a
-  /// post, or of the leg of an eye that a strap pulls at, and of a clip's bending and tension at its holes.
+  /// Returns the force at which a section reaches the strain of its material, N. Sections are a post or the leg of an
+  /// eye, in bending and shear, and a clip at its holes, in bending and tension.
   double strength_N(const BodyPair& pair) const {
     const double stress = material().E_mpa * material().strain_max;  // MPa
     const model::Post& post = sheet_.posts.at(pair.first);
