@@ -18,6 +18,7 @@ using Json = nlohmann::ordered_json;
 using Edge = model::CreasePattern::Edge;
 
 constexpr std::size_t max_triangles = 200'000;             // triangles of bodies in a report: a page of 5 MB
+constexpr int max_bodies_of_card = 400;                    // bodies in a report's card: pictures of 300 kB
 constexpr std::string_view creases_name = "creases.fold";  // in the folder of results
 
 std::vector<NamedContent> write_design(const Run& run, const Json&) {
@@ -102,6 +103,8 @@ std::vector<NamedContent> write_report(const Run& run, const Json& result) {
     shown["structure"] = shown_bodies_json(*bodies);
     if (triangles_of(*bodies) <= max_triangles) shown["meshes"] = meshes_json(*bodies);
   }
+  if (run.print && run.print->draw_card && run.design.structure.bodies() <= max_bodies_of_card)
+    shown["card"] = run.print->draw_card(run.folding);
   shown["timing_s"].erase("write");
   if (run.goal)
     for (const auto& [name, png] : run.goal->pictures(run, true))

@@ -148,26 +148,40 @@ model::Drive as_in_design(const model::LinkageDrive& drive) {
 
 constexpr double part = 1e-4;  // rad of theta to either side, the step of difference quotients
 
-/// Computes the energy of all turns from flat in the exact state at theta, N mm. @param hinges stiffness of each
-double turning_energy(const SearchResult& found, const model::Linkage& linkage,
-                      const std::vector<model::Elasticity>& hinges, double theta) {
-  const model::State state = found.plan.exact.at(theta);
+/// Sheet with hinges as made, to be folded along its exact motion.
+struct SheetToFold {
+  const Design& design;
+  const model::ExactMotion& exact;
+  double theta;  ///< rad, of the fold
+  model::Linkage linkage = design.structure;
+  std::vector<model::Elasticity> hinges = {};  ///< stiffness of each
+
+  SheetToFold(const Design& from, const model::ExactMotion& motion)
+      : design(from), exact(motion), theta(theta_of(from, motion)) {
+    for (int h = 0; h < design.structure.hinges(); ++h)
+      hinges.push_back(elasticity_of(*hinge_section(design, h).made));
+  }
+};
+
+/// Computes the energy of all turns from flat in the exact state at theta, N mm.
+double turning_energy(const SheetToFold& sheet, double theta) {
+  const model::State state = sheet.exact.at(theta);
   double sum = 0;
-  for (int h = 0; h < found.design.structure.hinges(); ++h) {
-    const double turn = hinge_turn(linkage, state, h);
-    sum += hinges[h].k_turn * turn * turn / 2;
+  for (std::size_t h = 0; h < sheet.hinges.size(); ++h) {
+    const double turn = hinge_turn(sheet.linkage, state, static_cast<int>(h));
+    sum += sheet.hinges[h].k_turn * turn * turn / 2;
   }
   return sum;
 }
 
 /// Computes the load that holds the fold against turns of hinges alone, N or N mm: the derivative of the energy by the
 /// travel of the drive. Plates approach as the sheet does, which need not follow the cosine of theta.
-double holding_load(const SearchResult& found, const model::LinkageDrive& drive,
-                    const model::Linkage& linkage, const std::vector<model::Elasticity>& hinges) {
-  const auto energy = [&](double at) { return turning_energy(found, linkage, hinges, at); };
-  const auto coordinate = [&](double at) { return work_coordinate(drive, linkage, found.plan.exact.at(at)); };
-  const double more = found.theta + part, less = found.theta - part;
-  return (energy(more) - energy(less)) / (coordinate(more) - coordinate(less));
+double holding_load(const SheetToFold& sheet, const model::LinkageDrive& drive) {
+  const auto coordinate = [&](double at) {
+    return work_coordinate(drive, sheet.linkage, sheet.exact.at(at));
+  };
+  const double more = sheet.theta + part, less = sheet.theta - part;
+  return (turning_energy(sheet, more) - turning_energy(sheet, less)) / (coordinate(more) - coordinate(less));
 }
 
 /// Drive, and the load by which turns of hinges alone resist it.
@@ -178,21 +192,19 @@ struct EstimatedDrive {
   double force_N = 0;  ///< a moment over its lever, one cell edge
 };
 
-EstimatedDrive estimated(const SearchResult& found, const std::string& name,
+EstimatedDrive estimated(const SheetToFold& sheet, const std::string& name,
                          const model::LinkageDrive& drive) {
-  const model::Linkage linkage = found.design.structure;
-  std::vector<model::Elasticity> hinges;
-  for (int h = 0; h < found.design.structure.hinges(); ++h)
-    hinges.push_back(elasticity_of(*hinge_section(found.design, h).made));
-  const double load = std::abs(holding_load(found, drive, linkage, hinges));
-  return {name, drive, load, drive.has_force() ? load : load / linkage.size.edge_mm};
+  const double load = std::abs(holding_load(sheet, drive));
+  return {name, drive, load, drive.has_force() ? load : load / sheet.linkage.size.edge_mm};
 }
 
-/// Returns the drives that exist, those of least force first.
-std::vector<EstimatedDrive> estimated_drives(const SearchResult& found) {
+/// Returns the drive of the design if it has one, else those that exist, those of least force first.
+std::vector<EstimatedDrive> estimated_drives(const SheetToFold& sheet) {
+  const Design& design = sheet.design;
+  if (design.drive) return {estimated(sheet, describe(*design.drive), drive_of(design))};
   std::vector<EstimatedDrive> all;
-  for (const model::TrialDrive& trial : trial_drives(found.design.structure, found.plan.exact, found.theta))
-    if (trial.drive) all.push_back(estimated(found, trial.name, *trial.drive));
+  for (const model::TrialDrive& trial : trial_drives(design.structure, sheet.exact, sheet.theta))
+    if (trial.drive) all.push_back(estimated(sheet, trial.name, *trial.drive));
   std::erase_if(all, [](const EstimatedDrive& drive) { return !std::isfinite(drive.force_N); });
   std::stable_sort(all.begin(), all.end(),
                    [](const auto& a, const auto& b) { return a.force_N < b.force_N; });
@@ -209,24 +221,23 @@ constexpr double shortest_step = 0.01;     // rad of theta: a sheet that needs s
 constexpr double largest_departure = 0.2;  // rad of a hinge from the exact motion: more is another fold
 
 /// Follows a drive with soft hinges until the sheet leaves its exact motion.
-DriveTrial followed(const SearchResult& found, const EstimatedDrive& drive, const std::stop_token& stop) {
+DriveTrial followed(const SheetToFold& sheet, const EstimatedDrive& drive, const std::stop_token& stop) {
+  const model::Lattice& structure = sheet.design.structure;
   DriveTrial trial{.name = drive.name, .why_not = {}, .drive = drive.drive, .path = {}};
   std::stop_source ends;
-  model::EquilibriumPathOptions path = path_of_run(found.plan.planar);
+  model::EquilibriumPathOptions path = path_of_run(all_vertical(sheet.linkage));
   path.contact = false;  // walls are proven free of contact along the exact motion
   path.min_step = shortest_step;
   path.newton.max_iterations = most_iterations;
   path.stop = ends.get_token();
   const auto see = [&](const model::EquilibriumStep& step, const model::State& state) {
-    const double off = turn_distance(found.design.structure, state,
-                                     found.plan.exact.at(mean_theta(found.design.structure, state)));
+    const double off = turn_distance(structure, state, sheet.exact.at(mean_theta(structure, state)));
     if (stop.stop_requested() || !(off <= largest_departure)) ends.request_stop();
     if (!(off <= largest_departure) && trial.why_not.empty())
       trial.why_not =
           fmt::format("the sheet leans or buckles from theta {:.1f} deg on", to_degrees(step.theta));
   };
-  follow(found.theta, found.design.structure, found.plan.exact, elasticity_of(found.design), path, trial,
-         see);
+  follow(sheet.theta, sheet.linkage, sheet.exact, elasticity_of(sheet.design), path, trial, see);
   return trial;
 }
 
@@ -240,22 +251,26 @@ std::vector<std::string> names_after(std::size_t first, const std::vector<model:
 
 }  // namespace
 
-std::optional<Folding> find_folding(const SearchResult& found, const RunOptions& options) {
-  const Design& design = found.design;
-  if (leaves_hinges_open(design) || !found.plan.exact || found.theta == 0) return std::nullopt;
+std::optional<Folding> find_folding(const Design& design, const model::ExactMotion& exact,
+                                    const std::stop_token& stop) try {
+  if (leaves_hinges_open(design) || !exact || (design.theta == 0 && !design.drive)) return std::nullopt;
+  const bool has_springs = !drive_of(design).is_external();
+  if (has_springs && !has_pins_alone(design)) return std::nullopt;
+  if (has_springs) return folding_of({}, drive_of(design), "");
+  const SheetToFold sheet(design, exact);
   if (has_pins_alone(design)) {
-    const model::LinkageDrive usual = drive_to(design.structure, found.theta);
-    const double load = estimated(found, "", usual).load;
+    const model::LinkageDrive drive = drive_of(design);
+    const double load = estimated(sheet, "", drive).load;
     if (!std::isfinite(load)) return std::nullopt;
-    Folding free = folding_by(describe(as_in_design(usual)), usual, load);
+    Folding free = folding_by(describe(as_in_design(drive)), drive, load);
     free.turns_freely = true;
     return free;
   }
   if (design.structure.bodies() > max_bodies_to_fold) return std::nullopt;
   std::string why;
-  for (const EstimatedDrive& drive : estimated_drives(found)) {
-    const DriveTrial trial = followed(found, drive, options.stop);
-    if (options.stop.stop_requested()) return std::nullopt;
+  for (const EstimatedDrive& drive : estimated_drives(sheet)) {
+    const DriveTrial trial = followed(sheet, drive, stop);
+    if (stop.stop_requested()) return std::nullopt;
     if (trial.holds()) return folding_by(trial.name, trial.drive, trial.load_peak);
     if (why.empty())
       why = trial.name + ": " +
@@ -264,6 +279,13 @@ std::optional<Folding> find_folding(const SearchResult& found, const RunOptions&
                                     : trial.path.why);
   }
   return Folding{.name = {}, .why_not = "no drive folds it with these hinges (" + why + ")"};
+} catch (const InvalidInput& e) {
+  return Folding{.name = {}, .why_not = e.reason()};
+}
+
+std::optional<Folding> find_folding(const Design& design) {
+  if (design.structure.assembly() || leaves_hinges_open(design)) return std::nullopt;
+  return find_folding(design, exact_motion(design.structure), {});
 }
 
 Folding folding_of(const model::EquilibriumPath& path, const model::LinkageDrive& drive,

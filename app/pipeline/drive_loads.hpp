@@ -94,12 +94,16 @@ struct DriveTrials {
 };
 
 /// Finds how a sheet with its manufactured hinges is folded from flat to its theta. Pins turn freely: their drive is the
-/// usual one of the sheet, and the load that of their friction along the exact motion. With soft hinges it is the drive
-/// of least force, of model::trial_drives, that holds the sheet there. Drives are followed in equilibrium, those first
-/// whose force is least if only turns of hinges resist.
-/// Empty without an exact motion or a theta, for hinges that are left open, for more than 180 bodies with soft hinges,
-/// and after a stop request.   @pre planned
-std::optional<Folding> find_folding(const SearchResult& found, const RunOptions& options);
+/// design's, else the usual one of the sheet, and the load that of their friction along the exact motion. With soft
+/// hinges it is the drive of the design, else the drive of least force, of model::trial_drives, that holds the sheet
+/// there. Drives are followed in equilibrium, those first whose force is least if only turns of hinges resist.
+/// Empty without an exact motion or a theta, for hinges that are left open, for soft hinges with springs or in more than
+/// 180 bodies, and after a stop request. A drive of the design that does not reach its end is reported as one.
+/// @param exact motion of the sheet
+std::optional<Folding> find_folding(const Design& design, const model::ExactMotion& exact,
+                                    const std::stop_token& stop);
+/// Finds it for a design whose motion is not known yet.
+std::optional<Folding> find_folding(const Design& design);
 /// Returns the folding along an equilibrium path that reached its goal. @param name of its drive
 Folding folding_of(const model::EquilibriumPath& path, const model::LinkageDrive& drive,
                    const std::string& name);

@@ -17,7 +17,8 @@ bool has_joints(const SearchResult& found) { return found.design.hinge.model == 
 /// Returns the search with how its sheet is folded.
 SearchResult with_folding(SearchResult found, const RunOptions& options) {
   options.progress("drive", -1);
-  found.folding = find_folding(planned(found, true), options);
+  const SearchResult complete = planned(found, true);
+  found.folding = find_folding(requested_design(complete), complete.plan.exact, options.stop);
   return found;
 }
 

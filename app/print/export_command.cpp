@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/io/atomic_file.hpp"
+#include "app/pipeline/drive_loads.hpp"
 #include "app/print/fit.hpp"
+#include "app/print/folding_card.hpp"
 #include "app/print/format/print_format.hpp"
 #include "app/print/print_report.hpp"
 #include "app/print/sheet/coupon.hpp"
@@ -269,6 +271,14 @@ std::optional<std::string> unstretched_note(const PrintSheet& sheet, const Forma
       rigid);
 }
 
+/// Finds how the printed sheet is folded. Empty for cells of another size than the design's.
+std::optional<Folding> folding_as_printed(const Design& design, const PrintSheet& sheet) {
+  if (describe_resizing(design.structure.size().edge_mm, sheet.linkage.size.edge_mm)) return std::nullopt;
+  std::vector<model::ManufacturedHinge> made;
+  for (const model::HingePrint& hinge : sheet.hinges) made.push_back(hinge.made);
+  return find_folding(with_manufactured_hinges(design, made));
+}
+
 /// Source of an export: a design, or a coupon.
 struct Source {
   std::string file;
@@ -304,6 +314,7 @@ struct Source {
       if (auto note = elastic_note(request, *design, print.job.sheet))
         print.job.sheet.warnings.push_back(std::move(*note));
       if (auto note = strain_note(print.job.sheet)) print.job.sheet.warnings.push_back(std::move(*note));
+      print.job.folding = folding_as_printed(printed, print.job.sheet);
       return print;
     } catch (const NotPrintable& e) {
       throw NotPrintable(e.reason(), {file, 0, 0, e.place().key});
@@ -433,6 +444,11 @@ Exported exported(const Source& source, const PrintRequest& request, const std::
     progress("writing files", static_cast<double>(k) / static_cast<double>(formats.size()),
              std::string(formats[k]->name));
     for (const auto& [name, content] : formats[k]->write(print.job)) add(name, content);
+  }
+  if (source.design && !print.job.sheet.is_imported()) {
+    const FoldingCard card = make_folding_card(print.job);
+    for (const auto& [name, content] : card_files(card)) add(name, content);
+    out.card = card_json(card).dump();
   }
   add("print.json", out.json);
   add("print.txt", out.text);

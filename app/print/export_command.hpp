@@ -34,7 +34,8 @@ struct Exported {
   std::string folder;
   std::vector<std::string> files;  ///< names in the folder
   std::string json, text;          ///< print.json and print.txt
-  std::string report = {};  ///< path of the result's report, which now has the slicer's time; empty: none
+  std::string card = "null";  ///< folding card as JSON (card_json); null for a coupon and imported bodies
+  std::string report = {};    ///< path of the result's report, which now has the slicer's time; empty: none
 };
 
 /// Exports a design that is in memory. @param folder for the files

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 #include <set>
 
+#include "app/print/folding_card.hpp"
 #include "app/print/sheet/lock.hpp"
 #include "app/run/design_hinges.hpp"
 
@@ -277,11 +279,16 @@ PrintAnswer answer_of_export(const Design& design) try {
   const Order order{design, design.process, false};
   Fitted found = fitted(order, {.bed_mm = requested_bed(design.process)}, ClearanceSearch::verdict);
   if (!found.attempt.print) return {false, named_kinds(design, found.choice.kind), reason_of(order, found)};
-  const PrintSheet sheet =
-      with_lock(std::move(*found.attempt.print), design, ClearanceSearch::verdict).job.sheet;
+  const auto job = std::make_shared<PrintJob>(
+      with_lock(std::move(*found.attempt.print), design, ClearanceSearch::verdict).job);
+  const PrintSheet& sheet = job->sheet;
   PrintAnswer answer{true, named_kinds(sheet)};
   answer.lock = sheet.lock;
   for (const model::HingePrint& hinge : sheet.hinges) answer.made.push_back(hinge.made);
+  answer.draw_card = [job](const auto& folding) {
+    job->folding = folding;
+    return card_json(make_folding_card(*job));
+  };
   return answer;
 } catch (const InvalidInput& e) {
   return {false, {}, e.reason()};

@@ -356,6 +356,9 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
       {"lock", lock_json(sheet.lock)},
       {"caps", sheet.has_caps()},
       {"tiles", {sheet.tiles.columns, sheet.tiles.rows}},
+      {"force_N", load_json(job.folding, true)},
+      {"moment_Nmm", load_json(job.folding, false)},
+      {"folds", job.folding ? Json(describe_effort(*job.folding)) : Json(nullptr)},
       {"k", {{"axial", k.axial}, {"shear", k.shear}, {"along", k.along}, {"turn", k.turn}}},
       {"path",
        {{"states", sheet.path.size()},
@@ -398,6 +401,7 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
     line("fold",
          fmt::format("{:.3f} mm stay between solids from flat to {:.1f} degrees, least at {:.1f} degrees",
                      nearest.mm, to_degrees(sheet.thetas.back()), to_degrees(nearest.theta)));
+  if (job.folding) line("force", describe_folding(*job.folding));
   for (const std::string& warning : print_warnings(job)) line("note", warning);
   return out;
 }

@@ -10,6 +10,7 @@ const hasFidelity = (data) => Boolean(data.raw.target) || data.fidelity.length >
 
 /** Sections: [id, title, function that makes the content, predicate: is it needed]. */
 const SPACE_SECTION = ["space", "Turn it, fold it", spaceSection];
+const CARD_SECTION = ["card", "How to fold it", cardSection, ({card}) => card !== null];
 const GENERAL_SECTIONS = [
   ["load", "Load and energy along the drive", loadSection, hasEquilibrium],
   ["stable", "Stable states", stableSection, hasStable],
@@ -36,7 +37,7 @@ function needed(data, sections) {
 
 function sectionsOf(data) {
   const {firstSections = [], lastSections = []} = data.kind ?? {};
-  return [SPACE_SECTION, ...firstSections, ...needed(data, GENERAL_SECTIONS), ...lastSections, ...needed(data, CLOSING_SECTIONS)];
+  return [SPACE_SECTION, ...firstSections, ...needed(data, [CARD_SECTION]), ...needed(data, GENERAL_SECTIONS), ...lastSections, ...needed(data, CLOSING_SECTIONS)];
 }
 
 /** Makes the collapsed details. Their figures are drawn when they are first opened. */

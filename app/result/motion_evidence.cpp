@@ -198,18 +198,19 @@ Json lock_json(const std::optional<Lock>& lock) {
           {"material", lock->material}};
 }
 
+Json load_json(const std::optional<Folding>& folding, bool is_force) {
+  const bool has_load = folding && folding->is_possible() && !folding->is_unaided;
+  return has_load && folding->is_force == is_force ? Json(folding->load) : Json(nullptr);
+}
+
 Json manufacture_json(const Design& design, const model::ManufacturedHinge& hinge,
                       const std::optional<Folding>& folding, const std::optional<Lock>& lock) {
-  const bool has_load = folding && folding->is_possible() && !folding->is_unaided;
-  const auto load = [&](bool is_force) {
-    return has_load && folding->is_force == is_force ? Json(folding->load) : Json(nullptr);
-  };
   return {{"process", design.process.name},
           {"hinge", hinge_json(hinge)},
           {"drive", folding && folding->drive ? std::visit(DriveJson{design.structure}, *folding->drive)
                                               : Json(nullptr)},
-          {"force_N", load(true)},
-          {"moment_Nmm", load(false)},
+          {"force_N", load_json(folding, true)},
+          {"moment_Nmm", load_json(folding, false)},
           {"folds", folding ? Json(describe_effort(*folding)) : Json(nullptr)},
           {"lock", lock_json(lock)}};
 }

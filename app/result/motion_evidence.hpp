@@ -18,6 +18,10 @@ std::string describe_effort(const Folding& folding);
 /// Describes how a sheet is folded, one sentence: "by hand with 3.2 N, plates normal to y".
 std::string describe_folding(const Folding& folding);
 
+/// Returns the load of a folding in result.json; null if it is of the other unit, and without one.
+/// @param is_force N, else N mm
+nlohmann::ordered_json load_json(const std::optional<Folding>& folding, bool is_force);
+
 /// Returns the section `manufacture` of result.json: how a design is printed and folded. @param hinge of most hinges
 nlohmann::ordered_json manufacture_json(const Design& design, const model::ManufacturedHinge& hinge,
                                         const std::optional<Folding>& folding,

@@ -54,6 +54,9 @@ const char* describe_tolerance(const Run& run, bool is_within) {
 Design written_design(const Run& run) {
   Design design = run.design;
   design.theta = requested_theta(run);
+  // Pins fold by the usual drive of a sheet, which a design need not name.
+  const bool is_found = run.folding && !run.folding->turns_freely && !run.equilibrium;
+  if (is_found && !design.drive) design.drive = run.folding->drive;
   return design;
 }
 

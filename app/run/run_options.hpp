@@ -4,6 +4,7 @@
 #include <chrono>
 #include <memory>
 #include <mutex>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <stdexcept>
 
@@ -15,6 +16,7 @@ namespace kinetix::app {
 
 struct BodyPieces;
 struct Design;
+struct Folding;
 
 /// Part that keeps a sheet folded: a clip over two posts, or a strap through two eyes.
 struct Lock {
@@ -33,6 +35,8 @@ struct PrintAnswer {
   std::string why = {};                             ///< why it rejects the design, one sentence
   std::vector<model::ManufacturedHinge> made = {};  ///< by hinge, as it would print them; empty if it rejects
   std::optional<Lock> lock = {};                    ///< that it would print
+  /// Draws the folding card of the print (app/print/folding_card.hpp); empty if it rejects.
+  std::function<nlohmann::ordered_json(const std::optional<Folding>&)> draw_card = {};
 };
 
 /// Options of the command line.

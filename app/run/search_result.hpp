@@ -4,6 +4,7 @@
 #include "app/files/goal_settings.hpp"
 #include "app/run/goal_outcome.hpp"
 #include "app/run/plan.hpp"
+#include "app/run/run_options.hpp"
 #include "model/linkage/state.hpp"
 #include "optim/elastic/tilt_ties.hpp"
 #include "optim/solvers/solver.hpp"

@@ -186,7 +186,8 @@ void draw_check(cairo_t* page, const Vector2d& at) {
   show_centred(page, check_text_place(at), check_line_text());
 }
 
-/// Draws a page. @param drawn_mm size of the drawing   @param drawn function that draws in mm, y down
+}  // namespace
+
 std::string pdf_page(const Vector2d& drawn_mm, const std::function<void(cairo_t*)>& drawn) {
   const DrawnPage whole = drawn_page(drawn_mm);
   const Vector2d size = points_per_mm * whole.size;
@@ -208,6 +209,8 @@ std::string pdf_page(const Vector2d& drawn_mm, const std::function<void(cairo_t*
     throw std::runtime_error("PDF: the page cannot be drawn");
   return out;
 }
+
+namespace {
 
 /// Draws a sheet 1:1, on one page as large as it.
 std::string pdf(const PrintSheet& sheet, const SheetDrawing& drawing) {

@@ -2,7 +2,7 @@
 
 #include "app/print/format/slicer_settings.hpp"
 #include "app/print/sheet/print_sheet.hpp"
-#include "app/run/goal_outcome.hpp"
+#include "app/run/search_result.hpp"
 
 namespace kinetix::app {
 
@@ -14,6 +14,7 @@ struct PrintJob {
   std::optional<model::State> turned = {};  ///< the same state as lay() puts it on the bed
   std::string_view lie = "flat";            ///< orientation on the bed, a name of lies()
   std::optional<Slicer> slicer = {};        ///< that the 3MF is for; empty: all that slice for the process
+  std::optional<Folding> folding = {};      ///< by the printed hinges; empty: not known
 
   const model::State& state() const { return turned ? *turned : unturned(); }
   /// Returns the state in the sheet's own place, however it lies on the bed.

@@ -19,9 +19,9 @@ bp::point_data<int> on_grid(const Eigen::Vector3d& p) {
 }
 
 /// Returns the convex hull of corners seen from above, counter-clockwise and exact (Andrew's monotone chain).
-Points shadow(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vector3d& at) {
+Points shadow(const std::vector<Eigen::Vector3d>& corners, const model::Pose& place) {
   Points points, out;
-  for (const Eigen::Vector3d& p : corners) points.push_back(on_grid(p + at));
+  for (const Eigen::Vector3d& p : corners) points.push_back(on_grid(place.R * p + place.p));
   std::sort(points.begin(), points.end());
   const auto left = [](const auto& a, const auto& b, const auto& c) {
     const auto wide = [](int x) { return static_cast<long long>(x); };
@@ -232,13 +232,21 @@ class StripMaker {
 
 double number_height_mm(const PrintSheet& sheet) { return number_share * sheet.linkage.size.edge_mm; }
 
+namespace {
+
+model::Pose at_rest(const PrintSheet& sheet, int body) {
+  return {Eigen::Matrix3d::Identity(), sheet.linkage.rest_position(body)};
+}
+
+}  // namespace
+
 SheetDrawing sheet_drawing(const PrintSheet& sheet) {
   SheetDrawing drawing;
   for (int b = 0; b < static_cast<int>(sheet.bodies.size()); ++b) {
     if (sheet.meshes[b].points.empty()) continue;
     std::vector<Points> shadows;
     for (const model::ConvexPiece& piece : convex_pieces(sheet.bodies[b]))
-      shadows.push_back(shadow(piece.corners, sheet.linkage.rest_position(b)));
+      shadows.push_back(shadow(piece.corners, at_rest(sheet, b)));
     drawing.bodies.push_back({"body " + sheet.linkage.vertex_name(b), united(shadows)});
   }
   for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h) {
@@ -246,13 +254,39 @@ SheetDrawing sheet_drawing(const PrintSheet& sheet) {
     const Eigen::Vector3d lower = sheet.linkage.rest_position(hinge.lower),
                           place = lower + sheet.linkage.size.edge_mm * hinge.lower_arm;
     if (!sheet.soft[h].points.empty())
-      drawing.soft.push_back(
-          {"hinge " + sheet.linkage.wall_name(h), united({shadow(sheet.soft[h].points, lower)})});
+      drawing.soft.push_back({"hinge " + sheet.linkage.wall_name(h),
+                              united({shadow(sheet.soft[h].points, at_rest(sheet, hinge.lower))})});
     const bool pin = sheet.hinges[h].made.kind == model::HingeKind::pin;
     drawing.hinges.push_back({h + 1, place.head<2>(), pin ? sheet.hinges[h].made.diameter_mm / 2 : 0});
   }
   find_bounds(drawing);
   return drawing;
+}
+
+SheetDrawing sheet_view(const PrintSheet& sheet, const model::State& state, const Eigen::Matrix3d& turn) {
+  std::vector<std::pair<double, SheetDrawing::Part>> seen;
+  const auto turned = [&](const model::Pose& pose) { return model::Pose{turn * pose.R, turn * pose.p}; };
+  for (int b = 0; b < static_cast<int>(sheet.bodies.size()); ++b) {
+    if (sheet.meshes[b].points.empty()) continue;
+    const model::Pose place = turned(state[b]);
+    std::vector<Points> shadows;
+    for (const model::ConvexPiece& piece : convex_pieces(sheet.bodies[b]))
+      shadows.push_back(shadow(piece.corners, place));
+    seen.push_back({place.p.z(), {"body " + sheet.linkage.vertex_name(b), united(shadows)}});
+  }
+  for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h) {
+    if (sheet.soft[h].points.empty()) continue;
+    const std::vector<Eigen::Vector3d> points = placed_soft(sheet, state, h).points;
+    const model::Pose whole{turn, Eigen::Vector3d::Zero()};
+    const Eigen::Vector3d middle = std::accumulate(points.begin(), points.end(), whole.p) / points.size();
+    seen.push_back(
+        {(turn * middle).z(), {"hinge " + sheet.linkage.wall_name(h), united({shadow(points, whole)})}});
+  }
+  std::stable_sort(seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  SheetDrawing view;
+  for (auto& [depth, part] : seen) view.bodies.push_back(std::move(part));
+  find_bounds(view);
+  return view;
 }
 
 Strips strips(const PrintSheet& sheet) { return StripMaker(sheet).made(); }

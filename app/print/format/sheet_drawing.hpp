@@ -2,6 +2,8 @@
 
 #include "app/print/sheet/print_sheet.hpp"
 
+struct _cairo;
+
 namespace kinetix::app {
 
 /// Flat sheet as seen from above, mm, in the coordinates of all other files.
@@ -29,6 +31,14 @@ double number_height_mm(const PrintSheet& sheet);
 
 /// Draws each part as its shadow from above, to 1e-5 mm.
 SheetDrawing sheet_drawing(const PrintSheet& sheet);
+
+/// Draws a sheet in a state from another side: all parts are in `bodies`, farthest first, and hinges are not marked.
+/// @param state of the path, mm   @param turn rotation of the sheet before it is seen from above
+SheetDrawing sheet_view(const PrintSheet& sheet, const model::State& state, const Eigen::Matrix3d& turn);
+
+/// Draws a page as PDF, the same bytes each time. A page larger than A4 gets a line to measure below the drawing.
+/// @param size_mm of the drawing   @param draw draws in mm, y down
+std::string pdf_page(const Eigen::Vector2d& size_mm, const std::function<void(_cairo*)>& draw);
 
 /// Walls as strips of card to be cut out, scored and glued by hand, side by side on one page, mm, y up. A strip is a
 /// wall in its own plane from vertex to vertex. Its hinge is a line to score. A strip ends in a tab at a vertex with

@@ -200,6 +200,7 @@ function readResult(raw) {
     printTolerance: readPrintTolerance(raw.as_made),
     certified: readCertified(raw.certified),
     print: readPrint(raw.print),
+    card: raw.card ? {pictures: list(raw.card.pictures), steps: list(raw.card.steps)} : null,
     robustChoices: readRobustChoices(raw.robust),
     matter: readCompensation(raw.matter),
     runs: list(optimiser.runs).map(readRun),

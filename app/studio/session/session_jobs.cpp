@@ -320,6 +320,7 @@ void Session::export_files(const Message& message) {
                       {"folder", out.folder},
                       {"files", out.files},
                       {"summary", out.text},
+                      {"card", Json::parse(out.card)},
                       {"revision", revision},
                       {"theta_rad", theta},
                       {"at_fold", at_fold}});

@@ -104,14 +104,11 @@ TEST(PrintableCells, KeysOfLargerCellsKeepTheLengthThatAGoalGives) {
 
 /// Returns how a strip of two cells is folded. @param hinge section of the design
 std::optional<Folding> folding_of_strip(const Scratch& scratch, const std::string& hinge) {
-  app::SearchResult found;
-  found.design = app::read_design(scratch.write(
+  return app::find_folding(app::read_design(scratch.write(
       "design.yaml",
       "kinetix: 1\nstructure: {cells: [2, 1], cell_mm: 20, wall_mm: {thickness: 2, height: 8}}\n"
       "design: {theta_deg: 20}\n" +
-          hinge));
-  found.theta = found.design.theta;
-  return find_folding(planned(std::move(found), true), {});
+          hinge)));
 }
 
 /// Returns the largest load of the equilibrium path of the last design with a drive.
@@ -138,13 +135,12 @@ TEST(FindFolding, OfPinsIsTheFrictionOfAll) {
 // All 40 pins of a plane panel turn by 2 theta. Plates 80 mm apart close in to cos(theta) of that.
 TEST(FindFolding, OfPinsInAPlaneIsTheClosedForm) {
   const Scratch scratch;
-  app::SearchResult found;
-  found.design = app::read_design(scratch.write(
+  const Design design = app::read_design(scratch.write(
       "design.yaml",
       "kinetix: 1\nstructure: {cells: [4, 4], cell_mm: 20, wall_mm: {thickness: 2, height: 8}}\n"
       "design: {theta_deg: 20}\nhinge: {model: rotary, kind: pin, diameter_mm: 3, clearance_mm: 0.3}\n"));
-  const double theta = found.theta = found.design.theta;
-  const auto free = find_folding(planned(std::move(found), true), {});
+  const double theta = design.theta;
+  const auto free = app::find_folding(design);
   ASSERT_TRUE(free);
   constexpr double friction = 0.1, pins = 40;  // N mm/rad per pin
   const double energy_rate = pins * friction * 2 * theta * 2;

@@ -12,6 +12,16 @@ export function bedSides(text) {
   return sides.length === 2 && sides.every((side) => side > 0 && side < Infinity) ? {bed_mm: sides} : null;
 }
 
+/** Makes the folding card: pictures with arrows, and what to do. */
+function cardContent({pictures, steps}) {
+  const source = (text) => `data:image/svg+xml,${encodeURIComponent(text)}`;
+  return [
+    element("h2", {}, "How to fold it"),
+    ...pictures.map(({svg, caption}) => element("figure", {}, element("img", {src: source(svg), alt: caption}), element("figcaption", {}, caption))),
+    element("ol", {}, ...steps.map(([title, how]) => element("li", {}, element("strong", {}, `${title}. `), how))),
+  ];
+}
+
 export class MakePanel {
   constructor(state) {
     Object.assign(this, {state, connection: state.connection});
@@ -61,13 +71,14 @@ export class MakePanel {
   }
 
   showExported() {
-    const {folder, files, summary, theta_rad, at_fold} = this.state.exported;
+    const {folder, files, summary, card, theta_rad, at_fold} = this.state.exported;
     show($("written"), true);
     this.showWhose();
     $("written_fold").textContent = `Folded ${at_fold ? "as it was shown" : "as its design says"}: ${this.angle(theta_rad)}.`;
     $("written_folder").textContent = folder;
     $("written_files").replaceChildren(...files.map((name) => element("li", {}, name)));
     $("written_text").replaceChildren(...summaryRows(summary ?? ""));
+    $("written_card").replaceChildren(...(card ? cardContent(card) : []));
     status(`${files.length} files written`);
   }
 }
