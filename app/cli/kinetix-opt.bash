@@ -21,14 +21,14 @@ _kinetix_opt() {
   esac
   local options
   case $command in
-    verify) options="$common --process --hinge --bed -o --open --fidelity" ;;
-    simulate) options="$common --process --hinge --bed -o --open --model --theta-deg --drives --time-limit" ;;
+    verify) options="$common --process --hinge --bed --lock -o --open --fidelity" ;;
+    simulate) options="$common --process --hinge --bed --lock -o --open --model --theta-deg --drives --time-limit" ;;
     sweep) options="$common -o --open --resume --share" ;;
-    check) options="$common --process --hinge --bed" ;;
-    export) options="$common -o --format --process --hinge --clearance --cell-mm --bed --loose-rods --caps --orient --slicer --slice --coupon --state" ;;
+    check) options="$common --process --hinge --bed --lock" ;;
+    export) options="$common -o --format --process --hinge --clearance --cell-mm --bed --lock --loose-rods --caps --orient --slicer --slice --coupon --state" ;;
     import) options="$common -o --hard --soft --unit --soft-material --material --hinges --tile-mm --thickness-mm --kerf-mm" ;;
     view) options="$common --no-open --port" ;;
-    *) options="$common --version --process --hinge --bed -o --open --no-verify --time-limit --fidelity --monte-carlo" ;;
+    *) options="$common --version --process --hinge --bed --lock -o --open --no-verify --time-limit --fidelity --monte-carlo" ;;
   esac
   if [[ $word == -* ]]; then
     COMPREPLY=($(compgen -W "$options" -- "$word"))

@@ -112,6 +112,9 @@ void add_choices(CLI::App& app, CommandOptions& options) {
       ->check(CLI::IsMember({"pin", "block", "film"}));
   add("--bed", "bed_mm", "[{}]", "bed of your printer, mm: a larger sheet is cut into tiles")
       ->type_name("X,Y");
+  add("--lock", "lock", "{}", "clip, strap or none: what keeps the sheet folded")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"clip", "strap", "none"}));
 }
 
 void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintRequest& request) {
@@ -148,6 +151,9 @@ void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintReque
       ->allow_extra_args(false)
       ->type_name("X,Y")
       ->check(within(1.0, 1e5));
+  app.add_option("--lock", request.lock,
+                 "clip, strap or none: what keeps the sheet folded (default: the design's)")
+      ->type_name("KIND");
   app.add_flag("--loose-rods", request.loose_rods, "rods of pins as parts of their own, to be pushed in");
   app.add_flag("--caps", request.caps,
                "knuckles of pins as round caps that all look alike, wherever their axes are in them");

@@ -295,6 +295,7 @@ const targets::KeyTable& design_keys() {
       {"physics", physics_keys(), "settings of the physics run"},
       design_process_key(),
       bed_key(),
+      lock_key(),
   });
   return keys;
 }
@@ -319,6 +320,7 @@ Design read_design(const targets::Node& node) {
   check_offsets(root, file);
   file.physics = read_physics(root, file.structure.size().edge_mm);
   file.process = read_process(root);
+  file.lock = read_lock(root);
   return file;
 }
 
@@ -338,7 +340,7 @@ std::string design_text(const Design& design) {
          hinge_section_text(design.hinge) + physics_text(design.physics) +
          (design.process == model::processes().front() ? ""
                                                        : "process: " + process_text(design.process) + "\n") +
-         bed_text(design.process);
+         bed_text(design.process) + (design.lock ? "lock: " + to_string(*design.lock) + "\n" : "");
 }
 
 }  // namespace kinetix::app

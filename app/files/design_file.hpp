@@ -18,6 +18,7 @@ struct Design {
   std::string name;                                     ///< default: the file's name without its ending
   model::Lattice structure;                             ///< with the parameters of every hinge
   model::Process process = model::processes().front();  ///< process that prints the design
+  std::optional<LockKind> lock = {};                    ///< part that keeps it folded; empty: not given
   double theta = 0;                        ///< state to show, rad, within (-pi/2, pi/2); default flat
   std::optional<model::Drive> drive = {};  ///< empty: to theta
   int side = 1;                            ///< `side` of the drive: branch to take at a bifurcation, 1 or -1

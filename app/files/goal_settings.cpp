@@ -241,6 +241,7 @@ targets::KeyTable goal_keys(std::vector<targets::Key> own, const std::string& hi
   own.push_back({"physics", physics_keys(), "settings of the physics run"});
   own.push_back(process_key());
   own.push_back(bed_key());
+  own.push_back(lock_key());
   own.insert(own.end(), more.begin(), more.end());
   return file_keys(std::move(own));
 }
@@ -256,6 +257,7 @@ void read_settings(const targets::Section& root, double edge_mm, GoalSettings& s
   if (root.knows("solver")) settings.solver = read_solver(root);
   settings.physics = read_physics(root, edge_mm);
   settings.process = read_process(root);
+  settings.lock = read_lock(root);
   if (root.knows("robust")) settings.robust = read_robust(root);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/files/hinge_section.hpp"
+#include "app/files/process_section.hpp"
 #include "model/lattice/lattice_motion.hpp"
 #include "model/lattice/square/structure.hpp"
 #include "model/material/process.hpp"
@@ -73,6 +74,7 @@ struct GoalSettings {
   std::optional<model::ShapeMemory> drive =
       {};  ///< springs in place of the usual drive, if hinges are elastic
   model::Process process = model::processes().front();
+  std::optional<LockKind> lock = {};  ///< empty: not given
   /// Weight of prints against the design itself in a robust search, (0, 1]. Only of kinds that have robust_key().
   /// Empty: no such search.
   std::optional<double> robust = {};

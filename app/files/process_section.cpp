@@ -15,6 +15,10 @@ const targets::Bounds side_of_bed = targets::from_to(1, 1e5, "mm");
 const targets::Bounds sheet_thickness = targets::from_to(0.01, 100, "mm");
 const targets::Bounds cut_width = targets::from_to(0, 10, "mm");
 
+// Words of the key `lock`.
+constexpr targets::Word<LockKind> lock_choices[] = {
+    {"none", LockKind::none}, {"clip", LockKind::clip}, {"strap", LockKind::strap}};
+
 std::vector<std::string> process_names() {
   std::vector<std::string> names;
   for (const model::Process& process : model::processes()) names.push_back(process.name);
@@ -113,6 +117,24 @@ targets::Key design_process_key() {
 targets::Key bed_key() {
   return {"bed_mm", value::list(value::number(side_of_bed), "`[x, y]`", 2, 2), targets::no_default,
           "bed of the printer, mm: a larger sheet is cut into tiles that join by hinges"};
+}
+
+std::string to_string(LockKind kind) {
+  for (const auto& [name, value] : lock_choices)
+    if (value == kind) return std::string(name);
+  return {};
+}
+
+targets::Key lock_key() {
+  return {"lock", value::choice(lock_choices), targets::no_default,
+          "part that keeps the sheet folded: `clip`, a bar that is printed with the sheet and fits over two "
+          "posts, or `strap`, two eyes for a strap ([print.md](print.md#5-staying-folded))"};
+}
+
+std::optional<LockKind> read_lock(const targets::Section& root) {
+  std::optional<LockKind> lock;
+  root.read("lock", lock, lock_choices);
+  return lock;
 }
 
 std::string process_text(const model::Process& process) {

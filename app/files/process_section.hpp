@@ -12,6 +12,16 @@ targets::Key process_key();
 targets::Key design_process_key();
 /// Returns the `bed_mm:` key: the bed of the user's printer.
 targets::Key bed_key();
+/// Kind of lock that keeps a sheet folded.
+enum class LockKind { none, clip, strap };
+
+/// Returns "none", "clip" or "strap", as in files.
+std::string to_string(LockKind kind);
+/// Returns the `lock:` key.
+targets::Key lock_key();
+/// Reads the kind of lock; empty if the file does not name it. @param root the whole document
+std::optional<LockKind> read_lock(const targets::Section& root);
+
 /// Returns the key's text for a process: its name, or its base with the differences.
 /// @pre the base exists, and has the same upright clearance, bed and materials
 std::string process_text(const model::Process& process);

@@ -65,6 +65,13 @@ std::optional<model::HingeKind> kind_of(const PrintRequest& request) {
       {{"pin", model::HingeKind::pin}, {"block", model::HingeKind::block}, {"film", model::HingeKind::film}});
 }
 
+/// Returns the requested kind of lock; empty: the design's.
+std::optional<LockKind> lock_of(const PrintRequest& request) {
+  if (request.lock.empty()) return std::nullopt;
+  return named<LockKind>("--lock", request.lock,
+                         {{"clip", LockKind::clip}, {"strap", LockKind::strap}, {"none", LockKind::none}});
+}
+
 /// Returns the slicer that the 3MF file is for; empty: all.
 std::optional<Slicer> slicer_of(const PrintRequest& request) {
   if (request.slicer.empty()) return std::nullopt;
@@ -118,6 +125,7 @@ void reject_design_options(const PrintRequest& request) {
   refuse(request.caps, "--caps are", "a coupon's axes are in the middle");
   refuse(!request.hinge.empty(), "--hinge is", "a coupon's hinges are pins");
   refuse(request.cell_mm > 0, "--cell-mm is", "a coupon has no cells");
+  refuse(!request.lock.empty(), "--lock is", "a coupon does not fold");
   refuse(request.loose_rods, "--loose-rods are", "a coupon's rods are printed in place");
   refuse(request.folded, "--state folded is", "a coupon's hinges each turn by themselves");
 }
@@ -132,6 +140,7 @@ void reject_sheet_options(const PrintRequest& request) {
   refuse(request.clearance_mm > 0, "--clearance");
   refuse(request.cell_mm > 0, "--cell-mm");
   refuse(!request.bed_mm.empty(), "--bed");
+  refuse(!request.lock.empty(), "--lock");
   refuse(request.loose_rods, "--loose-rods");
   refuse(request.caps, "--caps");
   refuse(request.orient != "flat", "--orient");
@@ -310,7 +319,8 @@ struct Source {
       return {{imported_sheet(*design, process, request.folded), request.folded}, {}};
     }
     try {
-      const Design printed = reopened(*design, request);
+      Design printed = reopened(*design, request);
+      if (const auto lock = lock_of(request)) printed.lock = lock;
       PreparedPrint print = prepared_of_design(printed, request, process);
       check_state(request, print.job.sheet);
       for (std::string& idle : idle_options(request, printed, print.job.sheet))
@@ -397,11 +407,11 @@ Progress progress_on(Console& console) {
 
 constexpr const char* record_of_prints = ".kinetix-prints";  // separate from runs' record
 
-/// Checks whether a file is written for some sheets only: soft parts, rods, tiles and strips.
+/// Checks whether a file is written for some sheets only: soft parts, rods, clips, tiles and strips.
 bool is_auxiliary(const std::string& file) {
   const std::string stem = fs::path(file).stem().string();
   return stem == "soft" || stem.starts_with("tile_") || stem.find("_tile_") != std::string::npos ||
-         stem.ends_with("rods") || stem.ends_with("_strips");
+         stem.ends_with("rods") || stem.ends_with("clip") || stem.ends_with("_strips");
 }
 
 /// Checks whether an earlier export's file is of a format, or of a sheet, that this one does not write.
@@ -481,6 +491,7 @@ int export_command(const CommandOptions& options, const PrintRequest& request) {
   formats_of(request);
   process_of(request, model::processes().front());
   slicer_of(request);
+  lock_of(request);
   const Source source = source_of(request);
   const std::string folder = options.folder_of(source.name(), "_print");
   Console console(options.quiet, false);

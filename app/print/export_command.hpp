@@ -15,6 +15,7 @@ struct PrintRequest {
   double clearance_mm = 0;      ///< per side of pins, least of this printer, mm; 0: the process's
   double cell_mm = 0;           ///< cell edge instead of the design's, mm; 0: the design's
   std::vector<double> bed_mm;   ///< x and y of the printer's bed: larger sheets become tiles; empty: no limit
+  std::string lock;             ///< clip, strap or none; empty: the design's
   bool loose_rods = false;      ///< rods of pins as separate parts
   bool caps = false;            ///< knuckles of pins as equal round caps, wherever their axes are
   bool folded = false;          ///< the state of the design instead of flat

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/print/folding_card.hpp"
+#include "app/print/sheet/lock.hpp"
 #include "app/run/design_hinges.hpp"
 
 namespace kinetix::app {
@@ -129,6 +130,25 @@ Attempt best_attempt(const Order& order, const PrintChoice& choice,
   return first;
 }
 
+/// Adds the lock that the design names. @throws NotPrintable if it does not fit
+PreparedPrint with_lock(PreparedPrint print, const Design& design, ClearanceSearch search) try {
+  if (!design.lock || *design.lock == LockKind::none) return print;
+  add_lock(print.job.sheet, *design.lock);
+  if (search == ClearanceSearch::least) print.clearance = path_clearance(print.job.sheet);
+  return print;
+} catch (const InvalidInput& e) {
+  throw NotPrintable(e.reason());
+}
+
+/// Checks whether there is a print, with room for the lock that the design names.
+bool has_room(Attempt found, const Design& design) try {
+  if (!found.print) return false;
+  with_lock(std::move(*found.print), design, ClearanceSearch::verdict);
+  return true;
+} catch (const NotPrintable&) {
+  return false;
+}
+
 /// Returns a cell edge that fits, mm; empty: none up to largest_scale. It is the refused one if larger walls are enough.
 /// Otherwise one step smaller does not fit, and most larger edges do.
 std::optional<double> enough_mm(const Order& order, PrintChoice choice) {
@@ -137,7 +157,7 @@ std::optional<double> enough_mm(const Order& order, PrintChoice choice) {
   const double refused_mm = choice.edge_mm > 0 ? choice.edge_mm : size.edge_mm;
   const auto prints = [&](double edge_mm) {
     choice.edge_mm = edge_mm;
-    return best_attempt(order, choice, ClearanceSearch::verdict).print.has_value();
+    return has_room(best_attempt(order, choice, ClearanceSearch::verdict), order.design);
   };
   const auto fits = [&](double steps) { return prints(steps * step_mm); };
   if (prints(refused_mm)) return refused_mm;
@@ -270,7 +290,7 @@ PreparedPrint prepared(const Design& design, const model::Process& process, cons
   check_cuttable(design, process, {choice.kind});
   const Order order{design, process, folded};
   Attempt found = best_attempt(order, choice);
-  if (found.print) return std::move(*found.print);
+  if (found.print) return with_lock(std::move(*found.print), design, ClearanceSearch::least);
   refuse(order, found, choice);
 }
 
@@ -286,18 +306,21 @@ PreparedPrint prepare_fitting_print(const Design& design, const model::Process& 
   for (const std::string& why : found.refused)
     found.attempt.print->job.sheet.warnings.push_back(
         fmt::format("hinges are {}, as {}", plural_kind(found.choice.kind), why));
-  return std::move(*found.attempt.print);
+  return with_lock(std::move(*found.attempt.print), design, ClearanceSearch::least);
 }
 
 PrintAnswer answer_of_export(const Design& design) try {
   check_cuttable(design, design.process, kinds_of(design, design.process));
   const Order order{design, design.process, false};
-  const Fitted found = fitted(order, {.bed_mm = requested_bed(design.process)}, ClearanceSearch::verdict);
+  Fitted found = fitted(order, {.bed_mm = requested_bed(design.process)}, ClearanceSearch::verdict);
   if (!found.attempt.print) return {false, named_kinds(design, found.choice.kind), reason_of(order, found)};
-  const PrintSheet& sheet = found.attempt.print->job.sheet;
+  const auto job = std::make_shared<PrintJob>(
+      with_lock(std::move(*found.attempt.print), design, ClearanceSearch::verdict).job);
+  const PrintSheet& sheet = job->sheet;
   PrintAnswer answer{true, named_kinds(sheet)};
+  answer.lock = sheet.lock;
   for (const model::HingePrint& hinge : sheet.hinges) answer.made.push_back(hinge.made);
-  answer.draw_card = [job = std::make_shared<PrintJob>(found.attempt.print->job)](const auto& folding) {
+  answer.draw_card = [job](const auto& folding) {
     job->folding = folding;
     return card_json(make_folding_card(*job));
   };

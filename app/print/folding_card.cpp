@@ -168,6 +168,13 @@ std::string describe_force(const Folding& folding) {
       folding.turns_freely ? " This is the friction of its pins, which is an assumption." : "");
 }
 
+std::string describe_locking(const Lock& lock) {
+  const char* const how = lock.kind == "clip"
+                              ? "Hold the fold, and put the clip over the posts of bodies {} and {}."
+                              : "Hold the fold, and pull a strap tight through the eyes of bodies {} and {}.";
+  return fmt::format(fmt::runtime(how), lock.bodies[0], lock.bodies[1]);
+}
+
 std::string describe_box(const PrintSheet& sheet, const model::State& state) {
   Eigen::AlignedBox3d box;
   for (int b = 0; b < static_cast<int>(sheet.bodies.size()); ++b)
@@ -229,6 +236,7 @@ FoldingCard make_folding_card(const PrintJob& job) {
   } else {
     card.steps.push_back({"Fold", "Which push folds it is not known."});
   }
+  if (sheet.lock) card.steps.push_back({"Lock", describe_locking(*sheet.lock)});
   card.pictures.push_back(std::move(flat));
   if (folds) card.pictures.push_back(draw_fold(sheet));
   return card;

@@ -195,6 +195,21 @@ std::string describe_tiles(const PrintSheet& sheet) {
                      tiles.turned ? ", turned on it by a quarter" : "", describe_joining(sheet));
 }
 
+/// Describes what keeps the sheet folded.
+std::string describe_lock(const Lock& lock) {
+  const std::string parts =
+      lock.kind == "clip"
+          ? fmt::format("a clip, printed apart, fits over the posts of bodies {} and {}", lock.bodies[0],
+                        lock.bodies[1])
+          : fmt::format("a strap through the eyes of bodies {} and {}", lock.bodies[0], lock.bodies[1]);
+  const std::string load = lock.force_N > 0 ? fmt::format("the hinges load it with {:.3g} N", lock.force_N)
+                                            : std::string("the hinges turn freely and do not load it");
+  return fmt::format(
+      "{} at the fold, {:.1f} mm apart ({:.1f} mm flat); {}; estimated strength {:.3g} N, of {}, which is "
+      "assumed",
+      parts, lock.folded_mm, lock.flat_mm, load, lock.strength_N, lock.material);
+}
+
 Json slicer_json(const std::optional<SlicerAnswer>& slicer) {
   if (!slicer) return nullptr;
   if (!slicer->estimate) return {{"why_none", slicer->no_estimate_reason}};
@@ -344,6 +359,7 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
       {"overhang_mm2", orientations_json(lies(job))},
       {"slicer", slicer_json(slicer)},
       {"loose_rods", sheet.loose_rods()},
+      {"lock", lock_json(sheet.lock)},
       {"caps", sheet.has_caps()},
       {"tiles", {sheet.tiles.columns, sheet.tiles.rows}},
       {"force_N", load_json(job.folding, true)},
@@ -382,6 +398,7 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
   if (sheet.loose_rods() > 0)
     line("rods",
          fmt::format("{} parts of their own, which hold by friction in the forks", sheet.loose_rods()));
+  if (sheet.lock) line("lock", describe_lock(*sheet.lock));
   const bool is_cut = sheet.process.cuts_sheets();
   for (const auto& [label, text] : is_cut ? describe_cut(sheet) : CutLines{}) line(label, text);
   if (!is_cut) line("orientation", describe_orientation(job));

@@ -187,13 +187,24 @@ Json hinge_json(const model::ManufacturedHinge& hinge) {
 
 }  // namespace
 
+Json lock_json(const std::optional<Lock>& lock) {
+  if (!lock) return nullptr;
+  return {{"kind", lock->kind},
+          {"bodies", lock->bodies},
+          {"distance_flat_mm", lock->flat_mm},
+          {"distance_folded_mm", lock->folded_mm},
+          {"force_N", lock->force_N},
+          {"strength_N", lock->strength_N},
+          {"material", lock->material}};
+}
+
 Json load_json(const std::optional<Folding>& folding, bool is_force) {
   const bool has_load = folding && folding->is_possible() && !folding->is_unaided;
   return has_load && folding->is_force == is_force ? Json(folding->load) : Json(nullptr);
 }
 
 Json manufacture_json(const Design& design, const model::ManufacturedHinge& hinge,
-                      const std::optional<Folding>& folding) {
+                      const std::optional<Folding>& folding, const std::optional<Lock>& lock) {
   return {{"process", design.process.name},
           {"hinge", hinge_json(hinge)},
           {"drive", folding && folding->drive ? std::visit(DriveJson{design.structure}, *folding->drive)
@@ -201,7 +212,7 @@ Json manufacture_json(const Design& design, const model::ManufacturedHinge& hing
           {"force_N", load_json(folding, true)},
           {"moment_Nmm", load_json(folding, false)},
           {"folds", folding ? Json(describe_effort(*folding)) : Json(nullptr)},
-          {"lock", nullptr}};
+          {"lock", lock_json(lock)}};
 }
 
 Json compensation_json(const CompensationResult& compensation) {

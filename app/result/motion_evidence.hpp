@@ -24,7 +24,11 @@ nlohmann::ordered_json load_json(const std::optional<Folding>& folding, bool is_
 
 /// Returns the section `manufacture` of result.json: how a design is printed and folded. @param hinge of most hinges
 nlohmann::ordered_json manufacture_json(const Design& design, const model::ManufacturedHinge& hinge,
-                                        const std::optional<Folding>& folding);
+                                        const std::optional<Folding>& folding,
+                                        const std::optional<Lock>& lock);
+
+/// Returns a lock as result.json and print.json have it; null without one.
+nlohmann::ordered_json lock_json(const std::optional<Lock>& lock);
 
 /// Returns the section `equilibrium` of result.json.
 nlohmann::ordered_json equilibrium_json(const Equilibrium& equilibrium);

@@ -323,7 +323,8 @@ Json result_json(const Run& run) {
     out["timing_s"]["as_made"] = run.timings.print_tolerance;
   }
   if (const auto& made = run.design.hinge.made; made && run.goal)
-    out["manufacture"] = manufacture_json(run.design, *made, run.folding);
+    out["manufacture"] =
+        manufacture_json(run.design, *made, run.folding, run.print ? run.print->lock : std::nullopt);
   if (run.goal && !run.prints_unknown.empty()) out["as_made_unknown"] = run.prints_unknown;
   if (auto problems = hinge_problems_json(run); !problems.empty()) out["made_problems"] = std::move(problems);
   if (run.stopped) out["stopped"] = true;

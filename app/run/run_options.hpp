@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <memory>
 #include <mutex>
@@ -17,6 +18,16 @@ struct BodyPieces;
 struct Design;
 struct Folding;
 
+/// Part that keeps a sheet folded: a clip over two posts, or a strap through two eyes.
+struct Lock {
+  std::string kind;                   ///< "clip" or "strap"
+  std::array<std::string, 2> bodies;  ///< names of the bodies with posts or eyes
+  double flat_mm = 0, folded_mm = 0;  ///< distance of posts or eyes
+  double force_N = 0;                 ///< force of the hinges on it at the fold; 0: pins turn freely
+  double strength_N = 0;              ///< force at which post, eye or clip reaches the strain of its material
+  std::string material;               ///< that strength_N assumes
+};
+
 /// Answer of `export` without options to a design.
 struct PrintAnswer {
   bool is_accepted = false;
@@ -25,6 +36,7 @@ struct PrintAnswer {
   std::string advice =
       {};  ///< what was searched in its place: "; with `KEYS` the goal is met and can be printed"
   std::vector<model::ManufacturedHinge> made = {};  ///< by hinge, as it would print them; empty if it rejects
+  std::optional<Lock> lock = {};                    ///< that it would print
   /// Draws the folding card of the print (app/print/folding_card.hpp); empty if it rejects.
   std::function<nlohmann::ordered_json(const std::optional<Folding>&)> draw_card = {};
 };

@@ -134,6 +134,7 @@ inline void copy_settings(SearchResult& found, const GoalSettings& asked) {
   found.hinge_parts = asked.hinge_parts;
   found.goal_drive = asked.drive;
   found.design.process = asked.process;
+  found.design.lock = asked.lock;
   found.verify_tolerance = asked.verify_tolerance;
 }
 

@@ -212,6 +212,59 @@ bool same_corners(Indices a, Indices b) {
 
 }  // namespace
 
+namespace {
+
+/// Adds an upright face with a hole under a gable. @param outer corners of the face, @param hole those of the hole,
+/// both counter-clockwise from outside from the lower left; the hole's fourth corner is the ridge
+void add_pierced(const std::array<int, 4>& outer, const std::array<int, 5>& hole, Polyhedron& mesh) {
+  mesh.add_face({outer[0], outer[1], hole[1], hole[0]});
+  mesh.add_face({outer[1], outer[2], hole[2], hole[1]});
+  mesh.add_face({outer[2], outer[3], hole[3]});
+  mesh.add_face({outer[2], hole[3], hole[2]});
+  mesh.add_face({outer[3], hole[4], hole[3]});
+  mesh.add_face({outer[3], outer[0], hole[0], hole[4]});
+}
+
+/// Adds a post above the foot in place of the foot's upper face. @param foot corners of that face
+void add_post(const Post& post, const Indices& foot, Polyhedron& mesh) {
+  Indices top;
+  for (const Vector3d& corner : post.corners(post.height_mm)) top.push_back(mesh.add_point(corner));
+  mesh.add_face(top);
+  const auto side = [&](int k) {
+    const int next = (k + 1) % 4;
+    return std::array{foot[k], foot[next], top[next], top[k]};
+  };
+  const auto add_side = [&](int k) {
+    const auto corners = side(k);
+    mesh.add_face({corners.begin(), corners.end()});
+  };
+  add_side(0);
+  add_side(2);
+  if (post.hole_mm == 0) {
+    add_side(1);
+    add_side(3);
+    return;
+  }
+  const double half = post.hole_mm / 2;
+  const auto hole = [&](double along, double turn) {
+    const auto at = [&](double across, double up) {
+      return mesh.add_point(post.point(along, turn * across, up));
+    };
+    return std::array{at(-half, post.hole_from_mm), at(half, post.hole_from_mm), at(half, post.hole_to_mm),
+                      at(0, post.ridge_mm()), at(-half, post.hole_to_mm)};
+  };
+  const std::array<int, 5> front = hole(post.half_mm, 1), back = hole(-post.half_mm, -1);
+  add_pierced(side(1), front, mesh);
+  add_pierced(side(3), back, mesh);
+  constexpr std::array behind = {1, 0, 4, 3, 2};  // corner of the back behind each corner of the front
+  for (std::size_t k = 0; k < 5; ++k) {
+    const std::size_t next = (k + 1) % 5;
+    mesh.add_face({front[k], front[next], back[behind[next]], back[behind[k]]});
+  }
+}
+
+}  // namespace
+
 Polyhedron body_mesh(const BodySolid& body) {
   Polyhedron mesh;
   mesh.points = body.junction.corners;
@@ -219,10 +272,16 @@ Polyhedron body_mesh(const BodySolid& body) {
   for (const ArmSolid& arm : body.arms) starts.push_back(start_of(arm, body.junction.corners));
   for (const Indices& start : starts)
     std::erase_if(faces, [&](const Indices& face) { return same_corners(face, start); });
-  if (faces.size() + starts.size() != body.junction.faces.size())
-    throw std::logic_error("a wall does not leave its junction through a face of it");
+  Indices foot;
+  if (body.post) {
+    for (const Vector3d& corner : body.post->corners(0)) foot.push_back(corner_at(mesh.points, corner));
+    std::erase_if(faces, [&](const Indices& face) { return same_corners(face, foot); });
+  }
+  if (faces.size() + starts.size() + (body.post ? 1 : 0) != body.junction.faces.size())
+    throw std::logic_error("a wall or a post does not leave its junction through a face of it");
   for (const Indices& face : faces) mesh.add_face(face);
   for (std::size_t k = 0; k < body.arms.size(); ++k) ArmMesh(body.arms[k], starts[k], mesh).add();
+  if (body.post) add_post(*body.post, foot, mesh);
   return mesh;
 }
 

@@ -42,9 +42,13 @@ ArmSolid arm_of(const Linkage& linkage, const Plate& plate, const HingePrint& pr
   return arm;
 }
 
-/// Returns the extent of the other sections along an arm's edge.
-double reached(const std::vector<ArmSolid>& arms, std::size_t along, double free) {
+/// Returns the extent of the other sections, and of the post's foot, along an arm's edge.
+double reached(const BodySolid& body, std::size_t along, double free) {
+  const std::vector<ArmSolid>& arms = body.arms;
   double most = arms[along].size.thickness_mm / 2;
+  if (body.post)
+    for (const Vector3d& corner : body.post->corners(0))
+      most = std::max(most, arms[along].edge.dot(corner) + free);
   for (std::size_t k = 0; k < arms.size(); ++k)
     if (k != along)
       for (const Vector3d& corner : arms[k].start_corners())
@@ -52,12 +56,13 @@ double reached(const std::vector<ArmSolid>& arms, std::size_t along, double free
   return most;
 }
 
-void move_starts(std::vector<ArmSolid>& arms, double free) {
+void move_starts(BodySolid& body, double free) {
+  std::vector<ArmSolid>& arms = body.arms;
   bool has_moved = true;
   for (int round = 0; round < rounds && has_moved; ++round) {
     has_moved = false;
     for (std::size_t k = 0; k < arms.size(); ++k) {
-      const double before = std::exchange(arms[k].start, reached(arms, k, free));
+      const double before = std::exchange(arms[k].start, reached(body, k, free));
       has_moved |= arms[k].start != before;
     }
   }
@@ -81,10 +86,11 @@ bool any_touched(const std::vector<ArmSolid>& arms) {
 }
 
 /// Moves the sections out until each is the outermost along its edge. They are as near as possible if they share
-/// corners, as for upright walls at equal angles, otherwise slightly apart.
-void find_starts(std::vector<ArmSolid>& arms) {
-  move_starts(arms, 0);
-  if (any_touched(arms)) move_starts(arms, free_share * arms.front().size.thickness_mm);
+/// corners, as for upright walls at equal angles, otherwise slightly apart. They are apart from the foot of a post.
+void find_starts(BodySolid& body) {
+  const double free = free_share * body.arms.front().size.thickness_mm;
+  if (!body.post) move_starts(body, 0);
+  if (body.post || any_touched(body.arms)) move_starts(body, free);
 }
 
 /// Returns the position of the plate's end at the hinge nearest to the vertex, along the edge, mm.
@@ -104,8 +110,11 @@ void check_room(const Linkage& linkage, int body, const ArmSolid& arm) {
   throw InvalidInput(message.str());
 }
 
-ConvexHull junction_of(const std::vector<ArmSolid>& arms) {
+ConvexHull junction_of(const BodySolid& body) {
+  const std::vector<ArmSolid>& arms = body.arms;
   std::vector<Vector3d> points;
+  if (body.post)
+    for (const Vector3d& corner : body.post->corners(0)) points.push_back(corner);
   for (const ArmSolid& arm : arms)
     for (const Vector3d& corner : arm.start_corners()) points.push_back(corner);
   if (arms.size() == 1)  // a dead end
@@ -128,19 +137,6 @@ std::vector<Vector3d> ArmSolid::start_corners() const {
   for (const double w : {-high, high})
     for (const double n : {-half, half}) out.push_back(start * edge + n * normal + w * up);
   return out;
-}
-
-std::vector<BodySolid> body_solids(const Linkage& linkage, const HingePrints& hinges) {
-  std::vector<BodySolid> bodies(linkage.bodies.size());
-  for (const Plate& plate : linkage.plates)
-    bodies[plate.body].arms.push_back(arm_of(linkage, plate, hinges(plate.hinge)));
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    if (bodies[b].arms.empty()) continue;
-    find_starts(bodies[b].arms);
-    for (const ArmSolid& arm : bodies[b].arms) check_room(linkage, static_cast<int>(b), arm);
-    bodies[b].junction = junction_of(bodies[b].arms);
-  }
-  return bodies;
 }
 
 Polyhedron soft_solid(const Linkage& linkage, int hinge, const HingePrint& print) {
@@ -204,23 +200,91 @@ Points cone(const ArmSolid& arm, double from, double to) {
   return points;
 }
 
+/// Adds the pieces of a half wall with its end at the hinge.
+void add_arm_pieces(const ArmSolid& arm, std::vector<ConvexPiece>& pieces) {
+  const HingeEnd& end = arm.end;
+  pieces.push_back({plate(arm), arm.hinge});
+  for (const HingeEnd::Lug& lug : end.lugs)
+    pieces.push_back({prism(arm, end.section, lug.from, lug.to), arm.hinge});
+  if (end.rod.empty()) return;
+  const double low = end.lugs.front().to, high = end.lugs.back().from;
+  pieces.push_back({prism(arm, end.rod, low + end.cone, high - end.cone), arm.hinge, true});
+  if (end.rim.empty()) return;
+  pieces.push_back({cone(arm, low, low + end.cone), arm.hinge, true});
+  pieces.push_back({cone(arm, high, high - end.cone), arm.hinge, true});
+}
+
+/// Returns the corners of a box within a post. @param low, high along and across
+Points post_box(const Post& post, const Vector2d& low, const Vector2d& high, double from, double to) {
+  Points points;
+  for (const double up : {from, to})
+    for (const double along : {low.x(), high.x()})
+      for (const double across : {low.y(), high.y()}) points.push_back(post.point(along, across, up));
+  return points;
+}
+
+void add_post_pieces(const Post& post, std::vector<ConvexPiece>& pieces) {
+  const double half = post.half_mm, hole = post.hole_mm / 2;
+  const auto add = [&](double low, double high, double from, double to) {
+    pieces.push_back({post_box(post, {-half, low}, {half, high}, from, to)});
+  };
+  if (post.hole_mm == 0) return add(-half, half, 0, post.height_mm);
+  add(-half, half, 0, post.hole_from_mm);
+  add(-half, -hole, post.hole_from_mm, post.hole_to_mm);
+  add(hole, half, post.hole_from_mm, post.hole_to_mm);
+  add(-half, half, post.ridge_mm(), post.height_mm);
+  for (const double side : {-1.0, 1.0}) {  // beside the gable
+    Points points;
+    for (const double along : {-half, half})
+      for (const Vector2d& at : {Vector2d(hole, post.hole_to_mm), Vector2d(half, post.hole_to_mm),
+                                 Vector2d(half, post.ridge_mm()), Vector2d(0, post.ridge_mm())})
+        points.push_back(post.point(along, side * at.x(), at.y()));
+    pieces.push_back({points});
+  }
+}
+
+/// Returns the height of the highest point of a body's arms above its origin, mm.
+double highest_mm(const BodySolid& body) {
+  std::vector<ConvexPiece> pieces;
+  for (const ArmSolid& arm : body.arms) add_arm_pieces(arm, pieces);
+  double most = -INFINITY;
+  for (const ConvexPiece& piece : pieces)
+    for (const Vector3d& corner : piece.corners) most = std::max(most, corner.z());
+  return most;
+}
+
 }  // namespace
 
 std::vector<ConvexPiece> convex_pieces(const BodySolid& body) {
   std::vector<ConvexPiece> pieces{{body.junction.corners}};
-  for (const ArmSolid& arm : body.arms) {
-    const HingeEnd& end = arm.end;
-    pieces.push_back({plate(arm), arm.hinge});
-    for (const HingeEnd::Lug& lug : end.lugs)
-      pieces.push_back({prism(arm, end.section, lug.from, lug.to), arm.hinge});
-    if (end.rod.empty()) continue;
-    const double low = end.lugs.front().to, high = end.lugs.back().from;
-    pieces.push_back({prism(arm, end.rod, low + end.cone, high - end.cone), arm.hinge, true});
-    if (end.rim.empty()) continue;
-    pieces.push_back({cone(arm, low, low + end.cone), arm.hinge, true});
-    pieces.push_back({cone(arm, high, high - end.cone), arm.hinge, true});
-  }
+  for (const ArmSolid& arm : body.arms) add_arm_pieces(arm, pieces);
+  if (body.post) add_post_pieces(*body.post, pieces);
   return pieces;
+}
+
+Vector3d Post::point(double along, double across, double up) const {
+  return {along * std::cos(angle) - across * std::sin(angle),
+          along * std::sin(angle) + across * std::cos(angle), base_mm + up};
+}
+
+std::array<Vector3d, 4> Post::corners(double up) const {
+  return {point(-half_mm, -half_mm, up), point(half_mm, -half_mm, up), point(half_mm, half_mm, up),
+          point(-half_mm, half_mm, up)};
+}
+
+std::vector<BodySolid> body_solids(const Linkage& linkage, const HingePrints& hinges, const Posts& posts) {
+  std::vector<BodySolid> bodies(linkage.bodies.size());
+  for (const auto& [body, post] : posts) bodies[body].post = post;
+  for (const Plate& plate : linkage.plates)
+    bodies[plate.body].arms.push_back(arm_of(linkage, plate, hinges(plate.hinge)));
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (bodies[b].arms.empty()) continue;
+    find_starts(bodies[b]);
+    for (const ArmSolid& arm : bodies[b].arms) check_room(linkage, static_cast<int>(b), arm);
+    if (bodies[b].post) bodies[b].post->base_mm = highest_mm(bodies[b]) + bodies[b].post->foot_mm;
+    bodies[b].junction = junction_of(bodies[b]);
+  }
+  return bodies;
 }
 
 }  // namespace kinetix::model

@@ -19,6 +19,8 @@ std::vector<NamedContent> write_stl(const PrintJob& job) {
   if (!soft.points.empty()) files.push_back({"soft.stl", stl_text(job.sheet.name + " soft", soft)});
   if (job.sheet.loose_rods() > 0)
     files.push_back({"rods.stl", stl_text(job.sheet.name + " rods", laid_out_rods(job.sheet))});
+  if (!job.sheet.clip.points.empty())
+    files.push_back({"clip.stl", stl_text(job.sheet.name + " clip", rounded_for_file(job.sheet.clip))});
   if (job.sheet.tiles.count() > 1)
     for (int tile = 0; tile < job.sheet.tiles.count(); ++tile) add_tile(job, tile, files);
   return files;

@@ -207,6 +207,8 @@ std::vector<NamedContent> write_threemf(const PrintJob& job) {
   const std::string& name = job.sheet.name;
   std::vector<NamedContent> files{package(job, name, hard_part(job), soft_part(job))};
   if (job.sheet.loose_rods() > 0) files.push_back(package(job, name + "_rods", laid_out_rods(job.sheet), {}));
+  if (!job.sheet.clip.points.empty())
+    files.push_back(package(job, name + "_clip", rounded_for_file(job.sheet.clip), {}));
   if (job.sheet.tiles.count() > 1)
     for (int tile = 0; tile < job.sheet.tiles.count(); ++tile) {
       TileParts parts = tile_parts(job, tile);

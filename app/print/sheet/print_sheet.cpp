@@ -253,8 +253,8 @@ void make_solids(PrintSheet& sheet) {
   sheet.meshes.clear();
   sheet.rods.clear();
   sheet.soft.clear();
-  sheet.bodies =
-      body_solids(sheet.linkage, [&](int h) -> const model::HingePrint& { return sheet.hinges[h]; });
+  sheet.bodies = body_solids(
+      sheet.linkage, [&](int h) -> const model::HingePrint& { return sheet.hinges[h]; }, sheet.posts);
   for (const model::BodySolid& body : sheet.bodies)
     sheet.meshes.push_back(body.arms.empty() ? model::Polyhedron{} : body_mesh(body));
   for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h)

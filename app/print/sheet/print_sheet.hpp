@@ -2,6 +2,7 @@
 
 #include "app/files/design_file.hpp"
 #include "app/print/sheet/print_path.hpp"
+#include "app/run/run_options.hpp"
 #include "model/linkage/exact_motion.hpp"
 #include "model/material/process.hpp"
 #include "model/solids/body_solid.hpp"
@@ -19,7 +20,11 @@ struct PrintSheet {
   std::vector<model::Polyhedron>
       soft;  ///< soft parts by hinge, from the lower body's rest position, mm; empty for a pin
   std::vector<model::Polyhedron>
-      rods;          ///< loose rods by hinge, from the lower body's rest position, mm; others: empty
+      rods;                 ///< loose rods by hinge, from the lower body's rest position, mm; others: empty
+  model::Posts posts = {};  ///< of the lock, by body
+  std::optional<Lock> lock = {};  ///< that keeps it folded
+  model::Polyhedron clip =
+      {};            ///< part that is printed for the lock, from the bed up, mm; empty without a clip
   Tiles tiles = {};  ///< parts that are printed together
   std::vector<model::State> path;  ///< from flat to the fold (PrintPath); only flat if no motion is known
   std::vector<double> thetas;      ///< of the path, rad
