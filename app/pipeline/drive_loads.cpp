@@ -148,7 +148,7 @@ model::Drive as_in_design(const model::LinkageDrive& drive) {
 
 constexpr double part = 1e-4;  // rad of theta to either side, the step of difference quotients
 
-/// Sheet with hinges as made, to be folded along its exact motion.
+/// Sheet with manufactured hinges that is folded along its exact motion.
 struct SheetToFold {
   const Design& design;
   const model::ExactMotion& exact;

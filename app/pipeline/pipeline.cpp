@@ -290,7 +290,7 @@ Run run_found(SearchResult found, const Goal* goal, const RunOptions& options) {
   const double searched_theta = found.theta;
   Run run = held(std::move(found), goal, options);
   if (goal) run = settled(std::move(run), *goal, options);
-  // Where the equilibrium of soft hinges ends elsewhere, the answer of `export` to the search says nothing of it.
+  // The answer of `export` to the search does not count if the equilibrium of soft hinges ends elsewhere.
   if (run.print && run.print->is_accepted && written_design(run).theta != searched_theta) run.print.reset();
   const bool simulates = options.verify && !options.stop.stop_requested();
   if (simulates && run.closed_path) run = with_pieces(std::move(run), options);

@@ -14,7 +14,7 @@ using Rings = std::vector<std::vector<Vector2d>>;
 
 constexpr double picture_wide_mm = 180, picture_high_mm = 78;  // mm, of A4 within its margins
 constexpr double arrow_rim_mm = 16, bare_rim_mm = 2;           // mm about a sheet, with arrows and without
-constexpr double outline_mm = 0.12, bold_mm = 0.8;             // mm
+constexpr double outline_mm = 0.12, bold_mm = 0.8;             // mm: thin and bold lines of a page
 constexpr double arrow_mm = 12, head_mm = 4;                   // mm, length of an arrow and of its head
 constexpr const char *body_fill = "#d9d9d4", *ink = "#202020", *push = "#c03030";
 

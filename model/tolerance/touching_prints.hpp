@@ -39,7 +39,7 @@ struct TouchingPrints {
 /// the first-order share is below 0.016 or 5 % of it (10 % for large sheets), 1000 at most. The same seed
 /// gives the same prints.
 ///
-/// @param options only planar, most_settled, seed, threads and stop have an effect
+/// @param options its planar, most_settled, seed, threads and stop are used
 /// @return empty if the fold is not stable, or if options.stop ends the run before the first prints
 std::optional<TouchingPrints> touching_prints(const PrintedLinkage& printed, const SettledDesign& fold,
                                               const MotionPath& motion, const HingeScatter& scatter,
