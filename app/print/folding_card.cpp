@@ -136,6 +136,7 @@ struct DriveDrawing {
 std::string describe_cleaning(const std::string& process, bool supports) {
   if (process == "polyjet")
     return "Take the support material out of every gap, with a water jet or in its bath.";
+  if (process == "laser") return "Take it out of the sheet, and push the waste out of its cells.";
   if (process == "sls") return "Blow the powder out of every gap with compressed air.";
   if (process == "sla")
     return "Wash it, and let the solvent run through every gap, before it is cured. Cut its supports off.";
@@ -192,11 +193,12 @@ Eigen::Matrix3d slanted_view() {
 }
 
 CardPicture draw_fold(const PrintSheet& sheet) {
-  const SheetDrawing view = sheet_view(sheet, sheet.path.back(), slanted_view());
+  const model::State fold = aligned(sheet.path.back(), sheet.path.front());
+  const SheetDrawing view = sheet_view(sheet, fold, slanted_view());
   const PageScale scale = fit_on_page(view, bare_rim_mm);
   CardPicture picture{scale.size()};
   add_parts(picture, scale, view.bodies, body_fill);
-  picture.caption = fmt::format("Folded: {}, seen from a corner, {}", describe_box(sheet, sheet.path.back()),
+  picture.caption = fmt::format("Folded: {}, seen from a corner, {}", describe_box(sheet, fold),
                                 describe_scale(scale.reduction));
   return picture;
 }
