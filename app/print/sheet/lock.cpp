@@ -4,6 +4,7 @@
 
 #include "app/files/process_section.hpp"
 #include "app/print/sheet/fold_motion.hpp"
+#include "app/print/sheet/held_fold.hpp"
 #include "app/print/sheet/path_clearance.hpp"
 #include "model/closure/closure.hpp"
 
@@ -291,7 +292,7 @@ class LockMaker {
     return sum;
   }
 
-  /// Returns the force of the hinges on the lock, N: the derivative of their energy by the distance of the posts.
+  /// Estimates the force of the hinges on the lock, N, if no equilibrium is known: the derivative of their energy by the distance of the posts.
   double force_N(const BodyPair& pair) const {
     if (!sheet_.has_soft()) return 0;
     const double theta = sheet_.thetas.back();
@@ -321,18 +322,26 @@ class LockMaker {
   }
 
   void finish(const BodyPair& pair) {
-    const double folded = span(pair, fold()).length_mm();
+    const auto held = find_held_fold(sheet_, {pair.first, pair.second}, [&](const model::State& state) {
+      return span(pair, state).length_mm();
+    });
+    const double folded = held ? held->length_mm : span(pair, fold()).length_mm();
     sheet_.lock =
         Lock{.kind = to_string(is_clip_ ? LockKind::clip : LockKind::strap),
              .bodies = {sheet_.linkage.vertex_name(pair.first), sheet_.linkage.vertex_name(pair.second)},
              .flat_mm = span(pair, sheet_.path.front()).length_mm(),
              .folded_mm = folded,
-             .force_N = force_N(pair),
+             .force_N = held ? held->force_N : force_N(pair),
              .strength_N = strength_N(pair),
              .material = material().name};
     if (is_clip_)
       sheet_.clip = clip_solid(folded - 2 * clearance_, hole_half_mm(pair), wall_, end_width * wall_,
                                bar_height * wall_);
+    if (sheet_.has_soft() && !held)
+      sheet_.warnings.push_back(fmt::format(
+          "whether the {} holds the fold is not known: no stable state was found there, and its force is "
+          "estimated from the turns of hinges alone",
+          sheet_.lock->kind));
     if (sheet_.lock->force_N > sheet_.lock->strength_N)
       sheet_.warnings.push_back(
           fmt::format("the hinges pull at the {} with {:.3g} N, more than its estimated strength of {:.3g} "

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <Eigen/QR>
@@ -27,7 +28,7 @@ structure: {cells: [3, 2], cell_mm: 14, wall_mm: {thickness: 0.8, height: 6}}
 design: {theta_deg: 20}
 hinge: {kind: block, material: tpu95a, gap_mm: 1.6}
 )";
-// Soft hinges that hardly stretch.
+// Living hinges.
 constexpr const char* film_panel = R"(kinetix: 1
 structure: {cells: [3, 2], cell_mm: 14, wall_mm: {thickness: 0.8, height: 6}}
 design: {theta_deg: 20}
@@ -126,8 +127,7 @@ TEST(Lock, ClipIsClosedAndHoldsThePostsAtTheirDistance) {
 
 /// The posts and their feet touch the clip. So posts are looked at where they have play, and the clip a little higher.
 TEST(Lock, ClipMeetsNothingButItsPosts) {
-  for (const auto& [text, process] :
-       {std::pair{soft_panel, "polyjet"}, {soft_panel, "sls"}, {arch, "polyjet"}}) {
+  for (const auto& [text, process] : {std::pair{panel, "polyjet"}, {arch, "polyjet"}}) {
     const app::PrintSheet sheet = locked(text, "clip", process).job.sheet;
     const model::State& fold = sheet.path.back();
     const int first = sheet.posts.begin()->first, second = sheet.posts.rbegin()->first;
@@ -163,7 +163,7 @@ TEST(Lock, PostsAndEyesMeetNothingOnTheWay) {
 
 /// A line through both holes, from beyond one eye to beyond the other, meets no body.
 TEST(Lock, EyesAreOpenAlongTheStrap) {
-  for (const char* text : {soft_panel, arch}) {
+  for (const char* text : {panel, arch}) {
     const app::PrintSheet sheet = locked(text, "strap").job.sheet;
     const model::State& fold = sheet.path.back();
     std::vector<Vector3d> middle;
@@ -260,28 +260,28 @@ class LockedSheet {
   const bool is_locked_;
 };
 
-/// Living hinges hardly stretch. Soft blocks do, so that the middle of the panel opens a little.
+/// Another minimiser than the program's, of the whole sheet in its plane.
 TEST(Lock, HoldsTheFoldAgainstTheSpringsOfAllHinges) {
-  struct Case {
-    const char *text, *kind;
-    double theta_deg, rms, force;  // largest difference: of the mean theta; in cell edges; relative
-  };
-  for (const Case& c : {Case{film_panel, "clip", 0.5, 0.005, 0.05},
-                        {film_panel, "strap", 0.5, 0.005, 0.05},
-                        {soft_panel, "clip", 3, 0.025, 0.05},
-                        {soft_panel, "strap", 3, 0.025, 0.05}}) {
-    const app::PrintSheet sheet = locked(c.text, c.kind).job.sheet;
+  for (const char* kind : {"clip", "strap"}) {
+    const app::PrintSheet sheet = locked(soft_panel, kind).job.sheet;
     const model::State& fold = sheet.path.back();
     const LockedSheet free(sheet, false), held(sheet, true);
     EXPECT_LE(std::abs(mean_theta(sheet.linkage, free.settled(fold))), 1e-3)
         << "without a lock it springs back";
     const model::State settled = held.settled(fold);
-    EXPECT_NEAR(to_degrees(mean_theta(sheet.linkage, settled)), to_degrees(sheet.thetas.back()), c.theta_deg)
-        << c.kind;
-    EXPECT_LE(aligned_distance(sheet.linkage, settled, fold).rms, c.rms) << c.kind << ", cell edges";
-    EXPECT_NEAR(held.tension(settled) / sheet.lock->force_N, 1, c.force) << c.kind;
+    EXPECT_NEAR(to_degrees(mean_theta(sheet.linkage, settled)), to_degrees(sheet.thetas.back()), 0.2) << kind;
+    EXPECT_LE(aligned_distance(sheet.linkage, settled, fold).rms, 0.02) << kind << ", cell edges";
+    EXPECT_NEAR(held.tension(settled) / sheet.lock->force_N, 1, 0.02) << kind;
     EXPECT_LT(sheet.lock->force_N, sheet.lock->strength_N);
+    EXPECT_LT(sheet.lock->folded_mm, held.distance(fold)) << "hinges stretch";
   }
+}
+
+/// Thin films give way when they are pressed: no state at the fold is found.
+TEST(Lock, SaysWhereItsHoldIsNotKnown) {
+  const app::PrintSheet sheet = locked(film_panel, "clip").job.sheet;
+  EXPECT_THAT(fmt::format("{}", fmt::join(sheet.warnings, "; ")), HasSubstr("holds the fold is not known"));
+  EXPECT_GT(sheet.lock->force_N, 0);
 }
 
 TEST(Lock, IsInFilesAndInPrintJson) {
@@ -309,8 +309,14 @@ TEST(Lock, OfPinsIsNotLoaded) {
 }
 
 TEST(Lock, IsRefusedWhereItDoesNotFit) {
-  expect_refused(std::string(arch) + "lock: clip\n", "--format stl", "lock: clip does not fit",
-                 not_printable);
+  constexpr const char* tight = R"(kinetix: 1
+structure: {cells: [1, 1], cell_mm: 4, wall_mm: {thickness: 1.2, height: 6}}
+design: {theta_deg: 8}
+hinge: {kind: block, material: tpu95a, gap_mm: 2, thickness_mm: 0.8}
+)";
+  for (const char* kind : {"clip", "strap"})
+    expect_refused(std::string(tight) + "lock: " + kind + "\n", "--format stl",
+                   std::string("lock: ") + kind + " does not fit", not_printable);
   const std::string flat = R"(kinetix: 1
 structure: {cells: [3, 2], cell_mm: 14}
 lock: strap
