@@ -4,6 +4,7 @@
 
 #include "app/files/process_section.hpp"
 #include "app/print/sheet/fold_motion.hpp"
+#include "app/print/sheet/held_fold.hpp"
 #include "app/print/sheet/path_clearance.hpp"
 #include "model/closure/closure.hpp"
 
@@ -29,7 +30,8 @@ constexpr double least_step_mm = 1e-6;   // mm: shortenings that differ by less 
 constexpr double part_of_theta = 1e-4;   // step of difference quotients, ratio to theta
 constexpr std::size_t most_bodies =
     1000;                         // in larger sheets only bodies with fewer hinges than most are compared
-constexpr int most_checked = 24;  // ways to the fold, each as long as one export
+constexpr int most_lines = 5000;  // lines of clips and straps in the fold, each a fraction of a millisecond
+constexpr int most_paths = 24;    // ways to the fold, each as long as that of an export
 constexpr const char* assumed_material =
     "pa12";  // of walls, unless they are printed in one with living hinges
 
@@ -96,13 +98,23 @@ model::Polyhedron clip_solid(double apart_mm, double hole, double beside, double
   return clip;
 }
 
+/// Returns the height of each body's highest point above its origin, mm.
+std::vector<double> highest_points(const MovingParts& parts) {
+  std::vector<double> out;
+  for (const PieceEnd& body : parts.whole) out.push_back(body.points.row(2).maxCoeff());
+  return out;
+}
+
 class LockMaker {
  public:
   LockMaker(PrintSheet& sheet, LockKind kind)
       : sheet_(sheet),
+        parts_(sheet),
+        highest_(highest_points(parts_)),
         is_clip_(kind == LockKind::clip),
         wall_(std::max(sheet.linkage.size.thickness_mm, sheet.process.min_wall_mm)),
-        clearance_(sheet.process.clearance_mm) {
+        clearance_(sheet.process.clearance_mm),
+        foot_(std::max(foot_share * wall_, clearance_)) {
     if (sheet.path.size() < 2)
       throw InvalidInput(
           fmt::format("lock: {} needs a fold, and only the flat sheet is known; give "
@@ -111,13 +123,14 @@ class LockMaker {
   }
 
   void add() {
-    int checked = 0;
+    int lines = 0, paths = 0;
     for (const BodyPair& pair : pairs()) {
       if (!is_possible(pair)) continue;
-      for (const double width : widths()) {
-        if (!make(pair, width)) continue;
-        if (checked++ >= most_checked) refuse();
-        if (!is_free(pair)) continue;
+      for (const double half : half_widths()) {
+        if (lines++ >= most_lines || paths >= most_paths) refuse();
+        if (!is_line_free(pair, half) || !make(pair, half)) continue;
+        ++paths;
+        if (!has_required_clearance(path_clearance(sheet_, ClearanceSearch::verdict))) continue;
         finish(pair);
         return;
       }
@@ -139,7 +152,8 @@ class LockMaker {
 
   const model::State& fold() const { return sheet_.path.back(); }
 
-  std::vector<double> widths() const {
+  /// Returns half widths of posts or eyes in the order in which they are tried, mm.
+  std::vector<double> half_widths() const {
     std::vector<double> half;
     if (is_clip_)
       for (const double width : post_widths) half.push_back(width * wall_ / 2);
@@ -171,41 +185,59 @@ class LockMaker {
     return out;
   }
 
-  /// Returns the span between two posts in a state. @param up height of both above the body's origin, mm
-  Span span(const BodyPair& pair, const model::State& state, double first_up, double second_up) const {
+  /// Returns the height of the middle of clip or strap above a body's origin, mm.
+  double middle_mm(int body) const {
+    const double above_foot = is_clip_ ? bar_height * wall_ / 2 : (wall_ + hole_height_mm) / 2;
+    return highest_[body] + foot_ + above_foot;
+  }
+
+  /// Returns the span between the middles of clip or strap in a state.
+  Span span(const BodyPair& pair, const model::State& state) const {
     const model::Pose &a = state[pair.first], &b = state[pair.second];
     Span out;
-    out.first = a.R * Vector3d(0, 0, first_up) + a.p;
-    out.second = b.R * Vector3d(0, 0, second_up) + b.p;
+    out.first = a.R * Vector3d(0, 0, middle_mm(pair.first)) + a.p;
+    out.second = b.R * Vector3d(0, 0, middle_mm(pair.second)) + b.p;
     out.along = (out.second - out.first).normalized();
     const Vector3d up = a.R.col(2) + b.R.col(2);
     out.up = (up - up.dot(out.along) * out.along).normalized();
     return out;
   }
 
-  /// Returns the span between the middles of clip or strap. @pre the bodies have posts
-  Span span(const BodyPair& pair, const model::State& state) const {
-    const auto up = [&](int body) {
-      const model::Post& post = *sheet_.bodies[body].post;
-      return post.base_mm + (is_clip_ ? bar_height * wall_ / 2 : (post.hole_from_mm + post.hole_to_mm) / 2);
-    };
-    return span(pair, state, up(pair.first), up(pair.second));
-  }
-
   /// Checks whether posts of a pair are parallel and as high, or eyes on one side, and far enough apart.
   bool is_possible(const BodyPair& pair) const {
-    const double high = sheet_.linkage.size.height_mm / 2;
-    const Span at = span(pair, fold(), high, high);
+    const Span at = span(pair, fold());
     const Vector3d first = fold()[pair.first].R.col(2), second = fold()[pair.second].R.col(2);
     const double lean = std::max(std::abs(at.along.dot(first)), std::abs(at.along.dot(second)));
-    const double half = widths().back();
+    const double half = half_widths().back(), length = at.length_mm();
     if (!is_clip_)
       return first.dot(second) >= same_side_cos && lean <= steepest_strap &&
-             at.length_mm() >= 2 * half + hole_width_mm;
+             length >= 2 * half + hole_width_mm;
     const double longest = std::max(sheet_.process.bed_mm[0], sheet_.process.bed_mm[1]);
-    return first.dot(second) >= parallel_cos && lean * at.length_mm() <= level_share * wall_ &&
-           at.length_mm() >= 2 * (half + clearance_ + wall_) &&
-           at.length_mm() + 2 * (half + clearance_ + end_width * wall_) <= longest;
+    return first.dot(second) >= parallel_cos && lean * length <= level_share * wall_ &&
+           length >= 2 * (half + clearance_ + wall_) &&
+           length + 2 * (half + clearance_ + end_width * wall_) <= longest;
+  }
+
+  /// Checks whether clip or strap keep clear of all other bodies in the fold. @param half of the posts' width, mm
+  bool is_line_free(const BodyPair& pair, double half) const {
+    const Span at = span(pair, fold());
+    const double beyond = is_clip_ ? half + clearance_ + end_width * wall_ : half + hole_width_mm,
+                 beside = is_clip_ ? half + clearance_ + wall_ : half + hole_width_mm,
+                 height = is_clip_ ? bar_height * wall_ : hole_height_mm;
+    const PartPiece bar =
+        box_piece((at.first + at.second) / 2, at, {at.length_mm() / 2 + beyond, beside, height / 2});
+    const model::Pose still;
+    const PlacedPiece placed_bar{bar, {&still}};
+    return std::all_of(parts_.pieces.begin(), parts_.pieces.end(), [&](const PartPiece& piece) {
+      if (piece.part == pair.first || piece.part == pair.second) return true;
+      PlacedPiece other{piece, {}};
+      for (const PieceEnd& end : piece.ends) other.poses.push_back(&fold()[end.body]);
+      double reach = bar.ends.front().radius;  // of both pieces from their centers
+      for (const PieceEnd& end : piece.ends)
+        reach += (fold()[end.body].R * end.center + fold()[end.body].p - other.center()).norm() + end.radius;
+      if ((other.center() - bar.ends.front().center).norm() >= reach + clearance_) return true;
+      return piece_distance(placed_bar, other).mm >= clearance_ - tolerance_mm;
+    });
   }
 
   /// Returns the post of a body. One of its sides faces the other post in the fold.
@@ -214,7 +246,7 @@ class LockMaker {
     model::Post out;
     out.angle = std::atan2(seen.y(), seen.x());
     out.half_mm = half_mm;
-    out.foot_mm = std::max(foot_share * wall_, clearance_);
+    out.foot_mm = foot_;
     if (is_clip_) {
       out.height_mm = (bar_height + 2 * level_share) * wall_;
       return out;
@@ -228,8 +260,7 @@ class LockMaker {
 
   /// Makes the sheet with posts. @return whether the junctions have room for them
   bool make(const BodyPair& pair, double half_mm) {
-    const double high = sheet_.linkage.size.height_mm / 2;
-    const Vector3d along = span(pair, fold(), high, high).along;
+    const Vector3d along = span(pair, fold()).along;
     sheet_.posts = {{pair.first, post(pair.first, along, half_mm)},
                     {pair.second, post(pair.second, along, half_mm)}};
     try {
@@ -237,43 +268,14 @@ class LockMaker {
     } catch (const InvalidInput&) {
       return false;
     }
-    return true;
+    return std::all_of(sheet_.posts.begin(), sheet_.posts.end(), [&](const auto& post) {
+      const double base_mm = sheet_.bodies[post.first].post->base_mm;
+      return std::abs(base_mm - highest_[post.first] - foot_) <
+             tolerance_mm;  // not if walls rise from their vertex
+    });
   }
 
   double hole_half_mm(const BodyPair& pair) const { return sheet_.posts.at(pair.first).half_mm + clearance_; }
-
-  /// Returns what clip or strap take up in the fold.
-  PartPiece room(const BodyPair& pair) const {
-    const Span at = span(pair, fold());
-    const double half = sheet_.posts.at(pair.first).half_mm;
-    const Vector3d size = is_clip_ ? Vector3d(at.length_mm() / 2 + hole_half_mm(pair) + end_width * wall_,
-                                              hole_half_mm(pair) + wall_, bar_height * wall_ / 2)
-                                   : Vector3d(at.length_mm() / 2 + half + hole_width_mm, half + hole_width_mm,
-                                              hole_height_mm / 2);
-    return box_piece((at.first + at.second) / 2, at, size);
-  }
-
-  /// Checks the way to the fold, and the fold with clip or strap.
-  bool is_free(const BodyPair& pair) const {
-    const PartPiece bar = room(pair);
-    const model::Pose still;
-    const PlacedPiece placed_bar{bar, {&still}};
-    const MovingParts parts(sheet_);
-    for (const PartPiece& piece : parts.pieces) {
-      if (piece.part == pair.first || piece.part == pair.second) continue;
-      PlacedPiece other{piece, {}};
-      double reach = 0;
-      for (const PieceEnd& end : piece.ends) {
-        other.poses.push_back(&fold()[end.body]);
-        reach = std::max(reach, 2 * end.radius);
-      }
-      if ((other.center() - bar.ends.front().center).norm() >
-          bar.ends.front().radius + reach + clearance_ + sheet_.linkage.size.edge_mm)
-        continue;
-      if (piece_distance(placed_bar, other).mm < clearance_ - tolerance_mm) return false;
-    }
-    return has_required_clearance(path_clearance(sheet_, ClearanceSearch::verdict));
-  }
 
   const model::Material& material() const {
     return *model::find_material(sheet_.is_one_material() ? sheet_.process.film : assumed_material);
@@ -290,7 +292,7 @@ class LockMaker {
     return sum;
   }
 
-  /// Returns the force of the hinges on the lock, N: the derivative of their energy by the distance of the posts.
+  /// Estimates the force of the hinges on the lock, N, if no equilibrium is known: the derivative of their energy by the distance of the posts.
   double force_N(const BodyPair& pair) const {
     if (!sheet_.has_soft()) return 0;
     const double theta = sheet_.thetas.back();
@@ -320,18 +322,26 @@ class LockMaker {
   }
 
   void finish(const BodyPair& pair) {
-    const double folded = span(pair, fold()).length_mm();
+    const auto held = find_held_fold(sheet_, {pair.first, pair.second}, [&](const model::State& state) {
+      return span(pair, state).length_mm();
+    });
+    const double folded = held ? held->length_mm : span(pair, fold()).length_mm();
     sheet_.lock =
         Lock{.kind = to_string(is_clip_ ? LockKind::clip : LockKind::strap),
              .bodies = {sheet_.linkage.vertex_name(pair.first), sheet_.linkage.vertex_name(pair.second)},
              .flat_mm = span(pair, sheet_.path.front()).length_mm(),
              .folded_mm = folded,
-             .force_N = force_N(pair),
+             .force_N = held ? held->force_N : force_N(pair),
              .strength_N = strength_N(pair),
              .material = material().name};
     if (is_clip_)
       sheet_.clip = clip_solid(folded - 2 * clearance_, hole_half_mm(pair), wall_, end_width * wall_,
                                bar_height * wall_);
+    if (sheet_.has_soft() && !held)
+      sheet_.warnings.push_back(fmt::format(
+          "whether the {} holds the fold is not known: no stable state was found there, and its force is "
+          "estimated from the turns of hinges alone",
+          sheet_.lock->kind));
     if (sheet_.lock->force_N > sheet_.lock->strength_N)
       sheet_.warnings.push_back(
           fmt::format("the hinges pull at the {} with {:.3g} N, more than its estimated strength of {:.3g} "
@@ -340,9 +350,12 @@ class LockMaker {
   }
 
   PrintSheet& sheet_;
+  const MovingParts parts_;            // without posts
+  const std::vector<double> highest_;  // of each body, above its origin, mm
   const bool is_clip_;
   const double wall_;       // mm: unit of all widths
   const double clearance_;  // mm, per side
+  const double foot_;       // mm: height of posts' feet above their bodies
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <Eigen/QR>
@@ -26,6 +27,12 @@ constexpr const char* soft_panel = R"(kinetix: 1
 structure: {cells: [3, 2], cell_mm: 14, wall_mm: {thickness: 0.8, height: 6}}
 design: {theta_deg: 20}
 hinge: {kind: block, material: tpu95a, gap_mm: 1.6}
+)";
+// Living hinges.
+constexpr const char* film_panel = R"(kinetix: 1
+structure: {cells: [3, 2], cell_mm: 14, wall_mm: {thickness: 0.8, height: 6}}
+design: {theta_deg: 20}
+hinge: {kind: film, material: pp, gap_mm: 3, thickness_mm: 0.4}
 )";
 // Leaning walls, which fold to an arch.
 constexpr const char* arch = R"(kinetix: 1
@@ -118,16 +125,24 @@ TEST(Lock, ClipIsClosedAndHoldsThePostsAtTheirDistance) {
   EXPECT_NEAR(2 * outer, sheet.lock->folded_mm + 2 * sheet.posts.begin()->second.half_mm, 1e-9);
 }
 
+/// The posts and their feet touch the clip. So posts are looked at where they have play, and the clip a little higher.
 TEST(Lock, ClipMeetsNothingButItsPosts) {
-  for (const char* process : {"polyjet", "sls"}) {
-    const app::PrintSheet sheet = locked(soft_panel, "clip", process).job.sheet;
-    const model::Polyhedron clip = clip_in_fold(sheet);
+  for (const auto& [text, process] : {std::pair{panel, "polyjet"}, {arch, "polyjet"}}) {
+    const app::PrintSheet sheet = locked(text, "clip", process).job.sheet;
+    const model::State& fold = sheet.path.back();
+    const int first = sheet.posts.begin()->first, second = sheet.posts.rbegin()->first;
+    const Vector3d along = (fold[second].p - fold[first].p).normalized();
+    const double clearance = sheet.process.clearance_mm;
+    model::Polyhedron clip = clip_in_fold(sheet);
     for (int b = 0; b < static_cast<int>(sheet.meshes.size()); ++b) {
-      const model::Polyhedron body = placed_body(sheet, sheet.path.back(), b);
-      EXPECT_FALSE(surfaces_cross(clip, body)) << process << " " << b;
+      model::Polyhedron body = placed_body(sheet, fold, b);
       if (!sheet.posts.contains(b)) {
-        EXPECT_GE(surface_distance(clip, body), sheet.process.clearance_mm - 0.01);
+        EXPECT_GE(surface_distance(clip, body), clearance - 0.01) << process << " " << b;
+        continue;
       }
+      for (Vector3d& p : body.points)
+        p += (b == first ? clearance : -clearance) * along - 0.05 * fold[b].R.col(2);
+      EXPECT_FALSE(surfaces_cross(clip, body)) << process << " " << b;
     }
   }
 }
@@ -148,7 +163,7 @@ TEST(Lock, PostsAndEyesMeetNothingOnTheWay) {
 
 /// A line through both holes, from beyond one eye to beyond the other, meets no body.
 TEST(Lock, EyesAreOpenAlongTheStrap) {
-  for (const char* text : {soft_panel, arch}) {
+  for (const char* text : {panel, arch}) {
     const app::PrintSheet sheet = locked(text, "strap").job.sheet;
     const model::State& fold = sheet.path.back();
     std::vector<Vector3d> middle;
@@ -245,6 +260,7 @@ class LockedSheet {
   const bool is_locked_;
 };
 
+/// Another minimiser than the program's, of the whole sheet in its plane.
 TEST(Lock, HoldsTheFoldAgainstTheSpringsOfAllHinges) {
   for (const char* kind : {"clip", "strap"}) {
     const app::PrintSheet sheet = locked(soft_panel, kind).job.sheet;
@@ -253,11 +269,19 @@ TEST(Lock, HoldsTheFoldAgainstTheSpringsOfAllHinges) {
     EXPECT_LE(std::abs(mean_theta(sheet.linkage, free.settled(fold))), 1e-3)
         << "without a lock it springs back";
     const model::State settled = held.settled(fold);
-    EXPECT_NEAR(mean_theta(sheet.linkage, settled), sheet.thetas.back(), 0.02) << kind << ", rad";
-    EXPECT_LE(aligned_distance(sheet.linkage, settled, fold).max, 0.05) << kind << ", cell edges";
-    EXPECT_NEAR(held.tension(settled) / sheet.lock->force_N, 1, 0.1) << kind;
+    EXPECT_NEAR(to_degrees(mean_theta(sheet.linkage, settled)), to_degrees(sheet.thetas.back()), 0.2) << kind;
+    EXPECT_LE(aligned_distance(sheet.linkage, settled, fold).rms, 0.02) << kind << ", cell edges";
+    EXPECT_NEAR(held.tension(settled) / sheet.lock->force_N, 1, 0.02) << kind;
     EXPECT_LT(sheet.lock->force_N, sheet.lock->strength_N);
+    EXPECT_LT(sheet.lock->folded_mm, held.distance(fold)) << "hinges stretch";
   }
+}
+
+/// Thin films give way when they are pressed: no state at the fold is found.
+TEST(Lock, SaysWhereItsHoldIsNotKnown) {
+  const app::PrintSheet sheet = locked(film_panel, "clip").job.sheet;
+  EXPECT_THAT(fmt::format("{}", fmt::join(sheet.warnings, "; ")), HasSubstr("holds the fold is not known"));
+  EXPECT_GT(sheet.lock->force_N, 0);
 }
 
 TEST(Lock, IsInFilesAndInPrintJson) {
@@ -285,8 +309,14 @@ TEST(Lock, OfPinsIsNotLoaded) {
 }
 
 TEST(Lock, IsRefusedWhereItDoesNotFit) {
-  expect_refused(std::string(arch) + "lock: clip\n", "--format stl", "lock: clip does not fit",
-                 not_printable);
+  constexpr const char* tight = R"(kinetix: 1
+structure: {cells: [1, 1], cell_mm: 4, wall_mm: {thickness: 1.2, height: 6}}
+design: {theta_deg: 8}
+hinge: {kind: block, material: tpu95a, gap_mm: 2, thickness_mm: 0.8}
+)";
+  for (const char* kind : {"clip", "strap"})
+    expect_refused(std::string(tight) + "lock: " + kind + "\n", "--format stl",
+                   std::string("lock: ") + kind + " does not fit", not_printable);
   const std::string flat = R"(kinetix: 1
 structure: {cells: [3, 2], cell_mm: 14}
 lock: strap
