@@ -22,6 +22,27 @@ SearchResult with_folding(SearchResult found, const RunOptions& options) {
   return found;
 }
 
+constexpr int most_fits =
+    3;  // each round lengthens hinges by a few percent, until their gaps stay as they are
+
+/// Fits hinges to the drive that folds them. Where hinges are soft the sheet lags behind a hinge that is turned, which
+/// turns further than the exact motion does. Hinges are as long as that turn needs, and the print is that of `export`
+/// with this drive.
+SearchResult fitted_to_drive(SearchResult found, const RunOptions& options) {
+  for (int k = 0; k < most_fits && !options.stop.stop_requested(); ++k) {
+    if (!found.folding || !found.folding->drive || found.folding->turns_freely) return found;
+    Design driven = with_open_joints(requested_design(found));
+    if (!driven.drive) driven.drive = found.folding->drive;
+    const PrintAnswer answer = options.printable(driven);
+    const bool is_same = answer.made == found.print->made;
+    found.print = answer;
+    if (is_same || !answer.is_accepted) return found;
+    found.design = with_manufactured_hinges(with_open_joints(found.design), answer.made);
+    found = with_folding(std::move(found), options);
+  }
+  return found;
+}
+
 /// Searches, and gives open joints the hinges that `export` would print. All that follows reads the design.
 SearchResult searched(const Goal& goal, const RunOptions& options) {
   SearchResult found = goal.search(options);
@@ -94,12 +115,12 @@ Searched search_printable(const Goal& goal, const RunOptions& options) {
   }
   const std::string advice =
       other ? fmt::format("; with `{}` the goal is met and can be printed", other->resized.keys)
-      : is_worthwhile
+      : is_worthwhile && can_have_pins(given.found)
           ? "; larger cells and walls were searched, and none both prints with pins and meets the goal"
           : "";
-  given.found.print->advice = advice;
   if (!is_refused(given.found) && has_joints(given.found) && !given.found.folding)
-    given.found = with_folding(std::move(given.found), options);
+    given.found = fitted_to_drive(with_folding(std::move(given.found), options), options);
+  given.found.print->advice = advice;
   return given;
 }
 

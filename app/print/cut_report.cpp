@@ -73,8 +73,10 @@ CutLines describe_cut(const PrintSheet& sheet) {
                                    cut.length_mm(), cut.cuts.size(), cut.pieces,
                                    cut.pieces == 1 ? "piece" : "pieces", sheet.process.kerf_mm)}};
   if (const auto strain = bridge_strain(sheet))
-    out.emplace_back("bridges", fmt::format("strained by {:.3g} at the fold; their material bears {:g}",
-                                            strain->strain, strain->borne));
+    out.emplace_back(
+        "bridges",
+        fmt::format("strained by {:.3g} at the fold, {}; their material bears {:g}", strain->strain,
+                    sheet.is_path_exact ? "by turning alone" : "by turning and stretch", strain->borne));
   return out;
 }
 

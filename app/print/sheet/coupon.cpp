@@ -256,11 +256,12 @@ class Raised {
   std::map<std::array<int, 3>, int> corners_;
 };
 
-constexpr int bridges = 7;  // of 0.4, 0.6, ... 1.6 mm: around the 0.5 mm of laser
-constexpr double thinnest_mm = 0.4, bridge_step_mm = 0.2;
-constexpr double bridge_mm = 6;       // mm, from tab to tab: their corners meet beyond a right angle
-constexpr double tab_mm = 6;          // mm, width of a tab: room for its number
-constexpr double tabs_apart_mm = 10;  // mm, from one bridge to the next: pieces stay apart
+constexpr int bridges = 7;              // of 0.4, 0.6, ... 1.6 mm: around the 0.5 mm of laser
+constexpr double thinnest_mm = 0.4;     // mm: thinner than the 0.5 mm of laser
+constexpr double bridge_step_mm = 0.2;  // mm: typical difference between cutters
+constexpr double bridge_mm = 6;         // mm, from tab to tab: their corners meet beyond a right angle
+constexpr double tab_mm = 6;            // mm, width of a tab: room for its number
+constexpr double tabs_apart_mm = 10;    // mm, from one bridge to the next: pieces stay apart
 
 double bridge_width_mm(int bridge) { return thinnest_mm + bridge_step_mm * bridge; }
 

@@ -15,9 +15,9 @@ namespace kinetix::testing {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 using Json = nlohmann::json;
 
+// mm: a cell whose outline has round numbers.
 constexpr double cell_mm = 20, wall_mm = 2, bridge_mm = 1;
 
 /// A basic cell with bridges of 1 x 4 mm. @param process after `process: `
