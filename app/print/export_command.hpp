@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/console/console.hpp"
-#include "app/files/design_file.hpp"
+#include "app/print/format/print_format.hpp"
 #include "model/base/progress.hpp"
 
 namespace kinetix::app {
@@ -44,5 +44,48 @@ Exported export_design(const Design& design, const PrintRequest& request, const 
 
 /// Returns the help text of --format.
 std::string format_help();
+
+/// Returns the process to print by. The design's own limits also apply if its process is requested by name.
+/// @param of_design the design's process
+model::Process process_of(const PrintRequest& request, const model::Process& of_design);
+
+/// Returns the requested kind of hinge; empty: the first that fits.
+std::optional<model::HingeKind> kind_of(const PrintRequest& request);
+
+/// Returns the requested kind of lock; empty: the design's.
+std::optional<LockKind> lock_of(const PrintRequest& request);
+
+/// Returns the slicer that the 3MF file is for; empty: all.
+std::optional<Slicer> slicer_of(const PrintRequest& request);
+
+/// Returns the requested formats. @throws InvalidInput for an unknown name, as all functions above
+std::vector<const PrintFormat*> formats_of(const PrintRequest& request);
+
+/// Rejects a clearance that is larger than that of the design's own pins.
+void check_clearance_override(const PrintRequest& request, const Design& design);
+
+/// Returns the design to print. Joints are left open again for another process, another kind of hinge, or other sizes of
+/// hinges or cells. The motion of joints does not depend on their hinges.
+Design reopened(Design design, const PrintRequest& request);
+
+/// Rejects options that would change a coupon. Its bed and orientation may be chosen.
+void reject_design_options(const PrintRequest& request);
+
+/// Rejects options that make sheets: imported bodies are written as their parts are.
+void reject_sheet_options(const PrintRequest& request);
+
+/// Rejects the folded state of a sheet for which only the flat state is known.
+void check_state(const PrintRequest& request, const PrintSheet& sheet);
+/// Lays a job on the bed as requested.
+void lay_as_requested(const PrintRequest& request, PrintJob& job);
+
+/// Notes on a sheet: requested options that change nothing, and differences from its design, a sentence each.
+/// @param design as the file has it   @param printed the same with the requested choices
+std::vector<std::string> notes_on_sheet(const PrintRequest& request, const Design& design,
+                                        const Design& printed, const PrintSheet& sheet);
+
+/// Notes on files that ignore a requested option, a sentence each.
+std::vector<std::string> notes_on_files(const PrintRequest& request,
+                                        const std::vector<const PrintFormat*>& formats, const PrintJob& job);
 
 }  // namespace kinetix::app
