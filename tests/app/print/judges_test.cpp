@@ -15,6 +15,7 @@
 #include "model/closure/closure.hpp"
 #include "model/linkage/state.hpp"
 #include "model/material/manufactured_hinge.hpp"
+#include "tests/app/print/exports.hpp"
 #include "tests/app/print/gltf_judge.hpp"
 #include "tests/app/print/mujoco_judge.hpp"
 #include "tests/app/print/slices.hpp"
