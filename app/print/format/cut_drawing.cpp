@@ -55,22 +55,14 @@ void engrave(const std::string& text, const Vector2d& middle, const Vector2d& ri
   }
 }
 
-/// Returns bodies and bridges of a flat sheet together.
-Area whole_area(const SheetDrawing& sheet) {
-  using namespace bp::operators;
-  Area area;
-  for (const auto* parts : {&sheet.bodies, &sheet.soft})
-    for (const SheetDrawing::Part& part : *parts)
-      for (const CutRing& ring : part.rings) {
-        std::vector<bp::point_data<int>> points;
-        for (const Vector2d& p : ring)
-          points.emplace_back(static_cast<int>(std::lround(p.x() / cut_grid_mm)),
-                              static_cast<int>(std::lround(p.y() / cut_grid_mm)));
-        bp::polygon_data<int> polygon;
-        bp::set_points(polygon, points.begin(), points.end());
-        area += polygon;
-      }
-  return area;
+bp::polygon_data<int> polygon_of(const CutRing& ring) {
+  std::vector<bp::point_data<int>> points;
+  for (const Vector2d& p : ring)
+    points.emplace_back(static_cast<int>(std::lround(p.x() / cut_grid_mm)),
+                        static_cast<int>(std::lround(p.y() / cut_grid_mm)));
+  bp::polygon_data<int> polygon;
+  bp::set_points(polygon, points.begin(), points.end());
+  return polygon;
 }
 
 CutRing ring_on_grid(const auto& polygon) {
@@ -104,6 +96,25 @@ CutRing without_steps(const CutRing& ring) {
     if (std::abs(model::cross(along, apart[k] - before)) > straight_mm) out.push_back(apart[k]);
   }
   return out;
+}
+
+bool is_hole(const CutRing& ring) { return signed_area(ring) < 0; }
+
+/// Returns bodies and bridges of a flat sheet together, in outlines whose corners are far apart: offsets of steps of
+/// one grid unit would be turned inside out.
+Area whole_area(const SheetDrawing& sheet) {
+  using namespace bp::operators;
+  Area parts, whole;
+  for (const auto* list : {&sheet.bodies, &sheet.soft})
+    for (const SheetDrawing::Part& part : *list)
+      for (const CutRing& ring : part.rings) parts += polygon_of(ring);
+  parts.resize(closed_steps);
+  const std::vector<CutRing> rings = cut_rings(parts);
+  for (const CutRing& ring : rings)
+    if (!is_hole(ring)) whole += polygon_of(without_steps(ring));
+  for (const CutRing& ring : rings)
+    if (is_hole(ring)) whole -= polygon_of(without_steps(ring));
+  return whole;
 }
 
 const model::ArmSolid& cut_arm(const PrintSheet& sheet, int body, int hinge) {
@@ -144,15 +155,14 @@ double CutDrawing::length_mm() const {
 CutDrawing cut_drawing(const PrintSheet& sheet) {
   Area area = whole_area(sheet_drawing(sheet));
   const int half_kerf = static_cast<int>(std::lround(sheet.process.kerf_mm / 2 / cut_grid_mm));
-  area.resize(std::max(half_kerf, closed_steps));
+  if (half_kerf > closed_steps) area.resize(half_kerf - closed_steps);
   CutDrawing drawing;
   std::vector<CutRing> outlines;
   Eigen::AlignedBox2d box;
   for (const CutRing& rounded : cut_rings(area)) {
     CutRing ring = without_steps(rounded);
     for (const Vector2d& p : ring) box.extend(p);
-    const bool is_hole = signed_area(ring) < 0;
-    (is_hole ? drawing.cuts : outlines).push_back(std::move(ring));
+    (is_hole(ring) ? drawing.cuts : outlines).push_back(std::move(ring));
   }
   drawing.pieces = static_cast<int>(outlines.size());
   std::move(outlines.begin(), outlines.end(), std::back_inserter(drawing.cuts));
