@@ -103,17 +103,12 @@ bool is_hole(const CutRing& ring) { return signed_area(ring) < 0; }
 /// Returns bodies and bridges of a flat sheet together, in outlines whose corners are far apart: offsets of steps of
 /// one grid unit would be turned inside out.
 Area whole_area(const SheetDrawing& sheet) {
-  using namespace bp::operators;
   Area parts, whole;
   for (const auto* list : {&sheet.bodies, &sheet.soft})
     for (const SheetDrawing::Part& part : *list)
-      for (const CutRing& ring : part.rings) parts += polygon_of(ring);
+      for (const CutRing& ring : part.rings) parts.insert(polygon_of(ring));
   parts.resize(closed_steps);
-  const std::vector<CutRing> rings = cut_rings(parts);
-  for (const CutRing& ring : rings)
-    if (!is_hole(ring)) whole += polygon_of(without_steps(ring));
-  for (const CutRing& ring : rings)
-    if (is_hole(ring)) whole -= polygon_of(without_steps(ring));
+  for (const CutRing& ring : cut_rings(parts)) whole.insert(polygon_of(without_steps(ring)), is_hole(ring));
   return whole;
 }
 
