@@ -156,8 +156,11 @@ struct SheetToFold {
   model::Linkage linkage = design.structure;
   std::vector<model::Elasticity> hinges = {};  ///< stiffness of each
 
+  /// Soft hinges lag behind their drive: it ends beyond the theta of the design, which is the fold.
   SheetToFold(const Design& from, const model::ExactMotion& motion)
-      : design(from), exact(motion), theta(theta_of(from, motion)) {
+      : design(from),
+        exact(motion),
+        theta(from.theta != 0 && !has_pins_alone(from) ? from.theta : theta_of(from, motion)) {
     for (int h = 0; h < design.structure.hinges(); ++h)
       hinges.push_back(elasticity_of(*hinge_section(design, h).made));
   }

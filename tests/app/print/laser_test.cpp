@@ -144,7 +144,7 @@ TEST(Laser, RefusesWhatIsNotAFlatSheetOfBridges) {
       "kinetix: 1\nstructure: {cells: [2, 1], cell_mm: 20}\ndesign: {theta_deg: 5, hinges: [{wall: [[1, 0], "
       "[1, 1]], beta_deg: 20}]}\n",
       "--format dxf --process laser",
-      "whose walls all stand upright, and wall [1, 0] - [1, 1] leans (alpha 90, beta 20 degrees)",
+      "whose walls all stand upright, and wall [[1, 0], [1, 1]] leans (alpha 90, beta 20 degrees)",
       not_printable);
   expect_refused(panel, "--format dxf --process laser --hinge pin", "and hinges are pins: make them bridges",
                  not_printable);
