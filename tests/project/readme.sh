@@ -29,7 +29,7 @@ make_place commands
 cd "$scratch/commands"
 if [ "$whole" != --whole ]; then
   rm targets && cp -r "$source/targets" targets
-  make_smaller helmet_rib 's/cells: \[40, 1\]/cells: [8, 1]/' 's/cell_mm: 9.5/cell_mm: 46/'
+  make_smaller helmet_rib 's/^structure:/&\n  cells: [8, 1]/'
   make_smaller headform 's/ribs: 8/ribs: 2/' 's/cell_mm: 6/cell_mm: 10/'
   make_smaller icosahedron 's/solid: icosahedron/solid: tetrahedron/'
   make_smaller cube 's/box: \[4, 4, 4\]/box: [2, 2, 2]/'
