@@ -61,6 +61,11 @@ def half_circle(radius=100.0):
     return lambda f: (-radius * math.cos(f * math.pi), radius * math.sin(f * math.pi))
 
 
+def pillow(half=80.0, exponent=6.0):
+    """A square with round corners: closed, so that it ends a point before its first one."""
+    return lambda f: superellipse(half, half, exponent, 2 * math.pi * f * (1 - 1 / POINTS))
+
+
 def s_curve(span=240.0, height=40.0):
     return lambda f: (span * f, height * math.sin(2 * math.pi * f))
 
@@ -80,7 +85,7 @@ def helix(radius=40.0, pitch=40.0, turns=2.0):
     return point
 
 
-def trefoil_arc(size=25.0, height=9.0, part=0.45):
+def trefoil_arc(size=37.5, height=13.5, part=0.45):
     """A part of a trefoil knot, from one inner turn to the next but one."""
     def point(f):
         u = 2 * math.pi * (0.02 + part * f)
@@ -89,7 +94,7 @@ def trefoil_arc(size=25.0, height=9.0, part=0.45):
     return point
 
 
-def handle(grip=100.0, rise=38.0, lean=14.0):
+def handle(grip=128.0, rise=49.0, lean=18.0):
     """A pull for a drawer: it rises from one foot, runs along, and comes down to the other foot, set off to the side."""
     def point(f):
         u = math.pi * f
@@ -97,7 +102,7 @@ def handle(grip=100.0, rise=38.0, lean=14.0):
     return point
 
 
-def spectacle_frame(width=134.0, temple=95.0, wrap=16.0, drop=12.0):
+def spectacle_frame(width=200.0, temple=142.0, wrap=24.0, drop=18.0):
     """From one ear over the brow to the other: temples that drop to the ears, a front that wraps round the face."""
     half = width / 2
     def point(f):
@@ -122,3 +127,4 @@ if __name__ == "__main__":
     for name, curve in {"helix": helix(), "trefoil_arc": trefoil_arc(), "handle": handle(),
                         "spectacle_frame": spectacle_frame()}.items():
         write(folder, "x,y,z", name, curve)
+    write(folder, "x,y", "pillow", pillow())

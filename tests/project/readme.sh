@@ -29,14 +29,12 @@ make_place commands
 cd "$scratch/commands"
 if [ "$whole" != --whole ]; then
   rm targets && cp -r "$source/targets" targets
-  make_smaller helmet_rib 's/cells: \[40, 1\]/cells: [8, 1]/' 's/cell_mm: 9.5/cell_mm: 46/'
+  make_smaller helmet_rib 's/^structure:/&\n  cells: [8, 1]/'
   make_smaller headform 's/ribs: 8/ribs: 2/' 's/cell_mm: 6/cell_mm: 10/'
   make_smaller icosahedron 's/solid: icosahedron/solid: tetrahedron/'
-  make_smaller cap '$a structure: {facets: [3, 3]}'
   make_smaller cube 's/box: \[4, 4, 4\]/box: [2, 2, 2]/'
-  make_smaller disc 's/cells: \[12, 12\]/cells: [8, 8]/'
+  make_smaller disc 's/cells: \[12, 12\]/cells: [8, 8]/' 's/offset_mm: 2/offset_mm: 3/'
   make_smaller letter_t 's/cells: \[10, 10\]/cells: [6, 6]/'
-  make_smaller spiral 's/cells: \[60, 1\]/cells: [30, 1]/' 's/cell_mm: 13/cell_mm: 26/'
 fi
 commands=$(grep -E '^\$ build/release/bin/kinetix-opt ' "$source/README.md" | sed 's/^\$ //')
 count=$(wc -l <<<"$commands")

@@ -79,9 +79,9 @@ TEST(SpaceCurveResult, OfGivenCellsKeepsToItsRanges) {
     EXPECT_TRUE(run.code == 0 || run.code == 3) << run.out << run.err;
     return Json::parse(text_of(scratch / "out/result.json"))["structure"]["hinges"];
   };
-  for (const Json& hinge : hinges_of("trefoil_arc", "8.7549", "beta: {range_deg: [-25, 25]}"))
+  for (const Json& hinge : hinges_of("trefoil_arc", "13.132", "beta: {range_deg: [-25, 25]}"))
     EXPECT_LE(std::abs(hinge["beta_rad"].get<double>()), 25 * radians_per_degree + 1e-9);
-  for (const Json& hinge : hinges_of("handle", "4.2633", "t: {range: [0.35, 0.65]}")) {
+  for (const Json& hinge : hinges_of("handle", "5.4732", "t: {range: [0.35, 0.65]}")) {
     EXPECT_GE(hinge["t"], 0.35 - 1e-9);
     EXPECT_LE(hinge["t"], 0.65 + 1e-9);
   }
