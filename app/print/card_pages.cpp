@@ -11,8 +11,9 @@ namespace {
 using Eigen::Vector2d;
 using Ring = std::vector<Vector2d>;
 
-constexpr double label_mm = 3.5, caption_mm = 3.8, title_mm = 7, line_of_text_mm = 5.6;  // mm: read at arm's length
-constexpr double page_mm[] = {210, 297}, page_margin_mm = 15, words_mm = 22;             // mm, of A4
+constexpr double label_mm = 3.5, caption_mm = 3.8, title_mm = 7,
+                 line_of_text_mm = 5.6;                                       // mm: read at arm's length
+constexpr double page_mm[] = {210, 297}, page_margin_mm = 15, words_mm = 22;  // mm, of A4
 
 /// Replaces what HTML reads as marks.
 std::string escape_html(std::string_view text) {
