@@ -76,7 +76,9 @@ def main():
             text = source.read()
         if not re.search(r"^target:", text, re.M) or not re.search(given.only, name):
             continue
-        for process in given.process:
+        named = re.search(r"^process: (\w+)|^process: \{base: (\w+)", text, re.M)
+        own = named and (named[1] or named[2])
+        for process in [own] if own and own not in PROCESSES else given.process:
             code, exported, seconds, why = row(given.program, name, without_cell_mm(text), process, given.folder,
                                                given.verify)
             rows += 1

@@ -58,6 +58,10 @@ test("a bracelet for a wrist of 170 mm, and its files", async () => {
   assert.match(await text("found_title"), /meets the goal/);
   const files = await exported();
   assert.ok(files.some((name) => name.endsWith(".stl")), `written: ${files}`);
+  const drawn = await page.$$eval("#written_card img", (pictures) => Promise.all(pictures.map((picture) => picture.decode().then(() => picture.naturalWidth))));
+  assert.equal(drawn.length, 2, "the flat sheet and the fold");
+  assert.ok(drawn.every((width) => width > 100), `widths: ${drawn}`);
+  assert.match(await text("written_card"), /It takes [\d.]+ N/);
   assert.deepEqual(complaints, []);
 });
 
