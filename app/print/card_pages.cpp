@@ -15,18 +15,6 @@ constexpr double label_mm = 3.5, caption_mm = 3.8, title_mm = 7,
                  line_of_text_mm = 5.6;                                       // mm: read at arm's length
 constexpr double page_mm[] = {210, 297}, page_margin_mm = 15, words_mm = 22;  // mm, of A4
 
-/// Replaces what HTML reads as marks.
-std::string escape_html(std::string_view text) {
-  std::string out;
-  for (const char c : text)
-    out += c == '<'   ? "&lt;"
-           : c == '>' ? "&gt;"
-           : c == '&' ? "&amp;"
-           : c == '"' ? "&quot;"
-                      : std::string(1, c);
-  return out;
-}
-
 constexpr double units_per_mm = 100;  // 1/mm: whole units make pictures half as long as decimals
 
 /// Returns the outlines in units of a picture, each point relative to the one before.
@@ -53,7 +41,7 @@ std::string picture_svg(const CardPicture& picture) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" width=\"{:.5g}mm\" "
       "role=\"img\" aria-label=\"{}\" fill-rule=\"evenodd\" stroke-linejoin=\"round\">",
       units_per_mm * picture.size.x(), units_per_mm * picture.size.y(), picture.size.x(),
-      escape_html(picture.caption));
+      escape_marks(picture.caption));
   for (const CardPicture::Shape& shape : picture.shapes)
     out +=
         fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{:g}\"/>\n", path_data(shape),
@@ -64,7 +52,7 @@ std::string picture_svg(const CardPicture& picture) {
         "font-family=\"sans-serif\">"
         "{}</text>",
         units_per_mm * label.foot.x(), units_per_mm * label.foot.y(), units_per_mm * label_mm,
-        escape_html(label.text));
+        escape_marks(label.text));
   return out + "</svg>";
 }
 
@@ -153,10 +141,10 @@ std::string card_part(const FoldingCard& card) {
   std::string out;
   for (const CardPicture& picture : card.pictures)
     out += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", picture_svg(picture),
-                       escape_html(picture.caption));
+                       escape_marks(picture.caption));
   out += "<ol>\n";
   for (const auto& [title, how] : card.steps)
-    out += fmt::format("<li><strong>{}.</strong> {}</li>\n", title, escape_html(how));
+    out += fmt::format("<li><strong>{}.</strong> {}</li>\n", title, escape_marks(how));
   return out + "</ol>\n";
 }
 
@@ -178,7 +166,7 @@ std::vector<NamedContent> card_files(const FoldingCard& card) {
       "figure {{ margin: 0; text-align: center; }}\nsvg {{ max-width: 100%; height: auto; }}\n"
       "li {{ margin: 1ex 0; }}\n@page {{ size: A4; margin: 10mm; }}\n</style>\n</head>\n<body>\n"
       "<h1>How to fold {0}</h1>\n{1}</body>\n</html>\n",
-      escape_html(card.name), card_part(card));
+      escape_marks(card.name), card_part(card));
   const std::string pdf = pdf_page({page_mm[0], page_mm[1]}, [&](cairo_t* drawn) { draw_card(drawn, card); });
   return {{"card.html", page}, {"card.pdf", pdf}};
 }

@@ -226,6 +226,17 @@ std::string page_bytes(const DrawnPage& whole, const std::function<void(cairo_t*
 
 }  // namespace
 
+std::string escape_marks(std::string_view text) {
+  std::string out;
+  for (const char c : text)
+    out += c == '<'   ? "&lt;"
+           : c == '>' ? "&gt;"
+           : c == '&' ? "&amp;"
+           : c == '"' ? "&quot;"
+                      : std::string(1, c);
+  return out;
+}
+
 std::string pdf_page(const Vector2d& drawn_mm, const std::function<void(cairo_t*)>& drawn) {
   return page_bytes(drawn_page(drawn_mm), drawn);
 }

@@ -238,16 +238,21 @@ model::Pose at_rest(const PrintSheet& sheet, int body) {
   return {Eigen::Matrix3d::Identity(), sheet.linkage.rest_position(body)};
 }
 
+/// Returns the shadow of a body at a place.
+SheetDrawing::Part body_part(const PrintSheet& sheet, int body, const model::Pose& place) {
+  std::vector<Points> shadows;
+  for (const model::ConvexPiece& piece : convex_pieces(sheet.bodies[body]))
+    shadows.push_back(shadow(piece.corners, place));
+  return {"body " + sheet.linkage.vertex_name(body), united(shadows)};
+}
+
 }  // namespace
 
 SheetDrawing sheet_drawing(const PrintSheet& sheet) {
   SheetDrawing drawing;
   for (int b = 0; b < static_cast<int>(sheet.bodies.size()); ++b) {
     if (sheet.meshes[b].points.empty()) continue;
-    std::vector<Points> shadows;
-    for (const model::ConvexPiece& piece : convex_pieces(sheet.bodies[b]))
-      shadows.push_back(shadow(piece.corners, at_rest(sheet, b)));
-    drawing.bodies.push_back({"body " + sheet.linkage.vertex_name(b), united(shadows)});
+    drawing.bodies.push_back(body_part(sheet, b, at_rest(sheet, b)));
   }
   for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h) {
     const model::RestHinge& hinge = sheet.linkage.hinges[h];
@@ -269,10 +274,7 @@ SheetDrawing sheet_view(const PrintSheet& sheet, const model::State& state, cons
   for (int b = 0; b < static_cast<int>(sheet.bodies.size()); ++b) {
     if (sheet.meshes[b].points.empty()) continue;
     const model::Pose place = turned(state[b]);
-    std::vector<Points> shadows;
-    for (const model::ConvexPiece& piece : convex_pieces(sheet.bodies[b]))
-      shadows.push_back(shadow(piece.corners, place));
-    seen.push_back({place.p.z(), {"body " + sheet.linkage.vertex_name(b), united(shadows)}});
+    seen.push_back({place.p.z(), body_part(sheet, b, place)});
   }
   for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h) {
     if (sheet.soft[h].points.empty()) continue;

@@ -36,6 +36,9 @@ SheetDrawing sheet_drawing(const PrintSheet& sheet);
 /// @param state of the path, mm   @param turn rotation of the sheet before it is seen from above
 SheetDrawing sheet_view(const PrintSheet& sheet, const model::State& state, const Eigen::Matrix3d& turn);
 
+/// Replaces what XML and HTML read as marks.
+std::string escape_marks(std::string_view text);
+
 /// Draws a page as PDF, the same bytes each time. A page larger than A4 gets a line to measure below the drawing.
 /// @param size_mm of the drawing   @param draw draws in mm, y down
 std::string pdf_page(const Eigen::Vector2d& size_mm, const std::function<void(_cairo*)>& draw);

@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "app/print/format/print_format.hpp"
+#include "app/print/format/sheet_drawing.hpp"
 #include "app/print/format/zip_text.hpp"
 
 namespace kinetix::app {
@@ -21,17 +22,6 @@ constexpr const char* relationships = R"(<?xml version="1.0" encoding="UTF-8"?>
  <Relationship Target="/3D/3dmodel.model" Id="rel-1" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
 </Relationships>
 )";
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text)
-    out += c == '<'   ? "&lt;"
-           : c == '>' ? "&gt;"
-           : c == '&' ? "&amp;"
-           : c == '"' ? "&quot;"
-                      : std::string(1, c);
-  return out;
-}
 
 /// Consecutive triangles of one material in a mesh.
 struct Range {
@@ -74,7 +64,7 @@ std::string object_xml(const MeshObject& object, const std::string& metadata) {
   std::string out = fmt::format(
       "  <object id=\"{}\" type=\"model\" name=\"{}\" pid=\"1\" pindex=\"{}\">\n{}   <mesh>\n"
       "    <vertices>\n",
-      object.id, escaped(object.name), object.ranges.front().material, metadata);
+      object.id, escape_marks(object.name), object.ranges.front().material, metadata);
   const auto end = std::back_inserter(out);
   for (const Eigen::Vector3d& p : object.mesh.points) {
     const Eigen::Vector3f corner = p.cast<float>();  // exact: hard_part and soft_part have rounded it
@@ -93,7 +83,7 @@ std::string object_xml(const MeshObject& object, const std::string& metadata) {
 /// Returns the object that joins the meshes.
 std::string joining_object_xml(const Content& content) {
   std::string out = fmt::format("  <object id=\"{}\" type=\"model\" name=\"{}\">\n   <components>\n",
-                                content.built_id(), escaped(content.name));
+                                content.built_id(), escape_marks(content.name));
   for (const MeshObject& object : content.meshes)
     out += fmt::format("    <component objectid=\"{}\"/>\n", object.id);
   return out + "   </components>\n  </object>\n";
@@ -113,7 +103,7 @@ std::string model_xml(const Content& content, const std::optional<SlicerSettings
    <base name="soft" displaycolor="#2E6FB7FF"/>
   </basematerials>
 )",
-                  cura ? fmt::format(" xmlns:cura=\"{}\"", cura_space) : "", escaped(content.name));
+                  cura ? fmt::format(" xmlns:cura=\"{}\"", cura_space) : "", escape_marks(content.name));
   const bool is_joined = content.meshes.size() > 1;
   for (const MeshObject& object : content.meshes) {
     const std::optional<int> extruder =
@@ -131,7 +121,7 @@ std::string prusa_config(const Content& content, const SlicerSettings& settings)
   std::string out = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<config>\n <object id=\"{}\" instances_count=\"1\">\n"
       "  <metadata type=\"object\" key=\"name\" value=\"{}\"/>\n",
-      object.id, escaped(content.name));
+      object.id, escape_marks(content.name));
   for (const auto& [key, value] : settings)
     out += fmt::format("  <metadata type=\"object\" key=\"{}\" value=\"{}\"/>\n", key, value);
   for (const Range& range : object.ranges)
@@ -149,14 +139,14 @@ std::string orca_config(const Content& content, const SlicerSettings& settings) 
   std::string out = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<config>\n <object id=\"{}\">\n"
       "  <metadata key=\"name\" value=\"{}\"/>\n  <metadata key=\"extruder\" value=\"1\"/>\n",
-      content.built_id(), escaped(content.name));
+      content.built_id(), escape_marks(content.name));
   for (const auto& [key, value] : settings)
     out += fmt::format("  <metadata key=\"{}\" value=\"{}\"/>\n", key, value);
   for (const MeshObject& object : content.meshes)
     out += fmt::format(
         "  <part id=\"{}\" subtype=\"normal_part\">\n   <metadata key=\"name\" value=\"{}\"/>\n"
         "   <metadata key=\"extruder\" value=\"{}\"/>\n  </part>\n",
-        object.id, escaped(object.name), object.ranges.front().material + 1);
+        object.id, escape_marks(object.name), object.ranges.front().material + 1);
   return out + " </object>\n</config>\n";
 }
 

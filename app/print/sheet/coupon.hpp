@@ -8,7 +8,7 @@ namespace kinetix::app {
 /// Makes a test piece that shows the least clearance of a printer. It has pins with the process's rod and gaps of 0.1
 /// to 0.6 mm per side, each leaning by 0, 30 and 60 degrees. Raised numbers on the forks give the gap, mm. Columns run
 /// from 0.1 to 0.6 mm, rows from upright to 60 degrees. Each hinge joins two separate bodies.
-/// Of a process that cuts sheets it has bridges of 0.4 to 1.6 mm instead, each between two tabs of one piece.
+/// Processes that cut sheets have bridges of 0.4 to 1.6 mm instead, each between two tabs of one piece.
 /// @param bed_mm of the printer: a coupon that it does not hold is cut into tiles between its hinges.
 /// @throws BedTooSmall for a bed that does not hold each hinge
 PrintSheet make_coupon(const model::Process& process, const std::optional<Eigen::Vector2d>& bed_mm = {});
