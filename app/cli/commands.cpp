@@ -178,11 +178,7 @@ int run_and_write(const CommandOptions& options, const RunFunction& function, co
 
 /// Reads the file once, with the keys that options replace. A file that changes between two reads would be two designs.
 targets::Node document_of(const CommandOptions& options) {
-  const targets::Node root = targets::read_document(options.file, max_design_bytes);
-  if (options.changes.empty()) return root;
-  targets::DocumentEditor changed(root);
-  for (const auto& [key, value] : options.changes) changed.put(targets::parse_path(key), value);
-  return changed.root();
+  return targets::read_changed_document(options.file, max_design_bytes, options.changes);
 }
 
 /// Applies --theta-deg to imported bodies. It drives the hinge that the file names, or the hinge that turns most in
@@ -285,7 +281,7 @@ int simulate_command(const CommandOptions& options) {
 
 int check_command(const CommandOptions& options) {
   Console console(options.quiet);
-  const CheckedFile checked = check_file(options.file, document_of(options), console.progress());
+  const CheckedFile checked = check_file(options.file, options.changes, console.progress());
   std::cout << (options.json ? checked.json().dump(1) + "\n" : checked.text());
   return done;
 }
@@ -421,12 +417,14 @@ nlohmann::ordered_json CheckedFile::json() const {
   return out;
 }
 
-CheckedFile check_file(const std::string& file, const targets::Node& root, const Progress& progress) {
+CheckedFile check_file(const std::string& file, const targets::DocumentChanges& changes,
+                       const Progress& progress) {
+  const targets::Node root = targets::read_changed_document(file, max_design_bytes, changes);
   if (root.kind() != targets::Node::Kind::map)
     throw root.error(
         "is no map of keys, which a target, a design and a sweep are; the first is `kinetix: 1`");
   if (root.optional("factors")) {
-    const SweepPlan plan = make_sweep_plan(file, {});
+    const SweepPlan plan = make_sweep_plan(file, {}, changes);
     return {
         .file = file, .kind = "sweep", .name = plan.doe.name, .samples = static_cast<double>(plan.size())};
   }

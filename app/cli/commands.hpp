@@ -36,6 +36,7 @@ struct CheckedFile {
 
 /// Checks a target, a design or a sweep. @param root of the file   @param progress reports time and memory of a check of a second or more.
 /// @throws InvalidInput for violations of the file format, and for a design that takes more memory than is free
-CheckedFile check_file(const std::string& file, const targets::Node& root, const Progress& progress);
+CheckedFile check_file(const std::string& file, const targets::DocumentChanges& changes,
+                       const Progress& progress);
 
 }  // namespace kinetix::app

@@ -23,11 +23,11 @@ _kinetix_opt() {
   case $command in
     verify) options="$common --process --hinge --bed --lock -o --open --fidelity" ;;
     simulate) options="$common --process --hinge --bed --lock -o --open --model --theta-deg --drives --time-limit" ;;
-    sweep) options="$common -o --open --resume --share" ;;
+    sweep) options="$common --process --hinge --bed --lock -o --open --resume --share" ;;
     check) options="$common --process --hinge --bed --lock" ;;
     export) options="$common -o --format --process --hinge --clearance --cell-mm --bed --lock --loose-rods --caps --orient --slicer --slice --coupon --state" ;;
     import) options="$common -o --hard --soft --unit --soft-material --material --hinges --tile-mm --thickness-mm --kerf-mm" ;;
-    view) options="$common --no-open --port" ;;
+    view) options="$common --process --hinge --bed --lock --no-open --port" ;;
     *) options="$common --version --process --hinge --bed --lock -o --open --no-verify --time-limit --fidelity --monte-carlo" ;;
   esac
   if [[ $word == -* ]]; then

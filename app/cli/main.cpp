@@ -211,6 +211,7 @@ void add_view(CLI::App& app, CommandOptions& options, kinetix::app::ViewRequest&
                  "the folder of a result, a design, or a target to search for; nothing: a template")
       ->type_name("");
   add_common(app, options);
+  add_choices(app, options);
   app.add_flag_callback(
       "--no-open", [&request] { request.opens_browser = false; }, "prints the address and opens no browser");
   app.add_option("--port", request.port, "of 127.0.0.1; 0 (default): any that is free")
@@ -307,6 +308,7 @@ int run(int argc, char** argv) {
   }
   add_file(*sweep, options, "DOE.yaml", "the sweep: base, factors, method, responses");
   add_common(*sweep, options);
+  add_choices(*sweep, options);
   add_output(*sweep, options, "folder for the table and report.html (default results/NAME)");
   add_open(*sweep, options);
   std::string share;

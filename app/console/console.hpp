@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "app/run/run_options.hpp"
+#include "targets/document/edit_document.hpp"
 
 namespace kinetix::app {
 
@@ -100,7 +101,7 @@ struct CommandOptions {
       folder;  ///< empty: results/<name>, with _verified, _exact, _equilibrium or _bullet for a design
   bool folder_given = false;
   /// Keys of the file that options replace, and their values in YAML.
-  std::vector<std::pair<std::string, std::string>> changes = {};
+  targets::DocumentChanges changes = {};
   bool json = false;
   bool quiet = false;
   bool verify = true;

@@ -29,27 +29,29 @@ std::string absolute(const std::string& file) {
   return failure ? file : path.lexically_normal().string();
 }
 
-SessionInput input_of_file(const std::string& file) {
-  const targets::Node root = targets::read_document(file, max_design_bytes);
+SessionInput input_of_file(const std::string& file, const targets::DocumentChanges& changes) {
+  const targets::Node root = targets::read_changed_document(file, max_design_bytes, changes);
   if (root.optional("target")) {
     read_target(root);  // rejects a broken target before the page opens
-    return SessionInput{studio::template_design("panel"), "", absolute(file), 0, 0};
+    return SessionInput{studio::template_design("panel"), "", root};
   }
   Design design = read_design(root);
   studio::require_showable(design);
-  return SessionInput{std::move(design), absolute(file), "", 0, 0};
+  return SessionInput{std::move(design), file};
 }
 
-SessionInput input_of_source(const std::string& source) {
-  if (source.empty()) return SessionInput{studio::template_design("panel"), "", "", 0, 0};
-  return input_of_file(design_at(source));
+SessionInput input_of_source(const std::string& source, const targets::DocumentChanges& changes) {
+  if (!source.empty()) return input_of_file(absolute(design_at(source)), changes);
+  if (!changes.empty())
+    throw InvalidInput("--process, --hinge, --bed and --lock change a file: name a design or a target");
+  return SessionInput{studio::template_design("panel")};
 }
 
 /// Returns the store of unsaved designs; null if nothing can be kept.
 std::shared_ptr<studio::Autosave> autosave_of(const SessionInput& opened) {
   const fs::path place = studio::autosave_place();
   if (place.empty()) return nullptr;
-  const std::string& file = opened.target_file.empty() ? opened.save_file : opened.target_file;
+  const std::string file = opened.target ? opened.target->place().file : opened.save_file;
   try {
     return std::make_shared<studio::Autosave>(place, file.empty() ? absolute("new") : file);
   } catch (const InvalidInput& e) {
@@ -65,7 +67,8 @@ std::unique_ptr<studio::Session> session_of(SessionInput opened, const CommandOp
   opened.seed = options.seed;
   opened.results = absolute(opened.results);
   opened.autosave = std::move(autosave);
-  if (!opened.save_file.empty()) opened.result = studio::earlier_result(opened.save_file, opened.design);
+  if (!opened.save_file.empty() && options.changes.empty())
+    opened.result = studio::earlier_result(opened.save_file, opened.design);
   return std::make_unique<studio::Session>(std::move(opened), std::move(outlet));
 }
 
@@ -114,7 +117,7 @@ void put_aside(studio::Autosave* autosave) {
 
 int view_command(const CommandOptions& options, const ViewRequest& request) {
   const std::vector<studio::WebFile> files = web_files();
-  SessionInput opened = input_of_source(request.source);
+  SessionInput opened = input_of_source(request.source, options.changes);
   const std::string token = random_token();
   studio::Session* to = nullptr;
   studio::Server server(files, token, static_cast<std::uint16_t>(request.port),

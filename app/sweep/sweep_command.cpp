@@ -238,7 +238,8 @@ std::string fingerprint(const SweepIdentity& identity) {
 }
 
 SweepPlan plan_of(const CommandOptions& options) {
-  return make_sweep_plan(options.file, options.seed_given ? std::optional(options.seed) : std::nullopt);
+  return make_sweep_plan(options.file, options.seed_given ? std::optional(options.seed) : std::nullopt,
+                         options.changes);
 }
 
 std::string folder_of(const CommandOptions& options, const SweepPlan& plan, const Share* part) {

@@ -182,4 +182,12 @@ void DocumentEditor::put(const DocumentPath& path, const std::string& yaml) {
 
 Node DocumentEditor::root() const { return {tree_, 0}; }
 
+Node read_changed_document(const std::string& file, std::size_t most_bytes, const DocumentChanges& changes) {
+  const Node root = read_document(file, most_bytes);
+  if (changes.empty()) return root;
+  DocumentEditor changed(root);
+  for (const auto& [path, value] : changes) changed.put(parse_path(path), value);
+  return changed.root();
+}
+
 }  // namespace kinetix::targets

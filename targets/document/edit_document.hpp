@@ -55,4 +55,11 @@ class DocumentEditor {
   std::shared_ptr<Tree> tree_;
 };
 
+/// Paths of keys and the YAML text of their new values, for DocumentEditor::put.
+using DocumentChanges = std::vector<std::pair<std::string, std::string>>;
+
+/// Reads a file once and makes the changes in the copy.
+/// @throws InvalidInput for a file that read_document() refuses, and for a change that put() refuses
+Node read_changed_document(const std::string& file, std::size_t most_bytes, const DocumentChanges& changes);
+
 }  // namespace kinetix::targets

@@ -66,7 +66,7 @@ Session::Session(SessionInput opened, MessageSink outlet)
   if (const auto theta = theta_of_equilibrium(result); theta && player_.mode() == Mode::exact)
     player_.fold_to(*theta);
   if (player_.mode() == Mode::equilibrium) enqueue([this] { trace(player_.theta()); });
-  if (!input_.target_file.empty() && !kept) enqueue([this] { search_for(input_.target_file, nullptr); });
+  if (input_.target && !kept) enqueue([this] { search_for(*input_.target, nullptr); });
 }
 
 void Session::welcome(int client) {

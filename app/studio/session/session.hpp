@@ -13,8 +13,8 @@ namespace kinetix::app::studio {
 /// Input of a session: the design that `view` opens and its options.
 struct SessionInput {
   Design design;
-  std::string save_file;    ///< file of the design, where `save` writes it; empty: none
-  std::string target_file;  ///< searched for at the start; may be empty
+  std::string save_file;                ///< file of the design, where `save` writes it; empty: none
+  std::optional<targets::Node> target;  ///< searched for at the start
   int threads = 0;
   std::uint64_t seed = 0;
   nlohmann::ordered_json result = {};       ///< message of the design's result; null: none
@@ -77,7 +77,7 @@ class Session : public SessionLoop {
   void show_newest(int number, NewestShape& newest);
   void dropped(int client, double id);
   void snap();
-  void search_for(const std::string& file, std::shared_ptr<const void> keeps);
+  void search_for(const targets::Node& root, std::shared_ptr<const void> keeps);
   void found(std::shared_ptr<Run> run);
 
   void send_design(int client = all_clients);

@@ -55,13 +55,14 @@ void Session::search(const Message& message) {
   for (const auto& [name, content] : parts.files()) write_file((*folder / name).string(), content);
   const std::string file = (*folder / "target.yaml").string();
   write_file(file, message.text("target"));
-  read_target(file);
-  search_for(file, folder);
+  const targets::Node root = targets::read_document(file, max_design_bytes);
+  read_target(root);
+  search_for(root, folder);
 }
 
 /// @param keeps objects that must live until the search ends
-void Session::search_for(const std::string& file, std::shared_ptr<const void> keeps) {
-  searcher_.start([this, file, keeps](const std::stop_token& stop) {
+void Session::search_for(const targets::Node& root, std::shared_ptr<const void> keeps) {
+  searcher_.start([this, root, keeps](const std::stop_token& stop) {
     std::string stage_shown;
     TimeLeft left;
     std::mutex text_mutex;
@@ -83,7 +84,7 @@ void Session::search_for(const std::string& file, std::shared_ptr<const void> ke
       send_message(out);
     };
     try {
-      const Target target = read_target(file);
+      const Target target = read_target(root);
       RunOptions options;
       options.threads = input_.threads;
       options.seed = input_.seed;

@@ -9,8 +9,9 @@
 
 namespace kinetix::app {
 
-SweepBase read_base(const std::string& file) {
-  SweepBase base{.root = targets::read_document(file, max_design_bytes), .design = {}, .target = {}};
+SweepBase read_base(const std::string& file, const targets::DocumentChanges& changes) {
+  SweepBase base{
+      .root = targets::read_changed_document(file, max_design_bytes, changes), .design = {}, .target = {}};
   if (base.root.kind() == targets::Node::Kind::map && base.root.optional("target"))
     base.target = read_target(base.root);
   else

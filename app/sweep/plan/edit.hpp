@@ -17,8 +17,9 @@ struct SweepBase {
   bool has_bodies() const { return design && design->structure.assembly(); }
 };
 
+/// @param changes of the base, which options name
 /// @throws InvalidInput as read_design and read_target
-SweepBase read_base(const std::string& file);
+SweepBase read_base(const std::string& file, const targets::DocumentChanges& changes = {});
 
 /// Lists the numbers that a file of the base's kind may hold, also those that this file leaves out.
 std::vector<std::string> optional_keys(const SweepBase& base);

@@ -272,9 +272,9 @@ void check_exact(const SweepPlan& plan) {
     throw plan.doe.root.error(why + "; use `model: equilibrium` or `bullet`, which need no exact family");
 }
 
-SweepBase read_base_of(const DoeFile& doe) {
+SweepBase read_base_of(const DoeFile& doe, const targets::DocumentChanges& changes) {
   const targets::HiddenQuotes hidden(doe.base, doe.root.folder());
-  return read_base(doe.base);
+  return read_base(doe.base, changes);
 }
 
 Target read_goal_of(const DoeFile& doe) {
@@ -290,9 +290,10 @@ bool SweepPlan::edits_document() const {
                      [](const Edit& edit) { return edit.kind == Edit::Kind::document; });
 }
 
-SweepPlan make_sweep_plan(const std::string& file, std::optional<std::uint64_t> seed) {
+SweepPlan make_sweep_plan(const std::string& file, std::optional<std::uint64_t> seed,
+                          const targets::DocumentChanges& changes) {
   DoeFile doe = read_doe(file);
-  SweepBase base = read_base_of(doe);
+  SweepBase base = read_base_of(doe, changes);
   check_model(doe, base);
   refuse_for_targets(doe, base);
   check_bodies(doe, base);
@@ -308,9 +309,9 @@ SweepPlan make_sweep_plan(const std::string& file, std::optional<std::uint64_t> 
   check_moved(doe, columns, document, responses);
   const std::uint64_t used = seed.value_or(doe.method.options.seed);
   optim::SamplePlan samples = make_samples(doe, columns, used);
-  SweepPlan plan{std::move(doe),       std::move(base), std::move(document),
-                 columns.edits,        columns.entries, std::move(samples),
-                 std::move(responses), std::move(goal), used};
+  SweepPlan plan{
+      std::move(doe),     std::move(base),      std::move(document), columns.edits, columns.entries,
+      std::move(samples), std::move(responses), std::move(goal),     used,          changes};
   check_values(plan, columns);
   check_exact(plan);
   return plan;

@@ -17,6 +17,7 @@ struct SweepPlan {
   std::vector<Metric> responses;
   Target goal;  ///< measures the samples; empty without a `goal`
   std::uint64_t seed = 0;
+  targets::DocumentChanges changes = {};  ///< of the base, which options name
 
   std::int64_t size() const { return static_cast<std::int64_t>(samples.size()); }
   const DoeFactor& entry_of(std::size_t column) const { return doe.factors[entries[column]]; }
@@ -33,10 +34,12 @@ struct SweepPlan {
 
 /// Reads and checks a doe.yaml.
 /// @param seed empty: the file's seed.
+/// @param changes of the base, which options name.
 /// @throws InvalidInput for paths that match nothing, unknown responses, too many samples, or a base that
 /// does not fit the model.
 /// @throws InvalidInput if the base's format does not allow the ends of a factor's range
-SweepPlan make_sweep_plan(const std::string& file, std::optional<std::uint64_t> seed);
+SweepPlan make_sweep_plan(const std::string& file, std::optional<std::uint64_t> seed,
+                          const targets::DocumentChanges& changes = {});
 
 /// Makes the design or the target of a sample: the base with the factors' values written into it.
 class SampleMaker {

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sqlite3.h>
 #include <sys/file.h>
 #include <unistd.h>
@@ -127,10 +128,13 @@ std::string method_name(const SweepPlan& plan) {
 }
 
 // Entries that must be equal in two tables of one sweep, and their names in messages.
-constexpr std::pair<const char*, const char*> deciding[] = {
-    {"schema", "the table's format"},          {"kinetix_version", "the program's version"},
-    {"doe_sha256", "the sweep file"},          {"base_sha256", "the base file"},
-    {"files_sha256", "a file that they name"}, {"seed", "the seed"}};
+constexpr std::pair<const char*, const char*> deciding[] = {{"schema", "the table's format"},
+                                                            {"kinetix_version", "the program's version"},
+                                                            {"doe_sha256", "the sweep file"},
+                                                            {"base_sha256", "the base file"},
+                                                            {"files_sha256", "a file that they name"},
+                                                            {"seed", "the seed"},
+                                                            {"changes", "an option"}};
 
 std::string value_of(const SweepIdentity& identity, const std::string& key) {
   for (const auto& [name, value] : identity)
@@ -203,6 +207,13 @@ SampleRow storable(SampleRow row) {
   return row;
 }
 
+/// Joins changes of the base: "process: fdm, hinge: {kind: pin}".
+std::string describe_changes(const targets::DocumentChanges& changes) {
+  std::vector<std::string> all;
+  for (const auto& [path, value] : changes) all.push_back(path + ": " + value);
+  return fmt::format("{}", fmt::join(all, ", "));
+}
+
 SampleStatus status_of(const std::string& word) {
   for (const auto status : {SampleStatus::ok, SampleStatus::missed, SampleStatus::disagrees})
     if (to_string(status) == word) return status;
@@ -214,20 +225,22 @@ SampleStatus status_of(const std::string& word) {
 SweepIdentity identify(const SweepPlan& plan) {
   const std::string doe = targets::read_bytes(plan.doe.root.place().file, max_file_bytes);
   const std::string base = targets::read_bytes(plan.doe.base, max_file_bytes);
-  return {{"schema", "kinetix-sweep/1"},
-          {"kinetix_version", version},
-          {"name", plan.doe.name},
-          {"model", to_string(plan.doe.model)},
-          {"method", method_name(plan)},
-          {"samples", std::to_string(plan.size())},
-          {"seed", std::to_string(plan.seed)},
-          {"factors", factor_names(plan)},
-          {"responses", response_names(plan)},
-          {"doe_sha256", sha256(doe)},
-          {"base_sha256", sha256(base)},
-          {"files_sha256", files_hash(plan)},
-          {"doe", doe},
-          {"base", base}};
+  SweepIdentity identity{{"schema", "kinetix-sweep/1"},
+                         {"kinetix_version", version},
+                         {"name", plan.doe.name},
+                         {"model", to_string(plan.doe.model)},
+                         {"method", method_name(plan)},
+                         {"samples", std::to_string(plan.size())},
+                         {"seed", std::to_string(plan.seed)},
+                         {"factors", factor_names(plan)},
+                         {"responses", response_names(plan)},
+                         {"doe_sha256", sha256(doe)},
+                         {"base_sha256", sha256(base)},
+                         {"files_sha256", files_hash(plan)},
+                         {"doe", doe},
+                         {"base", base}};
+  if (!plan.changes.empty()) identity.emplace_back("changes", describe_changes(plan.changes));
+  return identity;
 }
 
 std::string difference(const SweepIdentity& there, const SweepIdentity& asked) {

@@ -53,6 +53,22 @@ TEST_F(Studio, SearchesForAGoalAndTakesItsDesign) {
   EXPECT_EQ(other.text("design")["name"], "hook");
 }
 
+TEST(StudioAtStart, SearchesForATargetWithTheKeysThatOptionsReplace) {
+  const TemporaryFolder folder;
+  folder.write("arc.csv", arc());
+  const std::string file = folder.write("hook.yaml", target);
+  OpenStudio studio({.design = app::studio::template_design("panel"),
+                     .target = targets::read_changed_document(file, app::max_design_bytes,
+                                                              {{"process", "fdm"}, {"hinge", "{kind: pin}"}}),
+                     .threads = 2,
+                     .results = folder.path("results")});
+  Client page(studio.port());
+  ASSERT_TRUE(page.open(studio.token));
+  const json result = page.text("result")["result"];
+  EXPECT_EQ(result["name"], "hook");
+  EXPECT_EQ(result["manufacture"]["process"], "fdm");
+}
+
 TEST_F(Studio, KeepsItsResultWhereThereIsNothingToRedo) {
   client.send(json{{"type", "search"}, {"target", target}, {"files", {{"arc.csv", base64(arc())}}}}.dump());
   ASSERT_TRUE(client.text("result").is_object());
@@ -135,7 +151,7 @@ TEST_F(Studio, KnowsTheGoalOfADesignThatLiesBesideItsResult) {
   EXPECT_EQ(other.text("result")["result"]["name"], "hook") << "pages that come later know of it as well";
   saved.theta = 0.1;
   OpenStudio later{[&](app::studio::MessageSink outlet) {
-    return std::make_unique<app::studio::Session>(app::studio::SessionInput{saved, path, "", 2, 0, again},
+    return std::make_unique<app::studio::Session>(app::studio::SessionInput{saved, path, {}, 2, 0, again},
                                                   std::move(outlet));
   }};
   Client page(later.port());

@@ -17,16 +17,12 @@ class OpenStudio {
  public:
   using Maker = std::function<std::unique_ptr<app::studio::SessionLoop>(app::studio::MessageSink)>;
 
-  explicit OpenStudio(app::Design design, const std::string& target_file = "")
+  explicit OpenStudio(app::Design design, const std::optional<targets::Node>& target = {})
       : OpenStudio([&](app::studio::MessageSink outlet) {
-          return std::make_unique<app::studio::Session>(app::studio::SessionInput{std::move(design),
-                                                                                  folder.path("design.yaml"),
-                                                                                  target_file,
-                                                                                  2,
-                                                                                  0,
-                                                                                  {},
-                                                                                  folder.path("results")},
-                                                        std::move(outlet));
+          return std::make_unique<app::studio::Session>(
+              app::studio::SessionInput{
+                  std::move(design), folder.path("design.yaml"), target, 2, 0, {}, folder.path("results")},
+              std::move(outlet));
         }) {}
   explicit OpenStudio(app::studio::SessionInput opened)
       : OpenStudio([&](app::studio::MessageSink outlet) {

@@ -180,6 +180,8 @@ TEST(SweepTable, IsKeptFromBeingReplacedTakenForAnotherOrWrittenTwiceAtOnce) {
   EXPECT_THAT(other.err, HasSubstr("is the table of another sweep: the sweep file"));
   const Outcome base = run_sweep_in(scratch, small, "--resume", std::string(strip) + "# other\n");
   EXPECT_THAT(base.err, HasSubstr("is the table of another sweep: the base file"));
+  const Outcome option = run_sweep_in(scratch, small, "--resume --process fdm");
+  EXPECT_THAT(option.err, HasSubstr("is the table of another sweep: an option"));
   const Outcome seed = run_sweep_in(scratch, small, "--resume --seed 3");
   EXPECT_THAT(seed.err, HasSubstr("is the table of another sweep: the seed"));
 
