@@ -172,17 +172,6 @@ void check_gaps(const targets::Section& root, const Design& file) {
   }
 }
 
-void check_offsets(const targets::Section& root, const Design& file) {
-  const auto list = root.section("design").optional("hinges");
-  if (!list) return;
-  const WallReader walls(file.structure);
-  for (const targets::Node& node : list->list("a list of hinges")) {
-    const targets::Section hinge(node, hinge_entry_keys());
-    if (const auto why = find_offset_misfit(file, walls.hinge_of(hinge)))
-      throw hinge.optional("offset_mm")->error(*why);
-  }
-}
-
 bool is_basic(const model::HingeParameters& p) {
   const model::HingeParameters basic;
   return p.t == basic.t && p.alpha == basic.alpha && p.beta == basic.beta && p.offset == basic.offset;
@@ -253,17 +242,6 @@ const targets::KeyTable& hinge_entry_keys() {
   return keys;
 }
 
-std::optional<std::string> find_offset_misfit(const Design& design, int hinge) {
-  const auto& made = hinge_at(design.hinge, design.hinge_overrides, hinge).made;
-  if (!made) return std::nullopt;
-  if (design.hinge.model == HingeSection::Model::rotary) return std::nullopt;  // prints give joints a foot
-  const model::CellSize size = design.structure.size();
-  const double offset_mm = std::abs(design.structure.hinge(hinge).offset) * size.edge_mm;
-  const double rounding_mm = 1e-9 * size.edge_mm;  // rounding by the digits of a file
-  if (offset_mm <= largest_offset_mm(*made, size) + rounding_mm) return std::nullopt;
-  return offset_limit_text(*made, size);
-}
-
 const model::HingeTurn* turn_of(const Design& design) {
   return design.drive ? std::get_if<model::HingeTurn>(&*design.drive) : nullptr;
 }
@@ -317,7 +295,6 @@ Design read_design(const targets::Node& node) {
   file.side = read_side(root);
   file.hinge = read_common_hinge(root, file);
   check_gaps(root, file);
-  check_offsets(root, file);
   file.physics = read_physics(root, file.structure.size().edge_mm);
   file.process = read_process(root);
   file.lock = read_lock(root);

@@ -30,11 +30,6 @@ struct Design {
 /// Returns the hinge sections of a design: the common one if a hinge uses it, then each override.
 std::vector<const HingeSection*> hinge_sections(const Design& design);
 
-/// Describes why a hinge cannot have its axis as far off the middle of its wall as it does. Empty if it can, and for
-/// hinges that the file does not describe. Also empty for hinges that are computed as joints, since prints put feet below
-/// them.
-std::optional<std::string> find_offset_misfit(const Design& design, int hinge);
-
 /// Returns the hinge that a design of imported bodies turns; null if none. Its number is -1 for the hinge that turns
 /// most in the first motion.
 const model::HingeTurn* turn_of(const Design& design);

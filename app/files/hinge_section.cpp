@@ -347,13 +347,8 @@ HingeSection read_single_hinge(const targets::Section& section, const model::Cel
 }
 
 std::string offset_limit_text(const model::ManufacturedHinge& hinge, const model::CellSize& size) {
-  const std::string limit =
-      fmt::format("a hinge made so in walls of {:g} mm can sit at most {:.3g} mm off their middle",
-                  size.thickness_mm, largest_offset_mm(hinge, size));
-  if (hinge.kind != HingeKind::pin || hinge.caps) return limit;
-  model::ManufacturedHinge capped = hinge;
-  capped.caps = true;
-  return limit + fmt::format("; with `caps: true` {:.3g} mm", largest_offset_mm(capped, size));
+  return fmt::format("a hinge made so in walls of {:g} mm can sit at most {:.3g} mm off their middle",
+                     size.thickness_mm, largest_offset_mm(hinge, size));
 }
 
 std::string hinge_text(const HingeSection& hinge) {

@@ -52,7 +52,7 @@ HingeSection read_elastic_hinge_section(const targets::Section& root, const mode
 /// Reads the hinge of a single wall by single_hinge_keys(); its model is elastic.
 HingeSection read_single_hinge(const targets::Section& section, const model::CellSize& size);
 
-/// Describes how far a made hinge can be off the middle of its wall, and for a pin without caps how far with caps.
+/// Describes how far a made hinge can be off the middle of its wall.
 std::string offset_limit_text(const model::ManufacturedHinge& hinge, const model::CellSize& size);
 
 /// Returns the inside of a map that reads back to the same hinge, except its model: "k_point: 1000, k_turn: 0.1".

@@ -14,6 +14,25 @@ bool is_refused(const SearchResult& found) { return found.print && !found.print-
 
 bool has_joints(const SearchResult& found) { return found.design.hinge.model == HingeSection::Model::rotary; }
 
+/// Checks whether the file does not say how stiff hinges are.
+bool has_usual_stiffness(const HingeSection& hinge) {
+  return hinge == HingeSection{.model = hinge.model, .made = hinge.made, .kind = hinge.kind};
+}
+
+/// Checks whether hinges may be chosen after the search: joints, and panels in which no hinge stretches.
+bool has_free_choice(const SearchResult& found) {
+  const bool is_exact = found.known && found.known->model == Model::exact;
+  return has_joints(found) || (is_exact && has_usual_stiffness(found.design.hinge));
+}
+
+/// Returns the design with all hinges left open. @pre has_free_choice(found), and the file leaves them open
+Design open_design(const SearchResult& found) {
+  Design out = requested_design(found);
+  out.hinge.made.reset();
+  out.hinge_overrides.clear();
+  return out;
+}
+
 /// Returns the search with how its sheet is folded.
 SearchResult with_folding(SearchResult found, const RunOptions& options) {
   options.progress("drive", -1);
@@ -31,13 +50,13 @@ constexpr int most_fits =
 SearchResult fitted_to_drive(SearchResult found, const RunOptions& options) {
   for (int k = 0; k < most_fits && !options.stop.stop_requested(); ++k) {
     if (!found.folding || !found.folding->drive || found.folding->turns_freely) return found;
-    Design driven = with_open_joints(requested_design(found));
+    Design driven = open_design(found);
     if (!driven.drive) driven.drive = found.folding->drive;
     const PrintAnswer answer = options.printable(driven);
     const bool is_same = answer.made == found.print->made;
     found.print = answer;
     if (is_same || !answer.is_accepted) return found;
-    found.design = with_manufactured_hinges(with_open_joints(found.design), answer.made);
+    found.design = with_manufactured_hinges(open_design(found), answer.made);
     found = with_folding(std::move(found), options);
   }
   return found;
@@ -49,9 +68,9 @@ SearchResult searched(const Goal& goal, const RunOptions& options) {
   found.design.name = goal.name;
   if (!options.printable || !leaves_hinges_open(found.design) || options.stop.stop_requested()) return found;
   found.print = options.printable(requested_design(found));
-  if (!found.print->is_accepted || !has_joints(found)) return found;
+  if (!found.print->is_accepted || !has_free_choice(found)) return found;
   found.design = with_manufactured_hinges(found.design, found.print->made);
-  return has_pins_alone(found.design) ? with_folding(std::move(found), options) : found;
+  return has_pins_alone(found.design) && has_joints(found) ? with_folding(std::move(found), options) : found;
 }
 
 bool meets_goal(const Searched& one, const RunOptions& options) {
@@ -70,17 +89,17 @@ bool can_have_pins(const SearchResult& found) {
 }
 
 /// Checks whether a search is complete: its hinges can be printed, and are pins or of the kind that the file or the
-/// process leaves. Soft hinges are the second choice for joints, since a drive seldom folds a whole sheet of them.
+/// process leaves. Soft hinges are the second choice, since a drive seldom folds a whole sheet of them.
 bool is_complete(const SearchResult& found) {
-  const bool is_settled =
-      !has_joints(found) || found.design.hinge.kind || has_pins_alone(found.design) || !can_have_pins(found);
+  const bool is_settled = !has_free_choice(found) || found.design.hinge.kind ||
+                          has_pins_alone(found.design) || !can_have_pins(found);
   return !is_refused(found) && is_settled;
 }
 
 /// Finds cells that bring a search nearer to one that is complete, mm. Empty if there are none.
 std::optional<model::CellSize> find_next_size(const SearchResult& found, const RunOptions& options) {
-  Design design = with_open_joints(requested_design(found));
-  if (!is_refused(found) && !design.hinge.kind && can_have_pins(found))
+  Design design = has_free_choice(found) ? open_design(found) : requested_design(found);
+  if (!is_refused(found) && !design.hinge.kind && can_have_pins(found) && has_free_choice(found))
     design.hinge.kind = model::HingeKind::pin;
   return options.printable_size(design);
 }

@@ -40,27 +40,6 @@ double corner_turn(const Run& run, const Turned& t) {
   return contact_turn(*t.made, size.thickness_mm, run.design.structure.hinge(t.hinge).offset * size.edge_mm);
 }
 
-/// Returns label and text for the made hinge, pins included, whose offset exceeds the limit of its kind the most.
-std::optional<std::pair<std::string, std::string>> offset_line(const Run& run) {
-  const model::CellSize size = run.design.structure.size();
-  std::optional<std::pair<std::string, std::string>> line;
-  double worst = 1e-9 * size.edge_mm;  // mm: rounding of a file's digits
-  for (int h = 0; h < run.design.structure.hinges(); ++h) {
-    const auto& made = hinge_section(run.design, h).made;
-    if (!made || !find_offset_misfit(run.design, h)) continue;
-    const double offset = std::abs(run.design.structure.hinge(h).offset) * size.edge_mm;
-    const double most = largest_offset_mm(*made, size);
-    if (!(offset - most > worst)) continue;
-    worst = offset - most;
-    line = {
-        "OFFSET",
-        fmt::format(
-            "the offset of the hinge of wall {} is {:.2f} mm; made so in this wall it can be {:.2f} at most",
-            wall_name(run.design.structure, h), offset, most)};
-  }
-  return line;
-}
-
 /// Returns the hinge with the largest value if that value is above 1, else nullptr.
 template <class Value>
 const Turned* worst(const std::vector<Turned>& all, const Value& value) {
@@ -108,7 +87,6 @@ std::vector<std::pair<std::string, std::string>> hinge_problem_lines(const Run& 
                                "here by {:.1f}: a longer gap lets it turn further",
                                wall_name(run.design.structure, t->hinge),
                                corner_turn(run, *t) / radians_per_degree, t->turn / radians_per_degree));
-  if (const auto offset = offset_line(run)) lines.push_back(*offset);
   return lines;
 }
 

@@ -22,7 +22,6 @@ std::vector<std::string> unprintable(const Run& run);
 /// Returns label and text of each problem of made hinges, for the terminal:
 /// PRINT: the process cannot print it. STRAINED: a hinge exceeds the strain of its material.
 /// CORNERS: the two halves of a wall collide over the gap before the state is reached.
-/// OFFSET: a hinge is farther from the middle of its wall than its kind allows.
 /// For all but PRINT, only the worst case is listed.
 std::vector<std::pair<std::string, std::string>> hinge_problem_lines(const Run& run);
 

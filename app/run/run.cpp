@@ -34,7 +34,7 @@ Design requested_design(const SearchResult& found) {
 }
 
 SearchResult planned(SearchResult found, bool brief) {
-  if (found.goal)
+  if (found.goal && !found.hinge_parts.empty())
     found.design.hinge_overrides = hinge_overrides_of(found.design.structure, found.hinge_parts);
   found.plan =
       (brief ? make_brief_plan : make_plan)(found.design.structure, found.model, std::move(found.plan.exact));

@@ -183,9 +183,8 @@ double clearance_tilt(const ManufacturedHinge& hinge) {
 }
 
 double largest_offset_mm(const ManufacturedHinge& hinge, const CellSize& size) {
-  const double needs = hinge.kind == HingeKind::pin ? knuckle_mm(hinge) : hinge.thickness_mm,
-               room = hinge.caps ? room_for_knuckles(size) : size.thickness_mm;
-  return std::max(0.0, (room - needs) / 2);
+  if (hinge.kind == HingeKind::pin) return std::max(0.0, (room_for_knuckles(size) - knuckle_mm(hinge)) / 2);
+  return std::max(0.0, (size.thickness_mm - hinge.thickness_mm) / 2);
 }
 
 double knuckle_mm(const ManufacturedHinge& p) { return p.diameter_mm + 2 * (p.clearance_mm + min_wall); }

@@ -109,9 +109,9 @@ double play_mm(const ManufacturedHinge& hinge);
 /// Returns the tilt that the clearance of a pin allows: atan(2 clearance / height), rad.
 double clearance_tilt(const ManufacturedHinge& hinge);
 
-/// Returns the largest offset of a hinge from the middle of its wall, mm. An elastomer or living hinge may
-/// reach the wall's face. A pin may have an eccentric bore in the round end of a wall that is thicker than
-/// its knuckle, or in a cap. Two caps in the middle of walls at a right angle must not meet.
+/// Returns the largest offset from the middle of its wall at which a search places a hinge, mm. An elastomer or
+/// living hinge stays between the wall's faces. Knuckles of pins may stand beside the wall, as far as two of walls
+/// at a right angle do not meet.
 double largest_offset_mm(const ManufacturedHinge& hinge, const CellSize& size);
 
 /// Returns the diameter of the knuckle around a pin, mm: rod, clearance and the least wall of all processes.

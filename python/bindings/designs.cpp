@@ -38,13 +38,6 @@ void set_hinges(model::Lattice& sheet, HingeField field, const std::string& name
   for (int h = 0; h < sheet.hinges(); ++h) sheet.hinge(h).*field = numbers->data()[h] / scale;
 }
 
-/// Refuses offsets that files refuse: the design could not be saved.
-void check_manufactured_offsets(const app::Design& file) {
-  for (int h = 0; h < file.structure.hinges(); ++h)
-    if (const auto why = app::find_offset_misfit(file, h))
-      throw InvalidInput("offset_mm of wall " + wall_name(file.structure, h) + ": " + *why);
-}
-
 PythonDesign with_hinges(const PythonDesign& design, const std::optional<Numbers>& t,
                          const std::optional<Numbers>& alpha, const std::optional<Numbers>& beta,
                          const std::optional<Numbers>& offset_mm) {
@@ -55,7 +48,6 @@ PythonDesign with_hinges(const PythonDesign& design, const std::optional<Numbers
   set_hinges(file.structure, &model::HingeParameters::beta, "beta", beta);
   set_hinges(file.structure, &model::HingeParameters::offset, "offset_mm", offset_mm, edge);
   validate_hinges(file.structure);
-  if (offset_mm) check_manufactured_offsets(file);
   return PythonDesign(std::move(file));
 }
 

@@ -51,8 +51,7 @@ targets::KeyTable display_drive_keys() {
            "rows are free, which shows a clearer picture"},
           {"axis", value::choice(axes), targets::by_default("y"), "normal of the plates", "plates"},
           {"compression", &DisplayFile::compression, value::number(allowed_compression),
-           "1 less the final over the initial distance of the plates; 0.12 where `variables.offset_mm` is 0",
-           "plates"},
+           "1 less the final over the initial distance of the plates", "plates"},
           press_key(),
           {"angle_deg", &DisplayFile::angle, value::angle(allowed_turn),
            "turn of the hinge, to the side that shows the picture", "hinge"},
@@ -160,7 +159,6 @@ void read_offset(const targets::Section& root, DisplayFile& file) {
             "0 and no "
             "`solver`, or leave `lattice` out");
   if (!under(root, "target", "channel")) file.channel = channel_on_walls;
-  file.compression = compression_on_walls;
   file.t = t_on_walls;
 }
 

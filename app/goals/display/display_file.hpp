@@ -38,10 +38,11 @@ struct DisplayFile : GoalSettings {
   bool by_hinge = false;       ///< drive.kind: one hinge is driven instead of plates
   std::vector<model::Axis> axes = {
       model::Axis::y};  ///< drive.axis or variables.axis: normals of the plates to try
-  /// drive.compression: reduction of the plates' distance as a fraction, (0, 0.5], within compression_range if given
-  double compression = 0.185;
+  /// drive.compression: reduction of the plates' distance as a fraction, (0, 0.5], within compression_range if given.
+  /// Further compression brings bodies so near to each other that pins need far larger cells.
+  double compression = 0.12;
   /// drive.angle_deg: turn of the driven hinge toward the side that shows the picture, rad, (0, 2 pi / 3]
-  double angle = turn_of_compression(0.185);
+  double angle = turn_of_compression(0.12);
   std::optional<int> driven_hinge = {};  ///< drive.wall; nullopt: a hinge in the middle (middle_hinge)
   bool press = false;                    ///< drive.press: plates push but do not pull
   /// variables.compression.range, within (0, 0.5], fractions of the initial distance
@@ -64,9 +65,6 @@ struct DisplayFile : GoalSettings {
 
 // Default channel for hinges on their walls, as in the paper's displays: local texture, read cell by cell.
 inline constexpr optim::Channel channel_on_walls = optim::Channel::aperture;
-// Default compression for hinges on their walls, a fraction of the plates' distance: a letter's cells differ most here
-// before walls collide.
-inline constexpr double compression_on_walls = 0.12;
 // Default range of t for hinges on their walls, fractions of a wall: beyond it the shorter half is no longer than the
 // wall is thick.
 inline constexpr std::array<double, 2> t_on_walls = {0.08, 0.92};

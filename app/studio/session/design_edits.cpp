@@ -129,14 +129,6 @@ void alternate(const model::Structure& squares, const std::vector<int>& hinges, 
   }
 }
 
-/// Checks hinge offsets: a hinge too far off its wall would make the file unreadable.
-Design with_limited_offsets(Design design) {
-  for (int h = 0; h < design.structure.hinges(); ++h)
-    if (const auto why = find_offset_misfit(design, h))
-      throw InvalidInput(fmt::format("wall {}: {}", wall_name(design.structure, h), *why));
-  return design;
-}
-
 /// Reads one `cell`, or the `cells` of a stroke.
 std::vector<model::Cell> painted(const Message& message) {
   const bool many = message.has("cells");
@@ -192,7 +184,7 @@ Design with_hinges(Design design, const Message& message) {
   if (const model::SheetSymmetry symmetry = symmetry_of(message, design); symmetry.any())
     change_images(hinges, symmetry, message, design.structure);
   validate_hinges(design.structure);
-  return with_limited_offsets(with_open_joints(std::move(design)));  // another turn needs other hinges
+  return with_open_joints(std::move(design));  // another turn needs other hinges
 }
 
 Design with_cell(Design design, const Message& message) {
@@ -230,7 +222,7 @@ Design with_sheet(Design design, const Message& message) {
   if (message.has("thickness_mm")) size.thickness_mm = message.number("thickness_mm", 0.01, 100);
   if (message.has("height_mm")) size.height_mm = message.number("height_mm", 0.01, 1000);
   std::vector<model::Cell> cells = is_new ? model::full_sheet(extent) : squares.cells;
-  return with_limited_offsets(with_cells(std::move(design), std::move(cells), size));
+  return with_cells(std::move(design), std::move(cells), size);
 }
 
 Design with_manufactured_hinges(Design design, const Message& message) {
@@ -246,7 +238,7 @@ Design with_manufactured_hinges(Design design, const Message& message) {
   const std::string text = fmt::format("hinge: {{{}}}\n", entries);
   const targets::Section document(targets::parse_document(text, "the studio"), only_hinge());
   design.hinge = read_hinge_section(document, design.structure.size());
-  return with_limited_offsets(std::move(design));
+  return design;
 }
 
 Design with_driven_hinge(Design design, const Message& message) {

@@ -260,8 +260,6 @@ void apply(const Edit& edit, double value, Design& design) {
   check_range(value, number.bounds);
   if (number.in_degrees()) value = targets::radians_of(value);
   design.structure.hinge(edit.index).*number.member = edit.flipped ? number.flipped - value : value;
-  if (edit.kind != Kind::offset_mm) return;
-  if (const auto why = find_offset_misfit(design, edit.index)) throw InvalidInput(*why);
 }
 
 }  // namespace kinetix::app

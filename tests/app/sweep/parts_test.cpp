@@ -94,21 +94,6 @@ TEST(Edit, WritesEachNumberOfAHingeAndItsMirrorImage) {
   }
 }
 
-/// A sample must pass the checks that `check` applies to a design.
-TEST(Edit, RefusesAnOffsetThatTheHingeCannotHave) {
-  app::Design design = app::studio::template_design("panel");
-  const model::CellSize size = design.structure.size();
-  design.hinge.model = app::HingeSection::Model::elastic;
-  design.hinge.made = open_hinge(model::HingeKind::pin, model::processes().front(), size);
-  const auto write = [&](double mm) {
-    app::apply({.kind = app::Edit::Kind::offset_mm, .index = 3}, mm, design);
-  };
-  const double most_mm = largest_offset_mm(*design.hinge.made, size);
-  ASSERT_LT(most_mm, 4);
-  EXPECT_NO_THROW(write(most_mm));
-  EXPECT_THAT(refusal([&] { write(most_mm + 0.1); }), HasSubstr("can sit at most"));
-}
-
 TEST(WorkMessage, KeepsEveryBit) {
   const app::SampleRow row{
       7, {0.1, -0.0}, {std::nan(""), 1e-320}, app::SampleStatus::missed, "why, \"so\"\n"};
