@@ -190,7 +190,7 @@ constexpr double film_mm = 0.4;  // thickness of a film: one nozzle line; strain
 constexpr double widest_turn = 2.8;             // rad: at half a turn corners meet for any gap
 constexpr double tenth = 10;                    // gaps are whole tenths of a mm
 constexpr const char* rod_material = "pa12";    // material of printed rods
-constexpr const char* wire_material = "steel";  // material of rods of their own
+constexpr const char* wire_material = "steel";  // material of separate rods
 constexpr const char* strip_material = "pp";    // material of films that are separate prints
 
 }  // namespace
