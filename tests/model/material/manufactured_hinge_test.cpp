@@ -231,7 +231,7 @@ TEST(Materials, AreFoundByTheirNames) {
               }),
               "");
   }
-  EXPECT_EQ(find_material("steel"), nullptr);
+  EXPECT_EQ(find_material("oak"), nullptr);
 }
 
 using Eigen::AngleAxisd;
