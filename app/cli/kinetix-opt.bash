@@ -12,9 +12,9 @@ _kinetix_opt() {
     --format) COMPREPLY=($(compgen -W "stl 3mf step svg dxf mjcf glb scad all" -- "$word")); return ;;
     --process) COMPREPLY=($(compgen -W "polyjet fdm sla sls laser" -- "$word")); return ;;
     --unit) COMPREPLY=($(compgen -W "mm cm m in ft" -- "$word")); return ;;
-    --material) COMPREPLY=($(compgen -W "tango tpu95a pp pa12 acrylic" -- "$word")); return ;;
+    --material) COMPREPLY=($(compgen -W "tango tpu95a pp pa12 acrylic steel" -- "$word")); return ;;
     --slicer) COMPREPLY=($(compgen -W "prusa orca bambu cura" -- "$word")); return ;;
-    --hinge) COMPREPLY=($(compgen -W "pin block film" -- "$word")); return ;;
+    --hinge) COMPREPLY=($(compgen -W "pin block film rod" -- "$word")); return ;;
     --state) COMPREPLY=($(compgen -W "flat folded" -- "$word")); return ;;
     -o) COMPREPLY=($(compgen -d -- "$word")); return ;;
     --threads | --seed | --time-limit | --monte-carlo | --theta-deg | --clearance | --cell-mm | --port | --soft-material | --tile-mm | --thickness-mm | --kerf-mm) return ;;

@@ -107,9 +107,9 @@ void add_choices(CLI::App& app, CommandOptions& options) {
       ->type_name("NAME")
       ->check(CLI::IsMember(processes));
   add("--hinge", "hinge", "{{kind: {}}}",
-      "pin, block or film, in place of the file's hinges; sizes follow from the process")
+      "pin, block, film or rod, in place of the file's hinges; sizes follow from the process")
       ->type_name("KIND")
-      ->check(CLI::IsMember({"pin", "block", "film"}));
+      ->check(CLI::IsMember({"pin", "block", "film", "rod"}));
   add("--bed", "bed_mm", "[{}]", "bed of your printer, mm: a larger sheet is cut into tiles")
       ->type_name("X,Y");
   add("--lock", "lock", "{}", "clip, strap or none: what keeps the sheet folded")
@@ -130,7 +130,8 @@ void add_export(CLI::App& app, CommandOptions& options, kinetix::app::PrintReque
                  "polyjet, fdm, sla, sls or laser: what it can make is checked (default: the design's)")
       ->type_name("NAME");
   app.add_option("--hinge", request.hinge,
-                 "pin, block or film, where the design leaves hinges open or computes them as joints "
+                 "pin, block, film or rod (wire pushed in), where the design leaves hinges open or computes "
+                 "them as joints "
                  "(default: those of "
                  "the design, else the first kind of the process that fits)")
       ->type_name("KIND");
@@ -191,8 +192,9 @@ void add_import(CLI::App& app, CommandOptions& options, kinetix::app::ImportRequ
          "--soft-material", request.soft_material,
          "name of the material, colour or part that is soft (default: by words such as soft, tpu, tango)")
       ->type_name("NAME");
-  app.add_option("--material", request.material,
-                 "of the soft parts, for their stiffness: tango (default), tpu95a, pp, pa12 or acrylic")
+  app.add_option(
+         "--material", request.material,
+         "of the soft parts, for their stiffness: tango (default), tpu95a, pp, pa12, acrylic or steel")
       ->type_name("NAME");
   app.add_option("--hinges", request.hinges, "YAML file with the axes of hinges that the shape leaves open")
       ->type_name("FILE");

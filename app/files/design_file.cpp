@@ -161,7 +161,7 @@ HingeSection read_common_hinge(const targets::Section& root, const Design& file)
 void check_gaps(const targets::Section& root, const Design& file) {
   for (int h = 0; h < file.structure.hinges(); ++h) {
     const auto& made = hinge_at(file.hinge, file.hinge_overrides, h).made;
-    if (!made || made->kind == model::HingeKind::pin) continue;
+    if (!made || is_pin(made->kind)) continue;
     const model::HingedWall wall = file.structure.wall(h);
     const double length =
         (file.structure.rest_position(wall.upper) - file.structure.rest_position(wall.lower)).norm();

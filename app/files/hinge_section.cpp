@@ -17,10 +17,11 @@ using model::ManufacturedHinge;
 constexpr targets::Word<Model> models[] = {{"rotary", Model::rotary}, {"elastic", Model::elastic}};
 // Words of the key `kind`.
 constexpr targets::Word<HingeKind> kinds[] = {
-    {"pin", HingeKind::pin}, {"block", HingeKind::block}, {"film", HingeKind::film}};
+    {"pin", HingeKind::pin}, {"block", HingeKind::block}, {"film", HingeKind::film}, {"rod", HingeKind::rod}};
 
 constexpr double default_clearance_mm = 0.3;  // mm per side: of FDM, the widest in general use
 constexpr const char* default_pin = "pa12";   // a material that rods are printed in
+constexpr const char* default_rod = "steel";  // wire
 // Ranges of a made hinge, far beyond practical values.
 const targets::Bounds modulus = targets::from_to(1e-6, 1e7, "MPa");
 const targets::Bounds poisson = {0, 0.5, true, false, {}};
@@ -90,9 +91,11 @@ std::vector<targets::Key> stiffness_and_shape() {
       {"kind", value::choice(kinds), targets::no_default,
        "how the hinge is made, from which its stiffness follows ([hinges](hinges.md)): `pin`, a rod in "
        "knuckles with play; `block`, soft material in the gap between the halves of the wall; `film`, a thin "
-       "film over the gap. With no other key, hinges stay joints and get the sizes that the process needs"},
+       "film over the gap; `rod`, a pin whose rod is a separate part or a wire, pushed in after printing. "
+       "With no other key, hinges stay joints and get the sizes that the process needs"},
       {"material", value::either({value::choice(material_names()), value::map(material_keys())}),
-       targets::otherwise("needed; of a pin `" + std::string(default_pin) + "`"), material_meaning()},
+       targets::otherwise(fmt::format("needed; of a pin `{}`, of a rod `{}`", default_pin, default_rod)),
+       material_meaning()},
       {"gap_mm", &ManufacturedHinge::gap_mm,
        value::length(targets::between(0, 1, "mm (below the cell edge)")),
        targets::otherwise("needed by blocks and films"), "length of a block or film along the wall"},
@@ -102,11 +105,11 @@ std::vector<targets::Key> stiffness_and_shape() {
        "of the hinge along its axis, at most the wall's"},
       {"diameter_mm", &ManufacturedHinge::diameter_mm,
        value::length(targets::between(0, 0.5, "mm (below half a cell)")),
-       targets::otherwise("needed by pins"),
+       targets::otherwise(fmt::format("needed by pins; {:g} mm of a rod", model::usual_rod_mm)),
        "of the rod of a pin; its knuckle, 1.6 mm and two clearances wider, is at most 0.7 cells"},
       {"clearance_mm", &ManufacturedHinge::clearance_mm,
        value::length({0, 0.5, true, false, "mm (below half a cell)"}),
-       targets::by_default(default_clearance_mm), "of a pin, between rod and bore, a side"},
+       targets::by_default(default_clearance_mm), "of a pin or rod, between rod and bore, a side"},
       {"play", &ManufacturedHinge::with_play, value::boolean(),
        "whether a pin moves freely within its clearance, a dead band in which nothing resists: sheets are "
        "then "
@@ -151,7 +154,7 @@ void check_stiffness_keys(const targets::Section& section) {
   for (const char* key :
        {"material", "gap_mm", "thickness_mm", "height_mm", "diameter_mm", "clearance_mm", "play", "caps"})
     if (const auto node = section.optional(key))
-      throw node->key_error("belongs to a made hinge; give `kind: pin`, `block` or `film` as well");
+      throw node->key_error("belongs to a made hinge; give `kind: pin`, `block`, `film` or `rod` as well");
 }
 
 model::Material read_material(const targets::Node& node) {
@@ -171,7 +174,7 @@ void check_kind(const targets::Section& section, HingeKind kind) {
     for (const char* key : keys)
       if (const auto node = section.optional(key)) throw node->key_error(why);
   };
-  if (kind == HingeKind::pin)
+  if (is_pin(kind))
     refuse({"gap_mm", "thickness_mm"}, "belongs to blocks and films, not to pins");
   else
     refuse({"diameter_mm", "clearance_mm", "play", "caps"}, "belongs to pins, not to blocks and films");
@@ -179,6 +182,7 @@ void check_kind(const targets::Section& section, HingeKind kind) {
 
 /// Checks that the lengths that the kind needs are given.
 void check_lengths(const targets::Section& section, HingeKind kind) {
+  if (kind == HingeKind::rod) return;
   section.node().required(kind == HingeKind::pin ? "diameter_mm" : "gap_mm", "a length in mm");
   if (kind == HingeKind::film) section.node().required("thickness_mm", "a length in mm");
 }
@@ -203,14 +207,15 @@ model::ManufacturedHinge read_manufactured_hinge(const targets::Section& section
   check_kind(section, hinge.kind);
   if (const auto material = section.optional("material"))
     hinge.material = read_material(*material);
-  else if (hinge.kind == HingeKind::pin)
-    hinge.material = *model::find_material(default_pin);
+  else if (is_pin(hinge.kind))
+    hinge.material = *model::find_material(hinge.kind == HingeKind::rod ? default_rod : default_pin);
   else
     section.node().required("material", "a name or {E_mpa: ..., nu: ..., strain_max: ...}");
   hinge.height_mm = size.height_mm;
   section.read("height_mm", hinge.height_mm, {0, size.height_mm, false, true, "mm (the wall's)"});
   check_lengths(section, hinge.kind);
-  if (hinge.kind == HingeKind::pin)
+  if (hinge.kind == HingeKind::rod) hinge.diameter_mm = model::usual_rod_mm;
+  if (is_pin(hinge.kind))
     hinge.clearance_mm = default_clearance_mm;
   else
     hinge.thickness_mm = size.thickness_mm;
@@ -259,7 +264,7 @@ std::string format_manufactured_hinge(const model::ManufacturedHinge& h) {
   const std::string start =
       fmt::format("kind: {}, material: {}, ", to_string(h.kind), material_text(h.material));
   const std::string shape =
-      h.kind == HingeKind::pin
+      is_pin(h.kind)
           ? fmt::format("diameter_mm: {}, clearance_mm: {}", text(h.diameter_mm), text(h.clearance_mm))
           : fmt::format("gap_mm: {}, thickness_mm: {}", text(h.gap_mm), text(h.thickness_mm));
   return start + shape + ", height_mm: " + text(h.height_mm) + (h.with_play ? ", play: true" : "") +
@@ -416,7 +421,7 @@ std::vector<int> hinges_of_part(const model::Lattice& sheet, const HingePart& pa
 
 /// Returns the largest strain that the material of a block or film withstands; 0 for all other hinges.
 double bearable_strain(const HingeSection& hinge) {
-  const bool bends = hinge.made && hinge.made->kind != model::HingeKind::pin;
+  const bool bends = hinge.made && !is_pin(hinge.made->kind);
   return bends ? hinge.made->material.strain_max : 0;
 }
 

@@ -248,7 +248,7 @@ PrintHinges print_hinges(const SearchResult& found, const model::LinkageDrive& d
     const double turn = hinge_turn(linkage, design, h);
     out.elasticity.each.push_back(set_at(made.value_or(block), turn));
     out.elasticity.k_point = std::max(out.elasticity.k_point, out.elasticity.each.back().k_point);
-    if (made && made->kind == model::HingeKind::pin) continue;
+    if (made && is_pin(made->kind)) continue;
     const model::ManufacturedHinge& bent = made ? *made : block;
     const double strain = hinge_strain(bent, linkage, design, h);
     if (!soft || strain / bent.material.strain_max > soft->strain / soft->made.material.strain_max)

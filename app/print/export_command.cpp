@@ -78,9 +78,10 @@ struct Source {
                                           const model::Process& process) {
     std::optional<model::HingeKind> kind = kind_of(request);
     check_clearance_override(request, design);
-    if (request.caps && kind.value_or(model::HingeKind::pin) != model::HingeKind::pin)
+    if (request.caps && !is_pin(kind.value_or(model::HingeKind::pin)))
       throw InvalidInput("--caps are of pins");
-    if (request.caps) kind = model::HingeKind::pin;
+    if (request.caps && !kind)
+      kind = design.hinge.kind == model::HingeKind::rod ? model::HingeKind::rod : model::HingeKind::pin;
     PrintChoice choice{.clearance_mm = request.clearance_mm,
                        .loose_rods = request.loose_rods,
                        .caps = request.caps,

@@ -11,7 +11,7 @@ struct PrintRequest {
   std::string source;                ///< a design, or the folder of a result
   std::vector<std::string> formats;  ///< by name; "all": every one
   std::string process;               ///< by name; empty: the design's, else polyjet
-  std::string hinge;            ///< pin, block or film for open hinges; empty: the process's first that fits
+  std::string hinge;  ///< pin, block, film or rod, for open hinges; empty: the process's first that fits
   double clearance_mm = 0;      ///< per side of pins, least of this printer, mm; 0: the process's
   double cell_mm = 0;           ///< cell edge instead of the design's, mm; 0: the design's
   std::vector<double> bed_mm;   ///< x and y of the printer's bed: larger sheets become tiles; empty: no limit

@@ -105,7 +105,7 @@ bool has_leaning_hinges(const Design& design) { return !all_vertical(model::Link
 std::vector<PrintChoice> others(const Design& design, const PrintChoice& choice) {
   std::vector<PrintChoice> all;
   if (!leaves_hinges_open(design)) return all;
-  if (choice.kind != model::HingeKind::pin) {
+  if (!is_pin(choice.kind)) {
     all.push_back(choice);
     all.back().alike = false;
   } else if (has_leaning_hinges(design)) {
@@ -176,9 +176,8 @@ std::optional<double> enough_mm(const Order& order, PrintChoice choice) {
 
 bool has_custom_pins(const Design& design) {
   const auto hinges = hinge_sections(design);
-  return std::any_of(hinges.begin(), hinges.end(), [](const HingeSection* hinge) {
-    return hinge->made && hinge->made->kind == model::HingeKind::pin;
-  });
+  return std::any_of(hinges.begin(), hinges.end(),
+                     [](const HingeSection* hinge) { return hinge->made && is_pin(hinge->made->kind); });
 }
 
 /// Suggests a replacement for pins whose hinges stretch. Empty if they do not stretch, or if there are no pins.
@@ -187,7 +186,7 @@ std::string instead_of_pins(const Order& order, const PrintChoice& choice) {
   if (has_custom_pins(order.design))
     return ": its hinges stretch on the way, and pins cannot. The design asks for pins itself, whatever "
            "--hinge says: change its `hinge:` to `kind: block`, or take it out and give --hinge block";
-  if (choice.kind != model::HingeKind::pin || !leaves_hinges_open(order.design)) return "";
+  if (!is_pin(choice.kind) || !leaves_hinges_open(order.design)) return "";
   return ": its hinges stretch on the way, and pins cannot (kinetix-opt export --hinge block)";
 }
 

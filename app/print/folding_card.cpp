@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "app/print/format/sheet_drawing.hpp"
+#include "app/print/rod_list.hpp"
 #include "app/result/motion_evidence.hpp"
 
 namespace kinetix::app {
@@ -148,7 +149,7 @@ std::string describe_cleaning(const std::string& process, bool supports) {
 constexpr double thinnest_blade_mm = 0.2;  // mm: blades of knives begin there
 
 std::string describe_freeing(const PrintSheet& sheet) {
-  if (sheet.kind() != model::HingeKind::pin) return "Bend every hinge once to each side.";
+  if (!is_pin(sheet.kind())) return "Bend every hinge once to each side.";
   const double clearance_mm = least_clearance_mm(sheet).value_or(0);
   const std::string stuck = clearance_mm < thinnest_blade_mm
                                 ? "warm it with a hair dryer, and turn it again."
@@ -215,8 +216,9 @@ FoldingCard make_folding_card(const PrintJob& job) {
   flat.caption = fmt::format("Flat: {}, seen from above, {}", describe_box(sheet, sheet.path.front()),
                              describe_scale(scale.reduction));
   FoldingCard card{sheet.name, {}, {}};
-  card.steps = {{"Clean", describe_cleaning(sheet.process.name, plan_supports(job).is_needed)},
-                {"Free", describe_freeing(sheet)}};
+  card.steps = {{"Clean", describe_cleaning(sheet.process.name, plan_supports(job).is_needed)}};
+  if (sheet.loose_rods() > 0) card.steps.push_back({"Rods", describe_rods(sheet) + "."});
+  card.steps.push_back({"Free", describe_freeing(sheet)});
   const bool folds = sheet.path.size() > 1;
   const std::optional<Folding>& folding = job.folding;
   if (folding && folding->drive && folds) {

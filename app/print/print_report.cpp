@@ -6,6 +6,7 @@
 
 #include "app/print/cut_report.hpp"
 #include "app/print/format/print_format.hpp"
+#include "app/print/rod_list.hpp"
 #include "app/print/slicer.hpp"
 #include "app/report/report.hpp"
 #include "app/result/motion_evidence.hpp"
@@ -62,13 +63,15 @@ std::vector<HingeSort> hinge_sorts(const PrintSheet& sheet) {
 /// Describes the hinges of a sort: "films of pp: gap 2 to 2.5 mm, ...". @param sheet that has them
 std::string describe_hinge_sort(const HingeSort& sort, const PrintSheet& sheet) {
   const auto all = [&](const Size& size) { return sizes(sort, size); };
-  if (sort.kind == model::HingeKind::pin)
-    return fmt::format("pins: rod {} x {} mm, clearance {} mm a side, {} mm along the axis, {} {} mm",
-                       all([](const auto& h) { return h.made.diameter_mm; }),
-                       all([](const auto& h) { return h.made.height_mm; }),
-                       all([](const auto& h) { return h.made.clearance_mm; }),
-                       all([](const auto& h) { return h.axial_clearance_mm; }),
-                       sheet.has_caps() ? "bores in round caps of" : "knuckle", all(knuckle_across_mm));
+  if (is_pin(sort.kind))
+    return fmt::format(
+        "{} {} x {} mm, clearance {} mm a side, {} mm along the axis, {} {} mm",
+        sort.kind == model::HingeKind::pin ? "pins: rod" : "rods of " + describe_material(sort) + ":",
+        all([](const auto& h) { return h.made.diameter_mm; }),
+        all([](const auto& h) { return h.made.height_mm; }),
+        all([](const auto& h) { return h.made.clearance_mm; }),
+        all([](const auto& h) { return h.axial_clearance_mm; }),
+        sheet.has_caps() ? "bores in round caps of" : "knuckle", all(knuckle_across_mm));
   return fmt::format("{} of {}: gap {} mm, thickness {} mm, height {} mm", plural(sort.kind),
                      describe_material(sort), all([](const auto& h) { return h.made.gap_mm; }),
                      all([](const auto& h) { return h.made.thickness_mm; }),
@@ -80,7 +83,7 @@ std::string describe_hinge_sort(const HingeSort& sort, const PrintSheet& sheet) 
 std::vector<std::string> material_warnings(const PrintSheet& sheet) {
   std::vector<std::string> out, soft;
   for (const HingeSort& sort : hinge_sorts(sheet)) {
-    if (sort.kind == model::HingeKind::pin) continue;
+    if (is_pin(sort.kind)) continue;
     soft.push_back(fmt::format("{} of {}", plural(sort.kind), describe_material(sort)));
     if (sheet.process.cuts_sheets()) continue;  // the sheet is of that material
     const std::string& printed = sheet.is_one_material() ? sheet.process.film : sheet.process.rubber;
@@ -163,10 +166,11 @@ std::vector<std::string> room_warnings(const PrintJob& job) {
   return out;
 }
 
-/// Warns if the loose rods, side by side, do not fit on the requested bed.
+/// Warns if the printed rods, side by side, do not fit on the requested bed.
 std::optional<std::string> rods_warning(const PrintSheet& sheet) {
-  if (!sheet.tiles.bed_mm || sheet.loose_rods() == 0) return std::nullopt;
-  const Eigen::Vector3d field = bounds(laid_out_rods(sheet));
+  const model::Polyhedron rods = laid_out_rods(sheet);
+  if (!sheet.tiles.bed_mm || rods.points.empty()) return std::nullopt;
+  const Eigen::Vector3d field = bounds(rods);
   if (fits_on_bed(field.head<2>(), *sheet.tiles.bed_mm)) return std::nullopt;
   return fmt::format("the loose rods lie side by side on {:.1f} x {:.1f} mm, which the bed does not hold",
                      field.x(), field.y());
@@ -178,7 +182,7 @@ std::string describe_joining(const PrintSheet& sheet) {
   for (std::size_t h = 0; h < sheet.hinges.size(); ++h) {
     const model::RestHinge& hinge = sheet.linkage.hinges[h];
     if (sheet.tiles.of_body[hinge.lower] == sheet.tiles.of_body[hinge.upper]) continue;
-    (sheet.hinges[h].made.kind == model::HingeKind::pin ? pins : soft) = true;
+    (is_pin(sheet.hinges[h].made.kind) ? pins : soft) = true;
   }
   if (pins && soft)
     return "push a rod through each pin between two of them, and glue the soft parts there to both";
@@ -359,6 +363,7 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
       {"overhang_mm2", orientations_json(lies(job))},
       {"slicer", slicer_json(slicer)},
       {"loose_rods", sheet.loose_rods()},
+      {"rods", rods_json(sheet)},
       {"lock", lock_json(sheet.lock)},
       {"caps", sheet.has_caps()},
       {"tiles", {sheet.tiles.columns, sheet.tiles.rows}},
@@ -395,9 +400,7 @@ std::string print_text(const PrintJob& job, const PathClearance& clearance,
     line("tiles", describe_tiles(sheet));
   else if (sheet.tiles.turned)
     line("bed", "holds the whole, turned on it by a quarter");
-  if (sheet.loose_rods() > 0)
-    line("rods",
-         fmt::format("{} parts of their own, which hold by friction in the forks", sheet.loose_rods()));
+  if (sheet.loose_rods() > 0) line("rods", describe_rods(sheet));
   if (sheet.lock) line("lock", describe_lock(*sheet.lock));
   const bool is_cut = sheet.process.cuts_sheets();
   for (const auto& [label, text] : is_cut ? describe_cut(sheet) : CutLines{}) line(label, text);

@@ -26,7 +26,8 @@ Value named(const char* option, const std::string& name,
                                  targets::joined(names)));
 }
 
-/// Returns the least clearance of the pins that the design itself describes, mm; empty without such pins.
+/// Returns the least clearance of the pins that the design itself describes, mm; empty without such pins. The bore of a
+/// rod may be narrower than the least gap that prints.
 std::optional<double> clearance_override_mm(const Design& design) {
   std::optional<double> least;
   for (const HingeSection* hinge : hinge_sections(design))
@@ -62,9 +63,11 @@ model::Process process_of(const PrintRequest& request, const model::Process& of_
 
 std::optional<model::HingeKind> kind_of(const PrintRequest& request) {
   if (request.hinge.empty()) return std::nullopt;
-  return named<model::HingeKind>(
-      "--hinge", request.hinge,
-      {{"pin", model::HingeKind::pin}, {"block", model::HingeKind::block}, {"film", model::HingeKind::film}});
+  return named<model::HingeKind>("--hinge", request.hinge,
+                                 {{"pin", model::HingeKind::pin},
+                                  {"block", model::HingeKind::block},
+                                  {"film", model::HingeKind::film},
+                                  {"rod", model::HingeKind::rod}});
 }
 
 std::optional<LockKind> lock_of(const PrintRequest& request) {
@@ -166,10 +169,11 @@ std::vector<std::string> idle_options(const PrintRequest& request, const Design&
     return std::any_of(sheet.hinges.begin(), sheet.hinges.end(),
                        [&](const model::HingePrint& hinge) { return hinge.made.kind == kind; });
   };
-  const bool has_pins = has(model::HingeKind::pin);
+  const bool has_pins = has(model::HingeKind::pin), has_rods = has(model::HingeKind::rod);
   if (const auto kind = kind_of(request); kind && !has(*kind))
     all.push_back("--hinge changes nothing: the design says itself how its hinges are made");
-  if (request.clearance_mm > 0 && !has_pins) all.push_back("--clearance changes nothing: no hinge is a pin");
+  if (request.clearance_mm > 0 && !has_pins && !has_rods)
+    all.push_back("--clearance changes nothing: no hinge is a pin");
   if (const auto own = clearance_override_mm(design); own && request.clearance_mm > 0)
     all.push_back(fmt::format(
         "--clearance {:g} leaves the design's own pins as they are: their clearance is {:g} mm or more",

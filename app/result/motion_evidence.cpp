@@ -176,7 +176,7 @@ struct DriveJson {
 
 Json hinge_json(const model::ManufacturedHinge& hinge) {
   Json out = {{"kind", to_string(hinge.kind)}, {"material", hinge.material.name}};
-  if (hinge.kind == model::HingeKind::pin)
+  if (is_pin(hinge.kind))
     out.update({{"diameter_mm", hinge.diameter_mm}, {"clearance_mm", hinge.clearance_mm}});
   else
     out.update({{"gap_mm", hinge.gap_mm}, {"thickness_mm", hinge.thickness_mm}});

@@ -25,7 +25,7 @@ std::vector<Turned> turned_hinges(const Run& run) {
   const model::Linkage linkage(run.design.structure);
   for (int h = 0; h < run.design.structure.hinges(); ++h) {
     const auto& made = hinge_section(run.design, h).made;
-    if (!made || made->kind == model::HingeKind::pin) continue;
+    if (!made || is_pin(made->kind)) continue;
     const model::State& state = run.states.front().poses;
     all.push_back(
         {h, &*made, std::abs(hinge_turn(linkage, state, h)), hinge_strain(*made, linkage, state, h)});

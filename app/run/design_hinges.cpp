@@ -26,7 +26,7 @@ bool leaves_hinges_open(const Design& design) {
 bool has_pins_alone(const Design& design) {
   const auto made = manufactured_hinges(design);
   return !leaves_hinges_open(design) &&
-         std::all_of(made.begin(), made.end(), [](const auto& h) { return h.kind == model::HingeKind::pin; });
+         std::all_of(made.begin(), made.end(), [](const auto& h) { return is_pin(h.kind); });
 }
 
 Design with_manufactured_hinges(const Design& design, const std::vector<model::ManufacturedHinge>& made) {
@@ -51,8 +51,7 @@ Design with_open_joints(Design design) {
 std::optional<model::ManufacturedHinge> loosest_pin(const Design& design) {
   std::optional<model::ManufacturedHinge> loosest;
   for (const model::ManufacturedHinge& made : manufactured_hinges(design))
-    if (made.kind == model::HingeKind::pin && !made.with_play &&
-        (!loosest || made.clearance_mm > loosest->clearance_mm))
+    if (is_pin(made.kind) && !made.with_play && (!loosest || made.clearance_mm > loosest->clearance_mm))
       loosest = made;
   return loosest;
 }

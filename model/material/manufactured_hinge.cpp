@@ -34,7 +34,10 @@ const std::vector<Material>& materials() {
        "yield"},
       {"acrylic", 2900, 0.37, 0.02,
        "cast sheet of PMMA: Lange's Handbook of Chemistry, 15th edition, table 10.2, 380 000 to 450 000 psi, "
-       "which is 2620 to 3100 MPa, and 2 to 10 % elongation at break; nu is an estimate"}};
+       "which is 2620 to 3100 MPa, and 2 to 10 % elongation at break; nu is an estimate"},
+      {"steel", 200000, 0.3, 0.001,
+       "wire of stainless steel: EN 1993-1-4, section 2.1.3, 200 000 MPa and 0.3 of austenitic grades; the "
+       "strain is that of 200 MPa, an estimate near their proof strength"}};
   return all;
 }
 
@@ -149,11 +152,21 @@ void check_pin(const ManufacturedHinge& p, const CellSize& size) {
 }  // namespace
 
 std::string to_string(HingeKind kind) {
-  return kind == HingeKind::pin ? "pin" : kind == HingeKind::block ? "block" : "film";
+  switch (kind) {
+    case HingeKind::pin:
+      return "pin";
+    case HingeKind::block:
+      return "block";
+    case HingeKind::film:
+      return "film";
+    case HingeKind::rod:
+      return "rod";
+  }
+  return "";
 }
 
 HingeStiffness stiffness(const ManufacturedHinge& hinge) {
-  return hinge.kind == HingeKind::pin ? rod(hinge) : beam(hinge);
+  return is_pin(hinge.kind) ? rod(hinge) : beam(hinge);
 }
 
 double reach_mm(const ManufacturedHinge& hinge) {
@@ -161,29 +174,27 @@ double reach_mm(const ManufacturedHinge& hinge) {
 }
 
 double strain(const ManufacturedHinge& b, double turn) {
-  return b.kind == HingeKind::pin ? 0 : std::abs(turn) * b.thickness_mm / (2 * b.gap_mm);
+  return is_pin(b.kind) ? 0 : std::abs(turn) * b.thickness_mm / (2 * b.gap_mm);
 }
 
 double largest_turn(const ManufacturedHinge& b) {
-  if (b.kind == HingeKind::pin) return pi;
+  if (is_pin(b.kind)) return pi;
   return std::min(pi, 2 * b.gap_mm * b.material.strain_max / b.thickness_mm);
 }
 
 double contact_turn(const ManufacturedHinge& b, double wall_thickness_mm, double offset_mm) {
-  if (b.kind == HingeKind::pin) return pi;
+  if (is_pin(b.kind)) return pi;
   return 2 * std::atan2(b.gap_mm, wall_thickness_mm + 2 * std::abs(offset_mm));
 }
 
-double play_mm(const ManufacturedHinge& hinge) {
-  return hinge.kind == HingeKind::pin ? hinge.clearance_mm : 0;
-}
+double play_mm(const ManufacturedHinge& hinge) { return is_pin(hinge.kind) ? hinge.clearance_mm : 0; }
 
 double clearance_tilt(const ManufacturedHinge& hinge) {
   return std::atan2(2 * play_mm(hinge), hinge.height_mm);
 }
 
 double largest_offset_mm(const ManufacturedHinge& hinge, const CellSize& size) {
-  if (hinge.kind == HingeKind::pin) return std::max(0.0, (room_for_knuckles(size) - knuckle_mm(hinge)) / 2);
+  if (is_pin(hinge.kind)) return std::max(0.0, (room_for_knuckles(size) - knuckle_mm(hinge)) / 2);
   return std::max(0.0, (size.thickness_mm - hinge.thickness_mm) / 2);
 }
 
@@ -207,7 +218,7 @@ ManufacturedHinge fitted(ManufacturedHinge hinge, const CellSize& before, const 
 void validate(const ManufacturedHinge& hinge, const CellSize& size) {
   check(hinge.material);
   check_up_to("height_mm", hinge.height_mm, size.height_mm, "the height of the wall");
-  if (hinge.kind == HingeKind::pin)
+  if (is_pin(hinge.kind))
     check_pin(hinge, size);
   else
     check_beam(hinge, size);
@@ -223,7 +234,7 @@ double edge_stretch_mm(const Linkage& linkage, const State& state, int hinge, do
 }
 
 double hinge_strain(const ManufacturedHinge& made, const Linkage& linkage, const State& state, int hinge) {
-  if (made.kind == HingeKind::pin) return 0;
+  if (is_pin(made.kind)) return 0;
   return strain(made, std::abs(hinge_turn(linkage, state, hinge))) +
          edge_stretch_mm(linkage, state, hinge, made.height_mm) / made.gap_mm;
 }

@@ -35,13 +35,21 @@ enum class HingeKind {
   pin,    ///< revolute joint: knuckles around a rod, with clearance
   block,  ///< elastomer hinge: soft material that fills the gap between two halves of a wall
   film,   ///< living hinge: a thin film that bridges the gap
+  rod,    ///< pin whose rod is a separate part, printed or of wire, that is pushed through afterwards
 };
 
-/// Returns "pin", "block" or "film", as in files.
+/// Checks whether a hinge turns on a rod.
+constexpr bool is_pin(HingeKind kind) { return kind == HingeKind::pin || kind == HingeKind::rod; }
+
+/// Diameter of a rod that the file does not give, mm: common wire. Of steel, it is stiffer than a printed rod of 3 mm.
+inline constexpr double usual_rod_mm = 1;
+
+/// Returns "pin", "block", "film" or "rod", as in files.
 std::string to_string(HingeKind kind);
 
 /// Dimensions and material of a manufactured hinge. Elastomer and living hinges span the gap L along the
-/// wall, with thickness t across it and height h along the hinge axis. A pin is a rod as high as the wall.
+/// wall, with thickness t across it and height h along the hinge axis. A pin is a rod as high as the wall. All that
+/// is stated of pins also applies to the kind rod.
 struct ManufacturedHinge {
   HingeKind kind = HingeKind::block;
   Material material = {};

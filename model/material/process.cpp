@@ -140,7 +140,7 @@ void validate(const PrintError& sd) {
 }
 
 ClearanceScatter clearance_scatter(const ManufacturedHinge& hinge, const PrintError& sd) {
-  if (hinge.kind != HingeKind::pin || hinge.with_play) return {};
+  if (!is_pin(hinge.kind) || hinge.with_play) return {};
   ManufacturedHinge loose = hinge;
   loose.clearance_mm = std::hypot(hinge.clearance_mm, sd.clearance_mm);
   const double even = std::sqrt(3.0);
@@ -155,9 +155,12 @@ std::vector<PrintProblem> print_problems(const Process& p, const CellSize& size,
     problems.compare("a bridge", hinge->thickness_mm, p.min_film_mm);
     problems.compare("a bridge's length", hinge->gap_mm, p.kerf_mm);
   }
-  if (!hinge || hinge->kind != HingeKind::pin) return std::move(problems).all();
-  problems.compare("a rod", hinge->diameter_mm, p.min_pin_mm);
-  problems.compare("a clearance", hinge->clearance_mm, p.clearance_mm);
+  if (hinge && hinge->kind == HingeKind::pin) {
+    problems.compare("a rod", hinge->diameter_mm, p.min_pin_mm);
+    problems.compare("a clearance", hinge->clearance_mm, p.clearance_mm);
+  }
+  if (hinge && hinge->kind == HingeKind::rod)
+    problems.compare("a rod's clearance", hinge->clearance_mm, p.sd.clearance_mm);
   return std::move(problems).all();
 }
 

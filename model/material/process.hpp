@@ -85,7 +85,8 @@ struct PrintProblem {
 };
 
 /// Finds walls, rods and clearances that are too small, and bridges of a cut sheet that are too narrow, or
-/// shorter than the cut is wide. Printed elastomer and living hinges are not checked: their least thickness
+/// shorter than the cut is wide. The kind rod may be of wire of any diameter. Nothing is printed in its bore, which
+/// only has to be wider than the rod by the scatter of the clearance. Printed elastomer and living hinges are not checked: their least thickness
 /// depends on the line or droplet of the printer.
 /// @param hinge empty: for a sheet whose hinges have no dimensions yet
 std::vector<PrintProblem> print_problems(const Process& process, const CellSize& size,

@@ -125,7 +125,7 @@ HingeEnd pin_end(const HingePrint& hinge, const CellSize& size, double axis_acro
                corners = corner_room(half_wall, widest, hinge.turn);
   const int sides = pin_sides(hinge);
   HingeEnd end;
-  end.wall_end = std::max(swept, corners) + p.clearance_mm;
+  end.wall_end = std::max(swept, corners) + gap_mm(hinge);
   end.axis_across = axis_across;
   end.knuckle_across = is_cap ? 0 : axis_across;
   end.knuckle_radius = radius;
@@ -177,8 +177,8 @@ std::vector<Vector2d> rod_section(const HingePrint& hinge) {
 }
 
 HingeEnd hinge_end(const HingePrint& hinge, const CellSize& size, double axis_across, bool fork) {
-  return hinge.made.kind == HingeKind::pin ? pin_end(hinge, size, axis_across, fork)
-                                           : block_end(hinge, size, axis_across);
+  return is_pin(hinge.made.kind) ? pin_end(hinge, size, axis_across, fork)
+                                 : block_end(hinge, size, axis_across);
 }
 
 namespace {
@@ -187,10 +187,11 @@ namespace {
 constexpr double slender = 1.25;
 constexpr double more_room = 1.1;  // ratio to the length at which the corners of a wall would meet
 constexpr double film_mm = 0.4;  // thickness of a film: one nozzle line; strain 0.1 over 3 mm and 90 degrees
-constexpr double widest_turn = 2.8;           // rad: at half a turn corners meet for any gap
-constexpr double tenth = 10;                  // gaps are whole tenths of a mm
-constexpr const char* rod_material = "pa12";  // material of rods of pins
-constexpr const char* strip_material = "pp";  // material of films that are separate prints
+constexpr double widest_turn = 2.8;             // rad: at half a turn corners meet for any gap
+constexpr double tenth = 10;                    // gaps are whole tenths of a mm
+constexpr const char* rod_material = "pa12";    // material of printed rods
+constexpr const char* wire_material = "steel";  // material of separate rods
+constexpr const char* strip_material = "pp";    // material of films that are separate prints
 
 }  // namespace
 
@@ -198,9 +199,10 @@ ManufacturedHinge open_hinge(HingeKind kind, const Process& process, const CellS
   ManufacturedHinge hinge;
   hinge.kind = kind;
   hinge.height_mm = size.height_mm;
-  if (kind == HingeKind::pin) {
-    hinge.material = *find_material(rod_material);
-    hinge.diameter_mm = process.min_pin_mm;
+  if (is_pin(kind)) {
+    const bool is_wire = kind == HingeKind::rod;
+    hinge.material = *find_material(is_wire ? wire_material : rod_material);
+    hinge.diameter_mm = is_wire ? usual_rod_mm : process.min_pin_mm;
     hinge.clearance_mm = process.clearance_mm;
     return hinge;
   }

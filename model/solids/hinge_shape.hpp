@@ -42,6 +42,7 @@ struct HingePrint {
   ManufacturedHinge made;
   double axial_clearance_mm = 0;  ///< between a pin's knuckles along the axis, mm, >= 0
   double knuckle_wall_mm = 0.8;   ///< around a pin's bore, mm, > 0
+  double min_gap_mm = 0;          ///< least gap between two printed parts, mm, >= 0
   double turn = 0;  ///< largest turn of the upper half relative to the lower about the axis, rad, (-pi, pi)
   bool loose = false;          ///< true: a pin's rod is a separate part, pushed into bores of the fork
   double tolerance_mm = 0.01;  ///< largest deviation of a polygon from its circle, mm, > 0.
@@ -53,13 +54,17 @@ struct HingePrint {
   double rim_mm = 0;
 };
 
+/// Returns the gap between each end of a pin and the knuckles of the other, mm: the clearance, or min_gap_mm if the bore
+/// of a separate rod is tighter.
+inline double gap_mm(const HingePrint& pin) { return std::max(pin.made.clearance_mm, pin.min_gap_mm); }
+
 /// Height over width of the cones of pins: slightly steeper than the 45 degrees that FDM prints without support.
 inline constexpr double cone_rise = 1.1;
 
 /// Returns one end of a pin. The fork has two knuckles with the rod between them; the eye is between these and turns
 /// on it.
 /// Rod and bore are polygons whose gap is nowhere less than the clearance. The rod's corners and the middles of the
-/// bore's sides are on their circles. A plate ends one clearance before the other's knuckles. It also ends before its
+/// bore's sides are on their circles. A plate ends gap_mm() before the other's knuckles. It also ends before its
 /// corners would meet the other's at the largest turn, on the side towards which the wall folds. Caps off their axis
 /// approach as they turn, by the sine of the turn.
 /// @param hinge with the turn of the other end relative to this one about s   @param axis_across n of the axis, mm
@@ -86,10 +91,10 @@ HingeEnd hinge_end(const HingePrint& hinge, const CellSize& size, double axis_ac
 int circle_sides(double radius_mm, double tolerance_mm);
 
 /// Returns the hinge that a process assumes if the design does not describe it. A pin has the thinnest rod and the
-/// smallest clearance of the process. An elastomer block is of the process's rubber, as thick as the wall. A living
-/// hinge has the thickness of one line, or the least that the process cuts. It is of the process's film material, or a
-/// strip of polypropylene if the process has none. All are as high as the wall. Hinges that span a gap have none yet
-/// (open_gap_mm).
+/// smallest clearance of the process. The kind rod has the same clearance about a steel wire of usual_rod_mm. An
+/// elastomer block is of the process's rubber, as thick as the wall. A living hinge has the thickness of one line, or
+/// the least that the process cuts. It is of the process's film material, or a strip of polypropylene if the process has
+/// none. All are as high as the wall. Hinges that span a gap have none yet (open_gap_mm).
 ManufacturedHinge open_hinge(HingeKind kind, const Process& process, const CellSize& size);
 
 /// Returns the gap of a block or film that withstands its turn and stretch, mm, rounded up to whole tenths.

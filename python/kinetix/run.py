@@ -93,7 +93,7 @@ def export(design: Union[Design, Source, Result], formats: Union[str, Sequence[s
     :param formats: names, or ``all``: stl, 3mf, step, svg, dxf, mjcf, glb, scad.
     :param folder: for the files.
     :param process: polyjet, fdm, sla, sls or laser, whose limits are checked; by default the design's, else polyjet.
-    :param hinge: pin, block or film if the design names none; by default pins if they fit, else blocks.
+    :param hinge: pin, block, film or rod if the design names none; by default pins if they fit, else blocks.
     :param clearance_mm: of pins, per side: the least gap of the printer's coupon that turns; 0: the process's.
     :param cell_mm: cells of this edge instead of the design's own; 0: its own.
     :param bed_mm: x and y of the printer's bed: a larger sheet is cut into tiles.

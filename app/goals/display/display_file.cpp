@@ -275,7 +275,7 @@ void read_variables(const targets::Section& root, DisplayFile& file) {
 
 void read_limits(const targets::Section& section, DisplayFile& file) {
   file.limits = read_hinge_limits(section, file.hinge);
-  if (const auto& made = file.hinge.made; made && made->kind != model::HingeKind::pin && !file.limits.strain)
+  if (const auto& made = file.hinge.made; made && !is_pin(made->kind) && !file.limits.strain)
     file.limits.strain = made->material.strain_max;
   if (const auto force = section.optional("force_N"); force && file.by_hinge)
     throw force->key_error("is for plates; a driven hinge has a moment");

@@ -159,7 +159,7 @@ class MujocoFile {
     const model::State& folded = sheet_.path.back();
     for (int h = 0; h < static_cast<int>(turns_.size()); ++h)
       all += stiffness(h) * std::pow(hinge_turn(sheet_.linkage, folded, h), 2);
-    const bool has_pins = std::any_of(sheet_.hinges.begin(), sheet_.hinges.end(), is_pin);
+    const bool has_pins = std::any_of(sheet_.hinges.begin(), sheet_.hinges.end(), has_pin);
     if (has_pins && turned_ > 0)
       shared_ = all / turned_;
     else if (held() > 0)
@@ -248,12 +248,12 @@ class MujocoFile {
     out_ += "</equality>\n";
   }
 
-  static bool is_pin(const model::HingePrint& hinge) { return hinge.made.kind == model::HingeKind::pin; }
+  static bool has_pin(const model::HingePrint& hinge) { return is_pin(hinge.made.kind); }
   /// Returns the stiffness of a joint of the trees, N m/rad.
   double stiffness(int h) const {
     if (shared_) return *shared_;
     const model::HingePrint& hinge = sheet_.hinges[h];
-    return is_pin(hinge) ? 0 : with_loops_ * model::stiffness(hinge.made).turn * metres_per_mm;
+    return has_pin(hinge) ? 0 : with_loops_ * model::stiffness(hinge.made).turn * metres_per_mm;
   }
   /// Returns the force of the trees' hinges on the tendon at the fold, N m: the sum of stiffness times turn^2.
   double held() const {

@@ -91,22 +91,28 @@ TileParts tile_parts(const PrintJob& job, int tile) {
   return {rounded_for_file(std::move(parts.hard)), rounded_for_file(std::move(parts.soft))};
 }
 
+bool is_printable_rod(const PrintSheet& sheet, int hinge) {
+  return !sheet.rods[hinge].points.empty() &&
+         sheet.hinges[hinge].made.diameter_mm >= sheet.process.min_pin_mm;
+}
+
 model::Polyhedron laid_out_rods(const PrintSheet& sheet) {
   model::Polyhedron all;
   double length = 0, width = 0;
-  for (const model::Polyhedron& rod : sheet.rods)
-    if (!rod.points.empty()) {
-      length = std::max(length, length_of(rod));
-      width = std::max(width, 2 * apart * radius_of(rod));
-    }
-  const int count = sheet.loose_rods();
+  int count = 0;
+  for (int h = 0; h < static_cast<int>(sheet.rods.size()); ++h) {
+    if (!is_printable_rod(sheet, h)) continue;
+    length = std::max(length, length_of(sheet.rods[h]));
+    width = std::max(width, 2 * apart * radius_of(sheet.rods[h]));
+    ++count;
+  }
   if (count == 0) return all;
   // Enough rows per column to make the field about square, like a bed.
   const int rows = static_cast<int>(std::ceil(std::sqrt(count * (length + rods_apart_mm) / width)));
   int placed = 0;
-  for (const model::Polyhedron& rod : sheet.rods) {
-    if (rod.points.empty()) continue;
-    append(lying(rod, (placed / rows) * (length + rods_apart_mm), (placed % rows) * width), all);
+  for (int h = 0; h < static_cast<int>(sheet.rods.size()); ++h) {
+    if (!is_printable_rod(sheet, h)) continue;
+    append(lying(sheet.rods[h], (placed / rows) * (length + rods_apart_mm), (placed % rows) * width), all);
     ++placed;
   }
   return rounded_for_file(std::move(all));

@@ -81,7 +81,10 @@ struct TileParts {
 };
 TileParts tile_parts(const PrintJob& job, int tile);
 
-/// Returns all loose rods side by side, lying along x on the plane z = 0, mm; empty without any.
+/// Checks whether a hinge has a rod that is a separate part, and that the process can print.
+bool is_printable_rod(const PrintSheet& sheet, int hinge);
+
+/// Returns these rods side by side, lying along x on the plane z = 0, mm; empty without any.
 model::Polyhedron laid_out_rods(const PrintSheet& sheet);
 
 /// Largest overhang that FDM prints without support, degrees from upright (docs/print.md section 3).

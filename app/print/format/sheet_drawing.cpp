@@ -261,7 +261,7 @@ SheetDrawing sheet_drawing(const PrintSheet& sheet) {
     if (!sheet.soft[h].points.empty())
       drawing.soft.push_back({"hinge " + sheet.linkage.wall_name(h),
                               united({shadow(sheet.soft[h].points, at_rest(sheet, hinge.lower))})});
-    const bool pin = sheet.hinges[h].made.kind == model::HingeKind::pin;
+    const bool pin = is_pin(sheet.hinges[h].made.kind);
     drawing.hinges.push_back({h + 1, place.head<2>(), pin ? sheet.hinges[h].made.diameter_mm / 2 : 0});
   }
   find_bounds(drawing);

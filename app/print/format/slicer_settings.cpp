@@ -114,7 +114,7 @@ bool is_foot_of_printer(const PrintSheet& sheet) {
 std::optional<double> least_clearance_mm(const PrintSheet& sheet) {
   std::optional<double> least;
   for (const model::HingePrint& hinge : sheet.hinges)
-    if (hinge.made.kind == model::HingeKind::pin)
+    if (is_pin(hinge.made.kind))
       least = std::min(least.value_or(hinge.made.clearance_mm), hinge.made.clearance_mm);
   return least;
 }

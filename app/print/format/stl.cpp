@@ -17,8 +17,8 @@ std::vector<NamedContent> write_stl(const PrintJob& job) {
   std::vector<NamedContent> files{{"hard.stl", stl_text(job.sheet.name + " hard", hard)}};
   files.push_back({"all.stl", stl_text(job.sheet.name, joined(hard, soft))});
   if (!soft.points.empty()) files.push_back({"soft.stl", stl_text(job.sheet.name + " soft", soft)});
-  if (job.sheet.loose_rods() > 0)
-    files.push_back({"rods.stl", stl_text(job.sheet.name + " rods", laid_out_rods(job.sheet))});
+  if (const model::Polyhedron rods = laid_out_rods(job.sheet); !rods.points.empty())
+    files.push_back({"rods.stl", stl_text(job.sheet.name + " rods", rods)});
   if (!job.sheet.clip.points.empty())
     files.push_back({"clip.stl", stl_text(job.sheet.name + " clip", rounded_for_file(job.sheet.clip))});
   if (job.sheet.tiles.count() > 1)

@@ -22,7 +22,7 @@ struct PinRoom {
 double room_radius_mm(const model::HingePrint& pin) {
   const double knuckle =
       pin.made.diameter_mm / 2 + pin.made.clearance_mm + pin.knuckle_wall_mm + pin.cap_across_mm;
-  return std::sqrt(2.0) * (knuckle + pin.made.clearance_mm);
+  return std::sqrt(2.0) * (knuckle + gap_mm(pin));
 }
 
 /// Returns the rooms of the pins of each body as the job lies.
@@ -31,7 +31,7 @@ std::vector<std::vector<PinRoom>> pin_rooms(const PrintJob& job) {
   const double upright = std::cos(steep_deg * radians_per_degree) - steep_margin;
   std::vector<std::vector<PinRoom>> rooms(sheet.meshes.size());
   for (std::size_t h = 0; h < sheet.hinges.size(); ++h) {
-    if (sheet.hinges[h].made.kind != model::HingeKind::pin) continue;
+    if (!is_pin(sheet.hinges[h].made.kind)) continue;
     const model::RestHinge& hinge = sheet.linkage.hinges[h];
     for (const bool is_lower : {true, false}) {
       const int body = is_lower ? hinge.lower : hinge.upper;

@@ -196,7 +196,8 @@ NamedContent package(const PrintJob& job, const std::string& name, model::Polyhe
 std::vector<NamedContent> write_threemf(const PrintJob& job) {
   const std::string& name = job.sheet.name;
   std::vector<NamedContent> files{package(job, name, hard_part(job), soft_part(job))};
-  if (job.sheet.loose_rods() > 0) files.push_back(package(job, name + "_rods", laid_out_rods(job.sheet), {}));
+  if (model::Polyhedron rods = laid_out_rods(job.sheet); !rods.points.empty())
+    files.push_back(package(job, name + "_rods", std::move(rods), {}));
   if (!job.sheet.clip.points.empty())
     files.push_back(package(job, name + "_clip", rounded_for_file(job.sheet.clip), {}));
   if (job.sheet.tiles.count() > 1)

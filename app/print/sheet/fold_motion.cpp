@@ -361,13 +361,13 @@ PieceDistance piece_distance(const PlacedPiece& a, const PlacedPiece& b) {
 
 model::HingePrint with_faces(model::HingePrint pin, const model::Process& process) {
   const bool inclined = process.filament && !pin.loose;
-  pin.axial_clearance_mm = axial_clearance_mm(pin.made.clearance_mm, process, inclined);
+  pin.axial_clearance_mm = axial_clearance_mm(gap_mm(pin), process, inclined);
   if (inclined) pin.rim_mm = process.filament->line_mm;
   return pin;
 }
 
-double min_pin_height_mm(double clearance_mm, const model::Process& process) {
-  return 4 * axial_clearance_mm(clearance_mm, process, process.filament.has_value());
+double min_pin_height_mm(double clearance_mm, const model::Process& process, bool loose) {
+  return 4 * axial_clearance_mm(clearance_mm, process, process.filament && !loose);
 }
 
 }  // namespace kinetix::app

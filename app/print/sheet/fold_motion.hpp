@@ -105,6 +105,7 @@ PieceDistance piece_distance(const PlacedPiece& a, const PlacedPiece& b);
 model::HingePrint with_faces(model::HingePrint pin, const model::Process& process);
 
 /// Returns the least height of a pin, mm. Its eye, between two such clearances, is as high as they are.
-double min_pin_height_mm(double clearance_mm, const model::Process& process);
+/// @param loose whether its rod is a separate part
+double min_pin_height_mm(double clearance_mm, const model::Process& process, bool loose);
 
 }  // namespace kinetix::app

@@ -285,7 +285,7 @@ class LockMaker {
   double energy(const model::State& state) const {
     double sum = 0;
     for (int h = 0; h < static_cast<int>(sheet_.hinges.size()); ++h) {
-      if (sheet_.hinges[h].made.kind == model::HingeKind::pin) continue;
+      if (is_pin(sheet_.hinges[h].made.kind)) continue;
       const double turn = hinge_turn(sheet_.linkage, state, h);
       sum += stiffness(sheet_.hinges[h].made).turn * turn * turn / 2;
     }

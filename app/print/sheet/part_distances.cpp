@@ -16,9 +16,7 @@ PathClearance no_parts_clearance() {
   return none;
 }
 
-double clearance_of(const model::HingePrint& hinge) {
-  return hinge.made.kind == model::HingeKind::pin ? hinge.made.clearance_mm : 0;
-}
+double clearance_of(const model::HingePrint& hinge) { return is_pin(hinge.made.kind) ? gap_mm(hinge) : 0; }
 
 PlacedPiece placed(const PartPiece& piece, const model::State& state) {
   PlacedPiece out{piece, {}};
@@ -127,7 +125,7 @@ PathClearance Distances::measured(double theta, const model::State& state) const
 
 void Distances::compare_bores(double theta, const model::State& state, PathClearance& least) const {
   for (std::size_t h = 0; h < sheet_.hinges.size(); ++h)
-    if (sheet_.hinges[h].made.kind == model::HingeKind::pin) compare_bore(h, theta, state, least);
+    if (is_pin(sheet_.hinges[h].made.kind)) compare_bore(h, theta, state, least);
 }
 
 void Distances::compare_bore(std::size_t h, double theta, const model::State& state,

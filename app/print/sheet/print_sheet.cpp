@@ -37,7 +37,7 @@ void check_process(const model::Process& process, const model::CellSize& size,
 /// height.
 void check_eye(const model::HingePrint& pin) {
   const double eye = pin.made.height_mm / 2 - pin.axial_clearance_mm;
-  if (pin.made.kind != HingeKind::pin || eye >= pin.axial_clearance_mm) return;
+  if (!is_pin(pin.made.kind) || eye >= pin.axial_clearance_mm) return;
   throw InvalidInput(
       fmt::format("a pin {:.3g} mm high has no room for an eye between two clearances of {:g} mm: its wall "
                   "must be higher",
@@ -81,7 +81,7 @@ class SheetMaker {
  private:
   void make_whole() {
     choose_hinges();
-    if (choice_.caps && sheet_.kind() != HingeKind::pin)
+    if (choice_.caps && !is_pin(sheet_.kind()))
       throw InvalidInput("caps are of pins, and the design's hinges are not");
     make_solids(sheet_);
   }
@@ -113,6 +113,7 @@ class SheetMaker {
   bool is_loose(int h, const model::ManufacturedHinge& made) const {
     const model::RestHinge& hinge = sheet_.linkage.hinges[h];
     const std::vector<int>& tile = sheet_.tiles.of_body;
+    if (made.kind == HingeKind::rod) return true;
     return made.kind == HingeKind::pin && (choice_.loose_rods || tile[hinge.lower] != tile[hinge.upper]);
   }
 
@@ -152,9 +153,9 @@ class SheetMaker {
 
   std::vector<model::ManufacturedHinge> open_hinges() const {
     model::ManufacturedHinge open = open_hinge(choice_.kind, sheet_.process, sheet_.linkage.size);
-    if (choice_.kind == HingeKind::pin) open.height_mm *= choice_.height_share;
+    if (is_pin(choice_.kind)) open.height_mm *= choice_.height_share;
     std::vector<model::ManufacturedHinge> all(hinges(), open);
-    if (choice_.kind == HingeKind::pin) return all;
+    if (is_pin(choice_.kind)) return all;
     double longest = 0;
     for (int h = 0; h < hinges(); ++h) longest = std::max(longest, all[h].gap_mm = gap_mm(all[h], h));
     if (choice_.alike)
@@ -174,6 +175,7 @@ class SheetMaker {
       validate(made, sheet_.linkage.size);
       sheet_.hinges.push_back(with_faces({.made = made,
                                           .knuckle_wall_mm = sheet_.process.min_wall_mm,
+                                          .min_gap_mm = sheet_.process.clearance_mm,
                                           .turn = std::clamp(turns_[h], -widest_turn, widest_turn),
                                           .loose = is_loose(h, made),
                                           .cap_across_mm = choice_.caps || made.caps ? furthest_mm : 0},
@@ -201,7 +203,8 @@ model::CellSize resized(const model::CellSize& size, const PrintChoice& choice,
   const double height_mm = process.cuts_sheets() ? process.sheet_mm : size.height_mm;
   if (!(choice.edge_mm > 0)) return {size.edge_mm, size.thickness_mm, height_mm};
   const double clearance = choice.clearance_mm > 0 ? choice.clearance_mm : process.clearance_mm;
-  const double min_height = choice.kind == HingeKind::pin ? min_pin_height_mm(clearance, process) : 0;
+  const bool has_rods = choice.kind == HingeKind::rod || choice.loose_rods;
+  const double min_height = is_pin(choice.kind) ? min_pin_height_mm(clearance, process, has_rods) : 0;
   return {choice.edge_mm, std::max(size.thickness_mm, process.min_wall_mm), std::max(height_mm, min_height)};
 }
 
@@ -238,7 +241,7 @@ HingeKind PrintSheet::kind() const {
     return std::count_if(hinges.begin(), hinges.end(),
                          [&](const model::HingePrint& h) { return h.made.kind == kind; });
   };
-  return std::max({HingeKind::pin, HingeKind::block, HingeKind::film},
+  return std::max({HingeKind::pin, HingeKind::rod, HingeKind::block, HingeKind::film},
                   [&](HingeKind a, HingeKind b) { return of(a) < of(b); });
 }
 
@@ -261,9 +264,8 @@ void make_solids(PrintSheet& sheet) {
     sheet.rods.push_back(sheet.hinges[h].loose ? rod_solid(sheet.linkage, h, sheet.hinges[h])
                                                : model::Polyhedron{});
   for (int h = 0; h < static_cast<int>(sheet.hinges.size()); ++h)
-    sheet.soft.push_back(sheet.hinges[h].made.kind == HingeKind::pin
-                             ? model::Polyhedron{}
-                             : soft_solid(sheet.linkage, h, sheet.hinges[h]));
+    sheet.soft.push_back(is_pin(sheet.hinges[h].made.kind) ? model::Polyhedron{}
+                                                           : soft_solid(sheet.linkage, h, sheet.hinges[h]));
 }
 
 PrintSheet make_print_sheet(const Design& design, const PrintPath& path, const model::Process& process,

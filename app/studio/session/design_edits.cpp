@@ -148,16 +148,18 @@ Design with_one_cell(Design design, const model::Cell& cell, bool on) {
 
 std::string kind_text(const Message& message) {
   const std::string kind = message.text("kind");
-  for (const char* known : {"pin", "block", "film"})
+  for (const char* known : {"pin", "block", "film", "rod"})
     if (kind == known) return kind;
-  throw InvalidInput("kind: must be stiff, pin, block or film");
+  throw InvalidInput("kind: must be stiff, pin, block, film or rod");
 }
 
 /// Returns sizes of a made hinge that the page leaves out. A block is a little longer than thick, the range
 /// where its stiffness is well known. A living hinge has two nozzle lines (0.4 mm) and twice the wall's
-/// thickness as its gap. A pin is as thick as its wall, at least 1 mm.
+/// thickness as its gap. A pin is as thick as its wall, at least 1 mm. A rod has its
+/// usual diameter.
 std::string sizes_text(const Message& message, const model::CellSize& size) {
   const std::string kind = message.text("kind");
+  if (kind == "rod") return "";
   if (kind == "pin") return fmt::format(", diameter_mm: {:.3g}", std::max(1.0, size.thickness_mm));
   const double gap = message.has("gap_mm") ? message.number("gap_mm", 0.01, size.edge_mm)
                      : kind == "block"     ? 1.25 * size.thickness_mm

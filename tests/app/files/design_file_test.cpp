@@ -87,6 +87,26 @@ TEST(DesignFile, TakesHingesAsTheyAreMade) {
   expect_same(read(design_text(file)), file);
 }
 
+TEST(DesignFile, TakesRodsOpenAndWithSizes) {
+  const Design open = read(strip + "hinge: {kind: rod}\n");
+  EXPECT_EQ(open.hinge.kind, model::HingeKind::rod);
+  EXPECT_FALSE(open.hinge.made);
+  expect_same(read(design_text(open)), open);
+  const Design file = read(strip + "hinge: {kind: rod, clearance_mm: 0.1}\n");
+  const model::ManufacturedHinge rod{.kind = model::HingeKind::rod,
+                                     .material = *model::find_material("steel"),
+                                     .height_mm = 6,
+                                     .diameter_mm = 1,
+                                     .clearance_mm = 0.1};
+  EXPECT_EQ(file.hinge.made, rod);
+  expect_same(read(design_text(file)), file);
+  const Design printed = read(strip + "hinge: {kind: rod, diameter_mm: 1.5, material: pa12, caps: true}\n");
+  EXPECT_EQ(printed.hinge.made->material.name, "pa12");
+  EXPECT_EQ(printed.hinge.made->diameter_mm, 1.5);
+  EXPECT_TRUE(printed.hinge.made->caps);
+  expect_same(read(design_text(printed)), printed);
+}
+
 TEST(DesignFile, TakesHingesThatAreMadeOtherwise) {
   const std::string sheet = "kinetix: 1\nname: sheet\nstructure: {cells: [4, 2], cell_mm: 20}\n",
                     film = "kind: film, material: pp, gap_mm: 3, thickness_mm: 0.4",

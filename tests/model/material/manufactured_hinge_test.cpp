@@ -79,6 +79,30 @@ TEST(ManufacturedHinge, APinIsARodThatIsHeldAtBothEnds) {
   EXPECT_EQ(contact_turn(pin, 0.8, 0), pi);
 }
 
+/// A wire of the usual diameter is stiffer than the thinnest rod that FDM prints, at all heights of walls.
+TEST(ManufacturedHinge, ARodOfWireIsStiffAsAPinOfSteel) {
+  for (const double h : {3.0, 6.0, 20.0}) {
+    const ManufacturedHinge wire{.kind = HingeKind::rod,
+                                 .material = *find_material("steel"),
+                                 .height_mm = h,
+                                 .diameter_mm = usual_rod_mm,
+                                 .clearance_mm = 0.3};
+    const double E = 200000, I = pi / 64, A = pi / 4, G = E / 2.6;
+    const double deflection = h * h * h / (192 * E * I) + h / (4 * 0.9 * G * A);
+    EXPECT_NEAR(stiffness(wire).axial * deflection, 1, 1e-12);
+    ManufacturedHinge printed = wire;
+    printed.kind = HingeKind::pin;
+    EXPECT_EQ(stiffness(printed).shear, stiffness(wire).shear);
+    printed.material = *find_material("pa12");
+    printed.diameter_mm = 3;
+    EXPECT_GT(stiffness(wire).axial, stiffness(printed).axial) << h;
+    EXPECT_EQ(play_mm(wire), 0.3);
+    EXPECT_EQ(strain(wire, 1), 0);
+    EXPECT_EQ(largest_turn(wire), pi);
+    EXPECT_EQ(to_string(wire.kind), "rod");
+  }
+}
+
 TEST(ManufacturedHinge, StrainsAndTouchesByItsProportions) {
   const ManufacturedHinge b = block(1.5, 1, 6, 0.45);
   EXPECT_DOUBLE_EQ(strain(b, 0.6), 0.2);
@@ -205,7 +229,7 @@ TEST(Materials, AreFoundByTheirNames) {
               }),
               "");
   }
-  EXPECT_EQ(find_material("steel"), nullptr);
+  EXPECT_EQ(find_material("oak"), nullptr);
 }
 
 using Eigen::AngleAxisd;

@@ -47,6 +47,19 @@ TEST(Process, PrintsASheetThatIsLargerByTheFactorItAsksFor) {
       }
 }
 
+/// A wire is bought, and its bore is narrower than what fuses; the scatter of the clearance must not jam it.
+TEST(Process, DoesNotPrintRodsOfWire) {
+  const Process& fdm = *find_process("fdm");
+  ManufacturedHinge wire = pin(0.5, 0.1);
+  wire.kind = HingeKind::rod;
+  EXPECT_TRUE(print_problems(fdm, sheet(10, 0.8), wire).empty());
+  wire.clearance_mm = 0.05;
+  const auto problems = print_problems(fdm, sheet(10, 0.8), wire);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_THAT(problems[0].what, HasSubstr("a rod's clearance of 0.05 mm is less than fdm prints, 0.1 mm"));
+  EXPECT_EQ(clearance_scatter(wire, fdm.sd).place_mm, clearance_scatter(pin(0.5, 0.05), fdm.sd).place_mm);
+}
+
 TEST(Process, AsksNothingOfRodsWhereHingesAreBlocks) {
   const ManufacturedHinge block{.kind = HingeKind::block, .gap_mm = 1, .thickness_mm = 0.2, .height_mm = 6};
   EXPECT_TRUE(print_problems(*find_process("sls"), sheet(10, 0.8), block).empty());

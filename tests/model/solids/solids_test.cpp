@@ -200,6 +200,21 @@ TEST(PinEnd, KeepsItsClearanceBetweenThePolygonsOfRodAndBore) {
   }
 }
 
+/// The bore of a separate rod may be narrower than the gap between plates and knuckles.
+TEST(PinEnd, KeepsTheLeastGapAroundANarrowBore) {
+  HingePrint rod = pin();
+  rod.made.kind = HingeKind::rod;
+  rod.loose = true;
+  const HingeEnd tight = hinge_end(rod, size, 0, false), fork = hinge_end(rod, size, 0, true);
+  rod.min_gap_mm = 0.3;
+  const HingeEnd apart = hinge_end(rod, size, 0, false);
+  EXPECT_EQ(apart.bore_radius, tight.bore_radius);
+  EXPECT_NEAR(apart.bore_radius, 0.6, 1e-12);
+  EXPECT_NEAR(apart.wall_end - tight.wall_end, 0.2, 1e-12);
+  EXPECT_EQ(fork.bore_radius, 0.5) << "holds the rod by friction";
+  EXPECT_TRUE(fork.rod.empty());
+}
+
 /// Least distance of points within a polygon from its sides, mm.
 double least_inside(const std::vector<Eigen::Vector2d>& points, const std::vector<Eigen::Vector2d>& around) {
   double least = INFINITY;
@@ -338,6 +353,10 @@ TEST(OpenHinge, IsAsLongAsItsFoldNeeds) {
   const ManufacturedHinge pin = open_hinge(HingeKind::pin, process, size);
   EXPECT_EQ(pin.diameter_mm, process.min_pin_mm);
   EXPECT_EQ(pin.clearance_mm, process.clearance_mm);
+  const ManufacturedHinge rod = open_hinge(HingeKind::rod, *find_process("fdm"), size);
+  EXPECT_EQ(rod.material.name, "steel");
+  EXPECT_EQ(rod.diameter_mm, usual_rod_mm) << "less than FDM prints";
+  EXPECT_EQ(rod.clearance_mm, find_process("fdm")->clearance_mm);
   const ManufacturedHinge film = open_hinge(HingeKind::film, *find_process("sla"), size);
   EXPECT_EQ(film.thickness_mm, 0.4);
   EXPECT_EQ(film.material.name, "pp") << "films of SLA are strips of their own";
