@@ -136,19 +136,19 @@ bool is_stable_when_released(const Equilibrium& found, const model::Lattice& she
   return false;
 }
 
-/// Checks whether a fold stays without a lock: by springs, by a cord that is tied, or by soft hinges that are stable
-/// there.
-bool stays_folded(const Run& run) {
+/// Checks whether a print has no lock without a warning. Cut sheets have no posts. A fold may stay without a lock: by
+/// springs, by a cord that is tied, or by soft hinges that are stable there.
+bool needs_no_lock(const Run& run) {
   const bool has_springs =
       (run.folding && run.folding->is_unaided) || (run.equilibrium && !run.equilibrium->drive.is_external());
   const bool has_cord = run.design.drive && std::holds_alternative<model::CordPull>(*run.design.drive);
-  return run.theta == 0 || has_springs || has_cord ||
+  return run.theta == 0 || run.design.process.cuts_sheets() || has_springs || has_cord ||
          (run.equilibrium && is_stable_when_released(*run.equilibrium, run.design.structure));
 }
 
-/// Adds the default lock to a print: a clip, else a strap, if the fold does not stay without.
+/// Adds the default lock to a print: a clip, else a strap, if it needs one.
 PrintAnswer with_default_lock(const Run& run, PrintAnswer print) {
-  if (stays_folded(run)) return print;
+  if (needs_no_lock(run)) return print;
   print.lock = print.add_lock();
   if (!print.lock)
     print.warning =
