@@ -361,7 +361,7 @@ void remove_lock(PrintSheet& sheet) {
 void check_lockable(const PrintSheet& sheet, LockKind kind) {
   if (sheet.process.cuts_sheets())
     throw InvalidInput(
-        fmt::format("lock: {} has posts or eyes above the walls, and {} cuts flat sheets; take lock: none",
+        fmt::format("lock: {} has parts above the walls, and {} cuts flat sheets; take lock: none",
                     to_string(kind), sheet.process.name));
   if (sheet.path.size() < 2)
     throw InvalidInput(

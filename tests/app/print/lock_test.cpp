@@ -342,9 +342,12 @@ TEST(Lock, OfAnOpenSearchIsTheFirstThatFits) {
 
 TEST(Lock, IsLeftOutIfOtherHingesHaveNoRoom) {
   const Scratch scratch;
-  ASSERT_EQ(exported(scratch, std::string(soft_panel) + "lock: clip\n", "--format dxf --process laser").code, 0);
+  const std::string locked_panel = std::string(panel) + "lock: clip\n",
+                    cut = "--format dxf --process laser --cell-mm 30";
+  ASSERT_EQ(exported(scratch, locked_panel, cut).code, 0);
   EXPECT_TRUE(print_json_of(scratch)["lock"].is_null());
   EXPECT_THAT(print_json_of(scratch)["warnings"].dump(), HasSubstr("the print has no lock: lock: clip"));
+  expect_refused(locked_panel, cut + " --lock clip", "laser cuts flat sheets", not_printable);
 }
 
 TEST(Lock, IsKeptByDesigns) {
