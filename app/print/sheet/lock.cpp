@@ -36,8 +36,8 @@ struct LockEffort {
   int lines;  ///< of clips and straps in the fold, each a fraction of a millisecond
   int paths;  ///< ways of posts and eyes to the fold
 };
-constexpr LockEffort requested_effort{5000, 24};
-constexpr LockEffort default_effort{500, 4};
+constexpr LockEffort requested_effort{5000, 24};  // seconds in the largest sheets
+constexpr LockEffort default_effort{500, 4};      // a small share of a search
 
 constexpr const char* assumed_material =
     "pa12";  // of walls, unless they are printed in one with living hinges
