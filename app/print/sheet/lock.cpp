@@ -29,7 +29,7 @@ constexpr double tolerance_mm = 0.01;    // mm: of the distance between a clip a
 constexpr double least_step_mm = 1e-6;   // mm: shortenings that differ by less are equal
 constexpr double part_of_theta = 1e-4;   // step of difference quotients, ratio to theta
 constexpr std::size_t most_bodies =
-    1000;                         // in larger sheets only bodies with fewer hinges than most are compared
+    1000;  // in larger sheets only bodies with fewer hinges than most are compared
 
 /// Limits of a search for a lock.
 struct LockEffort {
@@ -121,8 +121,7 @@ class LockMaker {
         is_clip_(kind == LockKind::clip),
         wall_(std::max(sheet.linkage.size.thickness_mm, sheet.process.min_wall_mm)),
         clearance_(sheet.process.clearance_mm),
-        foot_(std::max(foot_share * wall_, clearance_)) {
-  }
+        foot_(std::max(foot_share * wall_, clearance_)) {}
 
   /// Adds the lock to the first pair of bodies that has room for it. @return whether there is one
   bool add(const LockEffort& most) {

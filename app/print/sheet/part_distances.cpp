@@ -101,8 +101,7 @@ PathClearance Distances::measured(double theta, const model::State& state) const
     all.push_back(placed(parts.pieces[k], state));
     centers.col(k) = all.back().center();
     radii.push_back(radius(all.back(), centers.col(k)));
-    reach =
-        std::max(reach, 2 * radii.back() + (is_verdict(search_) ? rules.max_required() : 1));
+    reach = std::max(reach, 2 * radii.back() + (is_verdict(search_) ? rules.max_required() : 1));
   }
   model::NearPairs near;
   for (const auto& [a, b] : near.find(centers, reach)) {
