@@ -126,9 +126,11 @@ std::string to_string(LockKind kind) {
 }
 
 targets::Key lock_key() {
-  return {"lock", value::choice(lock_choices), targets::no_default,
-          "part that keeps the sheet folded: `clip`, a bar that is printed with the sheet and fits over two "
-          "posts, or `strap`, two eyes for a strap ([print.md](print.md#6-staying-folded))"};
+  return {
+      "lock", value::choice(lock_choices), targets::no_default,
+      "part that keeps the sheet folded: `clip`, a bar that is printed with the sheet and fits over two "
+      "posts, or `strap`, two eyes for a strap ([print.md](print.md#6-staying-folded)). Left out, a search "
+      "chooses, and a design has none"};
 }
 
 std::optional<LockKind> read_lock(const targets::Section& root) {

@@ -24,6 +24,7 @@ struct CheckResults {
   std::string prints_unknown;             ///< why such a goal has none, else empty
   std::optional<ProvenRanges> certified;  ///< if the options request it
   std::optional<PrintAnswer> print;       ///< answer of `export`, for goals if the options request it
+  std::optional<LockKind> lock;           ///< that it would print; empty if the goal names one
   double print_tolerance_s = 0, certify_s = 0;
 };
 
@@ -127,9 +128,48 @@ void ParallelChecks::prove_range() {
   found_.certify_s = watch.lap();
 }
 
+/// Checks whether soft hinges have a stable state near the one that their drive leads to. The first one is flat.
+bool is_stable_when_released(const Equilibrium& found, const model::Lattice& sheet) {
+  constexpr double near = 0.05;  // cell edges, rms
+  for (std::size_t k = 1; k < found.stable.states.size(); ++k)
+    if (aligned_distance(sheet, found.stable.states[k].state, found.path.state).rms < near) return true;
+  return false;
+}
+
+/// Checks whether a print has no lock without a warning. Cut sheets have no posts. A fold may stay without a lock: by
+/// springs, by a cord that is tied, or by soft hinges that are stable there.
+bool needs_no_lock(const Run& run) {
+  const bool has_springs =
+      (run.folding && run.folding->is_unaided) || (run.equilibrium && !run.equilibrium->drive.is_external());
+  const bool has_cord = run.design.drive && std::holds_alternative<model::CordPull>(*run.design.drive);
+  return run.theta == 0 || run.design.process.cuts_sheets() || has_springs || has_cord ||
+         (run.equilibrium && is_stable_when_released(*run.equilibrium, run.design.structure));
+}
+
+/// Adds the default lock to a print: a clip, else a strap, if it needs one.
+PrintAnswer with_default_lock(const Run& run, PrintAnswer print) {
+  if (needs_no_lock(run)) return print;
+  print.lock = print.add_lock();
+  if (!print.lock)
+    print.warning =
+        "nothing holds the fold: no clip or strap fits. Tie or glue the folded sheet; `lock: none` turns "
+        "this warning off";
+  return print;
+}
+
+LockKind kind_of_lock(const std::optional<Lock>& lock) {
+  if (!lock) return LockKind::none;
+  return lock->kind == to_string(LockKind::clip) ? LockKind::clip : LockKind::strap;
+}
+
 void ParallelChecks::check_export() {
-  if (run_.goal && !run_.print && !run_.states.empty() && options_.printable)
-    found_.print = options_.printable(written_design(run_));
+  if (!run_.goal || run_.states.empty() || !options_.printable) return;
+  PrintAnswer answer = run_.print ? *run_.print : options_.printable(written_design(run_));
+  if (answer.add_lock && !run_.design.lock) {
+    answer = with_default_lock(run_, std::move(answer));
+    found_.lock = kind_of_lock(answer.lock);
+  }
+  found_.print = std::move(answer);
 }
 
 /// Adds the judgement to the run. A sampled range of theta ends where walls provably meet, and a goal beyond that is
@@ -138,6 +178,7 @@ Run with_check_results(Run run, CheckResults check_results) {
   run.timings.print_tolerance = check_results.print_tolerance_s;
   run.timings.certify = check_results.certify_s;
   if (check_results.print) run.print = std::move(check_results.print);
+  if (check_results.lock) run.design.lock = check_results.lock;
   if (check_results.printed) {
     run.printed = std::move(check_results.printed);
     if (run.print) run.printed->can_be_printed = run.print->is_accepted;

@@ -61,7 +61,7 @@ struct Source {
     try {
       Design printed = reopened(*design, request);
       if (const auto lock = lock_of(request)) printed.lock = lock;
-      PreparedPrint print = prepared_of_design(printed, request, process);
+      PreparedPrint print = prepared_with_lock(printed, request, process);
       check_state(request, print.job.sheet);
       model::append(notes_on_sheet(request, *design, printed, print.job.sheet), print.job.sheet.warnings);
       print.job.folding = folding_as_printed(printed, print.job.sheet);
@@ -74,6 +74,20 @@ struct Source {
   }
 
  private:
+  /// Prepares a design. A lock of the design that other hinges or sizes leave no room for is left out with a warning.
+  PreparedPrint prepared_with_lock(Design printed, const PrintRequest& request,
+                                   const model::Process& process) const {
+    try {
+      return prepared_of_design(printed, request, process);
+    } catch (const LockDoesNotFit& e) {
+      if (!request.lock.empty() || !changes_sheet(request, *design)) throw;
+      printed.lock = LockKind::none;
+      PreparedPrint print = prepared_of_design(printed, request, process);
+      print.job.sheet.warnings.push_back("the print has no lock: " + e.reason());
+      return print;
+    }
+  }
+
   static PreparedPrint prepared_of_design(const Design& design, const PrintRequest& request,
                                           const model::Process& process) {
     std::optional<model::HingeKind> kind = kind_of(request);

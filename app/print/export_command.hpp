@@ -64,6 +64,9 @@ std::vector<const PrintFormat*> formats_of(const PrintRequest& request);
 /// Rejects a clearance that is larger than that of the design's own pins.
 void check_clearance_override(const PrintRequest& request, const Design& design);
 
+/// Checks whether options change the process, hinges or cells of a design.
+bool changes_sheet(const PrintRequest& request, const Design& design);
+
 /// Returns the design to print. Joints are left open again for another process, another kind of hinge, or other sizes of
 /// hinges or cells. The motion of joints does not depend on their hinges.
 Design reopened(Design design, const PrintRequest& request);

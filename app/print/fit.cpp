@@ -130,14 +130,14 @@ Attempt best_attempt(const Order& order, const PrintChoice& choice,
   return first;
 }
 
-/// Adds the lock that the design names. @throws NotPrintable if it does not fit
+/// Adds the lock that the design names. @throws LockDoesNotFit
 PreparedPrint with_lock(PreparedPrint print, const Design& design, ClearanceSearch search) try {
   if (!design.lock || *design.lock == LockKind::none) return print;
   add_lock(print.job.sheet, *design.lock);
   if (search == ClearanceSearch::least) print.clearance = path_clearance(print.job.sheet);
   return print;
 } catch (const InvalidInput& e) {
-  throw NotPrintable(e.reason());
+  throw LockDoesNotFit(e.reason());
 }
 
 /// Checks whether there is a print, with room for the lock that the design names.
@@ -319,6 +319,10 @@ PrintAnswer answer_of_export(const Design& design) try {
   PrintAnswer answer{true, named_kinds(sheet)};
   answer.lock = sheet.lock;
   for (const model::HingePrint& hinge : sheet.hinges) answer.made.push_back(hinge.made);
+  answer.add_lock = [job] {
+    add_default_lock(job->sheet);
+    return job->sheet.lock;
+  };
   answer.draw_card = [job](const auto& folding) {
     job->folding = folding;
     return card_json(make_folding_card(*job));

@@ -13,6 +13,12 @@ class NotPrintable : public InvalidInput {
   using InvalidInput::InvalidInput;
 };
 
+/// Error for the lock of a design that fits without it.
+class LockDoesNotFit : public NotPrintable {
+ public:
+  using NotPrintable::NotPrintable;
+};
+
 /// A sheet that can be printed and folds.
 struct PreparedPrint {
   PrintJob job;

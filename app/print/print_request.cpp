@@ -101,11 +101,14 @@ void check_clearance_override(const PrintRequest& request, const Design& design)
         *own, request.clearance_mm));
 }
 
-Design reopened(Design design, const PrintRequest& request) {
+bool changes_sheet(const PrintRequest& request, const Design& design) {
   const bool names_process = !request.process.empty() && request.process != design.process.name;
-  const bool changes = names_process || !request.hinge.empty() || request.clearance_mm > 0 || request.caps ||
-                       request.loose_rods || request.cell_mm > 0;
-  return changes ? with_open_joints(std::move(design)) : design;
+  return names_process || !request.hinge.empty() || request.clearance_mm > 0 || request.caps ||
+         request.loose_rods || request.cell_mm > 0;
+}
+
+Design reopened(Design design, const PrintRequest& request) {
+  return changes_sheet(request, design) ? with_open_joints(std::move(design)) : design;
 }
 
 void reject_design_options(const PrintRequest& request) {

@@ -75,6 +75,11 @@ std::string drive_text(const Equilibrium& equilibrium, const model::EquilibriumS
 }
 
 /// Returns words before the load of tendons and springs; "" for loads that their unit describes.
+std::string describe_locked_bodies(const Lock& lock) {
+  return fmt::format("a {} on bodies {} and {} keeps the fold; `lock: none` leaves it out", lock.kind,
+                     lock.bodies[0], lock.bodies[1]);
+}
+
 std::string describe_load_point(const Equilibrium& equilibrium) {
   if (equilibrium.drive.only_pulls())
     return equilibrium.path.steps.back().load < 0 ? "the cord is slack, it would have to push: tension "
@@ -221,6 +226,7 @@ std::string summary(const Run& run) {
   for (const auto& [label, words] : robust_lines(run)) text += line(label, words);
   for (const auto& [label, words] : print_tolerance_lines(run)) text += line(label, words);
   if (run.folding && run.folding->is_possible()) text += line("folds", describe_folding(*run.folding));
+  if (run.print && run.print->lock) text += line("lock", describe_locked_bodies(*run.print->lock));
   if (run.equilibrium)
     for (const auto& [label, words] : equilibrium_lines(run)) text += line(label, words);
   if (run.verification) text += physics_lines(run);

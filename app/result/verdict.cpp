@@ -112,6 +112,7 @@ void add_warnings(const Run& run, RunVerdict& verdict) {
   warn_all(verdict, shown_measure(run).warnings);
   if (run.print && run.print->is_accepted && !run.folding && !run.equilibrium)
     verdict.warn("which drive folds it is not known" + advice_of(run));
+  if (run.print && !run.print->warning.empty()) verdict.warn(run.print->warning);
   if (!run.prints_unknown.empty()) verdict.warn("print tolerance is not known: " + run.prints_unknown);
   if (run.printed) warn_all(verdict, scatter_warnings(run));
 }

@@ -37,6 +37,9 @@ struct PrintAnswer {
       {};  ///< what was searched in its place: "; with `KEYS` the goal is met and can be printed"
   std::vector<model::ManufacturedHinge> made = {};  ///< by hinge, as it would print them; empty if it rejects
   std::optional<Lock> lock = {};                    ///< that it would print
+  /// Adds a clip to the print, else a strap, and returns it. Returns nothing if neither fits. Empty if it rejects.
+  std::function<std::optional<Lock>()> add_lock = {};
+  std::string warning = {};  ///< about the lock of a print that it accepts, one sentence; empty: none
   /// Draws the folding card of the print (app/print/folding_card.hpp); empty if it rejects.
   std::function<nlohmann::ordered_json(const std::optional<Folding>&)> draw_card = {};
 };

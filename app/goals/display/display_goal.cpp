@@ -236,6 +236,7 @@ class DisplayGoal final : public Goal {
     out.model = Model::equilibrium;
     out.tolerances = tolerances_of(file_);
     copy_settings(out, file_);
+    if (!out.design.lock) out.design.lock = LockKind::none;  // posts would be in front of the picture
     out.design.hinge.model = HingeSection::Model::elastic;
     if (!view.at_equilibrium) view.plates = plates_of(file_);
     view.plates.press = file_.press;

@@ -29,9 +29,16 @@ constexpr double tolerance_mm = 0.01;    // mm: of the distance between a clip a
 constexpr double least_step_mm = 1e-6;   // mm: shortenings that differ by less are equal
 constexpr double part_of_theta = 1e-4;   // step of difference quotients, ratio to theta
 constexpr std::size_t most_bodies =
-    1000;                         // in larger sheets only bodies with fewer hinges than most are compared
-constexpr int most_lines = 5000;  // lines of clips and straps in the fold, each a fraction of a millisecond
-constexpr int most_paths = 24;    // ways to the fold, each as long as that of an export
+    1000;  // in larger sheets only bodies with fewer hinges than most are compared
+
+/// Limits of a search for a lock.
+struct LockEffort {
+  int lines;  ///< of clips and straps in the fold, each a fraction of a millisecond
+  int paths;  ///< ways of posts and eyes to the fold
+};
+constexpr LockEffort requested_effort{5000, 24};  // seconds in the largest sheets
+constexpr LockEffort default_effort{500, 4};      // a small share of a search
+
 constexpr const char* assumed_material =
     "pa12";  // of walls, unless they are printed in one with living hinges
 
@@ -114,42 +121,26 @@ class LockMaker {
         is_clip_(kind == LockKind::clip),
         wall_(std::max(sheet.linkage.size.thickness_mm, sheet.process.min_wall_mm)),
         clearance_(sheet.process.clearance_mm),
-        foot_(std::max(foot_share * wall_, clearance_)) {
-    if (sheet.path.size() < 2)
-      throw InvalidInput(
-          fmt::format("lock: {} needs a fold, and only the flat sheet is known; give "
-                      "design.theta_deg or leave lock out",
-                      to_string(kind)));
-  }
+        foot_(std::max(foot_share * wall_, clearance_)) {}
 
-  void add() {
+  /// Adds the lock to the first pair of bodies that has room for it. @return whether there is one
+  bool add(const LockEffort& most) {
     int lines = 0, paths = 0;
     for (const BodyPair& pair : pairs()) {
       if (!is_possible(pair)) continue;
       for (const double half : half_widths()) {
-        if (lines++ >= most_lines || paths >= most_paths) refuse();
+        if (lines++ >= most.lines || paths >= most.paths) return false;
         if (!is_line_free(pair, half) || !make(pair, half)) continue;
         ++paths;
-        if (!has_required_clearance(path_clearance(sheet_, ClearanceSearch::verdict))) continue;
+        if (!has_required_clearance(path_clearance(sheet_, ClearanceSearch::verdict_of_posts))) continue;
         finish(pair);
-        return;
+        return true;
       }
     }
-    refuse();
+    return false;
   }
 
  private:
-  [[noreturn]] void refuse() {
-    sheet_.posts.clear();
-    make_solids(sheet_);
-    throw InvalidInput(
-        is_clip_
-            ? "lock: clip does not fit: no two bodies that come together have room for posts and a clip in "
-              "the fold; take larger cells, lock: strap or lock: none"
-            : "lock: strap does not fit: no two bodies that come together have room for eyes and a straight "
-              "strap in the fold; take larger cells or lock: none");
-  }
-
   const model::State& fold() const { return sheet_.path.back(); }
 
   /// Returns half widths of posts or eyes in the order in which they are tried, mm.
@@ -358,8 +349,50 @@ class LockMaker {
   const double foot_;       // mm: height of posts' feet above their bodies
 };
 
+void remove_lock(PrintSheet& sheet) {
+  sheet.posts.clear();
+  sheet.lock.reset();
+  sheet.clip = {};
+  make_solids(sheet);
+}
+
+/// @throws InvalidInput for a sheet that has no fold, or that a process without posts makes
+void check_lockable(const PrintSheet& sheet, LockKind kind) {
+  if (sheet.process.cuts_sheets())
+    throw InvalidInput(
+        fmt::format("lock: {} has parts above the walls, and {} cuts flat sheets; take lock: none",
+                    to_string(kind), sheet.process.name));
+  if (sheet.path.size() < 2)
+    throw InvalidInput(
+        fmt::format("lock: {} needs a fold, and only the flat sheet is known; give "
+                    "design.theta_deg or leave lock out",
+                    to_string(kind)));
+}
+
 }  // namespace
 
-void add_lock(PrintSheet& sheet, LockKind kind) { LockMaker(sheet, kind).add(); }
+void add_lock(PrintSheet& sheet, LockKind kind) {
+  check_lockable(sheet, kind);
+  if (LockMaker(sheet, kind).add(requested_effort)) return;
+  remove_lock(sheet);
+  throw InvalidInput(
+      kind == LockKind::clip
+          ? "lock: clip does not fit: no two bodies that come together have room for posts and a clip in "
+            "the fold; take larger cells, lock: strap or lock: none"
+          : "lock: strap does not fit: no two bodies that come together have room for eyes and a straight "
+            "strap in the fold; take larger cells or lock: none");
+}
+
+bool add_default_lock(PrintSheet& sheet) {
+  if (sheet.process.cuts_sheets() || sheet.path.size() < 2) return false;
+  const std::vector<std::string> warnings = sheet.warnings;
+  for (const LockKind kind : {LockKind::clip, LockKind::strap}) {
+    if (LockMaker(sheet, kind).add(default_effort) && sheet.lock->force_N <= sheet.lock->strength_N)
+      return true;
+    remove_lock(sheet);
+    sheet.warnings = warnings;
+  }
+  return false;
+}
 
 }  // namespace kinetix::app

@@ -44,8 +44,9 @@ void update_nearest(const LeastDistance& other, LeastDistance& known) {
   if (other.mm < known.mm) known = other;
 }
 
-PairRules::PairRules(const PrintSheet& sheet)
+PairRules::PairRules(const PrintSheet& sheet, ClearanceSearch search)
     : sheet_(sheet),
+      has_posts_only_(search == ClearanceSearch::verdict_of_posts),
       bodies_(static_cast<int>(sheet.bodies.size())),
       required_(sheet.bodies.size(), nothing_mm),
       hinged_(sheet.bodies.size()) {
@@ -61,6 +62,7 @@ PairRules::PairRules(const PrintSheet& sheet)
 
 std::optional<PartPair> PairRules::pair(int a, int b) const {
   if (a == b || is_joined_by(a, b) || is_joined_by(b, a)) return std::nullopt;
+  if (has_posts_only_ && !sheet_.posts.contains(a) && !sheet_.posts.contains(b)) return std::nullopt;
   std::optional<double> clearance;
   if (const int lower = std::min(a, b); lower < bodies_)
     for (const auto& [upper, of_hinge] : hinged_[lower])
@@ -97,18 +99,17 @@ PathClearance Distances::measured(double theta, const model::State& state) const
     all.push_back(placed(parts.pieces[k], state));
     centers.col(k) = all.back().center();
     radii.push_back(radius(all.back(), centers.col(k)));
-    reach =
-        std::max(reach, 2 * radii.back() + (search_ == ClearanceSearch::verdict ? rules.max_required() : 1));
+    reach = std::max(reach, 2 * radii.back() + (is_verdict(search_) ? rules.max_required() : 1));
   }
   model::NearPairs near;
   for (const auto& [a, b] : near.find(centers, reach)) {
     const double apart_mm = (centers.col(a) - centers.col(b)).norm() - radii[a] - radii[b];
-    if (search_ == ClearanceSearch::verdict && apart_mm >= rules.max_required()) continue;
+    if (is_verdict(search_) && apart_mm >= rules.max_required()) continue;
     const auto pair = rules.pair(all[a].piece.part, all[b].piece.part);
     if (!pair) continue;
     LeastDistance& known = pair->is_hinged ? least.in_hinges : least.elsewhere;
     LeastDistance found{apart_mm, pair->first, pair->second, theta, Vector3d::Zero(), pair->required_mm};
-    const bool counts = search_ == ClearanceSearch::verdict
+    const bool counts = is_verdict(search_)
                             ? found.excess_mm() < 0
                             : found.excess_mm() < known.excess_mm() || found.mm < least.nearest.mm;
     if (!counts) continue;

@@ -31,9 +31,10 @@ struct PartPair {
 /// Distances that parts must keep.
 class PairRules {
  public:
-  explicit PairRules(const PrintSheet& sheet);
+  PairRules(const PrintSheet& sheet, ClearanceSearch search);
 
-  /// Returns a pair with its required distance; empty for two parts that belong together.
+  /// Returns a pair with its required distance; empty for two parts that belong together, or that
+  /// the search leaves out.
   std::optional<PartPair> pair(int a, int b) const;
   double max_required() const { return max_required_; }
   /// Returns the bodies that a part moves with.
@@ -45,6 +46,7 @@ class PairRules {
   double required_elsewhere(int a, int b) const;
 
   const PrintSheet& sheet_;
+  const bool has_posts_only_;  // only pairs with a body that has a post count
   const int bodies_;
   double max_required_ = 0;       // mm
   std::vector<double> required_;  // of each body, the least clearance of its pins, mm.
@@ -56,7 +58,7 @@ class PairRules {
 class Distances {
  public:
   Distances(const PrintSheet& sheet, ClearanceSearch search)
-      : parts(sheet), rules(sheet), sheet_(sheet), search_(search) {}
+      : parts(sheet), rules(sheet, search), sheet_(sheet), search_(search) {}
 
   PathClearance measured(double theta, const model::State& state) const;
   /// Compares rods with bores at both ends of the eye. Both are cylinders, with axes apart by the joint separation.

@@ -45,7 +45,7 @@ class PairSearch {
  public:
   PairSearch(const MovingParts& parts, const MotionInterval& interval, const PartPair& pair,
              ClearanceSearch search)
-      : parts_(parts), interval_(interval), pair_(pair), is_verdict_(search == ClearanceSearch::verdict) {
+      : parts_(parts), interval_(interval), pair_(pair), is_verdict_(is_verdict(search)) {
     for (std::size_t k = 1; k < pair.bodies.size(); ++k) {
       seen_.push_back(interval.seen(pair.bodies.front(), pair.bodies[k], pair.chains[k - 1]));
       margin_ = std::max(margin_, seen_.back().margin_mm);
@@ -209,7 +209,7 @@ class PathSearch {
   double goal_mm(const PartPair& pair) const {
     const LeastDistance& known = pair.is_hinged ? all_.in_hinges : all_.elsewhere;
     const double excess = known.first < 0 ? looked_mm : known.excess_mm();
-    if (hit_ || !(excess > 0) || search_ == ClearanceSearch::verdict) return min_mm(pair);
+    if (hit_ || !(excess > 0) || is_verdict(search_)) return min_mm(pair);
     const double nearest = all_.nearest.first < 0 ? looked_mm : all_.nearest.mm;
     return std::max(needed_mm(pair.required_mm) + excess, nearest) - slack_mm;
   }

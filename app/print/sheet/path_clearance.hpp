@@ -35,7 +35,13 @@ enum class ClearanceSearch {
   least,            ///< until the least distance is known
   until_violation,  ///< like `least`, but stops at any parts that are too near: first_violation need not be the first
   verdict,          ///< only whether any parts come too near: the least distance is not searched
+  verdict_of_posts,  ///< like `verdict`, of bodies with posts only: the sheet without posts has clearance
 };
+
+/// Checks whether a search leaves the least distance open.
+inline bool is_verdict(ClearanceSearch search) {
+  return search == ClearanceSearch::verdict || search == ClearanceSearch::verdict_of_posts;
+}
 
 /// Computes distances of the solids' convex pieces from flat to the fold. The method is that of Gilbert, Johnson and
 /// Keerthi, Bullet's in double precision. It checks the flat state, the fold and as many states between as the proof

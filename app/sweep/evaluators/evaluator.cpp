@@ -35,12 +35,19 @@ const NamedState* shown_state(const Run& run, bool physics) {
   return shown;
 }
 
+/// Returns the answer of `export` without a default lock: samples are not printed.
+PrintAnswer answer_to_sample(const Design& design) {
+  PrintAnswer answer = answer_of_export(design);
+  answer.add_lock = {};
+  return answer;
+}
+
 void SearchEvaluator::evaluate(SampleRow& row) {
   maker_.make(row.factors);
   const bool physics = plan_.doe.model == Model::bullet;
   const Run run = run_goal(
       *maker_.target().goal,
-      {.threads = 1, .seed = plan_.seed, .verify = physics, .progress = {}, .printable = answer_of_export});
+      {.threads = 1, .seed = plan_.seed, .verify = physics, .progress = {}, .printable = answer_to_sample});
   const auto metrics = metrics_json(run);
   Observation seen{.structure = &run.design.structure, .theta = run.theta, .metrics = &metrics};
   const NamedState* state = shown_state(run, physics);

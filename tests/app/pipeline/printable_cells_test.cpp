@@ -7,6 +7,8 @@
 #include "app/pipeline/pipeline.hpp"
 #include "app/print/fit.hpp"
 #include "app/result/motion_evidence.hpp"
+#include "app/result/result_json.hpp"
+#include "app/result/verdict.hpp"
 #include "app/run/design_hinges.hpp"
 #include "tests/app/program.hpp"
 
@@ -17,6 +19,7 @@ using app::Design;
 using app::Folding;
 using app::Goal;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr const char* rainbow =
     "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [30, 12], [60, 16], [90, 12], [120, 0]]}\n";
@@ -102,6 +105,66 @@ TEST(PrintableCells, KeysOfLargerCellsKeepTheLengthThatAGoalGives) {
       std::pair(std::string("structure: {cell_mm: 16}"), true));
   EXPECT_EQ(changed_keys(outline, before, larger),
             std::pair(std::string("structure: {cells: [7, 7], wall_mm: {thickness: 1, height: 6}}"), false));
+}
+
+constexpr const char* short_rainbow =
+    "kinetix: 1\ntarget: {kind: curve, points: [[0, 0], [30, 12], [60, 16], [90, 12], [120, 0]]}\n"
+    "structure: {cells: [8, 1], wall_mm: {thickness: 0.8, height: 6}}\n";
+
+/// Returns the texts of the run's problems.
+std::string problems_of(const app::Run& run) {
+  std::string out;
+  for (const app::Problem& problem : verdict_of(run).problems) out += problem.text + "\n";
+  return out;
+}
+
+// The clip or strap that the search chose is in its design, and `export` makes it.
+TEST(DefaultLock, IsAClipOrAStrapThatExportMakes) {
+  const Scratch scratch;
+  const app::Run run = run_of(scratch, short_rainbow);
+  ASSERT_TRUE(run.print && run.print->lock);
+  ASSERT_TRUE(run.design.lock);
+  EXPECT_EQ(run.print->lock->kind, to_string(*run.design.lock));
+  EXPECT_THAT(problems_of(run), Not(HasSubstr("nothing holds the fold")));
+  const auto lock = app::answer_of_export(app::written_design(run)).lock;
+  ASSERT_TRUE(lock);
+  EXPECT_EQ(lock->bodies, run.print->lock->bodies);
+  EXPECT_EQ(app::result_json(run)["manufacture"]["lock"]["kind"], lock->kind);
+}
+
+TEST(DefaultLock, LeavesARequestedNoneAlone) {
+  const Scratch scratch;
+  const app::Run run = run_of(scratch, short_rainbow + std::string("lock: none\n"));
+  EXPECT_EQ(run.design.lock, app::LockKind::none);
+  EXPECT_FALSE(run.print->lock);
+  EXPECT_THAT(problems_of(run), Not(HasSubstr("nothing holds the fold")));
+}
+
+TEST(DefaultLock, IsNoneWithAWarningIfNothingFits) {
+  const Scratch scratch;
+  app::RunOptions options = printable_options();
+  options.printable = [](const Design& design) {
+    app::PrintAnswer answer = app::answer_of_export(design);
+    answer.add_lock = [] { return std::optional<app::Lock>(); };
+    return answer;
+  };
+  const app::Run run = run_goal(*app::read_target(scratch.write("goal.yaml", short_rainbow)).goal, options);
+  EXPECT_EQ(run.design.lock, app::LockKind::none);
+  EXPECT_THAT(problems_of(run), HasSubstr("nothing holds the fold: no clip or strap fits"));
+  EXPECT_EQ(exit_code(verdict_of(run)), app::done);
+}
+
+// Posts would be in front of a picture, and a cut sheet has none.
+TEST(DefaultLock, IsNoneForDisplaysAndCutSheets) {
+  const Scratch scratch;
+  for (const char* goal :
+       {"target: {kind: display, rows: [\"010\", \"010\", \"010\"]}\n",
+        "target: {kind: outline, points: [[0, 0], [60, 0], [60, 60], [0, 60]]}\nprocess: laser\n"
+        "structure: {cells: [4, 4]}\n"}) {
+    const app::Run run = run_of(scratch, std::string("kinetix: 1\n") + goal);
+    EXPECT_EQ(run.design.lock, app::LockKind::none) << goal;
+    EXPECT_THAT(problems_of(run), Not(HasSubstr("nothing holds the fold"))) << goal;
+  }
 }
 
 /// Returns how a strip of two cells is folded. @param hinge section of the design

@@ -41,6 +41,13 @@ design: {theta_deg: 12, hinges: [{wall: [[0, 0], [1, 0]], beta_deg: 20}, {wall: 
   {wall: [[0, 2], [1, 2]], beta_deg: 20}]}
 )";
 
+// No room for posts or eyes.
+constexpr const char* tight = R"(kinetix: 1
+structure: {cells: [1, 1], cell_mm: 4, wall_mm: {thickness: 1.2, height: 6}}
+design: {theta_deg: 8}
+hinge: {kind: block, material: tpu95a, gap_mm: 2, thickness_mm: 0.8}
+)";
+
 app::Design design_with(const char* text, const std::string& lock) {
   const Scratch scratch;
   return app::read_design(scratch.write("panel.yaml", std::string(text) + "lock: " + lock + "\n"));
@@ -309,11 +316,6 @@ TEST(Lock, OfPinsIsNotLoaded) {
 }
 
 TEST(Lock, IsRefusedWhereItDoesNotFit) {
-  constexpr const char* tight = R"(kinetix: 1
-structure: {cells: [1, 1], cell_mm: 4, wall_mm: {thickness: 1.2, height: 6}}
-design: {theta_deg: 8}
-hinge: {kind: block, material: tpu95a, gap_mm: 2, thickness_mm: 0.8}
-)";
   for (const char* kind : {"clip", "strap"})
     expect_refused(std::string(tight) + "lock: " + kind + "\n", "--format stl",
                    std::string("lock: ") + kind + " does not fit", not_printable);
@@ -323,6 +325,29 @@ lock: strap
 )";
   expect_refused(flat, "--format stl", "lock: strap needs a fold", not_printable);
   expect_refused(soft_panel, "--format stl --lock glue", "--lock: unknown lock");
+}
+
+// A clip where there is room for one, else a strap. A sheet without room for either stays as it is.
+TEST(Lock, OfAnOpenSearchIsTheFirstThatFits) {
+  const auto kind_of_default = [](const std::string& text) {
+    const Scratch scratch;
+    const auto lock = app::answer_of_export(app::read_design(scratch.write("panel.yaml", text))).add_lock();
+    return lock ? lock->kind : "none";
+  };
+  EXPECT_EQ(kind_of_default(panel), "clip");
+  EXPECT_EQ(kind_of_default(soft_panel), "clip");
+  EXPECT_EQ(kind_of_default(arch), "strap");
+  EXPECT_EQ(kind_of_default(tight), "none");
+}
+
+TEST(Lock, IsLeftOutIfOtherHingesHaveNoRoom) {
+  const Scratch scratch;
+  const std::string locked_panel = std::string(panel) + "lock: clip\n",
+                    cut = "--format dxf --process laser --cell-mm 30";
+  ASSERT_EQ(exported(scratch, locked_panel, cut).code, 0);
+  EXPECT_TRUE(print_json_of(scratch)["lock"].is_null());
+  EXPECT_THAT(print_json_of(scratch)["warnings"].dump(), HasSubstr("the print has no lock: lock: clip"));
+  expect_refused(locked_panel, cut + " --lock clip", "laser cuts flat sheets", not_printable);
 }
 
 TEST(Lock, IsKeptByDesigns) {
