@@ -8,7 +8,7 @@ namespace kinetix::app {
 namespace {
 
 constexpr int most_changes = 6;              // of larger cells: with fewer cells, hinges turn and lean more
-constexpr int most_changes_of_displays = 1;  // their panels only grow, and their searches take seconds
+constexpr int most_changes_of_displays = 1;  // of those that stretch: their searches take seconds
 
 bool is_refused(const SearchResult& found) { return found.print && !found.print->is_accepted; }
 
@@ -16,7 +16,7 @@ bool has_joints(const SearchResult& found) { return found.design.hinge.model == 
 
 /// Checks whether the file does not say how stiff hinges are.
 bool has_usual_stiffness(const HingeSection& hinge) {
-  return hinge == HingeSection{.model = hinge.model, .made = hinge.made, .kind = hinge.kind};
+  return hinge == HingeSection{.model = hinge.model, .reach_mm = {}, .made = hinge.made, .kind = hinge.kind};
 }
 
 /// Checks whether hinges may be chosen after the search: joints, and panels in which no hinge stretches.
@@ -73,8 +73,10 @@ SearchResult searched(const Goal& goal, const RunOptions& options) {
   return has_pins_alone(found.design) && has_joints(found) ? with_folding(std::move(found), options) : found;
 }
 
-bool meets_goal(const Searched& one, const RunOptions& options) {
-  return held(one.found, one.goal.get(), options).met();
+/// Checks the state that the search found. It does not depend on the hinges that were chosen after it.
+bool meets_goal(Searched one, const RunOptions& options) {
+  if (has_free_choice(one.found)) one.found.design = open_design(one.found);
+  return held(std::move(one.found), one.goal.get(), options).met();
 }
 
 /// Goal with cells that its process can print.
@@ -107,7 +109,7 @@ std::optional<model::CellSize> find_next_size(const SearchResult& found, const R
 /// Searches with other cells until they can be printed and the goal is met. Empty if that does not happen.
 std::optional<Printable> find_printable(const Goal& goal, SearchResult found, const RunOptions& options) {
   std::optional<Goal::Resized> last;
-  const int most = has_joints(found) ? most_changes : most_changes_of_displays;
+  const int most = has_free_choice(found) ? most_changes : most_changes_of_displays;
   for (int k = 0; k < most && !options.stop.stop_requested(); ++k) {
     const std::optional<model::CellSize> size = find_next_size(found, options);
     if (!size) return std::nullopt;

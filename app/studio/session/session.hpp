@@ -13,8 +13,8 @@ namespace kinetix::app::studio {
 /// Input of a session: the design that `view` opens and its options.
 struct SessionInput {
   Design design;
-  std::string save_file;                ///< file of the design, where `save` writes it; empty: none
-  std::optional<targets::Node> target;  ///< searched for at the start
+  std::string save_file = {};                ///< file of the design, where `save` writes it; empty: none
+  std::optional<targets::Node> target = {};  ///< searched for at the start
   int threads = 0;
   std::uint64_t seed = 0;
   nlohmann::ordered_json result = {};       ///< message of the design's result; null: none
