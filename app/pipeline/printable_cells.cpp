@@ -98,11 +98,15 @@ bool is_complete(const SearchResult& found) {
   return !is_refused(found) && is_settled;
 }
 
-/// Finds cells that bring a search nearer to one that is complete, mm. Empty if there are none.
+/// Finds cells that bring a search nearer to one that is complete, mm: those for pins first. Empty if there are none.
 std::optional<model::CellSize> find_next_size(const SearchResult& found, const RunOptions& options) {
   Design design = has_free_choice(found) ? open_design(found) : requested_design(found);
-  if (!is_refused(found) && !design.hinge.kind && can_have_pins(found) && has_free_choice(found))
-    design.hinge.kind = model::HingeKind::pin;
+  if (!has_free_choice(found) || design.hinge.kind || !can_have_pins(found))
+    return options.printable_size(design);
+  design.hinge.kind = model::HingeKind::pin;
+  const std::optional<model::CellSize> size = options.printable_size(design);
+  if (size || !is_refused(found)) return size;
+  design.hinge.kind.reset();
   return options.printable_size(design);
 }
 
