@@ -158,9 +158,10 @@ TEST(DefaultLock, IsNoneWithAWarningIfNothingFits) {
 TEST(DefaultLock, IsNoneForDisplaysAndCutSheets) {
   const Scratch scratch;
   for (const char* goal :
-       {"target: {kind: display, rows: [\"010\", \"010\", \"010\"]}\n",
-        "target: {kind: outline, points: [[0, 0], [60, 0], [60, 60], [0, 60]]}\nprocess: laser\n"
-        "structure: {cells: [4, 4]}\n"}) {
+       {"target: {kind: display, rows: [\"00000\", \"01110\", \"01010\", \"01110\", \"00000\"]}\n",
+        "target: {kind: outline, points: [[0, 0], [150, 0], [150, 150], [0, 150]]}\nprocess: laser\n"
+        "structure: {cells: [4, 4], cell_mm: 40, wall_mm: {thickness: 5}}\n"
+        "variables: {t: {range: [0.3, 0.7]}, offset_mm: 2, theta: {range_deg: [10, 20]}}\n"}) {
     const app::Run run = run_of(scratch, std::string("kinetix: 1\n") + goal);
     EXPECT_EQ(run.design.lock, app::LockKind::none) << goal;
     EXPECT_THAT(problems_of(run), Not(HasSubstr("nothing holds the fold"))) << goal;
