@@ -88,7 +88,7 @@ TEST(Rods, NeedSmallerCellsThanPrintedPins) {
   EXPECT_LE(rods_mm, printable_edge_mm("sls", model::HingeKind::pin));
 }
 
-TEST(Rods, TakeCapsAndALessHighPinWhereWallsLean) {
+TEST(Rods, TakeCapsAndAreAlwaysSeparate) {
   const Scratch scratch;
   const std::string open = std::string(panel) + "hinge: {kind: rod}\n";
   ASSERT_EQ(exported(scratch, open, "--format stl --process fdm --cell-mm 16 --caps").code, 0);
