@@ -27,6 +27,7 @@ constexpr double same_side_cos = 0.5;    // of the largest angle between two eye
 constexpr double steepest_strap = 0.5;   // sine of the largest angle between a strap and the top of a body
 constexpr double tolerance_mm = 0.01;    // mm: of the distance between a clip and walls
 constexpr double least_step_mm = 1e-6;   // mm: shortenings that differ by less are equal
+constexpr double least_shortening = 10;  // ratio to the clearance, of which the play of a clip is 2
 constexpr double part_of_theta = 1e-4;   // step of difference quotients, ratio to theta
 constexpr std::size_t most_bodies =
     1000;  // in larger sheets only bodies with fewer hinges than most are compared
@@ -168,7 +169,7 @@ class LockMaker {
       for (std::size_t j = i + 1; j < bodies.size(); ++j) {
         const int a = bodies[i], b = bodies[j];
         const double shorter = (flat[b].p - flat[a].p).norm() - (fold()[b].p - fold()[a].p).norm();
-        if (shorter > 2 * clearance_)
+        if (shorter > least_shortening * clearance_)
           out.push_back({a, b, std::round(shorter / least_step_mm) * least_step_mm});
       }
     std::stable_sort(out.begin(), out.end(),
