@@ -41,12 +41,12 @@ TEST(Rods, ThatTheProcessCannotPrintAreCutFromWire) {
   EXPECT_EQ(json["loose_rods"], 17);
   EXPECT_EQ(json["rods"], Json::parse(R"([{"count": 17, "diameter_mm": 1, "length_mm": 6,
                                            "material": "steel", "printable": false}])"));
-  EXPECT_EQ(json["clearance_mm"], 0.3) << "of the process";
+  EXPECT_EQ(json["clearance_mm"], 0.2) << "two deviations of the process";
   EXPECT_FALSE(fs::exists(scratch / "out/rods.stl"));
   EXPECT_FALSE(fs::exists(scratch / "out/panel_rods.3mf"));
   const std::string cut = "17 rods of 1 mm, each 6 mm long, 102 mm of steel in all. Cut them from wire.";
   EXPECT_THAT(text_of(scratch / "out/print.txt"),
-              AllOf(HasSubstr(cut), HasSubstr("rods of steel: 1 x 6 mm, clearance 0.3 mm a side")));
+              AllOf(HasSubstr(cut), HasSubstr("rods of steel: 1 x 6 mm, clearance 0.2 mm a side")));
   EXPECT_THAT(text_of(scratch / "out/card.html"), HasSubstr(cut + " Push them in after printing"));
 }
 
@@ -112,7 +112,7 @@ TEST(Rods, AreWhatASearchMakesIfTheyAreAskedFor) {
   EXPECT_EQ(result["verdict"]["printable"], true);
   EXPECT_THAT(
       text_of(folder + "/design.yaml"),
-      HasSubstr("hinge: {model: rotary, kind: rod, material: steel, diameter_mm: 1, clearance_mm: 0.3"));
+      HasSubstr("hinge: {model: rotary, kind: rod, material: steel, diameter_mm: 1, clearance_mm: 0.2"));
   const Outcome print = kinetix_opt("export " + folder + " --format stl -o " + folder + "/print");
   EXPECT_EQ(print.code, 0) << print.err;
   EXPECT_THAT(text_of(folder + "/print/print.txt"), HasSubstr("mm of steel in all. Cut them from wire."));

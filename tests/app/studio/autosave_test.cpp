@@ -24,7 +24,7 @@ class KilledStudio : public ::testing::Test {
     return std::make_shared<Autosave>(folder.path("state"), folder.path(source));
   }
   SessionInput opened() const {
-    SessionInput out{app::studio::template_design("strip"), folder.path("design.yaml"), ""};
+    SessionInput out{app::studio::template_design("strip"), folder.path("design.yaml")};
     out.results = folder.path("results");
     out.autosave = place();
     return out;

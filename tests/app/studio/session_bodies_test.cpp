@@ -355,7 +355,7 @@ TEST_F(StudioOfALoop, TurnsByAnotherHinge) {
 TEST(StudioOfBodiesOpened, KeepsWhatIsNotSaved) {
   const TemporaryFolder folder;
   const auto opened = [&] {
-    app::studio::SessionInput out{pair_of_walls(), folder.path("design.yaml"), ""};
+    app::studio::SessionInput out{pair_of_walls(), folder.path("design.yaml")};
     out.autosave = std::make_shared<app::studio::Autosave>(folder.path("state"), folder.path("design.yaml"));
     return out;
   };

@@ -452,7 +452,7 @@ TEST_F(Studio, WakesUpToThePresent) {
 TEST(Session, RestsWhileNoPageIsThere) {
   const TemporaryFolder folder;
   std::atomic<int> shown = 0;
-  app::studio::Session session({app::studio::template_design("strip"), folder.path("design.yaml"), "", 1, 0},
+  app::studio::Session session({app::studio::template_design("strip"), folder.path("design.yaml"), {}, 1, 0},
                                {[](int, const app::studio::Text&) {},
                                 [&](const std::shared_ptr<const app::studio::Frame>&) { ++shown; }});
   const std::jthread worker([&](const std::stop_token& stop) { session.run(stop); });

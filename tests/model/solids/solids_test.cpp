@@ -356,7 +356,7 @@ TEST(OpenHinge, IsAsLongAsItsFoldNeeds) {
   const ManufacturedHinge rod = open_hinge(HingeKind::rod, *find_process("fdm"), size);
   EXPECT_EQ(rod.material.name, "steel");
   EXPECT_EQ(rod.diameter_mm, usual_rod_mm) << "less than FDM prints";
-  EXPECT_EQ(rod.clearance_mm, find_process("fdm")->clearance_mm);
+  EXPECT_EQ(rod.clearance_mm, 2 * find_process("fdm")->sd.clearance_mm);
   const ManufacturedHinge film = open_hinge(HingeKind::film, *find_process("sla"), size);
   EXPECT_EQ(film.thickness_mm, 0.4);
   EXPECT_EQ(film.material.name, "pp") << "films of SLA are strips of their own";
