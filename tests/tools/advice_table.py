@@ -66,7 +66,9 @@ class Table:
         file = write_target(self.given.folder, name, yaml.safe_dump(goal, sort_keys=False))
         results = os.path.join(self.given.folder, name)
         code, said = self.run(file, "--process", process, "--no-verify", "-o", results)
-        self.not_run += code == 124
+        if code == 124:
+            self.not_run += 1
+            print(f"{name:36} not through after {self.given.seconds:g} s", flush=True)
         return code, said, results
 
     def add(self, name, what, why):
@@ -77,13 +79,13 @@ class Table:
         print(f"{name:36} {what:60} {'works' if not why else 'FAILS: ' + why[:300]}", flush=True)
 
     def end(self, what):
-        print(f"{self.rows - len(self.failed)} of {self.rows} {what}; {self.not_run} searches not through in time")
+        print(f"{self.rows - len(self.failed)} of {self.rows} {what}; {self.not_run} runs not through in time")
         print(*[f"  {name}" for name in self.failed], sep="\n")
         return 1 if self.failed else 0
 
 
 def follow(table, name, goal, process, results, advice):
-    """Follows one advice. Returns why it does not work; empty if it does."""
+    """Follows one advice. Returns why it does not work: empty if it does, None if it was not through in time."""
     kind, words = advice
     out = results + "_print"
     if kind == "option":
@@ -91,7 +93,7 @@ def follow(table, name, goal, process, results, advice):
         return "" if code == 0 else f"export {code}: {said}"
     code, said, followed = table.search(name + "_followed", with_structure(goal, **yaml.safe_load(words)), process)
     if code == 124:
-        return ""
+        return None
     if code != 0:
         return f"search {code}: " + (errors_of(followed) if code == 3 else said)
     code, said = table.run("export", followed, "--format", "stl", "-o", out)
@@ -106,7 +108,9 @@ def advice_row(table, name, goal, process):
         return
     refused, refusal = table.run("export", results, "--format", "stl", "-o", results + "_print")
     for advice in advice_of(errors_of(results), refusal if refused else ""):
-        table.add(name, advice[1], follow(table, name, goal, process, results, advice))
+        why = follow(table, name, goal, process, results, advice)
+        if why is not None:
+            table.add(name, advice[1], why)
 
 
 def positions(state):
