@@ -157,8 +157,12 @@ bool set_fewer_cells(const GoalKind& kind, double share, ChangedTarget& target) 
 void resize(const GoalKind& kind, const model::CellSize& before, const model::CellSize& size,
             ChangedTarget& target) {
   const bool is_larger = size.edge_mm > before.edge_mm;
-  if (is_larger && !(kind.keeps_length && set_fewer_cells(kind, before.edge_mm / size.edge_mm, target)))
-    target.set_structure("cell_mm", text(size.edge_mm));
+  const bool has_fewer =
+      is_larger && kind.keeps_length && set_fewer_cells(kind, before.edge_mm / size.edge_mm, target);
+  // Kinds that choose the number of cells themselves would choose another one for other walls.
+  const bool is_number_open =
+      kind.keeps_length && !kind.usual_cells && !target.structure("cells") && !target.structure("cell_mm");
+  if ((is_larger && !has_fewer) || is_number_open) target.set_structure("cell_mm", text(size.edge_mm));
   const bool has_walls = size.thickness_mm == before.thickness_mm && size.height_mm == before.height_mm;
   if (target.structure("wall_mm") && has_walls) return;
   target.set_structure(

@@ -8,7 +8,11 @@ namespace kinetix::app {
 namespace {
 
 constexpr int most_changes = 6;              // of larger cells: with fewer cells, hinges turn and lean more
-constexpr int most_changes_of_displays = 1;  // of those that stretch: their searches take seconds
+constexpr int most_changes_of_displays = 3;  // of those that stretch: their searches take seconds
+// Ratio of cell edges from the second change on: each search of a display finds other hinges, for which the size that
+// the last ones need may just be too small.
+constexpr double growth_of_displays = 1.1;
+constexpr double nearest_edges = 1.05;  // ratio of cell edges: sizes between nearer ones are not searched
 
 bool is_refused(const SearchResult& found) { return found.print && !found.print->is_accepted; }
 
@@ -33,6 +37,11 @@ Design open_design(const SearchResult& found) {
   return out;
 }
 
+bool can_have_pins(const SearchResult& found) {
+  const std::vector<model::HingeKind>& kinds = found.design.process.hinges;
+  return std::find(kinds.begin(), kinds.end(), model::HingeKind::pin) != kinds.end();
+}
+
 /// Returns the search with how its sheet is folded.
 SearchResult with_folding(SearchResult found, const RunOptions& options) {
   options.progress("drive", -1);
@@ -42,27 +51,36 @@ SearchResult with_folding(SearchResult found, const RunOptions& options) {
 }
 
 constexpr int most_fits =
-    3;  // each round lengthens hinges by a few percent, until their gaps stay as they are
+    6;  // each round lengthens hinges by a few percent, until their gaps stay as they are
+
+/// Returns the design that a file of this search has, with the drive that folds it.
+Design with_found_drive(Design design, const SearchResult& found) {
+  if (!design.drive) design.drive = found.folding->drive;
+  return design;
+}
 
 /// Fits hinges to the drive that folds them. Where hinges are soft the sheet lags behind a hinge that is turned, which
 /// turns further than the exact motion does. Hinges are as long as that turn needs, and the print is that of `export`
 /// with this drive.
 SearchResult fitted_to_drive(SearchResult found, const RunOptions& options) {
-  for (int k = 0; k < most_fits && !options.stop.stop_requested(); ++k) {
-    if (!found.folding || !found.folding->drive || found.folding->turns_freely) return found;
-    Design driven = open_design(found);
-    if (!driven.drive) driven.drive = found.folding->drive;
-    const PrintAnswer answer = options.printable(driven);
+  const auto has_drive = [&] {
+    return found.folding && found.folding->drive && !found.folding->turns_freely;
+  };
+  for (int k = 0; k < most_fits && has_drive() && !options.stop.stop_requested(); ++k) {
+    const PrintAnswer answer = options.printable(with_found_drive(open_design(found), found));
     const bool is_same = answer.made == found.print->made;
     found.print = answer;
     if (is_same || !answer.is_accepted) return found;
     found.design = with_manufactured_hinges(open_design(found), answer.made);
     found = with_folding(std::move(found), options);
   }
+  // The last drive may turn further than the one that its hinges were made for.
+  if (has_drive()) found.print = options.printable(with_found_drive(requested_design(found), found));
   return found;
 }
 
-/// Searches, and gives open joints the hinges that `export` would print. All that follows reads the design.
+/// Searches, and gives open joints the hinges that `export` would print. All that follows reads the design. Drives are
+/// found at once for pins, which every drive folds, and for processes that cannot print them.
 SearchResult searched(const Goal& goal, const RunOptions& options) {
   SearchResult found = goal.search(options);
   found.design.name = goal.name;
@@ -70,7 +88,9 @@ SearchResult searched(const Goal& goal, const RunOptions& options) {
   found.print = options.printable(requested_design(found));
   if (!found.print->is_accepted || !has_free_choice(found)) return found;
   found.design = with_manufactured_hinges(found.design, found.print->made);
-  return has_pins_alone(found.design) && has_joints(found) ? with_folding(std::move(found), options) : found;
+  if (!has_joints(found)) return found;
+  if (has_pins_alone(found.design)) return with_folding(std::move(found), options);
+  return can_have_pins(found) ? found : fitted_to_drive(with_folding(std::move(found), options), options);
 }
 
 /// Checks the state that the search found. It does not depend on the hinges that were chosen after it.
@@ -84,11 +104,6 @@ struct Printable {
   Goal::Resized resized;
   Searched searched;
 };
-
-bool can_have_pins(const SearchResult& found) {
-  const std::vector<model::HingeKind>& kinds = found.design.process.hinges;
-  return std::find(kinds.begin(), kinds.end(), model::HingeKind::pin) != kinds.end();
-}
 
 /// Checks whether a search is complete: its hinges can be printed, and are pins or of the kind that the file or the
 /// process leaves. Soft hinges are the second choice, since a drive seldom folds a whole sheet of them.
@@ -110,21 +125,57 @@ std::optional<model::CellSize> find_next_size(const SearchResult& found, const R
   return options.printable_size(design);
 }
 
-/// Searches with other cells until they can be printed and the goal is met. Empty if that does not happen.
-std::optional<Printable> find_printable(const Goal& goal, SearchResult found, const RunOptions& options) {
-  std::optional<Goal::Resized> last;
-  const int most = has_free_choice(found) ? most_changes : most_changes_of_displays;
-  for (int k = 0; k < most && !options.stop.stop_requested(); ++k) {
-    const std::optional<model::CellSize> size = find_next_size(found, options);
-    if (!size) return std::nullopt;
-    last = (last ? *last->goal : goal).resize(found.design.structure.size(), *size);
-    if (!last) return std::nullopt;
-    Searched one{last->goal, searched(*last->goal, options)};
-    if (is_complete(one.found))
-      return meets_goal(one, options) ? std::optional(Printable{*last, std::move(one)}) : std::nullopt;
-    found = std::move(one.found);
+double rounded_up_mm(double edge_mm) { return std::ceil(10 * edge_mm - 1e-9) / 10; }
+
+/// Searches a goal with cells of another size. Empty if the goal cannot have such cells.
+std::optional<Printable> search_resized(const Goal& goal, const model::CellSize& before,
+                                        const model::CellSize& size, const RunOptions& options) try {
+  const std::optional<Goal::Resized> resized = goal.resize(before, size);
+  if (!resized) return std::nullopt;
+  return Printable{*resized, {resized->goal, searched(*resized->goal, options)}};
+} catch (const InvalidInput&) {
+  return std::nullopt;  // too few cells for the goal, or too small ones for their walls
+}
+
+/// Searches with other cells until they can be printed and the goal is met. Where cells are so large that it is missed,
+/// smaller ones are searched. Empty if none are found.
+std::optional<Printable> find_printable(const Goal& goal, const SearchResult& given,
+                                        const RunOptions& options) {
+  std::optional<Printable> last;             // its cells are too small for the process
+  std::optional<model::CellSize> too_large;  // for the goal
+  std::optional<model::CellSize> next = find_next_size(given, options);
+  const int most = has_free_choice(given) ? most_changes : most_changes_of_displays;
+  for (int k = 0; k < most && next && !options.stop.stop_requested(); ++k) {
+    const SearchResult& found = last ? last->searched.found : given;
+    const model::CellSize before = found.design.structure.size();
+    if (k > 0 && !has_joints(given))
+      next->edge_mm = std::max(next->edge_mm, rounded_up_mm(growth_of_displays * before.edge_mm));
+    if (too_large && !(next->edge_mm * nearest_edges < too_large->edge_mm)) {
+      next = too_large;
+      next->edge_mm = rounded_up_mm(std::sqrt(before.edge_mm * too_large->edge_mm));
+    }
+    if (too_large && !(before.edge_mm * nearest_edges < next->edge_mm)) return std::nullopt;
+    std::optional<Printable> one = search_resized(last ? *last->resized.goal : goal, before, *next, options);
+    if (one && !is_complete(one->searched.found)) {
+      last = std::move(one);
+      next = find_next_size(last->searched.found, options);
+    } else if (one && meets_goal(one->searched, options)) {
+      return one;
+    } else {
+      too_large = next;
+    }
   }
   return std::nullopt;
+}
+
+/// Finds how a sheet is folded, and fits its hinges to that, if it can be printed and neither is known.
+SearchResult complete_folding(SearchResult found, const RunOptions& options) {
+  if (!found.print || is_refused(found) || !has_joints(found) || found.folding) return found;
+  return fitted_to_drive(with_folding(std::move(found), options), options);
+}
+
+bool can_be_folded(const SearchResult& found) {
+  return !is_refused(found) && (!found.folding || found.folding->is_possible());
 }
 
 }  // namespace
@@ -134,17 +185,18 @@ Searched search_printable(const Goal& goal, const RunOptions& options) {
   if (!given.found.print || !options.printable_size) return given;
   const bool is_worthwhile = !is_complete(given.found) && goal.resize && meets_goal(given, options);
   std::optional<Printable> other = is_worthwhile ? find_printable(goal, given.found, options) : std::nullopt;
+  if (other) other->searched.found = complete_folding(std::move(other->searched.found), options);
   if (other && !other->resized.changes_given) {
     other->searched.found.notes.push_back("sizes that the process needs: " + other->resized.keys);
     return std::move(other->searched);
   }
   const std::string advice =
-      other ? fmt::format("; with `{}` the goal is met and can be printed", other->resized.keys)
+      other && can_be_folded(other->searched.found)
+          ? fmt::format("; with `{}` the goal is met and can be printed", other->resized.keys)
       : is_worthwhile && can_have_pins(given.found)
           ? "; larger cells and walls were searched, and none both prints with pins and meets the goal"
           : "";
-  if (!is_refused(given.found) && has_joints(given.found) && !given.found.folding)
-    given.found = fitted_to_drive(with_folding(std::move(given.found), options), options);
+  given.found = complete_folding(std::move(given.found), options);
   given.found.print->advice = advice;
   return given;
 }

@@ -153,6 +153,17 @@ AngleRange allowed_theta(const SpaceVariables& v) {
   return {v.theta.lower, std::min(v.theta.upper, closing)};
 }
 
+// Least cell edge over the thickness of given walls. Structures allow walls below half a cell edge. The rest is for
+// cells that get smaller when the same strip is folded less (same_at).
+constexpr double min_edge_ratio = 2.4;
+
+/// Returns the least edge of cells that given walls leave open at theta, mm. @pre theta <= allowed_theta(v).upper
+double min_edge_mm(const SpaceVariables& v, double theta) {
+  if (v.free_walls) return 0;
+  const double open = 1 - std::tan(theta + model::closing_margin);  // see closing_theta()
+  return v.size.thickness_mm * std::max(min_edge_ratio, 1 / open);
+}
+
 /// Returns the lattice's design of a strip at theta.
 model::ExactDesign<double> design_of(const SpaceStrip& strip, double theta) {
   auto design = model::ExactDesign<double>::basic(strip.columns, 1);
@@ -241,7 +252,9 @@ class StripSearch {
 
   SpaceDesign at(double theta, const AngleRange& range) const {
     SpaceLimits limits = limits_at(v_, theta);
-    if (!v_.free_edge) {
+    if (v_.free_edge) {
+      limits.min_step = min_edge_mm(v_, theta) * std::cos(theta);
+    } else {
       limits.min_step = v_.size.edge_mm * std::cos(range.upper);
       limits.max_step = v_.size.edge_mm * std::cos(range.lower);
     }

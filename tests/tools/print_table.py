@@ -31,15 +31,29 @@ def without_cell_mm(text):
     return re.sub(r"structure:\n(?! )", "", text)
 
 
-def run(program, *arguments):
+def run(program, *arguments, seconds=longest_s):
     try:
-        done = subprocess.run([program, *arguments, "--quiet"], capture_output=True, text=True, timeout=longest_s)
+        done = subprocess.run([program, *arguments, "--quiet"], capture_output=True, text=True, timeout=seconds)
     except subprocess.TimeoutExpired:
-        return 124, f"not through after {longest_s} s"
+        return 124, f"not through after {seconds} s"
     return done.returncode, (done.stdout + done.stderr).strip()
 
 
-def row(program, name, text, process, folder, verify):
+def targets(only, processes):
+    """Yields name, text and processes of each shipped target whose name matches. A target of a laser has no others."""
+    for file in sorted(glob.glob(os.path.join(SHAPES, "*.yaml"))):
+        name = os.path.basename(file)[:-5]
+        with open(file) as source:
+            text = source.read()
+        if not re.search(r"^target:", text, re.M) or not re.search(only, name):
+            continue
+        named = re.search(r"^process: (\w+)|^process: \{base: (\w+)", text, re.M)
+        own = named and (named[1] or named[2])
+        yield name, text, [own] if own and own not in PROCESSES else processes
+
+
+def write_target(folder, name, text):
+    """Writes a target beside the files that it names. Returns its path."""
     os.makedirs(folder, exist_ok=True)
     for file in glob.glob(os.path.join(SHAPES, "*.*")):
         link = os.path.join(folder, os.path.basename(file))
@@ -48,15 +62,25 @@ def row(program, name, text, process, folder, verify):
     target = os.path.join(folder, name + "_goal.yaml")
     with open(target, "w") as out:
         out.write(text)
+    return target
+
+
+def errors_of(results):
+    """Returns the errors of a result's verdict."""
+    with open(os.path.join(results, "result.json")) as file:
+        problems = json.load(file)["verdict"]["problems"]
+    return "; ".join(p["text"] for p in problems if p["level"] == "error")
+
+
+def row(program, name, text, process, folder, verify):
+    target = write_target(folder, name, text)
     results = os.path.join(folder, name + "_" + process)
     start = time.monotonic()
     code, said = run(program, target, "--process", process, "-o", results, *([] if verify else ["--no-verify"]))
     seconds = time.monotonic() - start
     if code not in (0, 3, 4):
         return code, None, seconds, said.splitlines()[-1] if said else ""
-    with open(os.path.join(results, "result.json")) as file:
-        problems = json.load(file)["verdict"]["problems"]
-    why = "; ".join(p["text"] for p in problems if p["level"] == "error")
+    why = errors_of(results)
     exported, refused = run(program, "export", results, "--format", "stl", "-o", results + "_print")
     return code, exported, seconds, why or (refused if exported else "")
 
@@ -70,15 +94,8 @@ def main():
     options.add_argument("--verify", action="store_true", help="with the simulation of each search")
     given = options.parse_args()
     written = rows = told = 0
-    for file in sorted(glob.glob(os.path.join(SHAPES, "*.yaml"))):
-        name = os.path.basename(file)[:-5]
-        with open(file) as source:
-            text = source.read()
-        if not re.search(r"^target:", text, re.M) or not re.search(given.only, name):
-            continue
-        named = re.search(r"^process: (\w+)|^process: \{base: (\w+)", text, re.M)
-        own = named and (named[1] or named[2])
-        for process in [own] if own and own not in PROCESSES else given.process:
+    for name, text, processes in targets(given.only, given.process):
+        for process in processes:
             code, exported, seconds, why = row(given.program, name, without_cell_mm(text), process, given.folder,
                                                given.verify)
             rows += 1

@@ -86,6 +86,20 @@ int printable_columns(const SpaceCurveFile& file, const model::Process& process)
   return obstacle(fewer.wanted, fewer.variables) ? file.variables.columns : fewer.variables.columns;
 }
 
+// Cell edge over the thickness of given walls: less leaves no room to fold.
+constexpr double least_edge_ratio = 2.5;
+
+/// Returns the default number of columns between walls that a file gives: as many as fit between 24 and the usual one.
+int columns_between_walls(const targets::Section& structure, const SpaceCurveFile& file) {
+  SpaceCurveFile fewest = file;
+  fewest.variables.columns = min_usual_columns;
+  const double thickness_mm = read_size(structure, typical_edge(fewest)).thickness_mm;
+  const double most = seen_length * file.wanted.length() /
+                      (least_edge_ratio * thickness_mm * std::cos(file.variables.theta.lower));
+  return static_cast<int>(std::clamp(std::floor(most), static_cast<double>(min_usual_columns),
+                                     static_cast<double>(file.variables.columns)));
+}
+
 void check_unit(const targets::Section& root, const SpaceCurveFile& file) {
   if (typical_edge(file) >= smallest_cell_mm) return;
   throw root.required("target", "")
@@ -110,6 +124,8 @@ void read_structure(const targets::Section& root, SpaceCurveFile& file) {
     v.columns = root.section("target").required("points", "").located([&] {
       return printable_columns(file, read_process(root));
     });
+  else if (v.free_edge && !cells)
+    v.columns = columns_between_walls(structure, file);
   v.size = read_size(structure, typical_edge(file));
   if (!cell_mm || cells) return;
   const double fitting = std::round(length / (v.size.edge_mm * std::cos(default_strip_theta)));

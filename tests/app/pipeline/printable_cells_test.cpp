@@ -1,5 +1,8 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <sstream>
 
 #include "app/files/design_file.hpp"
 #include "app/goals/registry.hpp"
@@ -67,6 +70,46 @@ TEST(PrintableCells, AdviceForCellsThatTheFileGivesWorks) {
   EXPECT_TRUE(advised.folding->turns_freely);
 }
 
+/// Returns the target of a handle, a fraction as large as the shipped one.
+std::string smaller_handle(double share) {
+  std::stringstream file(text_of(fs::path(KINETIX_SOURCE) / "targets/shapes/handle.csv"));
+  std::string line, points;
+  std::getline(file, line);  // the header
+  char comma = 0;
+  for (double x = 0, y = 0, z = 0; file >> x >> comma >> y >> comma >> z;)
+    points += fmt::format("{}[{}, {}, {}]", points.empty() ? "" : ", ", share * x, share * y, share * z);
+  return "kinetix: 1\ntarget: {kind: space_curve, points: [" + points +
+         "]}\nprocess: fdm\ntolerance: {shape: 0.005}\n";
+}
+
+// The size that the pins of 24 columns need leaves too few columns for the curve. The search tries numbers in between.
+TEST(PrintableCells, OfACurveInSpaceBecomeFewerButNotTooFew) {
+  const Scratch scratch;
+  const app::Run run = run_of(scratch, smaller_handle(100.0 / 128));
+  ASSERT_TRUE(run.print);
+  EXPECT_TRUE(run.print->is_accepted) << run.print->why << run.print->advice;
+  EXPECT_TRUE(run.met()) << run.violations.front();
+  EXPECT_TRUE(run.folding && run.folding->turns_freely);
+}
+
+// Cells between given walls are as large as those leave room, instead of an error about walls of half a cell.
+TEST(PrintableCells, OfACurveInSpaceLeaveRoomForGivenWalls) {
+  const Scratch scratch;
+  for (const char* walls : {"{thickness: 0.8, height: 4}", "{thickness: 1.5}"})
+    EXPECT_NO_THROW(run_of(scratch, smaller_handle(100.0 / 128) + "structure: {wall_mm: " + walls + "}\n"));
+  EXPECT_NO_THROW(run_of(scratch, smaller_handle(100.0 / 128) +
+                                      "structure: {cells: [80, 1], wall_mm: {thickness: 0.8, height: 4}}\n"));
+}
+
+// A panel that is cut from a sheet has room for its bridges if the file leaves sizes open.
+TEST(PrintableCells, OfALetterThatIsCutLeaveRoomForBridges) {
+  const Scratch scratch;
+  const app::Run run = run_of(scratch, "kinetix: 1\ntarget: {kind: display, glyph: T}\nprocess: laser\n");
+  ASSERT_TRUE(run.print);
+  EXPECT_TRUE(run.print->is_accepted) << run.print->why;
+  EXPECT_TRUE(run.met());
+}
+
 TEST(PrintableCells, OfANetBecomeLarger) {
   const Scratch scratch;
   const std::string net = "kinetix: 1\ntarget: {kind: fold, box: [2, 2, 1]}\nprocess: sls\n";
@@ -92,6 +135,9 @@ TEST(PrintableCells, KeysOfLargerCellsKeepTheLengthThatAGoalGives) {
                         "kinetix: 1\ntarget: {kind: outline, points: [[0, 0], [90, 0], [90, 90], [0, 90]]}\n";
   EXPECT_EQ(changed_keys(curve, before, larger),
             std::pair(std::string("structure: {cell_mm: 16, wall_mm: {thickness: 1, height: 6}}"), false));
+  EXPECT_EQ(changed_keys(curve, before, {10, 1.2, 6}),
+            std::pair(std::string("structure: {cell_mm: 10, wall_mm: {thickness: 1.2, height: 6}}"), false))
+      << "other walls alone would change the number of cells";
   EXPECT_EQ(changed_keys(curve + "structure: {cells: [20, 1]}\n", before, larger),
             std::pair(std::string("structure: {cells: [12, 1], wall_mm: {thickness: 1, height: 6}}"), true));
   EXPECT_EQ(
