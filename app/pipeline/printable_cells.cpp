@@ -29,6 +29,13 @@ bool has_free_choice(const SearchResult& found) {
   return has_joints(found) || (is_exact && has_usual_stiffness(found.design.hinge));
 }
 
+/// Checks whether the search counted on the stiffness of hinges, and the file does not say how they are made. No hinge
+/// that is printed has the stiffness that it assumed.
+bool needs_hinges(const SearchResult& found) {
+  const bool depends = found.known && found.known->model == Model::equilibrium;
+  return depends && has_usual_stiffness(found.design.hinge) && !has_joints(found);
+}
+
 /// Returns the design with all hinges left open. @pre has_free_choice(found), and the file leaves them open
 Design open_design(const SearchResult& found) {
   Design out = requested_design(found);
@@ -85,6 +92,15 @@ SearchResult searched(const Goal& goal, const RunOptions& options) {
   SearchResult found = goal.search(options);
   found.design.name = goal.name;
   if (!options.printable || !leaves_hinges_open(found.design) || options.stop.stop_requested()) return found;
+  if (needs_hinges(found)) {
+    found.print = PrintAnswer{
+        .hinges = {},
+        .why =
+            "hinges stretch in this design, so it depends on their stiffness, and the file does not say how "
+            "they are made: leave `variables.offset_mm` out, so that no hinge stretches, or give "
+            "`hinge: {kind: block, ...}` with sizes"};
+    return found;
+  }
   found.print = options.printable(requested_design(found));
   if (!found.print->is_accepted || !has_free_choice(found)) return found;
   found.design = with_manufactured_hinges(found.design, found.print->made);
@@ -183,7 +199,8 @@ bool can_be_folded(const SearchResult& found) {
 Searched search_printable(const Goal& goal, const RunOptions& options) {
   Searched given{{std::shared_ptr<const Goal>{}, &goal}, searched(goal, options)};
   if (!given.found.print || !options.printable_size) return given;
-  const bool is_worthwhile = !is_complete(given.found) && goal.resize && meets_goal(given, options);
+  const bool is_worthwhile =
+      !is_complete(given.found) && !needs_hinges(given.found) && goal.resize && meets_goal(given, options);
   std::optional<Printable> other = is_worthwhile ? find_printable(goal, given.found, options) : std::nullopt;
   if (other) other->searched.found = complete_folding(std::move(other->searched.found), options);
   if (other && !other->resized.changes_given) {

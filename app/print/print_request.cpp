@@ -7,6 +7,7 @@
 #include "app/print/slicer.hpp"
 #include "app/run/design_hinges.hpp"
 #include "model/base/algorithms.hpp"
+#include "model/solids/hinge_shape.hpp"
 #include "targets/document/wording.hpp"
 
 namespace kinetix::app {
@@ -107,7 +108,19 @@ bool changes_sheet(const PrintRequest& request, const Design& design) {
          request.loose_rods || request.cell_mm > 0;
 }
 
+namespace {
+
+/// Checks whether all hinges are the pins that the process of the design has if nothing else is asked for. Searches leave
+/// them in panels, whose hinges are elastic.
+bool has_usual_pins(const Design& design) {
+  return has_pins_alone(design) && design.hinge_overrides.empty() &&
+         design.hinge.made == open_hinge(model::HingeKind::pin, design.process, design.structure.size());
+}
+
+}  // namespace
+
 Design reopened(Design design, const PrintRequest& request) {
+  if (changes_sheet(request, design) && has_usual_pins(design)) design.hinge.made.reset();
   return changes_sheet(request, design) ? with_open_joints(std::move(design)) : design;
 }
 

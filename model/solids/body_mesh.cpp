@@ -277,8 +277,10 @@ Polyhedron body_mesh(const BodySolid& body) {
     for (const Vector3d& corner : body.post->corners(0)) foot.push_back(corner_at(mesh.points, corner));
     std::erase_if(faces, [&](const Indices& face) { return same_corners(face, foot); });
   }
-  if (faces.size() + starts.size() + (body.post ? 1 : 0) != body.junction.faces.size())
-    throw std::logic_error("a wall or a post does not leave its junction through a face of it");
+  if (faces.size() + starts.size() + (body.post ? 1 : 0) != body.junction.faces.size()) {
+    if (body.post) throw InvalidInput("a post has no room on its junction, from which walls rise");
+    throw std::logic_error("a wall does not leave its junction through a face of it");
+  }
   for (const Indices& face : faces) mesh.add_face(face);
   for (std::size_t k = 0; k < body.arms.size(); ++k) ArmMesh(body.arms[k], starts[k], mesh).add();
   if (body.post) add_post(*body.post, foot, mesh);

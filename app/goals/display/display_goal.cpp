@@ -126,7 +126,8 @@ constexpr double path_seconds_of_1024 = 0.92, path_exponent = 1.76;
 /// Returns the state that the search computed for its design; nullopt if it found no equilibrium.
 std::optional<SearchResult::Known> known_state(const optim::DisplayDesign& design) {
   if (!design.view.at_equilibrium || design.view.state.empty()) return std::nullopt;
-  return SearchResult::Known{design.scaled ? Model::exact : Model::equilibrium, design.view.state};
+  const bool is_exact = design.scaled && !design.refined;
+  return SearchResult::Known{is_exact ? Model::exact : Model::equilibrium, design.view.state};
 }
 
 class DisplayGoal final : public Goal {

@@ -206,7 +206,7 @@ TEST(TargetFile, ReadsTheDisplaysThatShip) {
     EXPECT_TRUE(file.goal.is_binary());
     return file;
   };
-  EXPECT_EQ(read("letter_t").compression, 0.185);
+  EXPECT_EQ(read("letter_t").compression, 0.12);
   EXPECT_EQ(read("letter_t").channel, optim::Channel::light);
   EXPECT_EQ(read("letter_t").offset, 0.08);
   EXPECT_EQ(read("circle").compression, 0.12);
@@ -252,7 +252,7 @@ TEST(TargetFile, ReadsCompressionAndDirectionAsVariables) {
   const DisplayFile both = read("variables: {compression: {range: [0.15, 0.2]}, axis: [x, y]}\n");
   EXPECT_EQ(both.axes, (std::vector{model::Axis::x, model::Axis::y}));
   EXPECT_EQ(both.compression_range, (std::array{0.15, 0.2}));
-  EXPECT_EQ(both.compression, 0.185);
+  EXPECT_EQ(both.compression, 0.15);
   const DisplayFile start =
       read("drive: {compression: 0.18}\nvariables: {compression: {range: [0.15, 0.2]}, axis: [y]}\n");
   EXPECT_EQ(start.compression, 0.18);

@@ -529,7 +529,8 @@ hinge: {kind: block, material: tango, gap_mm: 2, thickness_mm: 1.2}
 
 TEST(Matter, ADisplayKeepsItsLimits) {
   const Scratch scratch;
-  const Finished run = finished(scratch, letter + "tolerance: {strain: 0.25, force_N: 20, contrast: 1}\n");
+  const Finished run = finished(
+      scratch, letter + "drive: {compression: 0.185}\ntolerance: {strain: 0.25, force_N: 20, contrast: 1}\n");
   ASSERT_EQ(run.code, 0) << run.out << run.err;
   EXPECT_EQ(schema_errors(run.result), "");
   const Json& display = run.result["display"];

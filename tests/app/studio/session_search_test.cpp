@@ -66,7 +66,8 @@ TEST(StudioAtStart, SearchesForATargetWithTheKeysThatOptionsReplace) {
   ASSERT_TRUE(page.open(studio.token));
   const json result = page.text("result")["result"];
   EXPECT_EQ(result["name"], "hook");
-  EXPECT_EQ(result["manufacture"]["process"], "fdm");
+  EXPECT_EQ(result["verdict"]["printable"], false);
+  EXPECT_THAT(result["verdict"]["problems"].dump(), ::testing::HasSubstr("pins do not fit"));
 }
 
 TEST_F(Studio, KeepsItsResultWhereThereIsNothingToRedo) {
