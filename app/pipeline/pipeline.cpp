@@ -97,7 +97,7 @@ void ParallelChecks::work() {
   constexpr std::array parts{&ParallelChecks::check_prints, &ParallelChecks::prove_range,
                              &ParallelChecks::check_export};
   for (int k = begun_++; k < static_cast<int>(parts.size()); k = begun_++)
-    if (!options_.stop.stop_requested()) (this->*parts[k])();
+    if (!options_.stop.stop_requested() || parts[k] == &ParallelChecks::check_export) (this->*parts[k])();
 }
 
 void ParallelChecks::check_prints() {
@@ -164,6 +164,8 @@ LockKind kind_of_lock(const std::optional<Lock>& lock) {
 
 void ParallelChecks::check_export() {
   if (!run_.goal || run_.states.empty() || !options_.printable) return;
+  // A stopped run still has the lock of the print that it found: design.yaml is then complete.
+  if (!run_.print && options_.stop.stop_requested()) return;
   PrintAnswer answer = run_.print ? *run_.print : options_.printable(written_design(run_));
   if (answer.add_lock && !run_.design.lock) {
     answer = with_default_lock(run_, std::move(answer));

@@ -9,8 +9,8 @@ namespace {
 
 constexpr int most_changes = 6;              // of larger cells: with fewer cells, hinges turn and lean more
 constexpr int most_changes_of_displays = 3;  // of those that stretch: their searches take seconds
-// Ratio of cell edges from the second change on: each search of a display finds other hinges, for which the size that
-// the last ones need may just be too small.
+// Ratio of cell edges from the second change on. Each search of a display finds other hinges. The size that the last
+// ones need may just be too small for them.
 constexpr double growth_of_displays = 1.1;
 constexpr double nearest_edges = 1.05;  // ratio of cell edges: sizes between nearer ones are not searched
 

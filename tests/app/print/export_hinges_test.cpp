@@ -30,8 +30,8 @@ TEST(Export, RefusesWhatItCannotMake) {
   const std::string thin = std::string(panel).replace(std::string(panel).find("0.8"), 3, "0.5");
   expect_refused(thin, "--format stl --process fdm", "a wall of 0.5 mm is less than fdm prints, 0.8 mm",
                  not_printable);
-  expect_refused(std::string(panel) + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.05}\n",
-                 "--format stl --process sla", "a clearance of 0.05 mm is less than sla prints, 0.25 mm",
+  expect_refused(std::string(panel) + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.06}\n",
+                 "--format stl --process sla", "a clearance of 0.06 mm is less than sla prints, 0.25 mm",
                  not_printable);
   expect_refused(std::string(panel) + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.4}\n",
                  "--format stl --process fdm", "a rod of 1 mm is less than fdm prints, 3 mm", not_printable);

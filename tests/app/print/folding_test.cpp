@@ -243,18 +243,6 @@ TEST(Folding, NoExportOfRandomSheetsCrosses) { expect_no_crossings(16); }
 /// Tests three times as many sheets.
 TEST(FoldingSoak, NoExportOfManyRandomSheetsCrosses) { expect_no_crossings(48); }
 
-/// Rods are part of the forks that they are pushed into.
-TEST(Folding, NoExportOfRandomSheetsWithRodsCrosses) {
-  int exported = 0;
-  for (int k = 0; k < 2; ++k) {
-    std::mt19937 random(2000 + k);
-    const Judged found = judged(random_sheet(random, k), request_of(k % 2 ? "fdm" : "sls", "rod"));
-    exported += found.refused.empty();
-    EXPECT_LE(found.crossing.mm, allowed_mm) << "sheet " << k;
-  }
-  EXPECT_GE(exported, 1) << "else nothing was judged";
-}
-
 /// The judge detects a crossing and its depth in the design's own solids, without `--cell-mm`.
 TEST(Folding, JudgeSeesWhatTheExporterIsNotAskedAbout) {
   const Scratch scratch;
