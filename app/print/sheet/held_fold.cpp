@@ -1,4 +1,4 @@
-#include "app/print/sheet/held_fold.hpp"
+#include "app/print/sheet/lock.hpp"
 
 #include "model/closure/drive_theta.hpp"
 #include "model/elastic/elastic_system.hpp"

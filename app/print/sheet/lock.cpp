@@ -4,7 +4,6 @@
 
 #include "app/files/process_section.hpp"
 #include "app/print/sheet/fold_motion.hpp"
-#include "app/print/sheet/held_fold.hpp"
 #include "app/print/sheet/path_clearance.hpp"
 #include "model/closure/closure.hpp"
 
