@@ -165,11 +165,12 @@ TEST(Verdict, AGoalIsNotMetWhereTheDriveNeverArrives) {
 }
 
 TEST(VerdictSoak, GoalsOfLargerPanelsAreNotMetWhereTheDriveNeverArrives) {
+  const std::string further = "drive: {compression: 0.185}\n";
   expect_missed_panels(
-      {"target: {kind: display, glyph: H}\nstructure: {lattice: honeycomb, cells: [8, 8]}\n",
-       "target: {kind: display, glyph: L}\nstructure: {lattice: honeycomb, cells: [8, 8]}\n",
-       "target: {kind: display, glyph: T}\nstructure: {lattice: honeycomb, cells: [7, 7]}\n",
-       "target: {kind: display, glyph: E}\nstructure: {lattice: honeycomb, cells: [8, 7]}\n"});
+      {"target: {kind: display, glyph: H}\nstructure: {lattice: honeycomb, cells: [8, 8]}\n" + further,
+       "target: {kind: display, glyph: L}\nstructure: {lattice: honeycomb, cells: [8, 8]}\n" + further,
+       "target: {kind: display, glyph: T}\nstructure: {lattice: honeycomb, cells: [7, 7]}\n" + further,
+       "target: {kind: display, glyph: E}\nstructure: {lattice: honeycomb, cells: [8, 7]}\n" + further});
 }
 
 TEST(Verdict, OfForwardRunsAsksNothingOfPrints) {
