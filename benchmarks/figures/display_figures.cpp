@@ -19,7 +19,6 @@ app::Run shown(targets::DisplayGoal goal, bool verify = true,
   app::DisplayFile file;
   file.channel = channel;
   file.offset = 0;
-  file.compression = app::compression_on_walls;
   file.t = app::t_on_walls;
   file.name = "display";
   file.goal = std::move(goal);
