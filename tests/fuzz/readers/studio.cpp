@@ -27,7 +27,7 @@ bool is_long(const std::string& text) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string last = "987654321";
   std::stop_source stop;
-  Session session({app::studio::template_design("strip"), fuzz::input_folder().path("saved.yaml"), "", 1, 0},
+  Session session({app::studio::template_design("strip"), fuzz::input_folder().path("saved.yaml"), {}, 1, 0},
                   {[&](int, const app::studio::Text& text) {
                      if (text.bytes->find(last) != std::string::npos) stop.request_stop();
                    },
