@@ -87,7 +87,7 @@ SearchResult fitted_to_drive(SearchResult found, const RunOptions& options) {
 }
 
 /// Searches, and gives open joints the hinges that `export` would print. All that follows reads the design. Drives are
-/// found at once for pins, which every drive folds, and for processes that cannot print them.
+/// found at once for pins, which turn freely, and for processes that cannot print them.
 SearchResult searched(const Goal& goal, const RunOptions& options) {
   SearchResult found = goal.search(options);
   found.design.name = goal.name;

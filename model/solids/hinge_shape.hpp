@@ -91,7 +91,7 @@ HingeEnd hinge_end(const HingePrint& hinge, const CellSize& size, double axis_ac
 int circle_sides(double radius_mm, double tolerance_mm);
 
 /// Returns the hinge that a process assumes if the design does not describe it. A pin has the thinnest rod and the
-/// smallest clearance of the process. The kind rod has the same clearance about a steel wire of usual_rod_mm. An
+/// smallest clearance of the process. The kind rod is a steel wire of usual_rod_mm in a tighter bore. An
 /// elastomer block is of the process's rubber, as thick as the wall. A living hinge has the thickness of one line, or
 /// the least that the process cuts. It is of the process's film material, or a strip of polypropylene if the process has
 /// none. All are as high as the wall. Hinges that span a gap have none yet (open_gap_mm).
