@@ -201,7 +201,8 @@ EstimatedDrive estimated(const SheetToFold& sheet, const std::string& name,
   return {name, drive, load, drive.has_force() ? load : load / sheet.linkage.size.edge_mm};
 }
 
-/// Returns the drive of the design if it has one, else those that exist, those of least force first.
+/// Returns the drive of the design if it has one, else those that exist, those of least force first. Pins resist each
+/// of them so little that the usual one comes first.
 std::vector<EstimatedDrive> estimated_drives(const SheetToFold& sheet) {
   const Design& design = sheet.design;
   if (design.drive) return {estimated(sheet, describe(*design.drive), drive_of(design))};
@@ -211,19 +212,27 @@ std::vector<EstimatedDrive> estimated_drives(const SheetToFold& sheet) {
   std::erase_if(all, [](const EstimatedDrive& drive) { return !std::isfinite(drive.force_N); });
   std::stable_sort(all.begin(), all.end(),
                    [](const auto& a, const auto& b) { return a.force_N < b.force_N; });
+  if (has_pins_alone(design)) {
+    const model::LinkageDrive usual = drive_of(design);
+    all.insert(all.begin(), estimated(sheet, describe(as_in_design(usual)), usual));
+  }
   return all;
 }
 
-Folding folding_by(const std::string& name, const model::LinkageDrive& drive, double load) {
-  return {.name = name, .drive = as_in_design(drive), .load = load, .is_force = drive.has_force()};
+Folding folding_by(const std::string& name, const model::LinkageDrive& drive, double load, bool is_free) {
+  return {.name = name,
+          .drive = as_in_design(drive),
+          .load = load,
+          .is_force = drive.has_force(),
+          .turns_freely = is_free};
 }
 
-constexpr int max_bodies_to_fold = 180;    // above this, paths of soft hinges take longer than the search
+constexpr int max_bodies_to_fold = 180;    // above this, equilibrium paths take longer than the search
 constexpr int most_iterations = 15;        // per step: a fold near its exact motion needs about 5
 constexpr double shortest_step = 0.01;     // rad of theta: a sheet that needs shorter ones is about to buckle
 constexpr double largest_departure = 0.2;  // rad of a hinge from the exact motion: more is another fold
 
-/// Follows a drive with soft hinges until the sheet leaves its exact motion.
+/// Follows a drive in equilibrium until the sheet leaves its exact motion.
 DriveTrial followed(const SheetToFold& sheet, const EstimatedDrive& drive, const std::stop_token& stop) {
   const model::Lattice& structure = sheet.design.structure;
   DriveTrial trial{.name = drive.name, .why_not = {}, .drive = drive.drive, .path = {}};
@@ -261,26 +270,21 @@ std::optional<Folding> find_folding(const Design& design, const model::ExactMoti
   if (has_springs && !has_pins_alone(design)) return std::nullopt;
   if (has_springs) return folding_of({}, drive_of(design), "");
   const SheetToFold sheet(design, exact);
-  if (has_pins_alone(design)) {
-    const model::LinkageDrive drive = drive_of(design);
-    const double load = estimated(sheet, "", drive).load;
-    if (!std::isfinite(load)) return std::nullopt;
-    Folding free = folding_by(describe(as_in_design(drive)), drive, load);
-    free.turns_freely = true;
-    return free;
-  }
-  if (design.structure.bodies() > max_bodies_to_fold) return std::nullopt;
+  const bool is_free = has_pins_alone(design), is_large = design.structure.bodies() > max_bodies_to_fold;
+  if (is_large && !is_free) return std::nullopt;
   std::string why;
   for (const EstimatedDrive& drive : estimated_drives(sheet)) {
+    if (is_large) return folding_by(drive.name, drive.drive, drive.load, is_free);
     const DriveTrial trial = followed(sheet, drive, stop);
     if (stop.stop_requested()) return std::nullopt;
-    if (trial.holds()) return folding_by(trial.name, trial.drive, trial.load_peak);
+    if (trial.holds()) return folding_by(trial.name, trial.drive, trial.load_peak, is_free);
     if (why.empty())
       why = trial.name + ": " +
             (!trial.why_not.empty() ? trial.why_not
              : trial.reached()      ? "the fold is not stable"
                                     : trial.path.why);
   }
+  if (is_free) return Folding{.name = "one hinge after the other", .turns_freely = true};
   return Folding{.name = {}, .why_not = "no drive folds it with these hinges (" + why + ")"};
 } catch (const InvalidInput& e) {
   return Folding{.name = {}, .why_not = e.reason()};
@@ -294,7 +298,7 @@ std::optional<Folding> find_folding(const Design& design) {
 Folding folding_of(const model::EquilibriumPath& path, const model::LinkageDrive& drive,
                    const std::string& name) {
   if (!drive.is_external()) return {.name = "springs of shape memory", .is_unaided = true};
-  return folding_by(name.empty() ? describe(as_in_design(drive)) : name, drive, largest_load(path));
+  return folding_by(name.empty() ? describe(as_in_design(drive)) : name, drive, largest_load(path), false);
 }
 
 DriveTrials try_drives(const Design& design, const RunOptions& options) {

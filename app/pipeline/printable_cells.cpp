@@ -18,6 +18,9 @@ bool is_refused(const SearchResult& found) { return found.print && !found.print-
 
 bool has_joints(const SearchResult& found) { return found.design.hinge.model == HingeSection::Model::rotary; }
 
+/// Checks whether the search leaves the drive open: in sheets of joints, and in panels of pins.
+bool has_open_drive(const SearchResult& found) { return has_joints(found) || has_pins_alone(found.design); }
+
 /// Checks whether the file does not say how stiff hinges are.
 bool has_usual_stiffness(const HingeSection& hinge) {
   return hinge == HingeSection{.model = hinge.model, .reach_mm = {}, .made = hinge.made, .kind = hinge.kind};
@@ -104,7 +107,7 @@ SearchResult searched(const Goal& goal, const RunOptions& options) {
   found.print = options.printable(requested_design(found));
   if (!found.print->is_accepted || !has_free_choice(found)) return found;
   found.design = with_manufactured_hinges(found.design, found.print->made);
-  if (!has_joints(found)) return found;
+  if (!has_open_drive(found)) return found;
   if (has_pins_alone(found.design)) return with_folding(std::move(found), options);
   return can_have_pins(found) ? found : fitted_to_drive(with_folding(std::move(found), options), options);
 }
@@ -186,12 +189,12 @@ std::optional<Printable> find_printable(const Goal& goal, const SearchResult& gi
 
 /// Finds how a sheet is folded, and fits its hinges to that, if it can be printed and neither is known.
 SearchResult complete_folding(SearchResult found, const RunOptions& options) {
-  if (!found.print || is_refused(found) || !has_joints(found) || found.folding) return found;
+  if (!found.print || is_refused(found) || !has_open_drive(found) || found.folding) return found;
   return fitted_to_drive(with_folding(std::move(found), options), options);
 }
 
 bool can_be_folded(const SearchResult& found) {
-  return !is_refused(found) && (!found.folding || found.folding->is_possible());
+  return !is_refused(found) && (!found.folding || describe_effort(*found.folding) != "no");
 }
 
 }  // namespace

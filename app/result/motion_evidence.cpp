@@ -38,29 +38,17 @@ std::string classify_load(const Equilibrium& equilibrium) {
   return equilibrium.drive.has_force() ? classify_force(load) : classify_moment(load);
 }
 
-namespace {
-
-// N and N mm: by hand, and with a clamp or a tool.
-constexpr std::array most_by_hand = {100.0, 3000.0}, most_by_clamp = {1000.0, 30000.0};
-
-}  // namespace
-
 std::string describe_folding(const Folding& folding) {
   if (!folding.is_possible()) return folding.why_not;
   if (folding.is_unaided) return "unaided: its springs fold it";
+  if (folding.is_by_turns())
+    return "by hand, " + folding.name + ": its pins turn freely, but a single push takes it to another fold";
   const std::string load = folding.is_force ? fmt::format("{:.3g} N", folding.load)
                                             : fmt::format("{:.3g} N mm about one hinge", folding.load);
   const std::string effort = describe_effort(folding);
   if (effort == "no") return "it takes " + load + " to fold, more than a clamp gives: " + folding.name;
   return fmt::format("{} with {}{}: {}", effort, load,
                      folding.turns_freely ? " of friction, which is assumed" : "", folding.name);
-}
-
-std::string describe_effort(const Folding& folding) {
-  if (folding.is_unaided) return "unaided";
-  const std::size_t unit = folding.is_force ? 0 : 1;
-  if (!folding.is_possible() || !(folding.load <= most_by_clamp[unit])) return "no";
-  return folding.load <= most_by_hand[unit] ? "by hand" : "with a clamp";
 }
 
 namespace {
@@ -199,7 +187,7 @@ Json lock_json(const std::optional<Lock>& lock) {
 }
 
 Json load_json(const std::optional<Folding>& folding, bool is_force) {
-  const bool has_load = folding && folding->is_possible() && !folding->is_unaided;
+  const bool has_load = folding && folding->drive;
   return has_load && folding->is_force == is_force ? Json(folding->load) : Json(nullptr);
 }
 

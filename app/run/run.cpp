@@ -51,12 +51,33 @@ const char* describe_tolerance(const Run& run, bool is_within) {
   return is_within ? "WITHIN TOLERANCE, BUT NOT AS REQUIRED" : "MISSES THE TOLERANCE";
 }
 
+namespace {
+
+/// Checks whether a drive is the one of a design that names none: the same plates or the same hinge.
+bool is_usual_drive(const model::Drive& drive, const Design& design) {
+  const model::LinkageDrive usual = drive_to(design.structure, design.theta),
+                            other = drive_on(design.structure, drive, design.theta);
+  return other.kind == usual.kind && other.axis == usual.axis && other.hinge == usual.hinge;
+}
+
+// N and N mm: by hand, and with a clamp or a tool.
+constexpr std::array most_by_hand = {100.0, 3000.0}, most_by_clamp = {1000.0, 30000.0};
+
+}  // namespace
+
+std::string describe_effort(const Folding& folding) {
+  if (folding.is_unaided) return "unaided";
+  const std::size_t unit = folding.is_force ? 0 : 1;
+  if (!folding.is_possible() || !(folding.load <= most_by_clamp[unit])) return "no";
+  return folding.load <= most_by_hand[unit] ? "by hand" : "with a clamp";
+}
+
 Design written_design(const Run& run) {
   Design design = run.design;
   design.theta = requested_theta(run);
-  // Pins fold by the usual drive of a sheet, which a design need not name.
-  const bool is_found = run.folding && !run.folding->turns_freely && !run.equilibrium;
-  if (is_found && !design.drive) design.drive = run.folding->drive;
+  if (design.drive || !run.folding || !run.folding->drive || run.equilibrium) return design;
+  // Soft hinges lag behind their drive, which therefore ends beyond the theta of the design.
+  if (!run.folding->turns_freely || !is_usual_drive(*run.folding->drive, design)) design.drive = run.folding->drive;
   return design;
 }
 

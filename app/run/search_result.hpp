@@ -56,7 +56,7 @@ struct TurnBounds {
 /// Folding of a sheet with its own hinges, by the drive of least force.
 struct Folding {
   std::string name;  ///< of the drive, such as "plates normal to y"; empty: no drive folds it
-  std::optional<model::Drive> drive = {};  ///< as in a design; empty: no drive folds it
+  std::optional<model::Drive> drive = {};  ///< as in a design; empty: no single push folds it
   double load = 0;                         ///< largest on the path: N, of a turned hinge N mm; 0 of springs
   bool is_force = true;                    ///< whether `load` is in N
   bool is_unaided = false;                 ///< whether springs in the hinges fold it
@@ -64,7 +64,13 @@ struct Folding {
   std::string why_not = {};                ///< why no drive folds it, one sentence
 
   bool is_possible() const { return why_not.empty(); }
+  /// Returns true if pins are turned one after the other, since each push takes the sheet to another fold.
+  bool is_by_turns() const { return turns_freely && !drive; }
 };
+
+/// Returns how a sheet is folded, as in result.json: "by hand" up to 100 N or 3 N m, "with a clamp" up to 1000 N or
+/// 30 N m, "unaided" by springs in the hinges, else "no".
+std::string describe_effort(const Folding& folding);
 
 /// Simulation that a goal requests.
 struct PhysicsRequest {
