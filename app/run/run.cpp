@@ -77,7 +77,8 @@ Design written_design(const Run& run) {
   design.theta = requested_theta(run);
   if (design.drive || !run.folding || !run.folding->drive || run.equilibrium) return design;
   // Soft hinges lag behind their drive, which therefore ends beyond the theta of the design.
-  if (!run.folding->turns_freely || !is_usual_drive(*run.folding->drive, design)) design.drive = run.folding->drive;
+  if (!run.folding->turns_freely || !is_usual_drive(*run.folding->drive, design))
+    design.drive = run.folding->drive;
   return design;
 }
 
