@@ -201,7 +201,12 @@ EstimatedDrive estimated(const SheetToFold& sheet, const std::string& name,
   return {name, drive, load, drive.has_force() ? load : load / sheet.linkage.size.edge_mm};
 }
 
-/// Returns the drive of the design if it has one, else those that exist, those of least force first. Pins resist each
+/// Checks whether a drive is the one that folds the sheet if nothing else is given: the same plates or the same hinge.
+bool is_usual(const model::LinkageDrive& drive, const model::LinkageDrive& usual) {
+  return drive.kind == usual.kind && drive.axis == usual.axis && drive.hinge == usual.hinge;
+}
+
+/// Returns the drive of the design if it has one, else those that exist, those of least force first. Pins resist all
 /// of them so little that the usual one comes first.
 std::vector<EstimatedDrive> estimated_drives(const SheetToFold& sheet) {
   const Design& design = sheet.design;
@@ -212,29 +217,29 @@ std::vector<EstimatedDrive> estimated_drives(const SheetToFold& sheet) {
   std::erase_if(all, [](const EstimatedDrive& drive) { return !std::isfinite(drive.force_N); });
   std::stable_sort(all.begin(), all.end(),
                    [](const auto& a, const auto& b) { return a.force_N < b.force_N; });
-  if (has_pins_alone(design)) {
-    const model::LinkageDrive usual = drive_of(design);
-    all.insert(all.begin(), estimated(sheet, describe(as_in_design(usual)), usual));
-  }
+  if (has_pins_alone(design))
+    std::stable_partition(all.begin(), all.end(), [usual = drive_of(design)](const EstimatedDrive& drive) {
+      return is_usual(drive.drive, usual);
+    });
   return all;
 }
 
-Folding folding_by(const std::string& name, const model::LinkageDrive& drive, double load, bool is_free) {
-  return {.name = name,
-          .drive = as_in_design(drive),
-          .load = load,
-          .is_force = drive.has_force(),
-          .turns_freely = is_free};
+Folding folding_by(const std::string& name, const model::LinkageDrive& drive, double load) {
+  return {.name = name, .drive = as_in_design(drive), .load = load, .is_force = drive.has_force()};
 }
 
-constexpr int max_bodies_to_fold = 180;    // above this, equilibrium paths take longer than the search
+constexpr int max_bodies_to_fold = 180;    // above this, paths of soft hinges take longer than the search
 constexpr int most_iterations = 15;        // per step: a fold near its exact motion needs about 5
 constexpr double shortest_step = 0.01;     // rad of theta: a sheet that needs shorter ones is about to buckle
 constexpr double largest_departure = 0.2;  // rad of a hinge from the exact motion: more is another fold
 
-/// Follows a drive in equilibrium until the sheet leaves its exact motion.
+/// Returns the largest difference between a hinge's turn and the exact motion at the same mean turn, rad.
+double departure(const SheetToFold& sheet, const model::State& state) {
+  return turn_distance(sheet.design.structure, state, sheet.exact.at(mean_theta(sheet.linkage, state)));
+}
+
+/// Follows a drive with soft hinges until the sheet leaves its exact motion.
 DriveTrial followed(const SheetToFold& sheet, const EstimatedDrive& drive, const std::stop_token& stop) {
-  const model::Lattice& structure = sheet.design.structure;
   DriveTrial trial{.name = drive.name, .why_not = {}, .drive = drive.drive, .path = {}};
   std::stop_source ends;
   model::EquilibriumPathOptions path = path_of_run(all_vertical(sheet.linkage));
@@ -243,7 +248,7 @@ DriveTrial followed(const SheetToFold& sheet, const EstimatedDrive& drive, const
   path.newton.max_iterations = most_iterations;
   path.stop = ends.get_token();
   const auto see = [&](const model::EquilibriumStep& step, const model::State& state) {
-    const double off = turn_distance(structure, state, sheet.exact.at(mean_theta(structure, state)));
+    const double off = departure(sheet, state);
     if (stop.stop_requested() || !(off <= largest_departure)) ends.request_stop();
     if (!(off <= largest_departure) && trial.why_not.empty())
       trial.why_not =
@@ -251,6 +256,36 @@ DriveTrial followed(const SheetToFold& sheet, const EstimatedDrive& drive, const
   };
   follow(sheet.theta, sheet.linkage, sheet.exact, elasticity_of(sheet.design), path, trial, see);
   return trial;
+}
+
+constexpr double start_of_fold = 0.06;     // rad of theta: other motions begin at flat, and are apart by then
+constexpr double start_departure = 0.005;  // rad of a hinge from the exact motion: friction alone leaves less
+
+/// Checks whether a drive takes a sheet of pins from flat along its exact motion. Pins turn freely, so that motion is the
+/// only one near a state that has left flat.
+bool starts_along_motion(const SheetToFold& sheet, const EstimatedDrive& drive, const std::stop_token& stop) {
+  model::EquilibriumPathOptions path = path_of_run(all_vertical(sheet.linkage));
+  path.contact = false;
+  path.stop = stop;
+  const double part = std::min(1.0, start_of_fold / std::abs(sheet.theta));
+  const model::LinkageDrive start = drive.drive.to(part * drive.drive.theta());
+  const model::EquilibriumPath traced =
+      trace_equilibrium({sheet.linkage, start, sheet.exact}, elasticity_of(sheet.design), path);
+  return traced.stop == model::EquilibriumPath::Stop::reached && traced.theta * sheet.theta > 0 &&
+         departure(sheet, traced.state) <= start_departure;
+}
+
+/// Finds the drive that folds a sheet of pins. If each takes it to another fold, its hinges are turned one by one.
+std::optional<Folding> free_folding(const SheetToFold& sheet, const std::stop_token& stop) {
+  for (const EstimatedDrive& drive : estimated_drives(sheet)) {
+    const bool is_along = starts_along_motion(sheet, drive, stop);
+    if (stop.stop_requested()) return std::nullopt;
+    if (!is_along) continue;
+    Folding found = folding_by(drive.name, drive.drive, drive.load);
+    found.turns_freely = true;
+    return found;
+  }
+  return Folding{.name = "one hinge after the other", .turns_freely = true};
 }
 
 /// Returns the names of the drives not tried: those from index `first` on that exist.
@@ -270,21 +305,19 @@ std::optional<Folding> find_folding(const Design& design, const model::ExactMoti
   if (has_springs && !has_pins_alone(design)) return std::nullopt;
   if (has_springs) return folding_of({}, drive_of(design), "");
   const SheetToFold sheet(design, exact);
-  const bool is_free = has_pins_alone(design), is_large = design.structure.bodies() > max_bodies_to_fold;
-  if (is_large && !is_free) return std::nullopt;
+  if (has_pins_alone(design)) return free_folding(sheet, stop);
+  if (design.structure.bodies() > max_bodies_to_fold) return std::nullopt;
   std::string why;
   for (const EstimatedDrive& drive : estimated_drives(sheet)) {
-    if (is_large) return folding_by(drive.name, drive.drive, drive.load, is_free);
     const DriveTrial trial = followed(sheet, drive, stop);
     if (stop.stop_requested()) return std::nullopt;
-    if (trial.holds()) return folding_by(trial.name, trial.drive, trial.load_peak, is_free);
+    if (trial.holds()) return folding_by(trial.name, trial.drive, trial.load_peak);
     if (why.empty())
       why = trial.name + ": " +
             (!trial.why_not.empty() ? trial.why_not
              : trial.reached()      ? "the fold is not stable"
                                     : trial.path.why);
   }
-  if (is_free) return Folding{.name = "one hinge after the other", .turns_freely = true};
   return Folding{.name = {}, .why_not = "no drive folds it with these hinges (" + why + ")"};
 } catch (const InvalidInput& e) {
   return Folding{.name = {}, .why_not = e.reason()};
@@ -298,7 +331,7 @@ std::optional<Folding> find_folding(const Design& design) {
 Folding folding_of(const model::EquilibriumPath& path, const model::LinkageDrive& drive,
                    const std::string& name) {
   if (!drive.is_external()) return {.name = "springs of shape memory", .is_unaided = true};
-  return folding_by(name.empty() ? describe(as_in_design(drive)) : name, drive, largest_load(path), false);
+  return folding_by(name.empty() ? describe(as_in_design(drive)) : name, drive, largest_load(path));
 }
 
 DriveTrials try_drives(const Design& design, const RunOptions& options) {

@@ -286,7 +286,10 @@ class Trials {
     const double rest = cord_length(linkage_, through, rest_);
     const double now = exact_ ? cord_length(linkage_, through, folded_) : rest * std::cos(theta_);
     if (!(now < rest)) throw InvalidInput("it gets longer as the sheet folds to this side");
-    return cord_drive(linkage_, through, rest - now, theta_ < 0 ? -1 : 1);
+    const LinkageDrive made = cord_drive(linkage_, through, rest - now, theta_ < 0 ? -1 : 1);
+    if (exact_ && exact_.theta_of(made) * theta_ < 0)
+      throw InvalidInput("it folds the sheet to the other side");
+    return made;
   }
 
   const Lattice& sheet_;
