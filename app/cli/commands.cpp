@@ -19,6 +19,7 @@
 #include "app/result/motion_evidence.hpp"
 #include "app/result/result_json.hpp"
 #include "app/result/state_json.hpp"
+#include "app/result/short_summary.hpp"
 #include "app/result/summary.hpp"
 #include "app/result/verdict.hpp"
 #include "app/run/design_hinges.hpp"
@@ -78,8 +79,8 @@ Stopper::Stopper(std::optional<double> time_limit_s) {
       const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
       const bool late = time_limit_s && seconds >= *time_limit_s;
       if (interrupted || late) {
-        std::cerr << (late ? "the time is up" : "interrupted")
-                  << ": keeping the best so far (Ctrl-C ends without it)\n";
+        std::cerr << (late ? "time limit reached" : "interrupted")
+                  << ": stopping and saving the best result so far (Ctrl-C again quits without saving)\n";
         source_.request_stop();
       }
     }
@@ -141,14 +142,20 @@ Run located(const std::string& file, const RunFunction& run, const RunOptions& o
   }
 }
 
-void print(const Run& run, const nlohmann::ordered_json& json, const std::string& folder, bool as_json) {
-  if (as_json)
+void print(const Run& run, const nlohmann::ordered_json& json, const std::string& folder,
+           const CommandOptions& options) {
+  if (options.json) {
     std::cout << json.dump(1) << "\n";
-  else
-    std::cout << summary(run)
-              << fmt::format("  {:<10} {}/{}\n", "written", folder,
-                             std::string("report.html, result.json, design.yaml") +
-                                 (run.closed_path ? ", parts" : ""));
+  } else if (options.verbose) {
+    print_on_stdout(summary(run) +
+               fmt::format("  {:<10} {}/{}\n", "written", folder,
+                           std::string("report.html, result.json, design.yaml") +
+                               (run.closed_path ? ", parts" : "")));
+  } else {
+    ShortForm form = short_form(run);
+    form.ends = last_parts(run, folder);
+    print_on_stdout(format_short(form));
+  }
 }
 
 /// Runs a function, writes its results and prints the summary. @param watch started before the file was read.
@@ -169,9 +176,9 @@ int run_and_write(const CommandOptions& options, const RunFunction& function, co
   folder.keep();
   if (!written.kept_design.empty())
     console.warning(
-        fmt::format("{0}/design.yaml had been changed since a run wrote it: that one is kept as {0}/{1}",
+        fmt::format("{0}/design.yaml was changed after a run wrote it. The changed file is kept as {0}/{1}",
                     folder.path(), written.kept_design));
-  print(run, written.result, folder.path(), options.json);
+  print(run, written.result, folder.path(), options);
   if (options.open) open_report(folder.path() + "/report.html");
   return exit_code(verdict_of(run));
 }
@@ -200,7 +207,7 @@ Design design_of(const CommandOptions& options, const targets::Node& root) {
   if (design.structure.assembly()) return turned_to(std::move(design), options);
   if (design.drive && !options.drives)
     Console(options.quiet)
-        .warning("--theta-deg takes the place of `drive:`: the sheet is folded as a design without one is");
+        .warning("--theta-deg replaces the `drive:` of the file");
   design.theta = options.theta_deg * radians_per_degree;
   design.drive.reset();
   return design;
@@ -234,7 +241,10 @@ int compare_drives(const CommandOptions& options) {
     write_file(folder->path() + "/drives.json", json);
     folder->keep();
   }
-  std::cout << (options.json ? json : summary(trials));
+  if (options.json)
+    std::cout << json;
+  else
+    print_on_stdout(options.verbose ? summary(trials) : format_short(short_form(trials)));
   return trials.least_force < 0 ? target_missed : done;
 }
 
@@ -242,7 +252,7 @@ int compare_drives(const CommandOptions& options) {
 Run settled_run(const Design& design, Model model, const RunOptions& options) {
   Run run = run_design(design, model, options);
   if (model == Model::bullet && run.stopped && !run.verification)
-    throw Interrupted("the physics run was stopped before it settled");
+    throw Interrupted("the simulation was stopped before it settled");
   return run;
 }
 
@@ -282,7 +292,10 @@ int simulate_command(const CommandOptions& options) {
 int check_command(const CommandOptions& options) {
   Console console(options.quiet);
   const CheckedFile checked = check_file(options.file, options.changes, console.progress());
-  std::cout << (options.json ? checked.json().dump(1) + "\n" : checked.text());
+  if (options.json)
+    std::cout << checked.json().dump(1) << "\n";
+  else
+    print_on_stdout(options.verbose ? checked.text() : format_short(checked.short_form()));
   return done;
 }
 
@@ -316,7 +329,7 @@ std::optional<double> free_memory() {
   return std::min(*available, left_of_limit());
 }
 
-// Text after the folded size of a design, whose file has no goal. A search's report turns the fold as its goal lies.
+// Text after the folded size of a design, whose file has no goal. A search's report turns the fold to its goal.
 constexpr const char* of_motion = " along x, y and z of the design's motion";
 
 // Number of bodies up to which the collision-free range is computed within a second.
@@ -340,20 +353,20 @@ std::string time_text(const Forecast& f, const model::Linkage& linkage) {
   const double memory_mb = memory_needed(linkage) / 1e6;
   std::string parts;
   if (f.search_s + physics >= 1)
-    parts = fmt::format(" (search {}, physics run {})", about(f.search_s),
-                        f.has_physics ? about(physics) : "none");
+    parts = fmt::format(" (search {}, simulation {})", about(f.search_s),
+                        f.has_physics ? about(physics) : "skipped");
   return fmt::format("{}{}, {:.0f} MB of memory", about(f.search_s + physics), parts, memory_mb);
 }
 
-/// Formats a forecast. @param lies text on the axes of the folded size; empty for targets
-std::string text_of(const Forecast& f, const char* lies) {
+/// Formats a forecast. @param axes text on the axes of the folded size; empty for targets
+std::string text_of(const Forecast& f, const char* axes) {
   const model::Linkage linkage = f.sheet;
   std::string out =
       line("sheet", fmt::format("{} bodies, {} hinges; flat {}, cells of {:.4g} mm, walls {:.3g} mm thick",
                                 f.sheet.bodies(), f.sheet.hinges(), size_text(flat_size(linkage)),
                                 f.sheet.size().edge_mm, f.sheet.size().thickness_mm));
-  if (f.folded_mm) out += line("folded", "about " + size_text(*f.folded_mm) + lies);
-  out += line("takes", time_text(f, linkage));
+  if (f.folded_mm) out += line("folded", "about " + size_text(*f.folded_mm) + axes);
+  out += line("run time", time_text(f, linkage));
   for (const std::string& note : f.notes) out += line("note", note);
   return out;
 }
@@ -384,8 +397,8 @@ void announce_check(const std::string& file, const model::Lattice& sheet, const 
                bytes = check_bytes_per_body * sheet.bodies();
   if (const auto free = free_memory(); free && !(bytes <= *free))
     throw InvalidInput(
-        fmt::format("checking {} bodies takes about {:.0f} MB of memory, and {:.0f} MB are free. "
-                    "Take fewer cells, or close other programs",
+        fmt::format("checking {} bodies needs about {:.0f} MB of memory, and {:.0f} MB are free. "
+                    "Use fewer cells, or close other programs",
                     sheet.bodies(), bytes / 1e6, *free / 1e6),
         {file, 0, 0, "structure.cells"});
   if (seconds >= 1)
@@ -407,6 +420,27 @@ std::string CheckedFile::text() const {
   return out;
 }
 
+ShortForm CheckedFile::short_form() const {
+  ShortForm out{.title = fmt::format("{}: valid {} '{}'", file, kind, name)};
+  if (forecast) {
+    const model::Linkage linkage = forecast->sheet;
+    const model::CellSize size = forecast->sheet.size();
+    out.lines = {{"sheet", fmt::format("{} bodies, {} hinges; cells of {} mm, walls {} mm thick",
+                                       forecast->sheet.bodies(), forecast->sheet.hinges(),
+                                       format_figures(size.edge_mm), format_figures(size.thickness_mm))},
+                 {"size", "flat " + size_text(flat_size(linkage))},
+                 {"time", time_text(*forecast, linkage)}};
+    if (forecast->folded_mm) out.lines[1][1] += "; folded about " + size_text(*forecast->folded_mm);
+    for (const std::string& note : forecast->notes) out.problems.push_back({"warning", note});
+  }
+  if (contact)
+    out.lines.push_back(certified_lines(contact->certified, forecast->sheet, contact->theta,
+                                        ClosedFormRelation::same)
+                            .front());
+  if (kind == "sweep") out.lines.push_back({"samples", fmt::format("{:.0f}", samples)});
+  return out;
+}
+
 nlohmann::ordered_json CheckedFile::json() const {
   nlohmann::ordered_json out = {{"file", file}, {"kind", kind}, {"name", name}, {"valid", true}};
   if (forecast) out["expected"] = json_of(*forecast);
@@ -422,7 +456,7 @@ CheckedFile check_file(const std::string& file, const targets::DocumentChanges& 
   const targets::Node root = targets::read_changed_document(file, max_design_bytes, changes);
   if (root.kind() != targets::Node::Kind::map)
     throw root.error(
-        "is no map of keys, which a target, a design and a sweep are; the first is `kinetix: 1`");
+        "not a kinetix file: expected YAML keys, starting with `kinetix: 1`");
   if (root.optional("factors")) {
     const SweepPlan plan = make_sweep_plan(file, {}, changes);
     return {

@@ -196,7 +196,7 @@ std::string describe_tiles(const PrintSheet& sheet) {
   const int places = tiles.columns * tiles.rows;
   return fmt::format("{} x {}{}, one bed each{}: {}", tiles.columns, tiles.rows,
                      tiles.count() < places ? fmt::format(", {} of them with bodies", tiles.count()) : "",
-                     tiles.turned ? ", turned on it by a quarter" : "", describe_joining(sheet));
+                     tiles.turned ? ", rotated by 90 degrees on the bed" : "", describe_joining(sheet));
 }
 
 /// Describes what keeps the sheet folded.
@@ -381,40 +381,56 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
       {"warnings", print_warnings(job)}};
 }
 
-std::string print_text(const PrintJob& job, const PathClearance& clearance,
-                       const std::optional<SlicerAnswer>& slicer) {
+std::vector<SummaryLine> print_lines(const PrintJob& job, const PathClearance& clearance,
+                                     const std::optional<SlicerAnswer>& slicer) {
   const PrintSheet& sheet = job.sheet;
   const Eigen::Vector3d size = bounds(joined(hard_part(job), soft_part(job)));
-  std::string out = fmt::format("{}\n\n", sheet.name);
-  const auto line = [&](const char* label, const std::string& text) {
-    out += fmt::format("{:<12} {}\n", label, text);
-  };
-  line("process", sheet.process.name);
-  line("pieces", fmt::format("{} bodies, {} hinges, {:.1f} x {:.1f} x {:.1f} mm", count_bodies(sheet),
-                             sheet.hinges.size(), size.x(), size.y(), size.z()));
+  std::vector<SummaryLine> lines = {
+      {"process", sheet.process.name},
+      {"pieces", fmt::format("{} bodies, {} hinges, {:.1f} x {:.1f} x {:.1f} mm", count_bodies(sheet),
+                             sheet.hinges.size(), size.x(), size.y(), size.z())}};
   const std::vector<HingeSort> sorts = sheet.is_imported() ? std::vector<HingeSort>{} : hinge_sorts(sheet);
   for (const HingeSort& sort : sorts)
-    line("hinges",
-         (sorts.size() > 1 ? fmt::format("{} ", sort.hinges.size()) : "") + describe_hinge_sort(sort, sheet));
+    lines.push_back({"hinges", (sorts.size() > 1 ? fmt::format("{} ", sort.hinges.size()) : "") +
+                                   describe_hinge_sort(sort, sheet)});
   if (sheet.tiles.count() > 1)
-    line("tiles", describe_tiles(sheet));
+    lines.push_back({"tiles", describe_tiles(sheet)});
   else if (sheet.tiles.turned)
-    line("bed", "holds the whole, turned on it by a quarter");
-  if (sheet.loose_rods() > 0) line("rods", describe_rods(sheet));
-  if (sheet.lock) line("lock", describe_lock(*sheet.lock));
+    lines.push_back({"bed", "fits on the bed rotated by 90 degrees"});
+  if (sheet.loose_rods() > 0) lines.push_back({"rods", describe_rods(sheet)});
+  if (sheet.lock) lines.push_back({"lock", describe_lock(*sheet.lock)});
   const bool is_cut = sheet.process.cuts_sheets();
-  for (const auto& [label, text] : is_cut ? describe_cut(sheet) : CutLines{}) line(label, text);
-  if (!is_cut) line("orientation", describe_orientation(job));
-  if (slicer) line("slicer", describe_slicer_estimate(*slicer, sheet.tiles));
-  if (!is_cut) line("supports", describe_supports(job));
-  for (const auto& [label, text] : slicer_advice(job)) line(label, text);
+  for (const auto& [label, text] : is_cut ? describe_cut(sheet) : CutLines{}) lines.push_back({label, text});
+  if (!is_cut) lines.push_back({"orientation", describe_orientation(job)});
+  if (slicer) lines.push_back({"slicer", describe_slicer_estimate(*slicer, sheet.tiles)});
+  if (!is_cut) lines.push_back({"supports", describe_supports(job)});
+  for (const auto& [label, text] : slicer_advice(job)) lines.push_back({label, text});
   const LeastDistance& nearest = clearance.nearest;
   if (nearest.first >= 0 && sheet.path.size() > 1)
-    line("fold",
-         fmt::format("{:.3f} mm stay between solids from flat to {:.1f} degrees, least at {:.1f} degrees",
-                     nearest.mm, to_degrees(sheet.thetas.back()), to_degrees(nearest.theta)));
-  if (job.folding) line("force", describe_folding(*job.folding));
-  for (const std::string& warning : print_warnings(job)) line("note", warning);
+    lines.push_back(
+        {"fold", fmt::format("solids stay {:.3f} mm apart from flat to {:.1f} degrees, least at {:.1f} degrees",
+                             nearest.mm, to_degrees(sheet.thetas.back()), to_degrees(nearest.theta))});
+  if (job.folding) lines.push_back({"force", describe_folding(*job.folding)});
+  return lines;
+}
+
+std::string print_text(const PrintJob& job, const PathClearance& clearance,
+                       const std::optional<SlicerAnswer>& slicer) {
+  std::string out = job.sheet.name + "\n\n";
+  for (const auto& [label, text] : print_lines(job, clearance, slicer))
+    out += fmt::format("{:<12} {}\n", label, text);
+  for (const std::string& warning : print_warnings(job)) out += fmt::format("{:<12} {}\n", "note", warning);
+  return out;
+}
+
+ShortForm export_form(const PrintJob& job, const PathClearance& clearance,
+                      const std::optional<SlicerAnswer>& slicer) {
+  ShortForm out{.title = fmt::format("{}: exported for {}", job.sheet.name, job.sheet.process.name)};
+  const std::vector<SummaryLine> all = print_lines(job, clearance, slicer);
+  for (const char* label : {"pieces", "hinges", "force", "slicer", "tiles", "supports"})
+    for (const SummaryLine& line : all)
+      if (line[0] == label) out.lines.push_back(line);
+  for (const std::string& warning : print_warnings(job)) out.problems.push_back({"warning", warning});
   return out;
 }
 

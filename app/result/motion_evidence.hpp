@@ -12,6 +12,8 @@ std::string classify_force(double newtons);
 std::string classify_moment(double newton_mm);
 /// Describes the peak actuation load. Shape-memory drives need none: "its own springs".
 std::string classify_load(const Equilibrium& equilibrium);
+/// Describes one of these classes as a hint next to a load: "light finger pressure".
+std::string describe_effort_class(const std::string& effort);
 /// Returns how a sheet is folded, as in result.json: "by hand" up to 100 N or 3 N m, "with a clamp" up to 1000 N or
 /// 30 N m, "unaided" by springs in the hinges, else "no".
 std::string describe_effort(const Folding& folding);

@@ -47,9 +47,8 @@ std::string designs_sentence(const model::PlanarStructure& planar, bool is_exact
 /// motion of the closed form.
 std::string floppy_sentence(const Plan& plan) {
   return fmt::format(
-      "FLOPPY: it moves in {} independent ways, and a drive of one of them leaves the others to the springs "
-      "and to chance; walls across cells would hold it, or where its rim is open `structure: {{rim: "
-      "closed}}`",
+      "underconstrained: {} degrees of freedom. Driving one leaves the rest undetermined. Add bracing walls or "
+      "set `structure.rim: closed`",
       plan.mobility->dofs_along);
 }
 

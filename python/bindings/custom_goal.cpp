@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/console/short_form.hpp"
 #include "app/result/result_json.hpp"
 #include "model/base/algorithms.hpp"
 
@@ -37,8 +38,9 @@ struct CustomOutcome final : app::GoalOutcome {
   }
   std::vector<app::SummaryLine> summary_lines(const app::Run& run) const override {
     const Eigen::VectorXd& residuals = app::measure_of<CustomMeasure>(run).residuals;
-    return {{"error", fmt::format("{:.3g} of {} numbers (root of the sum of squares): {}", residuals.norm(),
-                                  residuals.size(), run.met() ? "within tolerance" : "MISSES THE TOLERANCE")},
+    return {{"error", fmt::format("{} (root of the sum of squares of {} numbers), limit {}",
+                                  app::format_figures(residuals.norm()), residuals.size(),
+                                  app::format_figures(app::tolerance_of(run, "error")))},
             app::search_line(run.timings.optimise, search, search.best, solver)};
   }
 };

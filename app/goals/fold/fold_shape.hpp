@@ -85,7 +85,9 @@ struct FoldShape {
                                       const std::string& who) const;
   /// Returns the largest angle error of a crease, rad.
   double largest_miss(const targets::FoldError& of) const;
-  /// Describes the error: "12 creases within 0.001 deg, faces less than 0.001 of their edge from the solid (rms)".
+  /// Returns the mean edge of the folded faces, mm.
+  double face_mm() const;
+  /// Describes the error: "12 creases within 0.001 deg, faces 0.02 mm rms from the solid".
   std::string describe(const targets::FoldError& of) const;
 };
 

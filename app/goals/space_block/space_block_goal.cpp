@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/console/short_form.hpp"
 #include "app/files/file_header.hpp"
 #include "app/files/goal_settings.hpp"
 #include "app/files/structure_section.hpp"
@@ -192,18 +193,18 @@ struct SpaceBlockOutcome final : GoalOutcome {
     const Eigen::Vector3d& g = found.gusset;
     std::vector<SummaryLine> lines = {
         {"block",
-         fmt::format(
-             "{} at rest between its outermost rotors, {} pressed: {} of its lengths, off by {:.1e}: {}",
-             lengths_text(found.size_mm), lengths_text(error.factors.cwiseProduct(found.size_mm)),
-             factors_text(error.factors), error.off,
-             describe_tolerance(run, error.off <= file.factor_tolerance))},
+         fmt::format("{} at rest, {} pressed; factors off by {}, limit {:g}", lengths_text(found.size_mm),
+                     lengths_text(error.factors.cwiseProduct(found.size_mm)), format_figures(error.off),
+                     file.factor_tolerance)},
+        {"factors", factors_text(error.factors) + " of the lengths at rest, between the outermost rotors"},
         {"lattice",
          fmt::format("sodalite, {} x {} x {} cells with edges of {:.3g} mm, gussets of {:.3g}, {:.3g} "
                      "and {:.3g} edges in squares normal to x, y and z",
                      found.cells[0], found.cells[1], found.cells[2], found.edge_mm, g.x(), g.y(), g.z())}};
     if (const auto* physics = physics_measure_of<SpaceBlockMeasure>(run))
-      lines.push_back({"pressed", fmt::format("in the physics run: {} of its lengths, off by {:.1e}",
-                                              factors_text(physics->error.factors), physics->error.off)});
+      lines.push_back({"check", fmt::format("in the simulation: factors {}, off by {}",
+                                            factors_text(physics->error.factors),
+                                            format_figures(physics->error.off))});
     return lines;
   }
 };
