@@ -207,7 +207,7 @@ Design design_of(const CommandOptions& options, const targets::Node& root) {
   if (design.structure.assembly()) return turned_to(std::move(design), options);
   if (design.drive && !options.drives)
     Console(options.quiet)
-        .warning("--theta-deg replaces the `drive:` of the file");
+        .warning("--theta-deg takes the place of `drive:`: the sheet is folded as a design without one is");
   design.theta = options.theta_deg * radians_per_degree;
   design.drive.reset();
   return design;
@@ -397,8 +397,8 @@ void announce_check(const std::string& file, const model::Lattice& sheet, const 
                bytes = check_bytes_per_body * sheet.bodies();
   if (const auto free = free_memory(); free && !(bytes <= *free))
     throw InvalidInput(
-        fmt::format("checking {} bodies needs about {:.0f} MB of memory, and {:.0f} MB are free. "
-                    "Use fewer cells, or close other programs",
+        fmt::format("checking {} bodies takes about {:.0f} MB of memory, and {:.0f} MB are free. "
+                    "Take fewer cells, or close other programs",
                     sheet.bodies(), bytes / 1e6, *free / 1e6),
         {file, 0, 0, "structure.cells"});
   if (seconds >= 1)
@@ -456,7 +456,7 @@ CheckedFile check_file(const std::string& file, const targets::DocumentChanges& 
   const targets::Node root = targets::read_changed_document(file, max_design_bytes, changes);
   if (root.kind() != targets::Node::Kind::map)
     throw root.error(
-        "not a kinetix file: expected YAML keys, starting with `kinetix: 1`");
+        "is no map of keys, which a target, a design and a sweep are; the first is `kinetix: 1`");
   if (root.optional("factors")) {
     const SweepPlan plan = make_sweep_plan(file, {}, changes);
     return {

@@ -65,7 +65,7 @@ std::string describe_hinge_sort(const HingeSort& sort, const PrintSheet& sheet) 
   const auto all = [&](const Size& size) { return sizes(sort, size); };
   if (is_pin(sort.kind))
     return fmt::format(
-        "{} {} x {} mm, clearance {} mm a side, {} mm along the axis, {} {} mm",
+        "{} {} x {} mm, clearance {} mm per side, {} mm along the axis, {} {} mm",
         sort.kind == model::HingeKind::pin ? "pins: rod" : "rods of " + describe_material(sort) + ":",
         all([](const auto& h) { return h.made.diameter_mm; }),
         all([](const auto& h) { return h.made.height_mm; }),
@@ -381,6 +381,8 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
       {"warnings", print_warnings(job)}};
 }
 
+namespace {
+
 std::vector<SummaryLine> print_lines(const PrintJob& job, const PathClearance& clearance,
                                      const std::optional<SlicerAnswer>& slicer) {
   const PrintSheet& sheet = job.sheet;
@@ -413,6 +415,8 @@ std::vector<SummaryLine> print_lines(const PrintJob& job, const PathClearance& c
   if (job.folding) lines.push_back({"force", describe_folding(*job.folding)});
   return lines;
 }
+
+}  // namespace
 
 std::string print_text(const PrintJob& job, const PathClearance& clearance,
                        const std::optional<SlicerAnswer>& slicer) {

@@ -154,6 +154,11 @@ nlohmann::ordered_json short_json(const ShortForm& form) {
   return {{"title", form.title}, {"lines", std::move(lines)}};
 }
 
+std::string page_summary(ShortForm form) {
+  form.details = "in Details";
+  return format_short(form);
+}
+
 ShortForm short_form_of(const nlohmann::ordered_json& result) {
   using Json = nlohmann::ordered_json;
   const auto text_at = [](const Json& of, const char* key) {

@@ -15,6 +15,9 @@ std::vector<std::string> last_parts(const Run& run, const std::string& folder);
 /// Returns the section `summary` of result.json: title and lines. Its problems are in `verdict`.
 nlohmann::ordered_json short_json(const ShortForm& form);
 
+/// Formats a short form for the studio's page, which has the long form under "Details".
+std::string page_summary(ShortForm form);
+
 /// Reads the short form of a result.json; its title is the name for results of earlier versions.
 ShortForm short_form_of(const nlohmann::ordered_json& result);
 

@@ -100,7 +100,7 @@ std::shared_ptr<const app::Measure> CustomGoal::measure(const app::Run& run, app
   const double norm = known ? out->residuals.norm() : std::nan("");
   if (!(norm <= tolerance))
     out->violations.push_back(fmt::format("{}the error is {:.3g}; at most {:g} is allowed",
-                                          in_physics ? "in the physics run " : "", norm, tolerance));
+                                          in_physics ? "in the simulation " : "", norm, tolerance));
   if (in_physics) return out;
   model::append(collisions_during_motion(run, "use lower or thinner walls, or larger cells"),
                 out->violations);

@@ -83,7 +83,7 @@ class Result:
 
     @property
     def agrees(self) -> Optional[bool]:
-        """Whether the physics run agrees with the model; None without a physics run."""
+        """Whether the simulation agrees with the model; None without a simulation."""
         return self.verdict.agrees
 
     @property

@@ -1,4 +1,4 @@
-// The report of an equilibrium in the browser, with and without a physics run.
+// The report of an equilibrium in the browser, with and without a simulation.
 import assert from "node:assert/strict";
 import {writeFileSync} from "node:fs";
 import path from "node:path";
@@ -27,7 +27,7 @@ test("an equilibrium that the simulation confirms has its force, energy and cont
   const [file, out] = panel("verified", "{kind: plates, axis: y, compression: 0.25}");
   await runs(0, "verify", file, "--quiet", "-o", out);
   await page.draw(out);
-  page.holds("In equilibrium, and the physics run agrees");
+  page.holds("In equilibrium, and the simulation agrees");
   page.drawn("load", 'class="badge"');
   page.drawn("load", "walls touch");
   page.drawn("energy", 'class="heat"');

@@ -49,7 +49,7 @@ test("a simulation that disagrees makes it bad", async () => {
   await openWith({...flagged("agrees", ["error", "the simulation ends 2.7 mm (rms) from the model"]),
     metrics: {met: true, verified: false, verify_rms: 0.27, strain_max: 0.95, strain_allowed: 0.5}});
   page.holds('class="verdict bad"');
-  page.holds("the physics run disagrees<");
+  page.holds("the simulation disagrees<");
   page.holds('<p class="why">Error: the simulation ends 2.7 mm (rms) from the model</p>');
   page.holds("0.95 of the 0.5 that the hinges");
   page.holds("material bears: more than it bears");
@@ -65,7 +65,7 @@ test("a goal in code is met or missed", async () => {
   page.holds('<th scope="col">fit error</th>');
   page.absent("errors");
   await openWith({...OWN, own: {residuals: [0.05]}, metrics: {error: 0.05, met: true, verified: true, verify_rms: 0.001}});
-  page.holds("<h2>The strip meets its goal, and the physics run agrees</h2>");
+  page.holds("<h2>The strip meets its goal, and the simulation agrees</h2>");
 });
 
 test("a range that is free of contact is shown with its ends", async () => {

@@ -11,7 +11,7 @@ async function draw(result) {
 test("all sections are drawn", async () => {
   await draw(SAMPLE);
   page.holds('id="headline"');
-  page.holds("Target met, and the physics run agrees");
+  page.holds("Target met, and the simulation agrees");
   page.holds('id="folded"');
   page.drawn("layout", 'class="hinge"');
   page.drawn("layout", "the tilt of its front wall; from row to row the sign alternates.");

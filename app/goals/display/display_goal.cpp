@@ -174,7 +174,7 @@ class DisplayGoal final : public Goal {
     if (out.design.structure.bodies() <= max_bodies_of_physics) return out;
     out.physics.when = PhysicsRequest::When::never;  // a step costs seconds, and there are thousands
     out.notes.push_back(fmt::format(
-        "no physics run: {} bodies would take hours; `verify` makes one of design.yaml all the same",
+        "no simulation: {} bodies would take hours. Run `verify` on design.yaml to make one",
         out.design.structure.bodies()));
     return out;
   }
@@ -188,7 +188,7 @@ class DisplayGoal final : public Goal {
     if (of == StateOf::physics) {
       out->violations = violations(file_, out->reading.score, out->reading.rank, describe(of));
       if (const std::string melted = describe_melting(display.goal, out->reading); !melted.empty())
-        out->violations.push_back("in the physics run " + melted);
+        out->violations.push_back("in the simulation " + melted);
       return out;
     }
     out->before = read_shown_panel(file_, panel, rest_state(panel));

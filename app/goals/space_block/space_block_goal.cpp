@@ -209,7 +209,7 @@ struct SpaceBlockOutcome final : GoalOutcome {
   }
 };
 
-/// Describes violations of the factor tolerance. @param who name of the state, such as "model" or "physics run"
+/// Describes violations of the factor tolerance. @param who name of the state, such as "model" or "simulation"
 std::vector<std::string> violations(const SpaceBlockFile& file, const targets::SpaceBlockError& error,
                                     const std::string& who) {
   if (error.off <= file.factor_tolerance) return {};

@@ -302,7 +302,7 @@ struct SpaceCurveOutcome final : GoalOutcome {
   }
 };
 
-/// Describes violations of the shape tolerance. @param who "model", "equilibrium" or "physics run"
+/// Describes violations of the shape tolerance. @param who "model", "equilibrium" or "simulation"
 std::vector<std::string> violations(const SpaceCurveFile& file, const targets::SpaceError& error,
                                     const std::string& who) {
   if (error.rms <= file.shape_tolerance) return {};

@@ -131,14 +131,14 @@ function equilibriumVerdict(data) {
     return {
       mark: "!",
       tone: "bad",
-      title: "In equilibrium, but the physics run " + failing(data),
+      title: "In equilibrium, but the simulation " + failing(data),
       text: `${held} ${describePhysics(data)}`
     };
   return {
     mark: hasRun ? "\u2713" : "i",
     tone: hasRun ? "good" : "unsure",
-    title: hasRun ? "In equilibrium, and the physics run agrees" : "In equilibrium",
-    text: held + (hasRun ? " " + describePhysics(data) : " It was not checked by a physics run.")
+    title: hasRun ? "In equilibrium, and the simulation agrees" : "In equilibrium",
+    text: held + (hasRun ? " " + describePhysics(data) : " It was not checked by a simulation.")
   };
 }
 

@@ -7,6 +7,7 @@
 #include "app/print/export_command.hpp"
 #include "app/print/fit.hpp"
 #include "app/result/result_json.hpp"
+#include "app/result/short_summary.hpp"
 #include "app/result/verdict.hpp"
 #include "app/studio/messages/message.hpp"
 #include "app/studio/session/session.hpp"
@@ -114,7 +115,8 @@ void Session::found(std::shared_ptr<Run> run) {
   DesignResult design_result{run,
                              {{"type", "result"},
                               {"result", result_json(*run)},
-                              {"summary", summary(*run)},
+                              {"summary", page_summary(short_form(*run))},
+                              {"details", summary(*run)},
                               {"met", verdict_of(*run).met.value_or(false)},
                               {"stopped", run->stopped}},
                              design.theta};

@@ -50,7 +50,7 @@ function curveVerdict(data) {
     return {
       mark: "!",
       tone: "bad",
-      title: (met ? "Target met in the model, but the physics run " : "The physics run ") + failing(data),
+      title: (met ? "Target met in the model, but the simulation " : "The simulation ") + failing(data),
       text: describePhysics(data)
     };
   if (met === null)
@@ -60,12 +60,12 @@ function curveVerdict(data) {
       title: "No verdict recorded",
       text: "This result does not say whether the target was met."
     };
-  const title = verified ? "Target met, and the physics run agrees" : "Target met in the model";
+  const title = verified ? "Target met, and the simulation agrees" : "Target met in the model";
   return {
     mark: "\u2713",
     tone: verified ? "good" : "unsure",
     title,
-    text: describeDeviation(data) + (hasRun ? " " + describePhysics(data) : " It was not checked by a physics run.")
+    text: describeDeviation(data) + (hasRun ? " " + describePhysics(data) : " It was not checked by a simulation.")
   };
 }
 
