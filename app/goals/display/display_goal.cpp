@@ -60,9 +60,9 @@ std::string lost_in_equilibrium(const DisplayFile& file, const DisplayOutcome& d
     return e.kind == model::PathEvent::Kind::contact;
   });
   const double measured_value = file.goal.is_binary() ? display.exact.score.contrast : display.exact.rank;
-  return fmt::format("the exact motion shows it, with {} {:.2f}: in the equilibrium {} take that from it",
-                     file.goal.is_binary() ? "contrast" : "rank correlation", measured_value,
-                     touch ? "walls that touch and hinges that give" : "hinges that give");
+  return fmt::format("the ideal motion shows the picture ({} {:.2g}), but {} it",
+                     file.goal.is_binary() ? "separation d'" : "rank correlation", measured_value,
+                     touch ? "hinge compliance and walls in contact blur" : "hinge compliance blurs");
 }
 
 /// Returns the tolerances of the goal. Grey pictures have no contrast tolerance.

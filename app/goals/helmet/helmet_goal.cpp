@@ -207,8 +207,8 @@ std::string invented(const std::vector<targets::DomeOpening>& openings) {
   for (const targets::DomeOpening& opening : openings) widest = std::max(widest, opening.width_mm);
   const std::string holes = openings.size() == 1 ? "a hole" : fmt::format("{} holes", openings.size());
   return fmt::format(
-      "the part of the head to be covered has {} in the mesh, {}{:.0f} mm across: there the "
-      "helmet follows an invented dome, not the head",
+      "the scan has {} in the covered part, {}{:.0f} mm across. A dome closes it, so the fit there is not to the "
+      "real head",
       holes, openings.size() == 1 ? "" : "the widest ", widest);
 }
 

@@ -3,7 +3,7 @@
 function describePhysics(data) {
   const {verify_rms: rms} = data.metrics, allowed = data.tolerance.verify;
   if (finite(rms) === null) {
-    const why = typeof data.physics.why === "string" ? ` It says: ${data.physics.why}` : "";
+    const why = typeof data.physics.why === "string" ? ` Reason: ${data.physics.why}` : "";
     return "The simulation gave no state to compare with." + why;
   }
   const size = `${millimetres(rms * data.structure.cell)} rms (${percent(rms)} of a cell edge)`;

@@ -225,7 +225,7 @@ function controls(scene, motion, repaint) {
 
 function spaceSection(data) {
   const {hinges, isBodies, meshes} = data.structure;
-  if (isBodies && !meshes) return missing("The surfaces of its bodies are not on this page; kinetix-opt view shows them.");
+  if (isBodies && !meshes) return missing("The surfaces of its bodies are not on this page; the studio shows them.");
   if (data.states.model && hinges.length && hasScene()) return sceneSection(data);
   const {motion, physics} = stopsOf(data);
   if (!motion.length || !hinges.length) return missing("This result holds no state to draw.");

@@ -269,7 +269,5 @@ const displayGoal = {
   verdict: displayVerdict,
   numbers: displayNumbers,
   standing: litShot,
-  facts: ({goal: display}) => [["Picture", display.after && `${describeRightSide(rightSide(display, display.after)) ?? describeReading(display, display.after)}; ` +
-    (isGrey(display) ? "in greys" : `contrast ${figures(display.after.contrast, 2)}`)]],
   firstSections: [["display", "What the panel shows", displaySection]],
 };

@@ -156,9 +156,5 @@ const foldGoal = {
     ["fold_miss_deg", "Crease error, largest", "degrees", "angle_deg"],
     ["face_rms", "Face error, rms", "corners of the faces against the ideal solid, in edges", "shape"],
   ]),
-  facts: ({goal: fold}) => [
-    ["Creases", describeFold(fold.creases, "model")],
-    ["Solid", fold.edges && `${sizeText(fold.edges)} between the middles of its faces`],
-  ],
   firstSections: [["fold", "Net and creases", foldSection]],
 };

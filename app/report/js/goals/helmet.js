@@ -42,7 +42,7 @@ function helmetVerdict({goal: helmet, verdict: {met, verified}, ...data}) {
   if (verified === false)
     return {mark: "!", tone: "bad", title: `It fits in the model${near}, but the simulation ${failing(data)}`, text: model + run + invented};
   const text = model + (run || " It was not checked by a simulation.") + invented;
-  if (helmet.invented) return {mark: "!", tone: "unsure", title: `It fits, in part over an invented dome${near}`, text};
+  if (helmet.invented) return {mark: "!", tone: "unsure", title: `It fits, in part over a dome that closes a hole in the scan${near}`, text};
   return {mark: "\u2713", tone: verified ? "good" : "unsure", title: verified ? `It fits${near}, and the simulation agrees` : `It fits in the model${near}`, text};
 }
 
@@ -146,8 +146,6 @@ const helmetGoal = {
     ["distance_rms_mm", "Distance, rms", "mm, of the bodies from head plus clearance", "rms_mm"],
     ["distance_max_mm", "Distance, largest", "mm, likewise", "max_mm"],
   ]),
-  facts: ({metrics}) => [["Fit", finite(metrics.distance_rms_mm) !== null &&
-    `${millimetres(metrics.distance_rms_mm)} from head plus clearance (rms), ${millimetres(metrics.distance_max_mm)} at worst`]],
   firstSections: [["helmet", "How it fits the head", helmetSection]],
   hasNoLayout: true,
 };

@@ -31,7 +31,6 @@ const customGoal = {
   verdict: customVerdict,
   numbers: (data) => measures(data, [["error", "Error", "in the unit of the function that judges", "error"]]),
   fitText: (error) => figures(error),
-  facts: ({metrics}) => [["Error", finite(metrics.error) !== null && figures(metrics.error)]],
   firstSections: [],
   lastSections: [["tilts", "Tilts per column", tiltSection]],
 };

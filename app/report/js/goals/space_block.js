@@ -4,7 +4,7 @@ function readSpaceBlock(raw) {
   if (!raw || typeof raw !== "object") return null;
   const words = (texts) => list(texts).filter((text) => typeof text === "string");
   const three = (values) => (list(values).length === 3 && values.every((one) => finite(one) !== null) ? values : null);
-  return {rest: three(raw.rest_mm), pressed: three(raw.pressed_mm), factors: three(raw.factors), gussets: three(raw.gussets),
+  return {factors: three(raw.factors), gussets: three(raw.gussets),
     physics: three(dictionary(raw.physics).factors), reasons: words(raw.reasons), physicsReasons: words(raw.reasons_physics)};
 }
 
@@ -40,10 +40,6 @@ const space_blockGoal = {
   view: "slant",
   verdict: spaceBlockVerdict,
   numbers: spaceBlockNumbers,
-  facts: ({goal: block}) => [
-    ["Rest", block.rest && `${sizeText(block.rest)}, from rotor to rotor`],
-    ["Pressed", block.pressed && `${sizeText(block.pressed)}, in all directions at once`],
-  ],
   firstSections: [],
   lastSections: [],
 };

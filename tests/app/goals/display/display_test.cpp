@@ -216,7 +216,7 @@ hinge: {kind: block, material: tango, gap_mm: 2, thickness_mm: 1.2}
 TEST(Display, APictureThatOnlyTheExactMotionShowsSaysSo) {
   const auto [run, result] = shown_l(rubber_panel + further);
   EXPECT_EQ(run.code, 3) << run.out << run.err;
-  EXPECT_THAT(run.out, HasSubstr("the exact motion shows it, with contrast 5."));
+  EXPECT_THAT(run.out, HasSubstr("the ideal motion shows the picture (separation d' 5"));
   EXPECT_THAT(run.out, Not(HasSubstr("estimate")));
   EXPECT_GE(result["display"]["scaled"]["exact"]["contrast"], 3);
   EXPECT_FALSE(result["display"].contains("estimated_cells"));
