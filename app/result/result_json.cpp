@@ -77,9 +77,9 @@ SummaryLine search_line(double seconds, const optim::SolveResult& search) {
 }
 
 double tolerance_of(const Run& run, std::string_view key) {
-  return std::find_if(run.tolerances.begin(), run.tolerances.end(),
-                      [&](const auto& limit) { return limit.first == key; })
-      ->second;
+  const auto found = std::find_if(run.tolerances.begin(), run.tolerances.end(),
+                                  [&](const auto& limit) { return limit.first == key; });
+  return found == run.tolerances.end() ? std::nan("") : found->second;
 }
 
 void add_end(bool stopped, bool found, const std::string& why, const std::string& why_not,

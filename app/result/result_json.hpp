@@ -23,7 +23,7 @@ SummaryLine search_line(double seconds, const optim::SolveResult& search);
 SummaryLine search_line(double seconds, const optim::MultiStartResult& search, int chosen,
                         optim::SolverName solver);
 
-/// Returns the limit that a goal's `tolerance:` has under a key. @pre the goal has it
+/// Returns the limit that a goal's `tolerance:` has under a key; NaN if it has none.
 double tolerance_of(const Run& run, std::string_view key);
 
 /// Adds `status` and `why` to the section `optimiser`: "stopped", "converged" with `why`, or "failed" with `why_not`.

@@ -14,7 +14,7 @@ using ::testing::Not;
 TEST(Console, SaysOfStagesThatTakeLongAloneWhereItIsAskedTo) {
   ::testing::internal::CaptureStderr();
   {
-    app::Console console(false, false);
+    app::Console console(false, false, std::chrono::seconds(1));
     console.stage("building solids", -1);
     console.stage("writing files", 0.5);
     usleep(1'600'000);
@@ -33,12 +33,12 @@ TEST(TimeLeft, CountsDownAndNeverGoesUp) {
   EXPECT_EQ(left.text(10), "about 40 s left");
   EXPECT_EQ(left.text(25), "about 25 s left");
   left.update(26, 0.7);  // extrapolation would give 39 s
-  EXPECT_EQ(left.text(26), "takes longer than it seemed");
+  EXPECT_EQ(left.text(26), "still working, longer than estimated");
   left.update(30, 0.9);
   EXPECT_EQ(left.text(30), "about 7.5 s left");
   left.update(31, 0.9);  // repeats the share, so it adds no evidence
   EXPECT_EQ(left.text(31), "about 6.5 s left");
-  EXPECT_EQ(left.text(40), "takes longer than it seemed");
+  EXPECT_EQ(left.text(40), "still working, longer than estimated");
   left.update(41, 1);
   EXPECT_EQ(left.text(41), "");
 }
@@ -57,10 +57,10 @@ TEST(TimeLeft, StandsWhereALaterShareIsALittleSlower) {
 }
 
 /// Prints lines if stderr is not a terminal.
-TEST(Console, SaysEverySecondHowFarAStageIs) {
+TEST(Console, ReportsHowFarAStageIsAtIntervals) {
   ::testing::internal::CaptureStderr();
   {
-    app::Console console(false);
+    app::Console console(false, true, std::chrono::seconds(1));
     console.stage("folding", 0);
     usleep(900'000);
     console.stage("folding", 0.2);  // 3.6 s are left

@@ -191,7 +191,7 @@ TEST(Export, KeepsToTheLimitsOfOnesOwnPrinter) {
   for (const char* options : {"--format stl --hinge pin", "--format stl --hinge pin --process polyjet"}) {
     const Scratch scratch;
     ASSERT_EQ(exported(scratch, design, options).code, 0);
-    EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("clearance 0.2 mm a side")) << options;
+    EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("clearance 0.2 mm per side")) << options;
   }
   expect_refused(std::string(panel) + "process: {base: fdm, least_wall_mm: 0.9}\n", "--format stl",
                  "a wall of 0.8 mm is less than fdm prints, 0.9 mm", not_printable);
