@@ -1,7 +1,6 @@
 #include "app/console/short_form.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <unistd.h>
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/result/result_json.hpp"
+
 namespace kinetix::app {
 namespace {
 
@@ -24,14 +26,28 @@ Json score_json(const DisplayOutcome& display, const DisplayReading& reading) {
   return out;
 }
 
+/// Describes the mean light of letter and rest; empty for pictures in greys.
+std::string describe_light(const DisplayOutcome& display, const DisplayReading& r) {
+  const auto light = light_of(display, r);
+  if (!light) return "";
+  return fmt::format("{:.3g} % light in the letter, {:.3g} % elsewhere; ", 100 * (*light)[0], 100 * (*light)[1]);
+}
+
+/// Describes the reading with the limits of the goal.
+std::string describe_with_limits(const DisplayOutcome& display, const DisplayReading& r, const Run& run) {
+  if (!display.goal.is_binary())
+    return fmt::format("rank correlation {:.3f} with the picture's levels, limit {:g}", r.rank,
+                       tolerance_of(run, "auc"));
+  return describe_light(display, r) +
+         fmt::format("d' {:.1f} (limit {:g}), AUC {:.3f} (limit {:g})", r.score.contrast,
+                     tolerance_of(run, "contrast"), r.score.auc, tolerance_of(run, "auc"));
+}
+
 std::string describe(const DisplayOutcome& display, const DisplayReading& r) {
   if (!display.goal.is_binary())
     return fmt::format("rank correlation {:.3f} with the picture's levels", r.rank);
-  std::string text;
-  if (const auto light = light_of(display, r))
-    text = fmt::format("{:.3g} % of the light in the letter, {:.3g} % elsewhere; ", 100 * (*light)[0],
-                       100 * (*light)[1]);
-  text += fmt::format("separation d' {:.1f}, AUC {:.3f}", r.score.contrast, r.score.auc);
+  std::string text = describe_light(display, r) +
+                     fmt::format("separation d' {:.1f}, AUC {:.3f}", r.score.contrast, r.score.auc);
   if (display.channel == optim::Channel::light) return text;
   return text + fmt::format("; mean {} {:.3f} and {:.3f}", to_string(display.channel), r.score.letter,
                             r.score.rest);
@@ -198,7 +214,7 @@ void DisplayOutcome::add_metrics(const Run& run, Json& metrics) const {
 std::vector<SummaryLine> DisplayOutcome::summary_lines(const Run& run) const {
   const auto& shown = measure_of<DisplayMeasure>(run);
   std::vector<SummaryLine> lines;
-  lines.push_back({"picture", describe(*this, shown.reading)});
+  lines.push_back({"picture", describe_with_limits(*this, shown.reading, run)});
   if (!design.starts.empty())
     lines.push_back({"rule", "rule of the paper alone: AUC " +
                                  fmt::format("{:.3f}, separation d' {:.1f}", design.starts[0].view.score.auc,

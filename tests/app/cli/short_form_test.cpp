@@ -83,10 +83,10 @@ TEST(ShortForm, PutsLongPathsOnLinesOfTheirOwn) {
 }
 
 TEST(ShortForm, FormatsNumbersWithThreeFigures) {
-  for (const auto& [value, text] :
-       {std::pair(0.0247, "0.0247"), {0.5, "0.5"}, {12.34, "12.3"}, {381.2, "381"}, {1024.4, "1024"}, {0.0, "0"},
-        {1e-9, "under 0.001"}, {-2.5, "-2.5"}, {100.0, "100"}})
-    EXPECT_EQ(app::format_figures(value), text);
+  const std::vector<std::pair<double, std::string>> expected = {
+      {0.0247, "0.0247"}, {0.5, "0.5"}, {12.34, "12.3"},        {381.2, "381"}, {1024.4, "1024"},
+      {0.0, "0"},         {100, "100"}, {1e-9, "under 0.001"}, {-2.5, "-2.5"}};
+  for (const auto& [value, text] : expected) EXPECT_EQ(app::format_figures(value), text);
 }
 
 TEST(ShortForm, ColoursSeveritiesAndTheVerdict) {
