@@ -147,8 +147,7 @@ std::string describe_bed(const PrintJob& job) {
   if (process.cuts_sheets())
     return fmt::format("larger than the bed of a usual {} cutter, {:g} x {:g} mm", process.name, x, y);
   if (job.sheet.is_imported() || job.folded) return bed;
-  return bed +
-         fmt::format(": with that bed given (kinetix-opt export --bed {:g},{:g}) it is cut into tiles", x, y);
+  return bed + ". Give the size of your bed (`--bed`) to cut it into tiles";
 }
 
 /// Warns if a usual printer does not hold the print. Its bed counts only if the user named none.
@@ -172,7 +171,7 @@ std::optional<std::string> rods_warning(const PrintSheet& sheet) {
   if (!sheet.tiles.bed_mm || rods.points.empty()) return std::nullopt;
   const Eigen::Vector3d field = bounds(rods);
   if (fits_on_bed(field.head<2>(), *sheet.tiles.bed_mm)) return std::nullopt;
-  return fmt::format("the loose rods lie side by side on {:.1f} x {:.1f} mm, which the bed does not hold",
+  return fmt::format("the loose rods need {:.1f} x {:.1f} mm side by side, more than the bed",
                      field.x(), field.y());
 }
 
@@ -283,16 +282,15 @@ const PrintOrientation& current_orientation(const PrintJob& job, const std::vect
 std::string describe_orientation(const PrintJob& job) {
   const std::vector<PrintOrientation> all = lies(job);
   const PrintOrientation& least = best(all);
-  const char* const side = job.lie == "over" ? "turned over about x"
+  const char* const side = job.lie == "over" ? "flipped about x"
                            : job.folded      ? "as its motion leaves it"
                                              : "flat on the bed";
-  const std::string here = fmt::format("{}{}, as it is in the files", job.folded ? "folded, " : "", side);
+  const std::string here = fmt::format("{}{}", job.folded ? "folded, " : "", side);
   const PrintOrientation& now = current_orientation(job, all);
   const std::string hangs = fmt::format("{}; {:.1f} mm2 lean more than {:g} degrees over the bed", here,
                                         now.overhang_mm2, steep_deg);
-  if (!(least.overhang_mm2 < worth_turning * now.overhang_mm2)) return hangs + ", no less on the other side";
-  return fmt::format("{}, {:.1f} mm2 {} (kinetix-opt export --orient {})", hangs, least.overhang_mm2,
-                     least.name == "over" ? "on its other side" : "as it is", least.name);
+  if (!(least.overhang_mm2 < worth_turning * now.overhang_mm2)) return hangs + ", flipped no less";
+  return fmt::format("{}, {:.1f} mm2 with orientation `{}`", hangs, least.overhang_mm2, least.name);
 }
 
 namespace fs = std::filesystem;
@@ -305,19 +303,18 @@ constexpr double digits_of_reports = 1e-5;        // relative, or mm and rad: re
 std::vector<std::string> print_warnings(const PrintJob& job) {
   std::vector<std::string> out = job.sheet.warnings;
   if (!job.sheet.no_path_reason.empty())
-    out.push_back("the way to the fold was not checked: " + job.sheet.no_path_reason);
+    out.push_back("collisions during folding were not checked: " + job.sheet.no_path_reason);
   if (!job.sheet.is_path_exact && job.sheet.path.size() > 1)
     out.push_back(
-        "the way to the fold was checked along the equilibrium of the design's hinges: it has no exact "
-        "motion");
+        "collisions were checked along the equilibrium of the design's hinges, because it has no ideal motion");
   if (!job.sheet.jumps.empty())
     out.push_back(
-        fmt::format("the sheet snaps at theta {:.1f} deg: on the way of the snap itself parts were checked "
-                    "as if it were straight",
+        fmt::format("the sheet snaps through at fold angle {:.1f} deg; parts were checked along straight lines "
+                    "during the snap",
                     to_degrees(job.sheet.thetas[job.sheet.jumps.front() + 1])));
   if (job.sheet.has_soft() && !job.sheet.process.is_multi_material && !job.sheet.is_one_material())
     out.push_back(job.sheet.process.name +
-                  " prints one material: soft parts are a print of their own, to be glued to the walls");
+                  " prints one material. Print the soft parts separately and glue them to the walls");
   for (const auto& notes : {material_warnings(job.sheet), room_warnings(job)})
     out.insert(out.end(), notes.begin(), notes.end());
   if (auto separation = separation_warning(job)) out.push_back(std::move(*separation));

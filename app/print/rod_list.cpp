@@ -59,7 +59,7 @@ std::string describe_rods(const PrintSheet& sheet) {
   const std::vector<RodSort> sorts = rod_sorts(sheet);
   std::vector<std::string> texts;
   for (const RodSort& sort : sorts) texts.push_back(describe_rod_sort(sort));
-  return fmt::format("{}. {}. Push them in after printing: they hold by friction in the forks",
+  return fmt::format("{}. {}. Push them in after printing (press-fit)",
                      fmt::join(texts, ", and "), describe_rod_source(sheet, sorts));
 }
 
