@@ -18,8 +18,8 @@
 #include "app/print/fit.hpp"
 #include "app/result/motion_evidence.hpp"
 #include "app/result/result_json.hpp"
-#include "app/result/state_json.hpp"
 #include "app/result/short_summary.hpp"
+#include "app/result/state_json.hpp"
 #include "app/result/summary.hpp"
 #include "app/result/verdict.hpp"
 #include "app/run/design_hinges.hpp"
@@ -147,10 +147,9 @@ void print(const Run& run, const nlohmann::ordered_json& json, const std::string
   if (options.json) {
     std::cout << json.dump(1) << "\n";
   } else if (options.verbose) {
-    print_on_stdout(summary(run) +
-               fmt::format("  {:<10} {}/{}\n", "written", folder,
-                           std::string("report.html, result.json, design.yaml") +
-                               (run.closed_path ? ", parts" : "")));
+    print_on_stdout(summary(run) + fmt::format("  {:<10} {}/{}\n", "written", folder,
+                                               std::string("report.html, result.json, design.yaml") +
+                                                   (run.closed_path ? ", parts" : "")));
   } else {
     ShortForm form = short_form(run);
     form.ends = last_parts(run, folder);
@@ -434,9 +433,9 @@ ShortForm CheckedFile::short_form() const {
     for (const std::string& note : forecast->notes) out.problems.push_back({"warning", note});
   }
   if (contact)
-    out.lines.push_back(certified_lines(contact->certified, forecast->sheet, contact->theta,
-                                        ClosedFormRelation::same)
-                            .front());
+    out.lines.push_back(
+        certified_lines(contact->certified, forecast->sheet, contact->theta, ClosedFormRelation::same)
+            .front());
   if (kind == "sweep") out.lines.push_back({"samples", fmt::format("{:.0f}", samples)});
   return out;
 }

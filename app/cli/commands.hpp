@@ -31,7 +31,7 @@ struct CheckedFile {
   double samples = 0;                          ///< number of samples of a sweep
   std::optional<CheckedContact> contact = {};  ///< only for designs with an exact motion
 
-  std::string text() const;       ///< long form
+  std::string text() const;  ///< long form
   ShortForm short_form() const;
   nlohmann::ordered_json json() const;
 };

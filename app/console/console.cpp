@@ -61,8 +61,8 @@ extern char** environ;
 namespace kinetix::app {
 namespace {
 
-constexpr int bar_width = 20;          // characters: leaves room for stage and note on a line of 80
-constexpr std::size_t most_bar = 79;   // columns: a full line of 80 would wrap on some terminals
+constexpr int bar_width = 20;         // characters: leaves room for stage and note on a line of 80
+constexpr std::size_t most_bar = 79;  // columns: a full line of 80 would wrap on some terminals
 constexpr std::chrono::milliseconds refresh{1000};  // ms between updates of the line on a terminal
 constexpr auto pulse = refresh / 4;                 // ms between checks: reports are at most this late
 static_assert(pulse.count() > 0, "a heart that does not wait takes a core for itself");

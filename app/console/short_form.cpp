@@ -13,7 +13,7 @@
 namespace kinetix::app {
 namespace {
 
-constexpr std::size_t text_column = 11;           // columns: two spaces, a label of eight characters, a space
+constexpr std::size_t text_column = 11;        // columns: two spaces, a label of eight characters, a space
 constexpr std::size_t most_problem_lines = 2;  // a longer problem is cut, and `-v` prints all of it
 
 /// Returns the width of a text in columns: its characters, of which UTF-8 may need several bytes each.

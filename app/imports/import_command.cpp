@@ -189,17 +189,19 @@ std::size_t balls_of(const model::Assembly& assembly) {
 ShortForm tiles_form(const TileImport& import) {
   const model::Assembly& a = *import.design.structure.assembly();
   ShortForm out{.title = fmt::format("{}: imported, {} tiles", import.design.name, a.bodies.size())};
-  out.lines = {{"tiles", fmt::format("{:.3g} mm thick, cut {:.3g} mm wide; scale {:.4g} mm per unit of the file",
-                                     import.make.thickness_mm, import.make.kerf_mm, import.make.scale_mm)},
-               {"joints", fmt::format("{}: {} about the normal of the tiles, {} balls", a.hinges.size(),
-                                      a.hinges.size() - balls_of(a), balls_of(a))}};
+  out.lines = {
+      {"tiles", fmt::format("{:.3g} mm thick, cut {:.3g} mm wide; scale {:.4g} mm per unit of the file",
+                            import.make.thickness_mm, import.make.kerf_mm, import.make.scale_mm)},
+      {"joints", fmt::format("{}: {} about the normal of the tiles, {} balls", a.hinges.size(),
+                             a.hinges.size() - balls_of(a), balls_of(a))}};
   if (import.motions)
     out.lines.push_back({"mobility", fmt::format("{} first-order motions at rest", *import.motions)});
   out.lines.push_back(
-      {"pull", import.target_off
-                   ? fmt::format("to its target, which rigid tiles miss by {:.1e} of an edge", *import.target_off)
-                   : fmt::format("apart, to {:.3g} times the distance from the middle; no target given",
-                                 default_expand)});
+      {"pull",
+       import.target_off
+           ? fmt::format("to its target, which rigid tiles miss by {:.1e} of an edge", *import.target_off)
+           : fmt::format("apart, to {:.3g} times the distance from the middle; no target given",
+                         default_expand)});
   return out;
 }
 

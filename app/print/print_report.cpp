@@ -171,8 +171,8 @@ std::optional<std::string> rods_warning(const PrintSheet& sheet) {
   if (!sheet.tiles.bed_mm || rods.points.empty()) return std::nullopt;
   const Eigen::Vector3d field = bounds(rods);
   if (fits_on_bed(field.head<2>(), *sheet.tiles.bed_mm)) return std::nullopt;
-  return fmt::format("the loose rods need {:.1f} x {:.1f} mm side by side, more than the bed",
-                     field.x(), field.y());
+  return fmt::format("the loose rods need {:.1f} x {:.1f} mm side by side, more than the bed", field.x(),
+                     field.y());
 }
 
 /// Describes what to do where two tiles meet.
@@ -306,12 +306,13 @@ std::vector<std::string> print_warnings(const PrintJob& job) {
     out.push_back("collisions during folding were not checked: " + job.sheet.no_path_reason);
   if (!job.sheet.is_path_exact && job.sheet.path.size() > 1)
     out.push_back(
-        "collisions were checked along the equilibrium of the design's hinges, because it has no ideal motion");
+        "collisions were checked along the equilibrium of the design's hinges, because it has no ideal "
+        "motion");
   if (!job.sheet.jumps.empty())
-    out.push_back(
-        fmt::format("the sheet snaps through at fold angle {:.1f} deg; parts were checked along straight lines "
-                    "during the snap",
-                    to_degrees(job.sheet.thetas[job.sheet.jumps.front() + 1])));
+    out.push_back(fmt::format(
+        "the sheet snaps through at fold angle {:.1f} deg; parts were checked along straight lines "
+        "during the snap",
+        to_degrees(job.sheet.thetas[job.sheet.jumps.front() + 1])));
   if (job.sheet.has_soft() && !job.sheet.process.is_multi_material && !job.sheet.is_one_material())
     out.push_back(job.sheet.process.name +
                   " prints one material. Print the soft parts separately and glue them to the walls");
@@ -407,8 +408,9 @@ std::vector<SummaryLine> print_lines(const PrintJob& job, const PathClearance& c
   const LeastDistance& nearest = clearance.nearest;
   if (nearest.first >= 0 && sheet.path.size() > 1)
     lines.push_back(
-        {"fold", fmt::format("solids stay {:.3f} mm apart from flat to {:.1f} degrees, least at {:.1f} degrees",
-                             nearest.mm, to_degrees(sheet.thetas.back()), to_degrees(nearest.theta))});
+        {"motion",
+         fmt::format("solids stay {:.3f} mm apart from flat to {:.1f} degrees, least at {:.1f} degrees",
+                     nearest.mm, to_degrees(sheet.thetas.back()), to_degrees(nearest.theta))});
   if (job.folding) lines.push_back({"force", describe_folding(*job.folding)});
   return lines;
 }

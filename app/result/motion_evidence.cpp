@@ -237,9 +237,10 @@ std::vector<SummaryLine> compensation_lines(const Run& run) {
   if (!std::isfinite(compensation.after_mm))
     return {{"elastic", "no equilibrium with elastic hinges: " + compensation.why}};
   return {{"elastic",
-           fmt::format("{} mm rms from {} with elastic hinges, {} mm without compensation; limit of its prints {} mm",
-                       format_figures(compensation.after_mm), run.compared_with,
-                       format_figures(compensation.before_mm), format_figures(compensation.tolerance_mm))},
+           fmt::format(
+               "{} mm rms from {} with elastic hinges, {} mm without compensation; limit of its prints {} mm",
+               format_figures(compensation.after_mm), run.compared_with,
+               format_figures(compensation.before_mm), format_figures(compensation.tolerance_mm))},
           {"", change_text(compensation)}};
 }
 
@@ -284,8 +285,9 @@ std::string printed_range(const ProvenRanges& certified) {
 /// Returns the lines for an equilibrium that left the closed form. The range applies to the closed form only.
 std::vector<SummaryLine> left_lines(const ProvenRanges& certified, const model::Lattice& sheet,
                                     double theta) {
-  return {{"contact", "collisions not checked: the elastic solution departs from the ideal motion that the check "
-                      "covers"},
+  return {{"contact",
+           "collisions not checked: the elastic solution departs from the ideal motion that the check "
+           "covers"},
           {"", fmt::format("ideal motion: collision-free {}, {}", between(certified.designed),
                            describe_motion_end(certified.designed.to(theta), sheet))},
           {"", printed_range(certified)}};
@@ -322,8 +324,9 @@ std::vector<SummaryLine> certified_lines(const ProvenRanges& certified, const mo
   std::vector<SummaryLine> lines = {
       certified.designed.covers(theta)
           ? SummaryLine{"contact", "collision-free " + range}
-          : SummaryLine{"contact", fmt::format("fold angle {:.2f} deg is outside the collision-free range, {}",
-                                               to_degrees(theta), range)}};
+          : SummaryLine{"contact",
+                        fmt::format("fold angle {:.2f} deg is outside the collision-free range, {}",
+                                    to_degrees(theta), range)}};
   if (states == ClosedFormRelation::near)
     lines.push_back({"", "computed for ideal hinges; the elastic solution stays close to this motion"});
   lines.push_back({"", printed_range(certified)});

@@ -84,10 +84,11 @@ std::vector<std::pair<std::string, std::string>> hinge_problem_lines(const Run& 
   const auto corners = [&](const Turned& t) { return t.turn / corner_turn(run, t); };
   if (const Turned* t = worst(all, corners))
     lines.emplace_back(
-        "CORNERS", fmt::format("the two halves of wall {} collide at a turn of {:.1f} deg, and this design turns "
-                               "it by {:.1f} deg. Use a longer hinge gap",
-                               wall_name(run.design.structure, t->hinge),
-                               corner_turn(run, *t) / radians_per_degree, t->turn / radians_per_degree));
+        "CORNERS",
+        fmt::format("the two halves of wall {} collide at a turn of {:.1f} deg, and this design turns "
+                    "it by {:.1f} deg. Use a longer hinge gap",
+                    wall_name(run.design.structure, t->hinge), corner_turn(run, *t) / radians_per_degree,
+                    t->turn / radians_per_degree));
   return lines;
 }
 
@@ -117,8 +118,9 @@ std::string describe_sample_prints(const PrintedGoal& printed, const std::string
     return fmt::format(
         "none of {} simulated prints has an equilibrium near the design, so the print tolerance is unknown",
         runs.failed);
-  std::string text = fmt::format("{} simulated prints: {} mm rms from {}, {} of them within {} mm", runs.prints,
-                                 format_figures(runs.rms_mm), goal, runs.kept(), format_figures(runs.p95_mm));
+  std::string text =
+      fmt::format("{} simulated prints: {} mm rms from {}, {} of them within {} mm", runs.prints,
+                  format_figures(runs.rms_mm), goal, runs.kept(), format_figures(runs.p95_mm));
   if (runs.failed > 0) text += fmt::format("; {} more have no equilibrium near the design", runs.failed);
   return text + (printed.is_confirmed() ? "" : "; the linear estimate is far from them");
 }
@@ -152,7 +154,8 @@ std::optional<std::string> describe_contact(const Run& run) {
   if (run.printed->free_of_contact.value_or(true) || run.certified->printed.covers(run.theta))
     return std::nullopt;
   return fmt::format(
-      "printed walls may collide: this design folds to {:.1f} deg, the collision-free range with print errors "
+      "printed walls may collide: this design folds to {:.1f} deg, the collision-free range with print "
+      "errors "
       "ends at {:.1f} deg",
       std::abs(to_degrees(run.theta)), std::abs(to_degrees(run.certified->printed.to(run.theta).theta)));
 }
@@ -191,10 +194,11 @@ std::vector<std::string> scatter_reasons(const Run& run) {
   const PrintedGoal& printed = *run.printed;
   std::vector<std::string> why;
   if (printed.p95_mm() > printed.tolerance_mm)
-    why.push_back(fmt::format("prints may miss the limit: 95 % stay within {} mm of {}, the limit is {} mm "
-                              "(estimated for {})",
-                              format_figures(printed.p95_mm()), run.compared_with,
-                              format_figures(printed.tolerance_mm), run.design.process.name));
+    why.push_back(
+        fmt::format("prints may miss the limit: 95 % stay within {} mm of {}, the limit is {} mm "
+                    "(estimated for {})",
+                    format_figures(printed.p95_mm()), run.compared_with, format_figures(printed.tolerance_mm),
+                    run.design.process.name));
   if (!printed.runs) return why;
   const model::PrintRuns& runs = *printed.runs;
   if (runs.failed > 0)
@@ -302,12 +306,14 @@ std::vector<SummaryLine> print_tolerance_lines(const Run& run) {
   const model::ToleranceResult& made = run.printed->made;
   const std::string& process = run.design.process.name;
   std::vector<SummaryLine> lines = {
-      {"print", fmt::format("print tolerance ({}, estimated): {} mm rms expected, 95 % of prints within {} mm of "
-                            "{}, limit {} mm: {}",
-                            process, format_figures(run.printed->rms_mm()), format_figures(run.printed->p95_mm()),
-                            run.compared_with, format_figures(run.printed->tolerance_mm),
-                            describe_print_verdict(run))},
-      {"", fmt::format("error of the design itself at these points: {} mm rms", format_figures(made.designed_mm))}};
+      {"print",
+       fmt::format("print tolerance ({}, estimated): {} mm rms expected, 95 % of prints within {} mm of "
+                   "{}, limit {} mm: {}",
+                   process, format_figures(run.printed->rms_mm()), format_figures(run.printed->p95_mm()),
+                   run.compared_with, format_figures(run.printed->tolerance_mm),
+                   describe_print_verdict(run))},
+      {"", fmt::format("error of the design itself at these points: {} mm rms",
+                       format_figures(made.designed_mm))}};
   if (const auto touching = describe_touching(*run.printed); touching && !run.printed->touches_too_often())
     lines.push_back({"", *touching});  // a larger share is reported as a warning
   if (const auto places = sources_by_place(run); !places.empty())
@@ -317,15 +323,15 @@ std::vector<SummaryLine> print_tolerance_lines(const Run& run) {
   if (!made.sources.empty()) {
     const model::ScatterSource& most = made.sources.front();
     lines.push_back({"", fmt::format("main single source: {} of the hinge at wall {}, {} of the variance",
-                                     parameter_names[most.parameter], wall_name(run.design.structure, most.hinge),
-                                     format_share(most.share))});
+                                     parameter_names[most.parameter],
+                                     wall_name(run.design.structure, most.hinge), format_share(most.share))});
   }
   if (const auto& tight = run.printed->without_clearance)
     lines.push_back(
-        {"", fmt::format("joint clearance {:g} mm per side, {:.2f} deg; without it {} mm rms, 95 % within {} mm",
-                         loosest_pin(run.design)->clearance_mm,
-                         to_degrees(clearance_tilt(*loosest_pin(run.design))), format_figures(tight->rms_mm),
-                         format_figures(tight->p95_mm))});
+        {"", fmt::format(
+                 "joint clearance {:g} mm per side, {:.2f} deg; without it {} mm rms, 95 % within {} mm",
+                 loosest_pin(run.design)->clearance_mm, to_degrees(clearance_tilt(*loosest_pin(run.design))),
+                 format_figures(tight->rms_mm), format_figures(tight->p95_mm))});
   if (run.printed->runs) lines.push_back({"", describe_sample_prints(*run.printed, run.compared_with)});
   if (run.printed->soft) {
     lines.push_back({"", describe_soft_hinges(*run.printed->soft)});

@@ -72,8 +72,8 @@ nlohmann::ordered_json search_json(const optim::SolveResult& search, int starts)
 }
 
 SummaryLine search_line(double seconds, const optim::SolveResult& search) {
-  return {"search", fmt::format("{} s, ceres, {} evaluations, {}", format_figures(seconds), search.evaluations,
-                                to_string(search.status))};
+  return {"search", fmt::format("{} s, ceres, {} evaluations, {}", format_figures(seconds),
+                                search.evaluations, to_string(search.status))};
 }
 
 double tolerance_of(const Run& run, std::string_view key) {

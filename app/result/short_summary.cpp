@@ -16,9 +16,7 @@ std::string format_sizes(const Eigen::Vector3d& mm) {
   return fmt::format("{} x {} x {} mm", figure(mm.x()), figure(mm.y()), figure(mm.z()));
 }
 
-std::string format_degrees(double radians) {
-  return format_figures(std::abs(to_degrees(radians))) + " deg";
-}
+std::string format_degrees(double radians) { return format_figures(std::abs(to_degrees(radians))) + " deg"; }
 
 /// Describes how far the sheet folds before walls collide.
 std::string describe_range(const Run& run) {
@@ -80,7 +78,7 @@ std::optional<SummaryLine> print_line(const Run& run, const std::vector<SummaryL
   if (found != of_goal.end()) return *found;
   if (!run.printed || !run.printed->holds()) return std::nullopt;
   return SummaryLine{
-      "print", fmt::format("{} mm off expected, 95 % of prints within {} mm, limit {} mm; estimated for {}",
+      "print", fmt::format("{} mm rms expected, 95 % of prints within {} mm, limit {} mm; estimated for {}",
                            format_figures(run.printed->rms_mm()), format_figures(run.printed->p95_mm()),
                            format_figures(run.printed->tolerance_mm), run.design.process.name)};
 }
@@ -111,7 +109,8 @@ void add_equilibrium_lines(const Run& run, std::vector<SummaryLine>& lines) {
 /// Quotes a folder for a shell, if it needs that.
 std::string quoted_folder(const std::string& folder) {
   const auto is_safe = [](unsigned char c) {
-    return std::isalnum(c) != 0 || std::string_view("_./-+,:=@%").find(static_cast<char>(c)) != std::string::npos;
+    return std::isalnum(c) != 0 ||
+           std::string_view("_./-+,:=@%").find(static_cast<char>(c)) != std::string::npos;
   };
   if (std::all_of(folder.begin(), folder.end(), is_safe)) return folder;
   std::string out = "'";
@@ -122,7 +121,8 @@ std::string quoted_folder(const std::string& folder) {
 std::string next_step(const Run& run, const std::string& folder) {
   const RunVerdict verdict = verdict_of(run);
   const bool misses = !verdict.met.value_or(true) || !verdict.reaches.value_or(true);
-  if (run.goal && (misses || !verdict.printable.value_or(true))) return "change the file as advised, run again";
+  if (run.goal && (misses || !verdict.printable.value_or(true)))
+    return "change the file as advised, run again";
   if (!verdict.printable.value_or(false) || verdict.has_errors())
     return "kinetix-opt view " + quoted_folder(folder);
   return fmt::format("kinetix-opt export {} --format {}", quoted_folder(folder),
@@ -133,7 +133,8 @@ std::string next_step(const Run& run, const std::string& folder) {
 
 ShortForm short_form(const Run& run) {
   const RunVerdict verdict = verdict_of(run);
-  const std::vector<SummaryLine> of_goal = run.goal ? run.goal->summary_lines(run) : std::vector<SummaryLine>{};
+  const std::vector<SummaryLine> of_goal =
+      run.goal ? run.goal->summary_lines(run) : std::vector<SummaryLine>{};
   ShortForm out{.title = fmt::format("{}: {}", run.design.name, headline(verdict)),
                 .problems = problem_lines(verdict)};
   if (!of_goal.empty()) out.lines.push_back(of_goal.front());
@@ -163,7 +164,8 @@ ShortForm short_form_of(const nlohmann::ordered_json& result) {
   using Json = nlohmann::ordered_json;
   const auto text_at = [](const Json& of, const char* key) {
     const auto found = of.is_object() ? of.find(key) : of.end();
-    return of.is_object() && found != of.end() && found->is_string() ? found->get<std::string>() : std::string();
+    return of.is_object() && found != of.end() && found->is_string() ? found->get<std::string>()
+                                                                     : std::string();
   };
   const auto list_at = [&](const char* section, const char* key) {
     const Json whole = result.value(section, Json(nullptr));

@@ -33,12 +33,12 @@ std::string physics_lines(const Run& run) {
   if (v.physics.status != sim::PhysicsResult::Status::settled)
     return line("check", failed_simulation_reason(v));
   if (!v.compared)
-    return line("check", fmt::format("simulation settled in {:.2g} s; no {} to compare with", v.physics.seconds,
-                                     reference_name(run)));
-  std::string text = line(
-      "check", fmt::format("simulation {}: {} rms from the {}, joint separation at most {}, {:.2g} s",
-                           v.agrees ? "agrees" : "disagrees", in_mm(run, v.distance.rms), reference_name(run),
-                           in_mm(run, v.physics.gaps.max), v.physics.seconds));
+    return line("check", fmt::format("simulation settled in {:.2g} s; no {} to compare with",
+                                     v.physics.seconds, reference_name(run)));
+  std::string text =
+      line("check", fmt::format("simulation {}: {} rms from the {}, joint separation at most {}, {:.2g} s",
+                                v.agrees ? "agrees" : "disagrees", in_mm(run, v.distance.rms),
+                                reference_name(run), in_mm(run, v.physics.gaps.max), v.physics.seconds));
   if (v.equilibrium && !v.agrees) text += line("compared", v.equilibrium->why);
   return text;
 }
@@ -50,8 +50,8 @@ std::string structure_lines(const Run& run) {
            line(run.closed_path->off ? "pull" : "closure", run.closed_path->description);
   return line("sheet", fmt::format("{} bodies, {} hinges", structure.bodies(), structure.hinges())) +
          line("plan", run.plan.exact.why) +
-         line("fold", fmt::format("fold angle {:.2f} deg, largest wall tilt {:.2f} deg", to_degrees(run.theta),
-                                  to_degrees(largest_tilt(structure))));
+         line("fold", fmt::format("fold angle {:.2f} deg, largest wall tilt {:.2f} deg",
+                                  to_degrees(run.theta), to_degrees(largest_tilt(structure))));
 }
 
 // Limits of the lists in a summary: enough for a reader in a terminal. result.json has complete lists.
@@ -105,8 +105,8 @@ std::string energy_text(const model::EquilibriumPath& path) {
   const std::string springs = path.steps.back().springs > 0
                                   ? fmt::format(", {:.3g} in the drive's springs", path.steps.back().springs)
                                   : "";
-  return fmt::format("{:.3g} N mm ({:.3g} in joint separation, {:.3g} in rotation, {:.2g} in contact{})", total,
-                     sum.stretch, sum.turn, contact, springs);
+  return fmt::format("{:.3g} N mm ({:.3g} in joint separation, {:.3g} in rotation, {:.2g} in contact{})",
+                     total, sum.stretch, sum.turn, contact, springs);
 }
 
 std::string press_text(const Equilibrium& equilibrium) {
@@ -221,11 +221,10 @@ std::string summary(const Run& run) {
   };
   text += structure_lines(run);
   if (run.certified)
-    add_all(
-        certified_lines(*run.certified, run.design.structure, run.theta, closed_form_relation(run)));
+    add_all(certified_lines(*run.certified, run.design.structure, run.theta, closed_form_relation(run)));
   if (const auto worst = worst_strain(run))
-    text += line("strain", fmt::format("peak {:.3g} in the hinges, limit of their material {:g}", worst->strain,
-                                       worst->allowed));
+    text += line("strain", fmt::format("peak {:.3g} in the hinges, limit of their material {:g}",
+                                       worst->strain, worst->allowed));
   if (run.goal) add_all(run.goal->summary_lines(run));
   add_all(compensation_lines(run));
   add_all(robust_lines(run));
@@ -289,7 +288,8 @@ ShortForm short_form(const DriveTrials& all) {
   ShortForm out{.title = fmt::format("{}: {} drives to fold angle {:.3g} deg compared", all.name,
                                      all.trials.size(), to_degrees(all.theta))};
   if (all.stopped)
-    out.problems.push_back({"warning", fmt::format("stopped; not tried: {}", fmt::join(all.not_tried, ", "))});
+    out.problems.push_back(
+        {"warning", fmt::format("stopped; not tried: {}", fmt::join(all.not_tried, ", "))});
   if (all.least_force < 0) {
     if (!all.stopped) out.problems.push_back({"error", "no drive reaches this fold angle"});
     return out;

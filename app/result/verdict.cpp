@@ -105,9 +105,10 @@ void warn_all(RunVerdict& verdict, const Reasons& texts) {
 void add_warnings(const Run& run, RunVerdict& verdict) {
   if (run.stopped) verdict.warn("stopped early: this is the best result so far");
   if (run.plan.is_floppy())
-    verdict.warn(fmt::format("underconstrained: {} degrees of freedom. Driving one leaves the rest undetermined. Add "
-                             "bracing walls or set `structure.rim: closed`",
-                             run.plan.mobility->dofs_along));
+    verdict.warn(
+        fmt::format("underconstrained: {} degrees of freedom. Driving one leaves the rest undetermined. Add "
+                    "bracing walls or set `structure.rim: closed`",
+                    run.plan.mobility->dofs_along));
   for (const auto& [label, words] : hinge_problem_lines(run))
     if (label != "STRAINED") verdict.warn(words);  // STRAINED is an error of `reaches`
   if (!run.goal) return;

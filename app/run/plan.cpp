@@ -47,7 +47,8 @@ std::string designs_sentence(const model::PlanarStructure& planar, bool is_exact
 /// motion of the closed form.
 std::string floppy_sentence(const Plan& plan) {
   return fmt::format(
-      "underconstrained: {} degrees of freedom. Driving one leaves the rest undetermined. Add bracing walls or "
+      "underconstrained: {} degrees of freedom. Driving one leaves the rest undetermined. Add bracing walls "
+      "or "
       "set `structure.rim: closed`",
       plan.mobility->dofs_along);
 }

@@ -208,28 +208,29 @@ Json summary_json(const SweepPlan& plan, const Tally& counts, const Work& work, 
 ShortForm sweep_form(const SweepPlan& plan, const Tally& counts, const Work& work, const std::string& folder,
                      const std::string& written) {
   ShortForm out;
-  out.title = fmt::format(
-      "{}: {} of {}, {}, model {}", plan.doe.name, targets::counted(plan.samples.size(), "sample"),
-      targets::counted(plan.samples.factors().size(), "factor"),
-      targets::counted(plan.responses.size(), "response"), to_string(plan.doe.model));
+  out.title = fmt::format("{}: {} of {}, {}, model {}", plan.doe.name,
+                          targets::counted(plan.samples.size(), "sample"),
+                          targets::counted(plan.samples.factors().size(), "factor"),
+                          targets::counted(plan.responses.size(), "response"), to_string(plan.doe.model));
   std::string ended = fmt::format("{} ok", counts.ok);
   if (counts.missed > 0) ended += fmt::format(", {} missed", counts.missed);
   if (counts.disagrees > 0) ended += fmt::format(", {} disagree", counts.disagrees);
   if (counts.failed > 0) ended += fmt::format(", {} failed", counts.failed);
-  out.lines = {
-      {"samples", ended},
-      {"run", fmt::format("{} in {}, {:.3g} per second, {} {} of {} {}", work.computed, duration_text(work.seconds),
-                          static_cast<double>(work.computed) / std::max(work.seconds, 1e-9), work.ranks,
-                          work.ranks == 1 ? "process" : "ranks", work.threads,
-                          work.threads == 1 ? "thread" : "threads")}};
+  out.lines = {{"samples", ended},
+               {"run", fmt::format("{} in {}, {:.3g} per second, {} {} of {} {}", work.computed,
+                                   duration_text(work.seconds),
+                                   static_cast<double>(work.computed) / std::max(work.seconds, 1e-9),
+                                   work.ranks, work.ranks == 1 ? "process" : "ranks", work.threads,
+                                   work.threads == 1 ? "thread" : "threads")}};
   if (work.before > 0)
     out.lines.push_back({"resumed", fmt::format("{} samples were already computed", work.before)});
   if (counts.first_failed >= 0)
     out.problems.push_back(
         {"warning", fmt::format("sample {} is the first that failed: {}", counts.first_failed, counts.why)});
   if (work.damaged > 0)
-    out.problems.push_back({"warning", fmt::format("{} of the table damaged; their samples were computed again",
-                                                   targets::counted(static_cast<std::size_t>(work.damaged), "row"))});
+    out.problems.push_back(
+        {"warning", fmt::format("{} of the table damaged; their samples were computed again",
+                                targets::counted(static_cast<std::size_t>(work.damaged), "row"))});
   out.ends = {"Written: " + folder + "/" + written};
   return out;
 }

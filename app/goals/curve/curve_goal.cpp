@@ -68,7 +68,8 @@ std::string robust_text(const RobustCurve& robust) {
                        robust.tried.size());
   const std::string gaps = best.gap_mm ? fmt::format(", gaps of {:.2g} mm", *best.gap_mm) : "";
   return fmt::format(
-      "{} columns at fold angle {:.1f} deg{}, of {} strips tried: print error{} {:.3g} mm; for the design with "
+      "{} columns at fold angle {:.1f} deg{}, of {} strips tried: print error{} {:.3g} mm; for the design "
+      "with "
       "the smallest nominal error, {} columns at {:.1f} deg, {}",
       best.columns, best.theta / radians_per_degree, gaps, robust.tried.size(),
       best.is_compensated ? "" : " of the ideal motion", best.printed_mm, plain.columns,
@@ -114,7 +115,8 @@ struct CurveOutcome final : GoalOutcome {
   }
   std::vector<SummaryLine> summary_lines(const Run& run) const override {
     const targets::CurveError& error = measure_of<CurveMeasure>(run).error;
-    std::vector<SummaryLine> lines = {describe_shape(error.rms, error.max, error.scale_mm, file.shape_tolerance)};
+    std::vector<SummaryLine> lines = {
+        describe_shape(error.rms, error.max, error.scale_mm, file.shape_tolerance)};
     if (robust) lines.push_back({"robust", robust_text(*robust)});
     lines.push_back(search_line(run.timings.optimise, found.design.search, found.design.chosen, solver()));
     return lines;

@@ -173,9 +173,9 @@ class DisplayGoal final : public Goal {
     out.goal = std::move(display);
     if (out.design.structure.bodies() <= max_bodies_of_physics) return out;
     out.physics.when = PhysicsRequest::When::never;  // a step costs seconds, and there are thousands
-    out.notes.push_back(fmt::format(
-        "no simulation: {} bodies would take hours. Run `verify` on design.yaml to make one",
-        out.design.structure.bodies()));
+    out.notes.push_back(
+        fmt::format("no simulation: {} bodies would take hours. Run `verify` on design.yaml to make one",
+                    out.design.structure.bodies()));
     return out;
   }
 

@@ -30,7 +30,8 @@ Json score_json(const DisplayOutcome& display, const DisplayReading& reading) {
 std::string describe_light(const DisplayOutcome& display, const DisplayReading& r) {
   const auto light = light_of(display, r);
   if (!light) return "";
-  return fmt::format("{:.3g} % light in the letter, {:.3g} % elsewhere; ", 100 * (*light)[0], 100 * (*light)[1]);
+  return fmt::format("{:.3g} % light in the letter, {:.3g} % elsewhere; ", 100 * (*light)[0],
+                     100 * (*light)[1]);
 }
 
 /// Describes the reading with the limits of the goal.
@@ -38,9 +39,9 @@ std::string describe_with_limits(const DisplayOutcome& display, const DisplayRea
   if (!display.goal.is_binary())
     return fmt::format("rank correlation {:.3f} with the picture's levels, limit {:g}", r.rank,
                        tolerance_of(run, "auc"));
-  return describe_light(display, r) +
-         fmt::format("d' {:.1f} (limit {:g}), AUC {:.3f} (limit {:g})", r.score.contrast,
-                     tolerance_of(run, "contrast"), r.score.auc, tolerance_of(run, "auc"));
+  return describe_light(display, r) + fmt::format("d' {:.1f} (limit {:g}), AUC {:.3f} (limit {:g})",
+                                                  r.score.contrast, tolerance_of(run, "contrast"),
+                                                  r.score.auc, tolerance_of(run, "auc"));
 }
 
 std::string describe(const DisplayOutcome& display, const DisplayReading& r) {
@@ -49,8 +50,8 @@ std::string describe(const DisplayOutcome& display, const DisplayReading& r) {
   std::string text = describe_light(display, r) +
                      fmt::format("separation d' {:.1f}, AUC {:.3f}", r.score.contrast, r.score.auc);
   if (display.channel == optim::Channel::light) return text;
-  return text + fmt::format("; mean {} {:.3f} and {:.3f}", to_string(display.channel), r.score.letter,
-                            r.score.rest);
+  return text +
+         fmt::format("; mean {} {:.3f} and {:.3f}", to_string(display.channel), r.score.letter, r.score.rest);
 }
 
 Json starts_json(const optim::DisplayDesign& design) {
@@ -102,12 +103,14 @@ Json printed_json(const PrintedDisplay& printed) {
 
 std::string printed_text(const PrintedDisplay& printed, const Run& run) {
   std::string text = fmt::format(
-      "separation d' {:.1f} expected, above {:.1f} in 95 % of prints, estimated for {}{}; AUC {:.3f}; {} simulated "
+      "separation d' {:.1f} expected, above {:.1f} in 95 % of prints, estimated for {}{}; AUC {:.3f}; {} "
+      "simulated "
       "prints: {:.1f}, {:.1f}, {:.3f}",
       printed.expected.contrast, printed.expected.contrast_p05, run.design.process.name,
       printed.holds() ? "" : ": not every print meets the limits", printed.expected.auc, printed.prints,
       printed.seen.contrast, printed.seen.contrast_p05, printed.seen.auc);
-  if (printed.failed > 0) text += fmt::format("; {} more have no equilibrium near the design", printed.failed);
+  if (printed.failed > 0)
+    text += fmt::format("; {} more have no equilibrium near the design", printed.failed);
   return text + (printed.is_confirmed() ? "" : "; the linear estimate is far from them");
 }
 
@@ -116,8 +119,8 @@ std::string loads_text(const PanelLoads& loads) {
       loads.turn
           ? fmt::format("turned by {:.1f} deg: ", std::abs(to_degrees(*loads.turn)))
           : fmt::format("compressed by {:.1f} %: {:.3g} N, ", 100 * loads.compression, loads.hinges.force_N);
-  return fmt::format("{}strain {:.2f}, AUC {:.3f}, separation d' {:.1f}", drive, loads.hinges.strain, loads.auc,
-                     loads.contrast);
+  return fmt::format("{}strain {:.2f}, AUC {:.3f}, separation d' {:.1f}", drive, loads.hinges.strain,
+                     loads.auc, loads.contrast);
 }
 
 /// Adds the required level of each cell, next to its bodies and hinges.

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "app/goals/fold/fold_goal.hpp"
 #include "app/console/short_form.hpp"
+#include "app/goals/fold/fold_goal.hpp"
 #include "app/result/result_json.hpp"
 #include "app/run/run.hpp"
 

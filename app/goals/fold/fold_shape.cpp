@@ -165,8 +165,8 @@ std::string size_text(const targets::FoldGoal& goal, const std::array<double, 3>
       fmt::format("{} box {:.1f} x {:.1f} x {:.1f} mm", goal.open ? "folded" : "closed", mm[0], mm[1], mm[2]);
   const auto& asked = goal.box_mm;
   if (asked)
-    text += fmt::format("; requested {:g} x {:g} x {:g} mm, off by at most {:.1f} %", (*asked)[0], (*asked)[1],
-                        (*asked)[2], 100 * optim::size_miss(mm, *asked));
+    text += fmt::format("; requested {:g} x {:g} x {:g} mm, off by at most {:.1f} %", (*asked)[0],
+                        (*asked)[1], (*asked)[2], 100 * optim::size_miss(mm, *asked));
   return text;
 }
 
@@ -291,9 +291,9 @@ std::vector<std::string> FoldShape::violations(const FoldFile& file, const targe
                       creases[c].name, to_degrees(of.fold[c]), to_degrees(creases[c].angle),
                       to_degrees(file.angle_tolerance)));
   if (!(of.rms <= file.shape_tolerance))
-    why.push_back(
-        fmt::format("{}: faces are {} mm rms off the solid, limit {} mm", who, format_figures(of.rms * face_mm()),
-                    format_figures(file.shape_tolerance * face_mm())));
+    why.push_back(fmt::format("{}: faces are {} mm rms off the solid, limit {} mm", who,
+                              format_figures(of.rms * face_mm()),
+                              format_figures(file.shape_tolerance * face_mm())));
   return why;
 }
 

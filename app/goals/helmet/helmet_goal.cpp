@@ -207,7 +207,8 @@ std::string invented(const std::vector<targets::DomeOpening>& openings) {
   for (const targets::DomeOpening& opening : openings) widest = std::max(widest, opening.width_mm);
   const std::string holes = openings.size() == 1 ? "a hole" : fmt::format("{} holes", openings.size());
   return fmt::format(
-      "the scan has {} in the covered part, {}{:.0f} mm across. A dome closes it, so the fit there is not to the "
+      "the scan has {} in the covered part, {}{:.0f} mm across. A dome closes it, so the fit there is not to "
+      "the "
       "real head",
       holes, openings.size() == 1 ? "" : "the widest ", widest);
 }
@@ -310,8 +311,9 @@ class HelmetOutcome final : public RibsOutcome {
     const optim::RibsError& error = measure_of<RibsMeasure>(run).error;
     std::vector<SummaryLine> out = {
         {"fit", fmt::format("{}; limits {:g} and {:g} mm", describe(error), file_.rms_mm, file_.max_mm)},
-        {"", fmt::format("ribs up to {} mm rms from their sections, {:.0f} % of the head within a cell edge of a rib",
-                         format_figures(worst_rib(error)), 100 * cover.share)},
+        {"", fmt::format(
+                 "ribs up to {} mm rms from their sections, {:.0f} % of the head within a cell edge of a rib",
+                 format_figures(worst_rib(error)), 100 * cover.share)},
         {"helmet",
          fmt::format("{} ribs on a spine of {} cells, {:g} mm over the head, {:g} mm down from the crown",
                      design.layout.spine_and_ribs.ribs.size(), design.layout.spine_and_ribs.rows,

@@ -26,9 +26,7 @@ std::string binding_limit(const optim::OutlineDesign& design) {
 
 /// Describes how the search ended, for a panel whose walls do not collide.
 std::string describe_search_end(const optim::OutlineDesign& design) {
-  const std::string moves = design.settled
-                                ? "converged"
-                                : "stopped at the iteration limit before converging";
+  const std::string moves = design.settled ? "converged" : "stopped at the iteration limit before converging";
   return moves + ", no walls collide during folding";
 }
 
@@ -190,11 +188,11 @@ void OutlineOutcome::add_sections(const Run& run, Json& result) const {
   result["outline"] = section;
   result["optimiser"] = {
       {"solver", "alternating directions"}, {"starts", std::max(1, cuts)}, {"evaluations", design.rounds}};
-  add_end(
-      design.stopped, design.clear, describe_search_end(design),
-      fmt::format("walls still collide during folding after {} rounds, each with less turning of those that did",
-                  design.clearance_rounds),
-      result["optimiser"]);
+  add_end(design.stopped, design.clear, describe_search_end(design),
+          fmt::format(
+              "walls still collide during folding after {} rounds, each with less turning of those that did",
+              design.clearance_rounds),
+          result["optimiser"]);
   if (design.clear && !design.settled && !design.stopped)
     result["optimiser"]["status"] = to_string(optim::SolveStatus::evaluation_limit);
 }
@@ -221,14 +219,14 @@ std::vector<SummaryLine> OutlineOutcome::summary_lines(const Run& run) const {
   const targets::OutlineError& error = measure_of<OutlineMeasure>(run).error;
   std::vector<SummaryLine> lines;
   lines.push_back(
-      {"outline", fmt::format("{} mm rms from the outline, limit {} mm; {:.1f} % area overlap, limit {:g} %; {}",
-                              format_figures(error.rms * drawn_mm), format_figures(file.shape_tolerance * drawn_mm),
-                              100 * error.iou, 100 * file.iou_tolerance, describe_size(size(edge)))});
+      {"outline",
+       fmt::format("{} mm rms from the outline, limit {} mm; {:.1f} % area overlap, limit {:g} %; {}",
+                   format_figures(error.rms * drawn_mm), format_figures(file.shape_tolerance * drawn_mm),
+                   100 * error.iou, 100 * file.iou_tolerance, describe_size(size(edge)))});
   if (file.flat)
-    lines.push_back(
-        {"flat", fmt::format("{} mm rms from its outline, {:.1f} % area overlap",
-                             format_figures(design.flat.rms * size(edge) * file.flat->diagonal()),
-                             100 * design.flat.iou)});
+    lines.push_back({"flat", fmt::format("{} mm rms from its outline, {:.1f} % area overlap",
+                                         format_figures(design.flat.rms * size(edge) * file.flat->diagonal()),
+                                         100 * design.flat.iou)});
   if (!run.met()) lines.push_back({"bounds", binding_limit(design)});
   lines.push_back(
       {"hinges", fmt::format("offset from the middle of their walls up to {:.2f} mm, t from {:.2f} to {:.2f}",
@@ -255,9 +253,8 @@ std::vector<std::string> violations(const OutlineFile& file, const targets::Outl
                                     const std::string& who) {
   std::vector<std::string> why;
   if (!(error.rms <= file.shape_tolerance))
-    why.push_back(
-        fmt::format("{}: the boundary is {:.2f} % of the diagonal off the outline, limit {:.2f} %",
-                    who, 100 * error.rms, 100 * file.shape_tolerance));
+    why.push_back(fmt::format("{}: the boundary is {:.2f} % of the diagonal off the outline, limit {:.2f} %",
+                              who, 100 * error.rms, 100 * file.shape_tolerance));
   if (!(error.iou >= file.iou_tolerance))
     why.push_back(fmt::format("{}: {:.1f} % of the area overlaps, at least {:.1f} % is required", who,
                               100 * error.iou, 100 * file.iou_tolerance));

@@ -202,9 +202,9 @@ struct SpaceBlockOutcome final : GoalOutcome {
                      "and {:.3g} edges in squares normal to x, y and z",
                      found.cells[0], found.cells[1], found.cells[2], found.edge_mm, g.x(), g.y(), g.z())}};
     if (const auto* physics = physics_measure_of<SpaceBlockMeasure>(run))
-      lines.push_back({"check", fmt::format("in the simulation: factors {}, off by {}",
-                                            factors_text(physics->error.factors),
-                                            format_figures(physics->error.off))});
+      lines.push_back(
+          {"check", fmt::format("in the simulation: factors {}, off by {}",
+                                factors_text(physics->error.factors), format_figures(physics->error.off))});
     return lines;
   }
 };

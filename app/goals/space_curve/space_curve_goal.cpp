@@ -290,12 +290,14 @@ struct SpaceCurveOutcome final : GoalOutcome {
   }
   std::vector<SummaryLine> summary_lines(const Run& run) const override {
     const targets::SpaceError& error = measure_of<SpaceCurveMeasure>(run).error;
-    std::vector<SummaryLine> lines = {describe_shape(error.rms, error.max, error.scale_mm, file.shape_tolerance)};
+    std::vector<SummaryLine> lines = {
+        describe_shape(error.rms, error.max, error.scale_mm, file.shape_tolerance)};
     const Eigen::Vector3d& y = found.across.direction;
     lines.push_back(
-        {"across", fmt::format("strip width along [{:.3f}, {:.3f}, {:.3f}]; slope of the curve in this direction at "
-                               "most {:.3f}",
-                               y.x(), y.y(), y.z(), found.across.slope)});
+        {"across",
+         fmt::format("strip width along [{:.3f}, {:.3f}, {:.3f}]; slope of the curve in this direction at "
+                     "most {:.3f}",
+                     y.x(), y.y(), y.z(), found.across.slope)});
     lines.push_back({"search", fmt::format("{:.2g} s, {} evaluations, {}", run.timings.optimise,
                                            found.search.evaluations, to_string(found.search.status))});
     return lines;

@@ -279,10 +279,10 @@ void SurfaceOutcome::add_metrics(const Run& run, Json& metrics) const {
 std::vector<SummaryLine> SurfaceOutcome::summary_lines(const Run& run) const {
   std::vector<SummaryLine> lines;
   lines.push_back(
-      {"surface",
-       fmt::format("{} mm rms from the surface, limit {} mm; {:.0f} % area overlap, limit {:g} %",
-                   format_figures(design.error.rms * diagonal_mm), format_figures(file.shape_tolerance * diagonal_mm),
-                   100 * design.error.cover, 100 * file.cover_tolerance)});
+      {"surface", fmt::format("{} mm rms from the surface, limit {} mm; {:.0f} % area overlap, limit {:g} %",
+                              format_figures(design.error.rms * diagonal_mm),
+                              format_figures(file.shape_tolerance * diagonal_mm), 100 * design.error.cover,
+                              100 * file.cover_tolerance)});
   if (needs_curvature())
     lines.push_back(
         {"curvature",
@@ -296,10 +296,10 @@ std::vector<SummaryLine> SurfaceOutcome::summary_lines(const Run& run) const {
                                        to_degrees(design.tilt))});
   const double edge = run.design.structure.size().edge_mm;
   lines.push_back(
-      {"walls",
-       fmt::format("a mean wall is {:.2f} mm; {}", edge,
-                   free_height > 0 ? fmt::format("plates up to {:.2f} mm high never collide", free_height * edge)
-                                   : "plates of any height collide during folding")});
+      {"walls", fmt::format("a mean wall is {:.2f} mm; {}", edge,
+                            free_height > 0
+                                ? fmt::format("plates up to {:.2f} mm high never collide", free_height * edge)
+                                : "plates of any height collide during folding")});
   const std::vector<SurfaceMethod>& methods = measure_of<SurfaceMeasure>(run).methods;
   if (methods.size() > 1) lines.push_back({"others", describe({methods.begin() + 1, methods.end()})});
   lines.push_back(
@@ -312,10 +312,10 @@ std::vector<std::string> violations(const SurfaceOutcome& o) {
   if (!o.design.within)
     why.push_back("no flat-foldable mesh within the bounds of its sectors, edges and tilts was found");
   if (!o.clear)
-    why.push_back(
-        o.free_height > 0
-            ? fmt::format("walls collide during folding; plates up to {:.3f} walls high would not", o.free_height)
-            : "walls of any height collide during folding");
+    why.push_back(o.free_height > 0
+                      ? fmt::format("walls collide during folding; plates up to {:.3f} walls high would not",
+                                    o.free_height)
+                      : "walls of any height collide during folding");
   return why;
 }
 

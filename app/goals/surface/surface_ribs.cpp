@@ -124,10 +124,9 @@ class SurfaceRibs final : public RibsOutcome {
              design.layout.spine_and_ribs.rows, file_.spec.size.edge_mm,
              design.trimmed > 0 ? fmt::format(", {} cells shorter so that none meet", design.trimmed) : "")});
     out.push_back(
-        {"bare",
-         fmt::format("surface {:.3g} mm rms from the nearest rib, {:.3g} mm at most; cells cover "
-                     "{:.0f} % of it",
-                     cover.rms, cover.max, 100 * (1 - method.open))});
+        {"bare", fmt::format("surface {:.3g} mm rms from the nearest rib, {:.3g} mm at most; cells cover "
+                             "{:.0f} % of it",
+                             cover.rms, cover.max, 100 * (1 - method.open))});
     if (methods.size() > 1) out.push_back({"others", app::describe({methods.begin() + 1, methods.end()})});
     out.push_back(search_line(run.timings.optimise, design.search));
     if (const auto* physics = physics_measure_of<RibsMeasure>(run))

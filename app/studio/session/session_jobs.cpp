@@ -40,7 +40,8 @@ std::string plain_name(const std::string& name) {
 std::string without_folder(std::string message, const fs::path* folder) {
   if (!folder) return message;
   const std::string path = folder->string() + "/";
-  for (std::size_t at = 0; (at = message.find(path, at)) != std::string::npos;) message.erase(at, path.size());
+  for (std::size_t at = 0; (at = message.find(path, at)) != std::string::npos;)
+    message.erase(at, path.size());
   return message;
 }
 

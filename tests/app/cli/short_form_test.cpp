@@ -34,7 +34,8 @@ void expect_short(const std::string& out, const std::string& name) {
 
 ShortForm full_form() {
   ShortForm form{.title = "rib: goal met"};
-  for (const char* label : {"shape", "size", "print", "force", "check"}) form.lines.push_back({label, "1 mm"});
+  for (const char* label : {"shape", "size", "print", "force", "check"})
+    form.lines.push_back({label, "1 mm"});
   form.ends = {"Report: results/rib/report.html", "Next: kinetix-opt export results/rib --format 3mf"};
   return form;
 }
@@ -84,7 +85,7 @@ TEST(ShortForm, PutsLongPathsOnLinesOfTheirOwn) {
 
 TEST(ShortForm, FormatsNumbersWithThreeFigures) {
   const std::vector<std::pair<double, std::string>> expected = {
-      {0.0247, "0.0247"}, {0.5, "0.5"}, {12.34, "12.3"},        {381.2, "381"}, {1024.4, "1024"},
+      {0.0247, "0.0247"}, {0.5, "0.5"}, {12.34, "12.3"},       {381.2, "381"}, {1024.4, "1024"},
       {0.0, "0"},         {100, "100"}, {1e-9, "under 0.001"}, {-2.5, "-2.5"}};
   for (const auto& [value, text] : expected) EXPECT_EQ(app::format_figures(value), text);
 }
@@ -106,8 +107,8 @@ TEST(ShortForm, IsInColourOnlyOnATerminalWithoutNoColor) {
 
 TEST(ShortOutput, OfShippedTargetsHasSevenLinesOfAHundredColumns) {
   const Scratch scratch;
-  for (const std::string name : {"helmet_rib", "half_circle", "s_curve", "letter_t", "rubber_t", "cube", "tetrahedron",
-                                 "disc", "shrinking_block", "tray_in_mm"}) {
+  for (const std::string name : {"helmet_rib", "half_circle", "s_curve", "letter_t", "rubber_t", "cube",
+                                 "tetrahedron", "disc", "shrinking_block", "tray_in_mm"}) {
     const std::string file = std::string(KINETIX_SOURCE) + "/targets/shapes/" + name + ".yaml";
     const Outcome run = short_run(file + " --quiet -o " + std::string(scratch / name));
     EXPECT_TRUE(run.code == 0 || run.code == 3) << name << run.err;
@@ -142,8 +143,9 @@ TEST(ShortOutput, HasTheLongFormWithV) {
 
 TEST(ShortOutput, NamesProblemsByTheirSeverity) {
   const Scratch scratch;
-  const Outcome missed = short_run(scratch.write("bow.yaml", std::string(bow) + "tolerance: {shape: 1e-9}\n") +
-                                   " --quiet --no-verify -o " + std::string(scratch / "out"));
+  const Outcome missed =
+      short_run(scratch.write("bow.yaml", std::string(bow) + "tolerance: {shape: 1e-9}\n") +
+                " --quiet --no-verify -o " + std::string(scratch / "out"));
   EXPECT_EQ(missed.code, 3);
   EXPECT_THAT(missed.out, StartsWith("bow: goal missed"));
   EXPECT_THAT(missed.out, HasSubstr("\n  error:   "));

@@ -70,8 +70,7 @@ TEST(Certify, TellsTheClosedFormsEndOfAPanel) {
   const double g = certified["printed"]["growth_mm"];
   EXPECT_NEAR(certified["printed"]["high"]["theta_rad"].get<double>(),
               std::atan((10 - 0.8 - 2 * g) / (10 + 2 * g)), 3e-7);
-  EXPECT_THAT(reported.words,
-              HasSubstr("collision-free -42.61 to 42.61 deg, limited by walls [["));
+  EXPECT_THAT(reported.words, HasSubstr("collision-free -42.61 to 42.61 deg, limited by walls [["));
 }
 
 /// Three standard deviations of PolyJet: 0.05 mm, and 0.25 deg at the corner of a plate 5 mm long and 6 mm high.
@@ -114,7 +113,8 @@ TEST(Certify, SaysThatElasticHingesComeNearTheClosedFormAlone) {
   const Reported reported = report_of(small_panel + "hinge: {model: elastic}\n", "equilibrium");
   EXPECT_EQ(reported.result["certified"]["states_are_exact"], false);
   EXPECT_EQ(reported.result["certified"]["states_have_left"], false);
-  EXPECT_THAT(reported.words, HasSubstr("computed for ideal hinges; the elastic solution stays close to this motion"));
+  EXPECT_THAT(reported.words,
+              HasSubstr("computed for ideal hinges; the elastic solution stays close to this motion"));
 }
 
 /// One wall drives the bricks beyond the bifurcation. The closed form is free of contact, but too far from the
@@ -131,7 +131,8 @@ TEST(Certify, ProvesNothingOfAnEquilibriumThatHasLeftTheClosedForm) {
   EXPECT_EQ(events[0]["kind"], "departure");
   EXPECT_THAT(reported.result["equilibrium"]["why"].get<std::string>(),
               HasSubstr("off the closed form since theta"));
-  EXPECT_THAT(reported.words, HasSubstr("event      departure at hinge angle -27.5 deg, fold angle 13.75 deg"));
+  EXPECT_THAT(reported.words,
+              HasSubstr("event      departure at hinge angle -27.5 deg, fold angle 13.75 deg"));
   EXPECT_THAT(reported.words,
               HasSubstr("collisions not checked: the elastic solution departs from the ideal motion"));
   EXPECT_THAT(reported.words, HasSubstr("ideal motion: collision-free "));

@@ -276,7 +276,8 @@ TEST(AsMadeResult, SaysWhetherWallsOfPrintsMayMeet) {
     const SearchResult one = found(scratch, goal, " --hinge block");
     EXPECT_EQ(one.result["as_made"]["free_of_contact"], is_free) << one.out;
     EXPECT_EQ(one.result["certified"]["covers_theta_printed"], is_free);
-    EXPECT_EQ(one.out.find("printed walls may collide: this design folds to ") == std::string::npos, is_free) << one.out;
+    EXPECT_EQ(one.out.find("printed walls may collide: this design folds to ") == std::string::npos, is_free)
+        << one.out;
     EXPECT_EQ(one.out.find(": OK, but walls may collide") == std::string::npos, is_free) << one.out;
     EXPECT_EQ(one.result["as_made"]["touching_share"], 0) << "as of prints found another way";
   }

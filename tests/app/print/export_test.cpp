@@ -239,7 +239,8 @@ TEST(Export, SaysWhereThePrintIsHigherThanUsualPrinters) {
 TEST(Export, AdvisesNoTilesOfTheFold) {
   std::string design = panel;
   design.replace(design.find("[3, 2]"), 6, "[24, 1]");
-  const std::string words = "larger than the bed of a usual fdm printer, 220 x 220 mm", advice = "to cut it into tiles";
+  const std::string words = "larger than the bed of a usual fdm printer, 220 x 220 mm",
+                    advice = "to cut it into tiles";
   for (const auto& [state, is_advised] : {std::pair("flat", true), {"folded", false}}) {
     const Scratch scratch;
     ASSERT_EQ(

@@ -351,7 +351,8 @@ TEST(Outline, ThatTookAsManyRoundsAsItMaySaysSo) {
   design.clearance_rounds = 9;
   const nlohmann::json ended = written(run)["optimiser"];
   EXPECT_EQ(ended["status"], "failed");
-  EXPECT_THAT(ended["why"].get<std::string>(), HasSubstr("walls still collide during folding after 9 rounds"));
+  EXPECT_THAT(ended["why"].get<std::string>(),
+              HasSubstr("walls still collide during folding after 9 rounds"));
 }
 
 TEST(Outline, ThatIsStoppedSaysNeitherThatItEndedNorThatNothingHelps) {
