@@ -214,7 +214,7 @@ TEST(Export, SaysWhatTheNarrowestPinLeaves) {
   ASSERT_EQ(exported(scratch, design, "--format stl --cell-mm 20").code, 0);
   EXPECT_NEAR(print_json_of(scratch)["swelling_mm"], 0.1 / 2, 0.005)
       << "polygons leave their circles by 0.01 mm";
-  EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("fold         0.1"));
+  EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("motion       solids stay 0.1"));
   const Outcome coupon = kinetix_opt("export --coupon -o " + std::string(scratch / "coupon"));
   ASSERT_EQ(coupon.code, 0) << coupon.err;
   EXPECT_NEAR(Json::parse(text_of(scratch / "coupon/print.json"))["swelling_mm"], 0.1 / 2, 0.005);
