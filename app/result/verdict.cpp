@@ -121,6 +121,14 @@ void add_warnings(const Run& run, RunVerdict& verdict) {
   if (run.printed) warn_all(verdict, scatter_warnings(run));
 }
 
+/// Returns the field's terms for kinds of hinges: "pin, living" for "pin, film".
+std::string hinge_terms(std::string kinds) {
+  for (const auto& [key, term] : {std::pair("block", "elastomer"), std::pair("film", "living")})
+    if (const std::size_t at = kinds.find(key); at != std::string::npos)
+      kinds.replace(at, std::string_view(key).size(), term);
+  return kinds;
+}
+
 nlohmann::ordered_json flag_json(const std::optional<bool>& flag) {
   return flag ? nlohmann::ordered_json(*flag) : nlohmann::ordered_json(nullptr);
 }
@@ -210,7 +218,7 @@ std::string headline(const RunVerdict& verdict) {
   add(&RunVerdict::met, "goal met", "goal missed");
   const auto kind = std::find_if(verdict.hinges.begin(), verdict.hinges.end(),
                                  [](const auto& hinge) { return hinge.first == "printable"; });
-  const std::string with = kind != verdict.hinges.end() ? kind->second : "";
+  const std::string with = kind != verdict.hinges.end() ? hinge_terms(kind->second) : "";
   add(&RunVerdict::printable, "printable with " + with + " hinges", "not printable");
   if (!verdict.met || !verdict.reaches.value_or(true))
     add(&RunVerdict::reaches, "reached by its drive", "not reached by its drive");

@@ -118,7 +118,7 @@ TEST(Matter, ACurveWhoseHingesTearIsNotMet) {
   EXPECT_LE(run.result["matter"]["after_mm"], run.result["matter"]["tolerance_mm"]);
   ASSERT_EQ(run.result["curve"]["reasons"].size(), 1u);
   EXPECT_THAT(run.result["curve"]["reasons"][0].get<std::string>(),
-              AllOf(HasSubstr("the hinge of wall "), HasSubstr("its material bears 0.5")));
+              AllOf(HasSubstr("the hinge of wall "), HasSubstr("the limit of its material is 0.5")));
 }
 
 /// The walls of this cuff touch during the motion, which the search for its tilts ignores. The path from flat ends next

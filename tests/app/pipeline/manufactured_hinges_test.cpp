@@ -121,7 +121,7 @@ TEST(MadeHinges, SayWhatTheyCannotBear) {
       verified_design(design_with("kind: film, material: pa12, gap_mm: 1, thickness_mm: 0.4", "[]", 30), 3);
   EXPECT_THAT(s.out, HasSubstr("\n  error:     the hinge of wall "));
   EXPECT_EQ(s.result["verdict"]["reaches"], false);
-  EXPECT_THAT(s.out, HasSubstr("its material bears 0.04"));
+  EXPECT_THAT(s.out, HasSubstr("the limit of its material is 0.04"));
   EXPECT_THAT(s.out, HasSubstr("in the hinges, limit of their material 0.04"));
   EXPECT_EQ(s.result["metrics"]["strain_allowed"], 0.04);
   EXPECT_EQ(s.result["made_problems"][0]["kind"], "strained");
@@ -150,7 +150,8 @@ TEST(MadeHinges, AreStrainedBesideWhatTheirOwnMaterialBears) {
   EXPECT_EQ(verdict["reaches"], false);
   EXPECT_EQ(verdict["agrees"], true);
   EXPECT_EQ(verdict["problems"].size(), 1u) << "its strain alone";
-  EXPECT_THAT(verdict["problems"][0]["text"].get<std::string>(), HasSubstr("its material bears 0.04"));
+  EXPECT_THAT(verdict["problems"][0]["text"].get<std::string>(),
+              HasSubstr("the limit of its material is 0.04"));
 }
 
 TEST(MadeHinges, MayBeOffTheirWall) {

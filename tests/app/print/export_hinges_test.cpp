@@ -224,7 +224,7 @@ hinge: {{kind: block, material: tango, gap_mm: {}}}
   ASSERT_EQ(exported(scratch, panel_with("0.8"), "--format stl").code, 0);
   // strain: 70 degrees times half the thickness over the gap
   EXPECT_THAT(text_of(scratch / "out/print.txt"),
-              HasSubstr("is strained by 0.611 on the way to the fold; its material bears 0.5"));
+              HasSubstr("is strained by 0.611 during folding, the limit of its material is 0.5"));
   ASSERT_EQ(exported(scratch, panel_with("1.2"), "--format stl").code, 0);
   EXPECT_EQ(text_of(scratch / "out/print.txt").find("strained"), std::string::npos);
 }
