@@ -77,10 +77,12 @@ std::optional<SummaryLine> print_line(const Run& run, const std::vector<SummaryL
                                   [](const SummaryLine& line) { return line[0] == "print"; });
   if (found != of_goal.end()) return *found;
   if (!run.printed || !run.printed->holds()) return std::nullopt;
+  const bool is_assumed = run.printed->soft && run.printed->soft->is_assumed;
   return SummaryLine{
-      "print", fmt::format("{} mm rms expected, 95 % of prints within {} mm, limit {} mm; estimated for {}",
+      "print", fmt::format("{} mm rms expected, 95 % of prints within {} mm, limit {} mm; estimated for {}{}",
                            format_figures(run.printed->rms_mm()), format_figures(run.printed->p95_mm()),
-                           format_figures(run.printed->tolerance_mm), run.design.process.name)};
+                           format_figures(run.printed->tolerance_mm), run.design.process.name,
+                           is_assumed ? ", assumed hinges" : "")};
 }
 
 /// Returns the line of a simulation that agrees or has no reference. Others are problems.

@@ -30,8 +30,7 @@ Json score_json(const DisplayOutcome& display, const DisplayReading& reading) {
 std::string describe_light(const DisplayOutcome& display, const DisplayReading& r) {
   const auto light = light_of(display, r);
   if (!light) return "";
-  return fmt::format("{:.3g} % light in the letter, {:.3g} % elsewhere; ", 100 * (*light)[0],
-                     100 * (*light)[1]);
+  return fmt::format("{:.3g} % light in letter, {:.3g} % elsewhere; ", 100 * (*light)[0], 100 * (*light)[1]);
 }
 
 /// Describes the reading with the limits of the goal.
@@ -107,7 +106,7 @@ std::string printed_text(const PrintedDisplay& printed, const Run& run) {
       "simulated "
       "prints: {:.1f}, {:.1f}, {:.3f}",
       printed.expected.contrast, printed.expected.contrast_p05, run.design.process.name,
-      printed.holds() ? "" : ": not every print meets the limits", printed.expected.auc, printed.prints,
+      printed.holds() ? "" : "; not every print meets the limits", printed.expected.auc, printed.prints,
       printed.seen.contrast, printed.seen.contrast_p05, printed.seen.auc);
   if (printed.failed > 0)
     text += fmt::format("; {} more have no equilibrium near the design", printed.failed);

@@ -93,9 +93,8 @@ void FoldOutcome::add_metrics(const Run& run, Json& metrics) const {
 std::vector<SummaryLine> FoldOutcome::summary_lines(const Run& run) const {
   const auto& shown = measure_of<FoldMeasure>(run);
   std::vector<SummaryLine> lines = {
-      {"solid", fmt::format("{}; limits {:g} deg and {} mm", shape.describe(shown.error),
-                            tolerance_of(run, "angle_deg"),
-                            format_figures(tolerance_of(run, "shape") * shape.face_mm()))}};
+      {"solid", shape.describe(shown.error, FoldShape::Limits{tolerance_of(run, "angle_deg"),
+                                                              tolerance_of(run, "shape")})}};
   lines.insert(lines.end(), shape.lines.begin(), shape.lines.end());
   lines.push_back(
       {"search", fmt::format("{:.2g} s, {} motions examined", run.timings.optimise, shape.evaluations)});

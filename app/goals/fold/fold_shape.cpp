@@ -306,10 +306,14 @@ double FoldShape::largest_miss(const targets::FoldError& of) const {
 
 double FoldShape::face_mm() const { return side * sheet.size().edge_mm * std::cos(theta); }
 
-std::string FoldShape::describe(const targets::FoldError& of) const {
-  return fmt::format("{} crease{} within {:.3g} deg, faces {} mm rms from the solid", creases.size(),
+std::string FoldShape::describe(const targets::FoldError& of, const std::optional<Limits>& limits) const {
+  const auto limit = [&](double value, const char* unit) {
+    return limits ? fmt::format(" (limit {}{})", format_figures(value), unit) : "";
+  };
+  return fmt::format("{} crease{} within {:.3g} deg{}, faces {} mm rms off{}", creases.size(),
                      creases.size() == 1 ? "" : "s", std::max(to_degrees(largest_miss(of)), reported_miss),
-                     format_figures(of.rms * face_mm()));
+                     limit(limits ? limits->angle_deg : 0, ""), format_figures(of.rms * face_mm()),
+                     limit(limits ? limits->shape * face_mm() : 0, " mm"));
 }
 
 std::array<double, 3> edges_mm(const targets::FoldGoal& goal, const optim::FoldDesign& design) {

@@ -192,10 +192,9 @@ struct SpaceBlockOutcome final : GoalOutcome {
     const optim::SpaceBlockDesign& found = file.found;
     const Eigen::Vector3d& g = found.gusset;
     std::vector<SummaryLine> lines = {
-        {"block",
-         fmt::format("{} at rest, {} pressed; factors off by {}, limit {:g}", lengths_text(found.size_mm),
-                     lengths_text(error.factors.cwiseProduct(found.size_mm)), format_figures(error.off),
-                     file.factor_tolerance)},
+        {"block", fmt::format("factors off by {}, limit {:g}; {} at rest, {} pressed",
+                              format_figures(error.off), file.factor_tolerance, lengths_text(found.size_mm),
+                              lengths_text(error.factors.cwiseProduct(found.size_mm)))},
         {"factors", factors_text(error.factors) + " of the lengths at rest, between the outermost rotors"},
         {"lattice",
          fmt::format("sodalite, {} x {} x {} cells with edges of {:.3g} mm, gussets of {:.3g}, {:.3g} "
