@@ -353,18 +353,18 @@ std::string time_text(const Forecast& f, const model::Linkage& linkage) {
   std::string parts;
   if (f.search_s + physics >= 1)
     parts = fmt::format(" (search {}, simulation {})", about(f.search_s),
-                        f.has_physics ? about(physics) : "skipped");
+                        f.has_physics ? about(physics) : "skipped: too large");
   return fmt::format("{}{}, {:.0f} MB of memory", about(f.search_s + physics), parts, memory_mb);
 }
 
-/// Formats a forecast. @param axes text on the axes of the folded size; empty for targets
-std::string text_of(const Forecast& f, const char* axes) {
+/// Formats a forecast. @param lies text on the axes of the folded size; empty for targets
+std::string text_of(const Forecast& f, const char* lies) {
   const model::Linkage linkage = f.sheet;
   std::string out =
       line("sheet", fmt::format("{} bodies, {} hinges; flat {}, cells of {:.4g} mm, walls {:.3g} mm thick",
                                 f.sheet.bodies(), f.sheet.hinges(), size_text(flat_size(linkage)),
                                 f.sheet.size().edge_mm, f.sheet.size().thickness_mm));
-  if (f.folded_mm) out += line("folded", "about " + size_text(*f.folded_mm) + axes);
+  if (f.folded_mm) out += line("folded", "about " + size_text(*f.folded_mm) + lies);
   out += line("run time", time_text(f, linkage));
   for (const std::string& note : f.notes) out += line("note", note);
   return out;

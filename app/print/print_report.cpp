@@ -303,19 +303,19 @@ constexpr double digits_of_reports = 1e-5;        // relative, or mm and rad: re
 std::vector<std::string> print_warnings(const PrintJob& job) {
   std::vector<std::string> out = job.sheet.warnings;
   if (!job.sheet.no_path_reason.empty())
-    out.push_back("collisions during folding were not checked: " + job.sheet.no_path_reason);
+    out.push_back("the motion to the fold was not checked for collisions: " + job.sheet.no_path_reason);
   if (!job.sheet.is_path_exact && job.sheet.path.size() > 1)
     out.push_back(
-        "collisions were checked along the equilibrium of the design's hinges, because it has no ideal "
-        "motion");
+        "the motion to the fold was checked along the equilibrium of the design's hinges, since it has no "
+        "analytic motion");
   if (!job.sheet.jumps.empty())
-    out.push_back(fmt::format(
-        "the sheet snaps through at fold angle {:.1f} deg; parts were checked along straight lines "
-        "during the snap",
-        to_degrees(job.sheet.thetas[job.sheet.jumps.front() + 1])));
+    out.push_back(
+        fmt::format("the sheet snaps through at fold angle {:.1f} deg. During the snap, parts were checked "
+                    "along a straight path",
+                    to_degrees(job.sheet.thetas[job.sheet.jumps.front() + 1])));
   if (job.sheet.has_soft() && !job.sheet.process.is_multi_material && !job.sheet.is_one_material())
     out.push_back(job.sheet.process.name +
-                  " prints one material. Print the soft parts separately and glue them to the walls");
+                  " prints one material. Print the soft parts separately, and glue them to the walls");
   for (const auto& notes : {material_warnings(job.sheet), room_warnings(job)})
     out.insert(out.end(), notes.begin(), notes.end());
   if (auto separation = separation_warning(job)) out.push_back(std::move(*separation));

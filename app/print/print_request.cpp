@@ -232,7 +232,7 @@ std::optional<std::string> strain_note(const PrintSheet& sheet) {
     if (one && one->share() > (worst ? worst->share() : 1 + strain_report_threshold)) worst = one;
   }
   if (!worst) return std::nullopt;
-  return describe_strain(*worst, sheet.linkage.wall_name(worst->hinge), " during folding");
+  return describe_strain(*worst, sheet.linkage.wall_name(worst->hinge), " on the way to the fold");
 }
 
 /// Describes how the elastic hinges' equilibrium, which result.json reports, differs from the fold of the closed form.
