@@ -18,6 +18,7 @@
 #include "app/print/fit.hpp"
 #include "app/result/motion_evidence.hpp"
 #include "app/result/result_json.hpp"
+#include "app/result/short_summary.hpp"
 #include "app/result/state_json.hpp"
 #include "app/result/summary.hpp"
 #include "app/result/verdict.hpp"
@@ -78,8 +79,8 @@ Stopper::Stopper(std::optional<double> time_limit_s) {
       const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
       const bool late = time_limit_s && seconds >= *time_limit_s;
       if (interrupted || late) {
-        std::cerr << (late ? "the time is up" : "interrupted")
-                  << ": keeping the best so far (Ctrl-C ends without it)\n";
+        std::cerr << (late ? "time limit reached" : "interrupted")
+                  << ": stopping and saving the best result so far (Ctrl-C again quits without saving)\n";
         source_.request_stop();
       }
     }
@@ -141,14 +142,19 @@ Run located(const std::string& file, const RunFunction& run, const RunOptions& o
   }
 }
 
-void print(const Run& run, const nlohmann::ordered_json& json, const std::string& folder, bool as_json) {
-  if (as_json)
+void print(const Run& run, const nlohmann::ordered_json& json, const std::string& folder,
+           const CommandOptions& options) {
+  if (options.json) {
     std::cout << json.dump(1) << "\n";
-  else
-    std::cout << summary(run)
-              << fmt::format("  {:<10} {}/{}\n", "written", folder,
-                             std::string("report.html, result.json, design.yaml") +
-                                 (run.closed_path ? ", parts" : ""));
+  } else if (options.verbose) {
+    print_on_stdout(summary(run) + fmt::format("  {:<10} {}/{}\n", "written", folder,
+                                               std::string("report.html, result.json, design.yaml") +
+                                                   (run.closed_path ? ", parts" : "")));
+  } else {
+    ShortForm form = short_form(run);
+    form.ends = last_parts(run, folder);
+    print_on_stdout(format_short(form));
+  }
 }
 
 /// Runs a function, writes its results and prints the summary. @param watch started before the file was read.
@@ -169,9 +175,9 @@ int run_and_write(const CommandOptions& options, const RunFunction& function, co
   folder.keep();
   if (!written.kept_design.empty())
     console.warning(
-        fmt::format("{0}/design.yaml had been changed since a run wrote it: that one is kept as {0}/{1}",
+        fmt::format("{0}/design.yaml was changed after a run wrote it. The changed file is kept as {0}/{1}",
                     folder.path(), written.kept_design));
-  print(run, written.result, folder.path(), options.json);
+  print(run, written.result, folder.path(), options);
   if (options.open) open_report(folder.path() + "/report.html");
   return exit_code(verdict_of(run));
 }
@@ -234,7 +240,10 @@ int compare_drives(const CommandOptions& options) {
     write_file(folder->path() + "/drives.json", json);
     folder->keep();
   }
-  std::cout << (options.json ? json : summary(trials));
+  if (options.json)
+    std::cout << json;
+  else
+    print_on_stdout(options.verbose ? summary(trials) : format_short(short_form(trials)));
   return trials.least_force < 0 ? target_missed : done;
 }
 
@@ -242,7 +251,7 @@ int compare_drives(const CommandOptions& options) {
 Run settled_run(const Design& design, Model model, const RunOptions& options) {
   Run run = run_design(design, model, options);
   if (model == Model::bullet && run.stopped && !run.verification)
-    throw Interrupted("the physics run was stopped before it settled");
+    throw Interrupted("the simulation was stopped before it settled");
   return run;
 }
 
@@ -282,7 +291,10 @@ int simulate_command(const CommandOptions& options) {
 int check_command(const CommandOptions& options) {
   Console console(options.quiet);
   const CheckedFile checked = check_file(options.file, options.changes, console.progress());
-  std::cout << (options.json ? checked.json().dump(1) + "\n" : checked.text());
+  if (options.json)
+    std::cout << checked.json().dump(1) << "\n";
+  else
+    print_on_stdout(options.verbose ? checked.text() : format_short(checked.short_form()));
   return done;
 }
 
@@ -316,7 +328,7 @@ std::optional<double> free_memory() {
   return std::min(*available, left_of_limit());
 }
 
-// Text after the folded size of a design, whose file has no goal. A search's report turns the fold as its goal lies.
+// Text after the folded size of a design, whose file has no goal. A search's report turns the fold to its goal.
 constexpr const char* of_motion = " along x, y and z of the design's motion";
 
 // Number of bodies up to which the collision-free range is computed within a second.
@@ -340,8 +352,8 @@ std::string time_text(const Forecast& f, const model::Linkage& linkage) {
   const double memory_mb = memory_needed(linkage) / 1e6;
   std::string parts;
   if (f.search_s + physics >= 1)
-    parts = fmt::format(" (search {}, physics run {})", about(f.search_s),
-                        f.has_physics ? about(physics) : "none");
+    parts = fmt::format(" (search {}, simulation {})", about(f.search_s),
+                        f.has_physics ? about(physics) : "skipped: too large");
   return fmt::format("{}{}, {:.0f} MB of memory", about(f.search_s + physics), parts, memory_mb);
 }
 
@@ -353,7 +365,7 @@ std::string text_of(const Forecast& f, const char* lies) {
                                 f.sheet.bodies(), f.sheet.hinges(), size_text(flat_size(linkage)),
                                 f.sheet.size().edge_mm, f.sheet.size().thickness_mm));
   if (f.folded_mm) out += line("folded", "about " + size_text(*f.folded_mm) + lies);
-  out += line("takes", time_text(f, linkage));
+  out += line("run time", time_text(f, linkage));
   for (const std::string& note : f.notes) out += line("note", note);
   return out;
 }
@@ -404,6 +416,27 @@ std::string CheckedFile::text() const {
          certified_lines(contact->certified, forecast->sheet, contact->theta, ClosedFormRelation::same))
       out += line(label.c_str(), words);
   if (kind == "sweep") out += line("samples", fmt::format("{:.0f}", samples));
+  return out;
+}
+
+ShortForm CheckedFile::short_form() const {
+  ShortForm out{.title = fmt::format("{}: valid {} '{}'", file, kind, name)};
+  if (forecast) {
+    const model::Linkage linkage = forecast->sheet;
+    const model::CellSize size = forecast->sheet.size();
+    out.lines = {{"sheet", fmt::format("{} bodies, {} hinges; cells of {} mm, walls {} mm thick",
+                                       forecast->sheet.bodies(), forecast->sheet.hinges(),
+                                       format_figures(size.edge_mm), format_figures(size.thickness_mm))},
+                 {"size", "flat " + size_text(flat_size(linkage))},
+                 {"time", time_text(*forecast, linkage)}};
+    if (forecast->folded_mm) out.lines[1][1] += "; folded about " + size_text(*forecast->folded_mm);
+    for (const std::string& note : forecast->notes) out.problems.push_back({"warning", note});
+  }
+  if (contact)
+    out.lines.push_back(
+        certified_lines(contact->certified, forecast->sheet, contact->theta, ClosedFormRelation::same)
+            .front());
+  if (kind == "sweep") out.lines.push_back({"samples", fmt::format("{:.0f}", samples)});
   return out;
 }
 

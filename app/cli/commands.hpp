@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/console/console.hpp"
+#include "app/console/short_form.hpp"
 #include "app/run/plan.hpp"
 #include "app/run/run.hpp"
 
@@ -30,7 +31,8 @@ struct CheckedFile {
   double samples = 0;                          ///< number of samples of a sweep
   std::optional<CheckedContact> contact = {};  ///< only for designs with an exact motion
 
-  std::string text() const;
+  std::string text() const;  ///< long form
+  ShortForm short_form() const;
   nlohmann::ordered_json json() const;
 };
 

@@ -1,7 +1,7 @@
 # Completion of kinetix-opt for bash. Files come where no option fits.
 _kinetix_opt() {
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command= k
-  local common="--help --json --quiet --threads --seed"
+  local common="--help --json --quiet --threads --seed --verbose"
   for ((k = 1; k < COMP_CWORD; ++k)); do
     case ${COMP_WORDS[k]} in
       verify | simulate | sweep | check | export | import | view) command=${COMP_WORDS[k]}; break ;;

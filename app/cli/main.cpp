@@ -45,6 +45,7 @@ std::string usage_error(const CLI::App*, const CLI::Error& e) {
 
 void add_common(CLI::App& app, CommandOptions& options) {
   app.add_flag("--json", options.json, "print the whole result as one JSON document on stdout");
+  app.add_flag("-v,--verbose", options.verbose, "print all results instead of a summary of seven lines");
   app.add_flag("--quiet", options.quiet, "no progress on stderr");
   app.add_option("--threads", options.threads,
                  "threads to work with; 0 = all cores; the answer does not depend on it")

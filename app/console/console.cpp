@@ -43,7 +43,7 @@ std::optional<double> TimeLeft::at(double seconds) {
 std::string TimeLeft::text(double seconds) {
   if (!is_known() || done_ >= 1) return "";
   const auto left = at(seconds);
-  return left ? "about " + duration_text(*left) + " left" : "takes longer than it seemed";
+  return left ? "about " + duration_text(*left) + " left" : "still working, longer than estimated";
 }
 
 std::string duration_text(double seconds) {
@@ -61,9 +61,10 @@ extern char** environ;
 namespace kinetix::app {
 namespace {
 
-constexpr int bar_width = 30;  // characters: leaves room for stage and note on a line of 80
-constexpr std::chrono::milliseconds interval{1000};  // ms of silence, after which users wait for a report
-constexpr auto pulse = interval / 4;                 // ms between checks: reports are at most this late
+constexpr int bar_width = 20;         // characters: leaves room for stage and note on a line of 80
+constexpr std::size_t most_bar = 79;  // columns: a full line of 80 would wrap on some terminals
+constexpr std::chrono::milliseconds refresh{1000};  // ms between updates of the line on a terminal
+constexpr auto pulse = refresh / 4;                 // ms between checks: reports are at most this late
 static_assert(pulse.count() > 0, "a heart that does not wait takes a core for itself");
 
 /// Returns the mutex that is locked while the heartbeat writes and while this process forks. A child inherits all
@@ -103,8 +104,11 @@ bool is_plain(char c) { return (c >= 0x20 && c < 0x7f) || c == '\n' || c == '\t'
 
 }  // namespace
 
-Console::Console(bool quiet, bool logs_starts)
-    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), logs_starts_(logs_starts) {
+Console::Console(bool quiet, bool logs_starts, std::chrono::milliseconds between_lines)
+    : quiet_(quiet),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      logs_starts_(logs_starts),
+      between_lines_(between_lines) {
   forks();
   if (quiet_) return;
   heartbeat_ = std::thread([this] {
@@ -144,8 +148,10 @@ std::string Console::note(double seconds) {
   return left.empty() ? text : text + ", " + left;
 }
 
+Console::Clock::duration Console::interval() const { return terminal_ ? refresh : between_lines_; }
+
 void Console::show() {
-  next_ = repeats_ ? Clock::now() + interval : Clock::time_point::max();
+  next_ = repeats_ ? Clock::now() + interval() : Clock::time_point::max();
   const double seconds = std::chrono::duration<double>(Clock::now() - since_).count();
   if (terminal_)
     show_bar(seconds);
@@ -157,13 +163,12 @@ void Console::show() {
 
 void Console::show_bar(double seconds) {
   on_screen_ = true;
-  if (done_ < 0) {
-    fmt::print(stderr, "\r{:<18} {}\033[K", stage_, note(seconds));
-  } else {
-    const int filled = bar_width * shown_percent_ / 100;
-    fmt::print(stderr, "\r{:<18} [{:#<{}}{:.<{}}] {:3d} % {}\033[K", stage_, "", filled, "",
-               bar_width - filled, shown_percent_, note(seconds));
-  }
+  const int filled = bar_width * std::max(shown_percent_, 0) / 100;
+  std::string text = done_ < 0 ? fmt::format("{:<18} {}", stage_, note(seconds))
+                               : fmt::format("{:<18} [{:#<{}}{:.<{}}] {:3d} % {}", stage_, "", filled, "",
+                                             bar_width - filled, shown_percent_, note(seconds));
+  if (text.size() > most_bar) text.resize(most_bar);
+  fmt::print(stderr, "\r{}\033[K", text);
   std::fflush(stderr);
 }
 
@@ -181,7 +186,7 @@ void Console::stage(const std::string& name, double done, const std::string& not
     clear_line();
     stage_ = name;
     since_ = Clock::now();
-    next_ = since_ + interval;
+    next_ = since_ + interval();
     left_ = {};
     repeats_ = true;
     if (!terminal_ && logs_starts_) log().info("{} ...", name);
@@ -205,14 +210,14 @@ void Console::stage_once(const std::string& name, const std::string& note) {
 void Console::error(const std::string& message) {
   const std::lock_guard lock(mutex_);
   clear_line();
-  log().error("{}", printable(message));
+  log().error("error: {}", printable(message));
 }
 
 void Console::warning(const std::string& message) {
   if (quiet_) return;
   const std::lock_guard lock(mutex_);
   clear_line();
-  log().warn("{}", printable(message));
+  log().warn("warning: {}", printable(message));
 }
 
 Progress Console::progress() {

@@ -20,7 +20,7 @@ class TimeLeft {
   void update(double seconds, double done);
   /// Returns the time left, s. Empty if too little is done for an estimate, or if it takes longer than displayed.
   std::optional<double> at(double seconds);
-  /// Returns "about 41 s left", "takes longer than it seemed", or an empty text.
+  /// Returns "about 41 s left", "still working, longer than estimated", or an empty text.
   std::string text(double seconds);
 
  private:
@@ -35,14 +35,16 @@ class TimeLeft {
 /// Formats a duration: "2.3 s", "41 s", "4 min 10 s", "3 h 20 min".
 std::string duration_text(double seconds);
 
-/// Progress on stderr: a bar on a terminal, else lines, and nothing when quiet. A stage that takes longer than a
-/// second is reported every second: its time so far, and its share done and time left if known. Calls may come from
-/// any thread.
+/// Progress on stderr: on a terminal one line of at most 79 columns, updated every second. Otherwise a line every ten
+/// seconds, and nothing when quiet. A report has the time of the stage so far, and its share done and time left if
+/// known. Calls may come from any thread.
 class Console {
  public:
-  /// @param logs_starts prints a line at the start of each stage if stderr is not a terminal. Otherwise a stage
-  /// shorter than a second prints nothing, so that an error message is the only output
-  explicit Console(bool quiet, bool logs_starts = true);
+  /// @param logs_starts prints a line at the start of each stage if stderr is not a terminal. Otherwise a short stage
+  /// prints nothing, so that an error message is the only output
+  /// @param between_lines ms between lines of a stage if stderr is not a terminal
+  explicit Console(bool quiet, bool logs_starts = true,
+                   std::chrono::milliseconds between_lines = std::chrono::seconds(10));
   ~Console();
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
@@ -53,8 +55,8 @@ class Console {
              const std::string& so_far = {});
   /// Reports a stage of which nothing will be known until it ends. Without a terminal it is one line.
   void stage_once(const std::string& name, const std::string& note);
-  void error(const std::string& message);
-  void warning(const std::string& message);  ///< nothing when quiet
+  void error(const std::string& message);    ///< adds the word `error:`
+  void warning(const std::string& message);  ///< adds the word `warning:`; nothing when quiet
   Progress progress();
 
  private:
@@ -63,10 +65,12 @@ class Console {
   void heartbeat();
   void show();
   void show_bar(double seconds);
+  Clock::duration interval() const;
   std::string note(double seconds);
   void clear_line();
 
   const bool quiet_, terminal_, logs_starts_;
+  const std::chrono::milliseconds between_lines_;
   std::mutex mutex_;  ///< guards all members below
   std::condition_variable end_;
   bool ends_ = false;
@@ -104,6 +108,7 @@ struct CommandOptions {
   targets::DocumentChanges changes = {};
   bool json = false;
   bool quiet = false;
+  bool verbose = false;  ///< prints the long form of the summary
   bool verify = true;
   bool fidelity = false;               ///< of a target and verify: also simulations with coarser steps
   std::optional<double> time_limit_s;  ///< s, of a target and simulate: the best so far is kept

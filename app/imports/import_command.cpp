@@ -28,16 +28,18 @@ std::string import_name(const ImportRequest& request) {
 }
 
 void write_import(const CommandOptions& options, const Design& design, const nlohmann::ordered_json& json,
-                  const std::string& text) {
+                  ShortForm form) {
   OutputFolder folder(options.folder_of(design.name));
   FileSet files(folder.path());
   for (const NamedContent& content : design_files(design)) files.add(content.name, content.content);
   files.commit();
   folder.keep();
+  form.ends = {fmt::format("Written: {}/design.yaml, parts", folder.path()),
+               "Next: kinetix-opt view " + folder.path()};
   if (options.json)
     std::cout << json.dump(1) << "\n";
   else
-    std::cout << text << fmt::format("  {:<10} {}/design.yaml, parts\n", "written", folder.path());
+    print_on_stdout(form, options.verbose);
 }
 
 namespace {
@@ -184,23 +186,22 @@ std::size_t balls_of(const model::Assembly& assembly) {
       std::count_if(assembly.hinges.begin(), assembly.hinges.end(), [](const auto& h) { return h.ball; }));
 }
 
-std::string tiles_text(const TileImport& import) {
+ShortForm tiles_form(const TileImport& import) {
   const model::Assembly& a = *import.design.structure.assembly();
-  std::string out = fmt::format("{}\n", import.design.name);
-  const auto line = [&](const char* label, const std::string& text) {
-    out += fmt::format("  {:<10} {}\n", label, text);
-  };
-  line("tiles", fmt::format("{}, {:.3g} mm thick, cut {:.3g} mm wide", a.bodies.size(),
-                            import.make.thickness_mm, import.make.kerf_mm));
-  line("scale", fmt::format("{:.4g} mm a unit of the file", import.make.scale_mm));
-  line("joints", fmt::format("{}: {} about the tiles' normal, {} balls", a.hinges.size(),
-                             a.hinges.size() - balls_of(a), balls_of(a)));
-  if (import.motions) line("mobility", fmt::format("{} first-order motions at rest", *import.motions));
-  line("pull",
+  ShortForm out{.title = fmt::format("{}: imported, {} tiles", import.design.name, a.bodies.size())};
+  out.lines = {
+      {"tiles", fmt::format("{:.3g} mm thick, cut {:.3g} mm wide; scale {:.4g} mm per unit of the file",
+                            import.make.thickness_mm, import.make.kerf_mm, import.make.scale_mm)},
+      {"joints", fmt::format("{}: {} about the normal of the tiles, {} balls", a.hinges.size(),
+                             a.hinges.size() - balls_of(a), balls_of(a))}};
+  if (import.motions)
+    out.lines.push_back({"mobility", fmt::format("{} first-order motions at rest", *import.motions)});
+  out.lines.push_back(
+      {"pull",
        import.target_off
            ? fmt::format("to its target, which rigid tiles miss by {:.1e} of an edge", *import.target_off)
-           : fmt::format("apart, to {:.3g} times the distance from the middle: it has no target",
-                         default_expand));
+           : fmt::format("apart, to {:.3g} times the distance from the middle; no target given",
+                         default_expand)});
   return out;
 }
 
@@ -228,7 +229,7 @@ int import_tiles(const CommandOptions& options, const ImportRequest& request) {
   Console console(options.quiet, false);
   console.stage("reading tiles", -1);
   const TileImport import = located_import(request);
-  write_import(options, import.design, tiles_json(import), tiles_text(import));
+  write_import(options, import.design, tiles_json(import), tiles_form(import));
   return done;
 }
 
@@ -295,23 +296,19 @@ std::string hinges_text(const model::Assembly& assembly) {
   const auto least =
       std::min_element(assembly.hinges.begin(), assembly.hinges.end(),
                        [](const auto& a, const auto& b) { return a.confidence < b.confidence; });
-  return fmt::format("{}: {} soft, {} pins; least sure `{}`, confidence {:.2f}", assembly.hinges.size(),
+  return fmt::format("{}: {} soft, {} pins; least certain `{}`, confidence {:.2f}", assembly.hinges.size(),
                      assembly.hinges.size() - static_cast<std::size_t>(pins), pins, least->name,
                      least->confidence);
 }
 
-std::string summary_text(const ModelParts& parts, const Design& design, const AssemblyMobility& mobility) {
+ShortForm import_form(const ModelParts& parts, const Design& design, const AssemblyMobility& mobility) {
   const model::Assembly& a = *design.structure.assembly();
-  std::string out = fmt::format("{}\n", design.name);
-  const auto line = [&](const char* label, const std::string& text) {
-    out += fmt::format("  {:<10} {}\n", label, text);
-  };
-  line("unit", parts.unit);
-  line("soft parts", parts.softness);
-  line("bodies", std::to_string(a.bodies.size()));
-  line("hinges", hinges_text(a));
-  line("mobility", mobility.why);
-  for (const std::string& note : a.notes) line("note", note);
+  ShortForm out{.title = fmt::format("{}: imported, {} bodies", design.name, a.bodies.size()),
+                .lines = {{"hinges", hinges_text(a)},
+                          {"mobility", mobility.why},
+                          {"unit", parts.unit},
+                          {"soft", parts.softness}}};
+  for (const std::string& note : a.notes) out.problems.push_back({"warning", note});
   return out;
 }
 
@@ -362,7 +359,7 @@ int import_command(const CommandOptions& options, const ImportRequest& request) 
     const double turn = std::min(targets::radians_of(first_turn_deg), mobility.turn);
     design.drive = model::HingeTurn{mobility.hinge, std::copysign(turn, mobility.sense)};
   }
-  write_import(options, design, summary_json(parts, design, mobility), summary_text(parts, design, mobility));
+  write_import(options, design, summary_json(parts, design, mobility), import_form(parts, design, mobility));
   return done;
 }
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "app/console/console.hpp"
+#include "app/console/short_form.hpp"
 #include "app/files/design_file.hpp"
 
 namespace kinetix::app {
@@ -24,9 +25,9 @@ struct ImportRequest {
 /// characters. An empty name, or one with a leading point, then gets `_` in front.
 std::string import_name(const ImportRequest& request);
 
-/// Writes design.yaml and its parts, all of them or none. Prints the summary, as JSON if requested.
+/// Writes design.yaml and its parts, all of them or none. Prints the form, which gets its last line here, or JSON if requested.
 void write_import(const CommandOptions& options, const Design& design, const nlohmann::ordered_json& json,
-                  const std::string& text);
+                  ShortForm form);
 
 /// Runs `kinetix-opt import MODEL|--hard A --soft B -o DIR`: makes a design of general bodies from a 3D model. Writes
 /// design.yaml and its part files, all of them or none. @return the exit code. @throws InvalidInput for unusable

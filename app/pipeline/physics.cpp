@@ -179,7 +179,7 @@ Verification verified(const Run& run, const PhysicsTask& task, const sim::Physic
   v.options = physics;
   sim::PhysicsObserver observer;
   observer.stop = options.stop;
-  observer.progress = [&](double done) { options.progress("physics run", done); };
+  observer.progress = [&](double done) { options.progress("simulation", done); };
   v.physics = run_engine(run, task, v.options, observer);
   v.compared = !task.reference.empty();
   v.distance = is_settled(v) && v.compared ? distance(run.design.structure, v.physics, task.reference)

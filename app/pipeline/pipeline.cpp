@@ -187,7 +187,7 @@ Run with_check_results(Run run, CheckResults check_results) {
   }
   if (!check_results.prints_unknown.empty()) {
     run.prints_unknown = std::move(check_results.prints_unknown);
-    run.plan.why.push_back("what prints come to is not known: " + run.prints_unknown);
+    run.plan.why.push_back("print tolerance is unknown: " + run.prints_unknown);
   }
   run.certified = std::move(check_results.certified);
   if (run.certified) run.plan = corrected(std::move(run.plan), *run.certified);

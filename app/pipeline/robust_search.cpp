@@ -62,7 +62,7 @@ std::string describe_rejection(const Run& run, const Expected& found, const RunO
   if (!run.met()) return describe_violation(run);
   if (!(found.printed.made.designed_mm <= found.tolerance_mm)) return "it is too far off the goal";
   if (!found.printed.can_be_printed) return "the process cannot print it";
-  if (!found.hinges_withstand) return "its hinges are strained by more than their material bears";
+  if (!found.hinges_withstand) return "its hinges are strained beyond the limit of their material";
   if (!options.printable) return "";
   const PrintAnswer print = options.printable(written_design(run));
   if (!print.is_accepted) return "it cannot be printed: " + print.why;
@@ -114,7 +114,7 @@ RobustCandidate robust_candidate(SearchResult found, const Goal& goal, const Run
   if (!run.met()) return out;
   run = settled(std::move(run), goal, options);
   const auto prints = expected(run, goal);
-  out.why_not = run.met() ? "what its prints come to is not known" : describe_violation(run);
+  out.why_not = run.met() ? "its print tolerance is unknown" : describe_violation(run);
   if (!prints) return out;
   const model::ToleranceResult& made = prints->printed.made;
   out.designed_mm = made.designed_mm;

@@ -75,7 +75,7 @@ CutLines describe_cut(const PrintSheet& sheet) {
   if (const auto strain = bridge_strain(sheet))
     out.emplace_back(
         "bridges",
-        fmt::format("strained by {:.3g} at the fold, {}; their material bears {:g}", strain->strain,
+        fmt::format("strained by {:.3g} at the fold, {}; limit of their material {:g}", strain->strain,
                     sheet.is_path_exact ? "by turning alone" : "by turning and stretch", strain->borne));
   return out;
 }

@@ -177,7 +177,8 @@ Exported exported(const Source& source, const PrintRequest& request, const std::
   Exported out{folder.path(),
                {},
                print_json(print.job, print.clearance, slicer).dump(1) + "\n",
-               print_text(print.job, print.clearance, slicer)};
+               print_text(print.job, print.clearance, slicer),
+               export_form(print.job, print.clearance, slicer)};
   const auto add = [&](const std::string& name, const std::string& content) {
     files.add(name, content);
     out.files.push_back(name);
@@ -220,11 +221,16 @@ int export_command(const CommandOptions& options, const PrintRequest& request) {
   const Source source = source_of(request);
   const std::string folder = options.folder_of(source.name(), "_print");
   Console console(options.quiet, false);
-  const Exported out = exported(source, request, folder, progress_on(console));
+  Exported out = exported(source, request, folder, progress_on(console));
   std::string text =
       out.text + fmt::format("{:<12} {}: {}\n", "written", out.folder, fmt::join(out.files, ", "));
   if (!out.report.empty()) text += fmt::format("{:<12} {} has time and material too\n", "report", out.report);
-  std::cout << (options.json ? out.json : text);
+  out.form.ends = {fmt::format("Written: {} files in {}", out.files.size(), out.folder),
+                   fmt::format("Next: print as in {}/print.txt", out.folder)};
+  if (options.json)
+    std::cout << out.json;
+  else
+    print_on_stdout(options.verbose ? text : format_short(out.form));
   return done;
 }
 

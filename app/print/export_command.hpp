@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/console/console.hpp"
+#include "app/console/short_form.hpp"
 #include "app/print/format/print_format.hpp"
 #include "model/base/progress.hpp"
 
@@ -34,6 +35,7 @@ struct Exported {
   std::string folder;
   std::vector<std::string> files;  ///< names in the folder
   std::string json, text;          ///< print.json and print.txt
+  ShortForm form = {};             ///< for the console
   std::string card = "null";  ///< folding card as JSON (card_json); null for a coupon and imported bodies
   std::string report = {};    ///< path of the result's report, which now has the slicer's time; empty: none
 };

@@ -65,7 +65,7 @@ std::string describe_hinge_sort(const HingeSort& sort, const PrintSheet& sheet) 
   const auto all = [&](const Size& size) { return sizes(sort, size); };
   if (is_pin(sort.kind))
     return fmt::format(
-        "{} {} x {} mm, clearance {} mm a side, {} mm along the axis, {} {} mm",
+        "{} {} x {} mm, clearance {} mm per side, {} mm along the axis, {} {} mm",
         sort.kind == model::HingeKind::pin ? "pins: rod" : "rods of " + describe_material(sort) + ":",
         all([](const auto& h) { return h.made.diameter_mm; }),
         all([](const auto& h) { return h.made.height_mm; }),
@@ -147,8 +147,7 @@ std::string describe_bed(const PrintJob& job) {
   if (process.cuts_sheets())
     return fmt::format("larger than the bed of a usual {} cutter, {:g} x {:g} mm", process.name, x, y);
   if (job.sheet.is_imported() || job.folded) return bed;
-  return bed +
-         fmt::format(": with that bed given (kinetix-opt export --bed {:g},{:g}) it is cut into tiles", x, y);
+  return bed + ". Give the size of your bed (`--bed`) to cut it into tiles";
 }
 
 /// Warns if a usual printer does not hold the print. Its bed counts only if the user named none.
@@ -172,8 +171,8 @@ std::optional<std::string> rods_warning(const PrintSheet& sheet) {
   if (!sheet.tiles.bed_mm || rods.points.empty()) return std::nullopt;
   const Eigen::Vector3d field = bounds(rods);
   if (fits_on_bed(field.head<2>(), *sheet.tiles.bed_mm)) return std::nullopt;
-  return fmt::format("the loose rods lie side by side on {:.1f} x {:.1f} mm, which the bed does not hold",
-                     field.x(), field.y());
+  return fmt::format("the loose rods need {:.1f} x {:.1f} mm side by side, more than the bed", field.x(),
+                     field.y());
 }
 
 /// Describes what to do where two tiles meet.
@@ -196,7 +195,7 @@ std::string describe_tiles(const PrintSheet& sheet) {
   const int places = tiles.columns * tiles.rows;
   return fmt::format("{} x {}{}, one bed each{}: {}", tiles.columns, tiles.rows,
                      tiles.count() < places ? fmt::format(", {} of them with bodies", tiles.count()) : "",
-                     tiles.turned ? ", turned on it by a quarter" : "", describe_joining(sheet));
+                     tiles.turned ? ", rotated by 90 degrees on the bed" : "", describe_joining(sheet));
 }
 
 /// Describes what keeps the sheet folded.
@@ -283,16 +282,15 @@ const PrintOrientation& current_orientation(const PrintJob& job, const std::vect
 std::string describe_orientation(const PrintJob& job) {
   const std::vector<PrintOrientation> all = lies(job);
   const PrintOrientation& least = best(all);
-  const char* const side = job.lie == "over" ? "turned over about x"
+  const char* const side = job.lie == "over" ? "flipped about x"
                            : job.folded      ? "as its motion leaves it"
                                              : "flat on the bed";
-  const std::string here = fmt::format("{}{}, as it is in the files", job.folded ? "folded, " : "", side);
+  const std::string here = fmt::format("{}{}", job.folded ? "folded, " : "", side);
   const PrintOrientation& now = current_orientation(job, all);
   const std::string hangs = fmt::format("{}; {:.1f} mm2 lean more than {:g} degrees over the bed", here,
                                         now.overhang_mm2, steep_deg);
-  if (!(least.overhang_mm2 < worth_turning * now.overhang_mm2)) return hangs + ", no less on the other side";
-  return fmt::format("{}, {:.1f} mm2 {} (kinetix-opt export --orient {})", hangs, least.overhang_mm2,
-                     least.name == "over" ? "on its other side" : "as it is", least.name);
+  if (!(least.overhang_mm2 < worth_turning * now.overhang_mm2)) return hangs + ", flipped no less";
+  return fmt::format("{}, {:.1f} mm2 with orientation `{}`", hangs, least.overhang_mm2, least.name);
 }
 
 namespace fs = std::filesystem;
@@ -305,19 +303,19 @@ constexpr double digits_of_reports = 1e-5;        // relative, or mm and rad: re
 std::vector<std::string> print_warnings(const PrintJob& job) {
   std::vector<std::string> out = job.sheet.warnings;
   if (!job.sheet.no_path_reason.empty())
-    out.push_back("the way to the fold was not checked: " + job.sheet.no_path_reason);
+    out.push_back("the motion to the fold was not checked for collisions: " + job.sheet.no_path_reason);
   if (!job.sheet.is_path_exact && job.sheet.path.size() > 1)
     out.push_back(
-        "the way to the fold was checked along the equilibrium of the design's hinges: it has no exact "
-        "motion");
+        "the motion to the fold was checked along the equilibrium of the design's hinges, since it has no "
+        "analytic motion");
   if (!job.sheet.jumps.empty())
     out.push_back(
-        fmt::format("the sheet snaps at theta {:.1f} deg: on the way of the snap itself parts were checked "
-                    "as if it were straight",
+        fmt::format("the sheet snaps through at fold angle {:.1f} deg. During the snap, parts were checked "
+                    "along a straight path",
                     to_degrees(job.sheet.thetas[job.sheet.jumps.front() + 1])));
   if (job.sheet.has_soft() && !job.sheet.process.is_multi_material && !job.sheet.is_one_material())
     out.push_back(job.sheet.process.name +
-                  " prints one material: soft parts are a print of their own, to be glued to the walls");
+                  " prints one material. Print the soft parts separately, and glue them to the walls");
   for (const auto& notes : {material_warnings(job.sheet), room_warnings(job)})
     out.insert(out.end(), notes.begin(), notes.end());
   if (auto separation = separation_warning(job)) out.push_back(std::move(*separation));
@@ -381,40 +379,61 @@ Json print_json(const PrintJob& job, const PathClearance& clearance,
       {"warnings", print_warnings(job)}};
 }
 
-std::string print_text(const PrintJob& job, const PathClearance& clearance,
-                       const std::optional<SlicerAnswer>& slicer) {
+namespace {
+
+std::vector<SummaryLine> print_lines(const PrintJob& job, const PathClearance& clearance,
+                                     const std::optional<SlicerAnswer>& slicer) {
   const PrintSheet& sheet = job.sheet;
   const Eigen::Vector3d size = bounds(joined(hard_part(job), soft_part(job)));
-  std::string out = fmt::format("{}\n\n", sheet.name);
-  const auto line = [&](const char* label, const std::string& text) {
-    out += fmt::format("{:<12} {}\n", label, text);
-  };
-  line("process", sheet.process.name);
-  line("pieces", fmt::format("{} bodies, {} hinges, {:.1f} x {:.1f} x {:.1f} mm", count_bodies(sheet),
-                             sheet.hinges.size(), size.x(), size.y(), size.z()));
+  std::vector<SummaryLine> lines = {
+      {"process", sheet.process.name},
+      {"pieces", fmt::format("{} bodies, {} hinges, {:.1f} x {:.1f} x {:.1f} mm", count_bodies(sheet),
+                             sheet.hinges.size(), size.x(), size.y(), size.z())}};
   const std::vector<HingeSort> sorts = sheet.is_imported() ? std::vector<HingeSort>{} : hinge_sorts(sheet);
   for (const HingeSort& sort : sorts)
-    line("hinges",
-         (sorts.size() > 1 ? fmt::format("{} ", sort.hinges.size()) : "") + describe_hinge_sort(sort, sheet));
+    lines.push_back({"hinges", (sorts.size() > 1 ? fmt::format("{} ", sort.hinges.size()) : "") +
+                                   describe_hinge_sort(sort, sheet)});
   if (sheet.tiles.count() > 1)
-    line("tiles", describe_tiles(sheet));
+    lines.push_back({"tiles", describe_tiles(sheet)});
   else if (sheet.tiles.turned)
-    line("bed", "holds the whole, turned on it by a quarter");
-  if (sheet.loose_rods() > 0) line("rods", describe_rods(sheet));
-  if (sheet.lock) line("lock", describe_lock(*sheet.lock));
+    lines.push_back({"bed", "fits on the bed rotated by 90 degrees"});
+  if (sheet.loose_rods() > 0) lines.push_back({"rods", describe_rods(sheet)});
+  if (sheet.lock) lines.push_back({"lock", describe_lock(*sheet.lock)});
   const bool is_cut = sheet.process.cuts_sheets();
-  for (const auto& [label, text] : is_cut ? describe_cut(sheet) : CutLines{}) line(label, text);
-  if (!is_cut) line("orientation", describe_orientation(job));
-  if (slicer) line("slicer", describe_slicer_estimate(*slicer, sheet.tiles));
-  if (!is_cut) line("supports", describe_supports(job));
-  for (const auto& [label, text] : slicer_advice(job)) line(label, text);
+  for (const auto& [label, text] : is_cut ? describe_cut(sheet) : CutLines{}) lines.push_back({label, text});
+  if (!is_cut) lines.push_back({"orientation", describe_orientation(job)});
+  if (slicer) lines.push_back({"slicer", describe_slicer_estimate(*slicer, sheet.tiles)});
+  if (!is_cut) lines.push_back({"supports", describe_supports(job)});
+  for (const auto& [label, text] : slicer_advice(job)) lines.push_back({label, text});
   const LeastDistance& nearest = clearance.nearest;
   if (nearest.first >= 0 && sheet.path.size() > 1)
-    line("fold",
-         fmt::format("{:.3f} mm stay between solids from flat to {:.1f} degrees, least at {:.1f} degrees",
-                     nearest.mm, to_degrees(sheet.thetas.back()), to_degrees(nearest.theta)));
-  if (job.folding) line("force", describe_folding(*job.folding));
-  for (const std::string& warning : print_warnings(job)) line("note", warning);
+    lines.push_back(
+        {"motion",
+         fmt::format("solids stay {:.3f} mm apart from flat to {:.1f} degrees, least at {:.1f} degrees",
+                     nearest.mm, to_degrees(sheet.thetas.back()), to_degrees(nearest.theta))});
+  if (job.folding) lines.push_back({"force", describe_folding(*job.folding)});
+  return lines;
+}
+
+}  // namespace
+
+std::string print_text(const PrintJob& job, const PathClearance& clearance,
+                       const std::optional<SlicerAnswer>& slicer) {
+  std::string out = job.sheet.name + "\n\n";
+  for (const auto& [label, text] : print_lines(job, clearance, slicer))
+    out += fmt::format("{:<12} {}\n", label, text);
+  for (const std::string& warning : print_warnings(job)) out += fmt::format("{:<12} {}\n", "note", warning);
+  return out;
+}
+
+ShortForm export_form(const PrintJob& job, const PathClearance& clearance,
+                      const std::optional<SlicerAnswer>& slicer) {
+  ShortForm out{.title = fmt::format("{}: exported for {}", job.sheet.name, job.sheet.process.name)};
+  const std::vector<SummaryLine> all = print_lines(job, clearance, slicer);
+  for (const char* label : {"pieces", "hinges", "force", "slicer", "tiles", "supports"})
+    for (const SummaryLine& line : all)
+      if (line[0] == label) out.lines.push_back(line);
+  for (const std::string& warning : print_warnings(job)) out.problems.push_back({"warning", warning});
   return out;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/console/short_form.hpp"
 #include "app/files/design_file.hpp"
 #include "app/print/format/print_format.hpp"
 #include "app/print/sheet/path_clearance.hpp"
@@ -17,6 +18,10 @@ nlohmann::ordered_json estimate_json(const PrintJob& job, const SliceEstimate& p
 /// Returns print.txt: how to print it, in words.
 std::string print_text(const PrintJob& job, const PathClearance& clearance,
                        const std::optional<SlicerAnswer>& slicer = {});
+
+/// Composes the output of an export, without its files: pieces, hinges, force, supports and warnings.
+ShortForm export_form(const PrintJob& job, const PathClearance& clearance,
+                      const std::optional<SlicerAnswer>& slicer = {});
 
 /// Lists what to know before printing: undersized gaps, strains, overhangs.
 std::vector<std::string> print_warnings(const PrintJob& job);

@@ -59,8 +59,8 @@ std::string describe_rods(const PrintSheet& sheet) {
   const std::vector<RodSort> sorts = rod_sorts(sheet);
   std::vector<std::string> texts;
   for (const RodSort& sort : sorts) texts.push_back(describe_rod_sort(sort));
-  return fmt::format("{}. {}. Push them in after printing: they hold by friction in the forks",
-                     fmt::join(texts, ", and "), describe_rod_source(sheet, sorts));
+  return fmt::format("{}. {}. Push them in after printing (press-fit)", fmt::join(texts, ", and "),
+                     describe_rod_source(sheet, sorts));
 }
 
 nlohmann::ordered_json rods_json(const PrintSheet& sheet) {

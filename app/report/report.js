@@ -18,8 +18,8 @@ const GENERAL_SECTIONS = [
 ];
 const CLOSING_SECTIONS = [
   ["prints", "Designs and their prints", robustChoiceSection, ({robustChoices}) => robustChoices.length > 0],
-  ["contact", "Free of contact, proven", certifiedSection, (data) => data.certified !== null && !isProvenOfOthers(data)],
-  ["contact", "Free of contact: proven of the closed form, not of this state", certifiedSection, isProvenOfOthers],
+  ["contact", "Collision-free range", certifiedSection, (data) => data.certified !== null && !isProvenOfOthers(data)],
+  ["contact", "Collision-free range of the ideal motion", certifiedSection, isProvenOfOthers],
   ["tilts", "Tilts per column", tiltSection, isTiltedDesign],
 ];
 /** Collapsed sections with the origin and accuracy of the result. */

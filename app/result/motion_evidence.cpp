@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/console/short_form.hpp"
 #include "app/result/state_json.hpp"
 #include "model/elastic/path/closed_form.hpp"
 
@@ -36,6 +37,10 @@ std::string classify_load(const Equilibrium& equilibrium) {
   if (!equilibrium.drive.is_external()) return "its own springs";
   const double load = largest_load(equilibrium.path);
   return equilibrium.drive.has_force() ? classify_force(load) : classify_moment(load);
+}
+
+std::string describe_effort_class(const std::string& effort) {
+  return effort == "fingers" ? "light finger pressure" : effort;
 }
 
 std::string describe_folding(const Folding& folding) {
@@ -83,7 +88,7 @@ void add_directions(const model::Elasticity& e, Json& stiffness) {
 }
 
 std::string change_text(const CompensationResult& compensation) {
-  return fmt::format("tilts changed by up to {:.2f} deg, theta by {:.2f} deg, in {} steps: {}",
+  return fmt::format("tilts changed by up to {:.2f} deg, fold angle by {:.2f} deg, in {} steps: {}",
                      to_degrees(compensation.largest_change), to_degrees(compensation.theta_change),
                      compensation.rounds, compensation.why);
 }
@@ -217,12 +222,13 @@ Json compensation_json(const CompensationResult& compensation) {
 std::vector<SummaryLine> compensation_lines(const Run& run) {
   if (!run.compensation) return {};
   const CompensationResult& compensation = *run.compensation;
-  if (!std::isfinite(compensation.after_mm)) return {{"matter", "NO EQUILIBRIUM: " + compensation.why}};
-  return {{"matter",
+  if (!std::isfinite(compensation.after_mm))
+    return {{"elastic", "no equilibrium with elastic hinges: " + compensation.why}};
+  return {{"elastic",
            fmt::format(
-               "with its hinges as made, points of the sheet are {:.3g} mm off {} (rms), where those of "
-               "the exact design would be {:.3g} mm off; its prints are allowed {:.3g} mm",
-               compensation.after_mm, run.compared_with, compensation.before_mm, compensation.tolerance_mm)},
+               "{} mm rms from {} with elastic hinges, {} mm without compensation; limit of its prints {} mm",
+               format_figures(compensation.after_mm), run.compared_with,
+               format_figures(compensation.before_mm), format_figures(compensation.tolerance_mm))},
           {"", change_text(compensation)}};
 }
 
@@ -245,7 +251,7 @@ Json range_json(const ContactRange& range, const model::Lattice& sheet) {
           {"left_out", range.touching_at_rest.size()}};
 }
 
-/// Formats the collision-free range of theta. Returns "nowhere" if it is 0 deg at both ends after rounding.
+/// Formats the collision-free range of fold angles. Returns "nowhere" if it is 0 deg at both ends after rounding.
 std::string between(const ContactRange& range) {
   constexpr double shown = 0.005 * radians_per_degree;  // smaller angles print as 0.00 deg
   if (-range.negative.theta < shown && range.positive.theta < shown) return "nowhere";
@@ -259,16 +265,20 @@ std::string describe_motion_end(const ContactLimit& limit, const model::Lattice&
   return fmt::format("limited by walls {} and {}", first, second);
 }
 
+std::string printed_range(const ProvenRanges& certified) {
+  return fmt::format("with print errors, walls up to {:.2f} mm out of place: {}", certified.printed.growth_mm,
+                     between(certified.printed));
+}
+
 /// Returns the lines for an equilibrium that left the closed form. The range applies to the closed form only.
 std::vector<SummaryLine> left_lines(const ProvenRanges& certified, const model::Lattice& sheet,
                                     double theta) {
-  return {{"NOT PROVEN",
-           "free of contact: the equilibrium has left the closed form, and of its states nothing is proven"},
-          {"", fmt::format("the closed form, which these states are not, is free of it for theta {}, {}",
-                           between(certified.designed),
+  return {{"contact",
+           "collisions not checked: the elastic solution departs from the ideal motion that the check "
+           "covers"},
+          {"", fmt::format("ideal motion: collision-free {}, {}", between(certified.designed),
                            describe_motion_end(certified.designed.to(theta), sheet))},
-          {"", fmt::format("that form printed, with walls up to {:.2f} mm out of place: {}",
-                           certified.printed.growth_mm, between(certified.printed))}};
+          {"", printed_range(certified)}};
 }
 
 }  // namespace
@@ -293,22 +303,21 @@ Json certified_json(const ProvenRanges& certified, const model::Lattice& sheet, 
 
 std::vector<SummaryLine> certified_lines(const ProvenRanges& certified, const model::Lattice& sheet,
                                          double theta, ClosedFormRelation states) {
-  if (!certified.designed)
-    return {{"contact", "no range of theta is proven free of it: " + certified.designed.why_not}};
+  if (!certified.designed) return {{"contact", "collisions not checked: " + certified.designed.why_not}};
   if (certified.designed.overlaps_as_built())
-    return {{"NOT PROVEN", "free of contact: " + describe_overlap(certified.designed.positive.walls, sheet)}};
+    return {{"contact", describe_overlap(certified.designed.positive.walls, sheet)}};
   if (states == ClosedFormRelation::left) return left_lines(certified, sheet, theta);
-  const std::string range = fmt::format("theta {}, {}", between(certified.designed),
+  const std::string range = fmt::format("{}, {}", between(certified.designed),
                                         describe_motion_end(certified.designed.to(theta), sheet));
   std::vector<SummaryLine> lines = {
       certified.designed.covers(theta)
-          ? SummaryLine{"proven", "free of contact for " + range}
-          : SummaryLine{"NOT PROVEN", fmt::format("free of contact at theta {:.2f} deg: proven for {}",
-                                                  to_degrees(theta), range)}};
+          ? SummaryLine{"contact", "collision-free " + range}
+          : SummaryLine{"contact",
+                        fmt::format("fold angle {:.2f} deg is outside the collision-free range, {}",
+                                    to_degrees(theta), range)}};
   if (states == ClosedFormRelation::near)
-    lines.push_back({"", "of the closed form: equilibria of elastic hinges come near it"});
-  lines.push_back({"", fmt::format("printed, with walls up to {:.2f} mm out of place: {}",
-                                   certified.printed.growth_mm, between(certified.printed))});
+    lines.push_back({"", "computed for ideal hinges; the elastic solution stays close to this motion"});
+  lines.push_back({"", printed_range(certified)});
   return lines;
 }
 

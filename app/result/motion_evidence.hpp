@@ -12,6 +12,8 @@ std::string classify_force(double newtons);
 std::string classify_moment(double newton_mm);
 /// Describes the peak actuation load. Shape-memory drives need none: "its own springs".
 std::string classify_load(const Equilibrium& equilibrium);
+/// Describes one of these classes as a hint next to a load: "light finger pressure".
+std::string describe_effort_class(const std::string& effort);
 /// Describes how a sheet is folded, one sentence: "by hand with 3.2 N, plates normal to y".
 std::string describe_folding(const Folding& folding);
 

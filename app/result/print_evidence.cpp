@@ -4,6 +4,7 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 
+#include "app/console/short_form.hpp"
 #include "app/files/process_section.hpp"
 #include "app/result/motion_evidence.hpp"
 #include "app/run/design_hinges.hpp"
@@ -83,10 +84,11 @@ std::vector<std::pair<std::string, std::string>> hinge_problem_lines(const Run& 
   const auto corners = [&](const Turned& t) { return t.turn / corner_turn(run, t); };
   if (const Turned* t = worst(all, corners))
     lines.emplace_back(
-        "CORNERS", fmt::format("corners of the two halves of wall {} meet where it has turned by {:.1f} deg; "
-                               "here by {:.1f}: a longer gap lets it turn further",
-                               wall_name(run.design.structure, t->hinge),
-                               corner_turn(run, *t) / radians_per_degree, t->turn / radians_per_degree));
+        "CORNERS",
+        fmt::format("the two halves of wall {} collide at a turn of {:.1f} deg, and this design turns "
+                    "it by {:.1f} deg. Use a longer hinge gap",
+                    wall_name(run.design.structure, t->hinge), corner_turn(run, *t) / radians_per_degree,
+                    t->turn / radians_per_degree));
   return lines;
 }
 
@@ -103,46 +105,36 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t max_sources = 10;  // length of lists: enough for a reader
 constexpr const char* parameters[] = {"t", "alpha", "beta", "offset"};
-constexpr const char* parameter_names[] = {"the place", "the direction", "the tilt", "the offset"};
-
-constexpr const char* plural_parameter_names[] = {"places", "directions", "tilts", "offsets"};
+constexpr const char* parameter_names[] = {"position", "direction", "tilt", "offset"};
 
 std::string format_share(double share) {
   return share < 0.01 ? "under 1 %" : fmt::format("{:.0f} %", 100 * share);
 }
 
-/// Describes the sampled prints. @param goal reference of the distances, in words
+/// Describes the simulated prints. @param goal reference of the distances, in words
 std::string describe_sample_prints(const PrintedGoal& printed, const std::string& goal) {
   const model::PrintRuns& runs = *printed.runs;
   if (runs.prints == 0)
     return fmt::format(
-        "none of {} prints in the elastic model found an equilibrium near the design: FIRST ORDER SAYS "
-        "NOTHING OF THEM",
+        "none of {} simulated prints has an equilibrium near the design, so the print tolerance is unknown",
         runs.failed);
   std::string text =
-      fmt::format("{} prints in the elastic model: {:.2f} mm off {} (rms), {} of them within {:.2f} mm",
-                  runs.prints, runs.rms_mm, goal, runs.kept(), runs.p95_mm);
-  if (runs.failed > 0) text += fmt::format("; {} more found no equilibrium near the design", runs.failed);
-  return text + (printed.is_confirmed() ? "" : ": FIRST ORDER IS FAR FROM THEM");
+      fmt::format("{} simulated prints: {} mm rms from {}, {} of them within {} mm", runs.prints,
+                  format_figures(runs.rms_mm), goal, runs.kept(), format_figures(runs.p95_mm));
+  if (runs.failed > 0) text += fmt::format("; {} more have no equilibrium near the design", runs.failed);
+  return text + (printed.is_confirmed() ? "" : "; the linear estimate is far from them");
 }
 
-/// Describes collisions of walls, for prints that keep the goal.
-std::string describe_kept_tolerance(const PrintedGoal& printed) {
-  if (printed.touches_too_often())
-    return fmt::format("holds, but in {:.0f} % of prints walls touch", 100 * printed.touching->share());
-  if (!printed.free_of_contact) return "holds, but that walls stay apart is not proven";
-  return *printed.free_of_contact ? "holds" : "holds, but walls may meet";
-}
-
+/// Describes whether prints of a sheet stay within the limit.
 std::string describe_print_verdict(const Run& run) {
   const PrintedGoal& printed = *run.printed;
-  if (!printed.can_be_printed) return "cannot be printed";
-  if (printed.holds() && !run.met()) return "prints keep that, but the design itself misses the goal";
-  if (printed.holds()) return describe_kept_tolerance(printed);
-  if (printed.runs && printed.runs->prints == 0)
-    return "NOT EVERY PRINT HOLDS, and none settles in the elastic model";
-  return printed.p95_mm() <= printed.tolerance_mm ? "NOT EVERY PRINT HOLDS, of those in the elastic model"
-                                                  : "NOT EVERY PRINT HOLDS";
+  if (!printed.can_be_printed) return "not printable";
+  if (!printed.holds()) return "not every print stays within it";
+  if (!run.met()) return "OK, but the design itself misses the goal";
+  if (printed.touches_too_often())
+    return fmt::format("OK, but walls touch in {:.0f} % of prints", 100 * printed.touching->share());
+  if (!printed.free_of_contact) return "OK, but collisions were not checked";
+  return *printed.free_of_contact ? "OK" : "OK, but walls may collide";
 }
 
 Json soft_hinges_json(const SoftHinges& soft) {
@@ -162,20 +154,20 @@ std::optional<std::string> describe_contact(const Run& run) {
   if (run.printed->free_of_contact.value_or(true) || run.certified->printed.covers(run.theta))
     return std::nullopt;
   return fmt::format(
-      "walls of prints may meet: theta {:.2f} deg lies beyond what is proven free of contact with each wall "
-      "up "
-      "to {:.2f} mm out of place",
-      to_degrees(run.theta), run.certified->printed.growth_mm);
+      "printed walls may collide: this design folds to {:.1f} deg, the collision-free range with print "
+      "errors "
+      "ends at {:.1f} deg",
+      std::abs(to_degrees(run.theta)), std::abs(to_degrees(run.certified->printed.to(run.theta).theta)));
 }
 
 /// Describes the share of simulated prints whose walls touch during the motion; nullopt if it is zero or unknown.
 std::optional<std::string> describe_touching(const PrintedGoal& printed) {
   if (!printed.touching || printed.touching->share() == 0) return std::nullopt;
-  return fmt::format("in {:.0f} +- {:.0f} % of {} simulated prints walls touch on the way to the fold{}",
+  return fmt::format("walls touch during folding in {:.0f} +- {:.0f} % of {} simulated prints{}",
                      100 * printed.touching->share(), 100 * printed.touching->error(),
                      printed.touching->prints,
                      printed.touches_too_often()
-                         ? ": leave more room between walls that end near each other, or print more precisely"
+                         ? ". Leave more room between walls that end near each other, or use a finer process"
                          : "");
 }
 
@@ -183,17 +175,17 @@ std::optional<std::string> describe_touching(const PrintedGoal& printed) {
 std::optional<std::string> describe_flat_starts(const PrintedGoal& printed) {
   if (!printed.from_flat || !printed.from_flat->need_guidance()) return std::nullopt;
   const model::FlatStarts& starts = *printed.from_flat;
-  std::string text = fmt::format("of {} sample prints that plates press from flat ", starts.prints);
-  if (starts.other_side > 0) text += fmt::format("{} fold to the other side", starts.other_side);
+  std::string text = fmt::format("pressed from flat, of {} simulated prints ", starts.prints);
+  if (starts.other_side > 0) text += fmt::format("{} fold in the opposite direction", starts.other_side);
   if (starts.other_side > 0 && starts.either_side > 0) text += " and ";
-  if (starts.either_side > 0) text += fmt::format("{} fold to either side by chance", starts.either_side);
-  return text + ": bend the sheet a little to its side by hand before the plates close";
+  if (starts.either_side > 0) text += fmt::format("{} fold in either direction", starts.either_side);
+  return text + ". Bend the sheet a little in its fold direction before you press it";
 }
 
 std::string describe_soft_hinges(const SoftHinges& soft) {
   const model::ManufacturedHinge& block = soft.made;
-  return fmt::format("hinges are {}{} {}s {:.1f} mm long that keep their turns: strained by {:.2f} of {:g}",
-                     soft.is_assumed ? "assumed to be " : "", block.material.name, to_string(block.kind),
+  return fmt::format("{}hinges: {} {} {:.1f} mm long, peak strain {:.2g} (limit {:g})",
+                     soft.is_assumed ? "assumed " : "", block.material.name, to_string(block.kind),
                      block.gap_mm, soft.strain, block.material.strain_max);
 }
 
@@ -202,18 +194,20 @@ std::vector<std::string> scatter_reasons(const Run& run) {
   const PrintedGoal& printed = *run.printed;
   std::vector<std::string> why;
   if (printed.p95_mm() > printed.tolerance_mm)
-    why.push_back(fmt::format("95 of 100 prints stay within {:.2f} mm of {}, and {:.2f} mm are allowed",
-                              printed.p95_mm(), run.compared_with, printed.tolerance_mm));
+    why.push_back(
+        fmt::format("prints may miss the limit: 95 % stay within {} mm of {}, the limit is {} mm "
+                    "(estimated for {})",
+                    format_figures(printed.p95_mm()), run.compared_with, format_figures(printed.tolerance_mm),
+                    run.design.process.name));
   if (!printed.runs) return why;
   const model::PrintRuns& runs = *printed.runs;
   if (runs.failed > 0)
-    why.push_back(fmt::format("{} of {} prints in the elastic model found no equilibrium near the design",
-                              runs.failed, runs.prints + runs.failed));
+    why.push_back(fmt::format("{} of {} simulated prints have no equilibrium near the design", runs.failed,
+                              runs.prints + runs.failed));
   if (runs.prints > 0 && runs.p95_mm > printed.tolerance_mm)
-    why.push_back(
-        fmt::format("of {} prints in the elastic model {} came within {:.2f} mm of {}, and "
-                    "{:.2f} mm are allowed",
-                    runs.prints, runs.kept(), runs.p95_mm, run.compared_with, printed.tolerance_mm));
+    why.push_back(fmt::format("{} of {} simulated prints stay within {} mm of {}, the limit is {} mm",
+                              runs.kept(), runs.prints, format_figures(runs.p95_mm), run.compared_with,
+                              format_figures(printed.tolerance_mm)));
   return why;
 }
 
@@ -310,36 +304,38 @@ std::vector<std::string> scatter_warnings(const Run& run) {
 std::vector<SummaryLine> print_tolerance_lines(const Run& run) {
   if (!run.printed) return {};
   const model::ToleranceResult& made = run.printed->made;
+  const std::string& process = run.design.process.name;
   std::vector<SummaryLine> lines = {
-      {"as made",
-       fmt::format("printed by {}: {:.2f} mm off {} (rms over points of the sheet; {:.2f} "
-                   "mm as designed), 95 of 100 prints within {:.2f} mm; {:.2f} mm are allowed: {}",
-                   run.design.process.name, run.printed->rms_mm(), run.compared_with, made.designed_mm,
-                   run.printed->p95_mm(), run.printed->tolerance_mm, describe_print_verdict(run))}};
+      {"print",
+       fmt::format("print tolerance ({}, estimated): {} mm rms expected, 95 % of prints within {} mm of "
+                   "{}, limit {} mm: {}",
+                   process, format_figures(run.printed->rms_mm()), format_figures(run.printed->p95_mm()),
+                   run.compared_with, format_figures(run.printed->tolerance_mm),
+                   describe_print_verdict(run))},
+      {"", fmt::format("error of the design itself at these points: {} mm rms",
+                       format_figures(made.designed_mm))}};
   if (const auto touching = describe_touching(*run.printed); touching && !run.printed->touches_too_often())
     lines.push_back({"", *touching});  // a larger share is reported as a warning
   if (const auto places = sources_by_place(run); !places.empty())
-    lines.push_back(
-        {"", fmt::format("{} of {}: {} of what errors do", plural_parameter_names[places[0].parameter],
-                         places[0].place, format_share(places[0].share))});
+    lines.push_back({"", fmt::format("main error source: {} in {}, {} of the variance",
+                                     parameter_names[places[0].parameter], places[0].place,
+                                     format_share(places[0].share))});
   if (!made.sources.empty()) {
     const model::ScatterSource& most = made.sources.front();
-    lines.push_back(
-        {"", fmt::format("largest single source: {} of the hinge on wall {}, {} of what errors do",
-                         parameter_names[most.parameter], wall_name(run.design.structure, most.hinge),
-                         format_share(most.share))});
+    lines.push_back({"", fmt::format("main single source: {} of the hinge at wall {}, {} of the variance",
+                                     parameter_names[most.parameter],
+                                     wall_name(run.design.structure, most.hinge), format_share(most.share))});
   }
   if (const auto& tight = run.printed->without_clearance)
     lines.push_back(
         {"", fmt::format(
-                 "of which play of {:g} mm a side, {:.2f} deg: without it {:.2f} mm off {}, 95 of 100 "
-                 "within {:.2f} mm",
+                 "joint clearance {:g} mm per side, {:.2f} deg; without it {} mm rms, 95 % within {} mm",
                  loosest_pin(run.design)->clearance_mm, to_degrees(clearance_tilt(*loosest_pin(run.design))),
-                 tight->rms_mm, run.compared_with, tight->p95_mm)});
+                 format_figures(tight->rms_mm), format_figures(tight->p95_mm))});
   if (run.printed->runs) lines.push_back({"", describe_sample_prints(*run.printed, run.compared_with)});
   if (run.printed->soft) {
     lines.push_back({"", describe_soft_hinges(*run.printed->soft)});
-    lines.push_back({"", "`hinge:` and `drive:` in the file say what other hinges come to"});
+    lines.push_back({"", "to evaluate other hinges, set `hinge:` and `drive:` in the target file"});
   }
   return lines;
 }

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "app/console/short_form.hpp"
 #include "app/result/motion_evidence.hpp"
 #include "app/result/print_evidence.hpp"
+#include "app/result/short_summary.hpp"
 #include "app/result/state_json.hpp"
 #include "app/result/verdict.hpp"
 #include "app/run/design_hinges.hpp"
@@ -16,10 +18,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string words(const RobustCandidate& one) {
-  std::string text = fmt::format("theta {:.1f} deg", one.theta / radians_per_degree);
+  std::string text = fmt::format("fold angle {:.1f} deg", one.theta / radians_per_degree);
   if (one.gap_mm) text += fmt::format(" and gaps of {:.2g} mm", *one.gap_mm);
-  return text + (std::isfinite(one.printed_mm) ? fmt::format(", {:.3g} mm", one.printed_mm) : ", not known") +
-         (one.is_allowed ? "" : " (not to be taken: " + one.why_not + ")");
+  return text + ", " +
+         (std::isfinite(one.printed_mm) ? "print error " + format_figures(one.printed_mm) + " mm"
+                                        : "print error unknown") +
+         (one.is_allowed ? "" : " (rejected: " + one.why_not + ")");
 }
 
 }  // namespace
@@ -49,8 +53,14 @@ nlohmann::ordered_json search_json(const optim::MultiStartResult& search, int ch
 
 SummaryLine search_line(double seconds, const optim::MultiStartResult& search, int chosen,
                         optim::SolverName solver) {
-  return {"search", fmt::format("{:.3f} s, {} from {} starts, {}", seconds, to_string(solver),
+  return {"search", fmt::format("{} s, {}, {} starts, {}", format_figures(seconds), to_string(solver),
                                 search.runs.size(), to_string(search.runs[chosen].status))};
+}
+
+SummaryLine describe_shape(double rms, double most, double diagonal_mm, double limit) {
+  return {"shape", fmt::format("{} mm rms from the curve, {} mm at most; limit {} mm rms",
+                               format_figures(rms * diagonal_mm), format_figures(most * diagonal_mm),
+                               format_figures(limit * diagonal_mm))};
 }
 
 nlohmann::ordered_json search_json(const optim::SolveResult& search, int starts) {
@@ -62,8 +72,14 @@ nlohmann::ordered_json search_json(const optim::SolveResult& search, int starts)
 }
 
 SummaryLine search_line(double seconds, const optim::SolveResult& search) {
-  return {"search", fmt::format("{:.2f} s, ceres, {} evaluations, {}", seconds, search.evaluations,
-                                to_string(search.status))};
+  return {"search", fmt::format("{} s, ceres, {} evaluations, {}", format_figures(seconds),
+                                search.evaluations, to_string(search.status))};
+}
+
+double tolerance_of(const Run& run, std::string_view key) {
+  const auto found = std::find_if(run.tolerances.begin(), run.tolerances.end(),
+                                  [&](const auto& limit) { return limit.first == key; });
+  return found == run.tolerances.end() ? std::nan("") : found->second;
 }
 
 void add_end(bool stopped, bool found, const std::string& why, const std::string& why_not,
@@ -94,15 +110,11 @@ std::vector<SummaryLine> robust_lines(const Run& run) {
   if (!run.robust) return {};
   const RobustCandidate &best = run.robust->tried[run.robust->chosen], &plain = run.robust->tried.front();
   if (run.robust->chosen == 0)
-    return {
-        {"robust",
-         fmt::format("of {} designs tried, prints of none that may be taken come nearer than those of the "
-                     "plain search's{}",
-                     run.robust->tried.size(), plain.is_allowed ? "" : ", " + words(plain))}};
-  return {
-      {"robust",
-       fmt::format("of {} designs tried, that whose prints are expected nearest: {}; the plain search's: {}",
-                   run.robust->tried.size(), words(best), words(plain))}};
+    return {{"robust", fmt::format("tried {} designs; none is expected to print more accurately than the "
+                                   "original{}",
+                                   run.robust->tried.size(), plain.is_allowed ? "" : ", " + words(plain))}};
+  return {{"robust", fmt::format("tried {} designs; most accurate prints: {}; original: {}",
+                                 run.robust->tried.size(), words(best), words(plain))}};
 }
 
 namespace {
@@ -289,6 +301,7 @@ Json result_json(const Run& run) {
               {"seed", run.seed},
               {"target", nullptr},
               {"verdict", verdict_json(verdict_of(run))},
+              {"summary", short_json(short_form(run))},
               {"plan", plan_json(run)},
               {"structure", structure_json(run.design, reach, elasticity)},
               {"states", states},

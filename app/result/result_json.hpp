@@ -10,6 +10,10 @@ namespace kinetix::app {
 nlohmann::ordered_json search_json(const optim::MultiStartResult& search, int chosen,
                                    optim::SolverName solver);
 
+/// Returns the summary line of a curve's error. @param rms and most: errors over the goal's diagonal
+/// @param diagonal_mm of the goal   @param limit of the rms, over the diagonal
+SummaryLine describe_shape(double rms, double most, double diagonal_mm, double limit);
+
 /// Returns the section `optimiser` of one search by ceres from `starts` starts.
 nlohmann::ordered_json search_json(const optim::SolveResult& search, int starts = 1);
 /// Returns the summary line of one search by ceres. @param seconds search time, s
@@ -18,6 +22,9 @@ SummaryLine search_line(double seconds, const optim::SolveResult& search);
 /// Returns the summary line of a search from many starts. @param seconds search time, s
 SummaryLine search_line(double seconds, const optim::MultiStartResult& search, int chosen,
                         optim::SolverName solver);
+
+/// Returns the limit that a goal's `tolerance:` has under a key; NaN if it has none.
+double tolerance_of(const Run& run, std::string_view key);
 
 /// Adds `status` and `why` to the section `optimiser`: "stopped", "converged" with `why`, or "failed" with `why_not`.
 void add_end(bool stopped, bool found, const std::string& why, const std::string& why_not,
@@ -34,7 +41,7 @@ nlohmann::ordered_json result_json(const Run& run);
 /// Returns only the section `metrics`.
 nlohmann::ordered_json metrics_json(const Run& run);
 
-/// Returns the summary of a run for stdout.
+/// Returns the long form of a run's summary, which `-v` prints. Its first line is that of the short form.
 std::string summary(const Run& run);
 
 /// Returns the section `structure`. @param reach_mm reach of hinges without their own value

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "app/console/short_form.hpp"
 #include "app/pipeline/physics.hpp"
 #include "app/result/motion_evidence.hpp"
 #include "app/result/print_evidence.hpp"
@@ -56,8 +57,9 @@ Reasons agreement_reasons(const Run& run) {
   Reasons why = run.physics_violations();
   if (v.compared && !(v.distance.rms <= run.verify_tolerance)) {
     const double edge_mm = run.design.structure.size().edge_mm;
-    why.push_back(fmt::format("the simulation ends {:.3g} mm (rms) from the {}; {:.3g} mm are allowed{}",
-                              v.distance.rms * edge_mm, reference_name(run), run.verify_tolerance * edge_mm,
+    why.push_back(fmt::format("the simulation ends {} mm rms from the {}, limit {} mm{}",
+                              format_figures(v.distance.rms * edge_mm), reference_name(run),
+                              format_figures(run.verify_tolerance * edge_mm),
                               v.equilibrium ? ": " + v.equilibrium->why : ""));
   }
   return why;
@@ -101,20 +103,30 @@ void warn_all(RunVerdict& verdict, const Reasons& texts) {
 /// Adds the warnings of all parts of the run; they do not change a flag. New warnings belong here, those of a goal kind
 /// in its Measure::warnings.
 void add_warnings(const Run& run, RunVerdict& verdict) {
-  if (run.stopped) verdict.warn("stopped before its end: this is the best so far");
+  if (run.stopped) verdict.warn("stopped early: this is the best result so far");
   if (run.plan.is_floppy())
-    verdict.warn(fmt::format("the sheet has {} degrees of freedom: one drive does not hold it",
-                             run.plan.mobility->dofs_along));
+    verdict.warn(
+        fmt::format("underconstrained: {} degrees of freedom. Driving one leaves the rest undetermined. Add "
+                    "bracing walls or set `structure.rim: closed`",
+                    run.plan.mobility->dofs_along));
   for (const auto& [label, words] : hinge_problem_lines(run))
     if (label != "STRAINED") verdict.warn(words);  // STRAINED is an error of `reaches`
   if (!run.goal) return;
   if (!run.met()) warn_all(verdict, run.physics_violations());
   warn_all(verdict, shown_measure(run).warnings);
   if (run.print && run.print->is_accepted && !run.folding && !run.equilibrium)
-    verdict.warn("which drive folds it is not known" + advice_of(run));
+    verdict.warn("the drive that folds it is unknown" + advice_of(run));
   if (run.print && !run.print->warning.empty()) verdict.warn(run.print->warning);
-  if (!run.prints_unknown.empty()) verdict.warn("print tolerance is not known: " + run.prints_unknown);
+  if (!run.prints_unknown.empty()) verdict.warn("print tolerance is unknown: " + run.prints_unknown);
   if (run.printed) warn_all(verdict, scatter_warnings(run));
+}
+
+/// Returns the field's terms for kinds of hinges: "pin, living" for "pin, film".
+std::string hinge_terms(std::string kinds) {
+  for (const auto& [key, term] : {std::pair("block", "elastomer"), std::pair("film", "living")})
+    if (const std::size_t at = kinds.find(key); at != std::string::npos)
+      kinds.replace(at, std::string_view(key).size(), term);
+  return kinds;
 }
 
 nlohmann::ordered_json flag_json(const std::optional<bool>& flag) {
@@ -206,12 +218,12 @@ std::string headline(const RunVerdict& verdict) {
   add(&RunVerdict::met, "goal met", "goal missed");
   const auto kind = std::find_if(verdict.hinges.begin(), verdict.hinges.end(),
                                  [](const auto& hinge) { return hinge.first == "printable"; });
-  const std::string with = kind != verdict.hinges.end() ? kind->second : "";
+  const std::string with = kind != verdict.hinges.end() ? hinge_terms(kind->second) : "";
   add(&RunVerdict::printable, "printable with " + with + " hinges", "not printable");
   if (!verdict.met || !verdict.reaches.value_or(true))
     add(&RunVerdict::reaches, "reached by its drive", "not reached by its drive");
   add(&RunVerdict::agrees, "simulation agrees", "simulation disagrees");
-  return parts.empty() ? "not judged" : fmt::format("{}", fmt::join(parts, ", "));
+  return parts.empty() ? "computed" : fmt::format("{}", fmt::join(parts, ", "));
 }
 
 std::vector<SummaryLine> problem_lines(const RunVerdict& verdict) {

@@ -82,9 +82,9 @@ std::optional<std::string> describe_overstrain(const Design& design, const model
 
 std::string describe_strain(const model::StrainedHinge& worst, const std::string& wall, const char* when) {
   return fmt::format(
-      "the hinge of wall {} is strained by {:.3g}{}; its material bears {:g}: a longer gap or a thinner "
-      "hinge "
-      "strains less",
+      "the hinge of wall {} is strained by {:.3g}{}, the limit of its material is {:g}. Use a longer gap or "
+      "a "
+      "thinner hinge",
       wall, worst.strain, when, worst.borne);
 }
 

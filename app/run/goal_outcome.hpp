@@ -26,6 +26,8 @@ class GoalOutcome {
   virtual void add_sections(const Run& run, nlohmann::ordered_json& result) const = 0;
   /// Adds the metrics that the kind names (GoalKind::metrics) to `metrics`.
   virtual void add_metrics(const Run& run, nlohmann::ordered_json& metrics) const = 0;
+  /// Returns the kind's lines of the summary. The first gives the distance from the goal and its limit; the short form
+  /// shows it. It also shows a line `print`, of a kind that judges prints itself.
   virtual std::vector<SummaryLine> summary_lines(const Run& run) const = 0;
   /// Returns PNG pictures. @param for_report only those that the report itself shows
   virtual std::vector<NamedContent> pictures(const Run& /*run*/, bool /*for_report*/) const { return {}; }

@@ -19,8 +19,8 @@ std::string wall_sentence(const model::ContactRange& range) {
 
 std::string model_sentence(const Plan& plan, const model::Linkage& structure) {
   if (plan.model == Model::exact)
-    return "states come from the closed form; the physics run alone sees contact";
-  if (plan.model == Model::bullet) return "the state comes from the physics run";
+    return "states come from the closed form; the simulation alone sees contact";
+  if (plan.model == Model::bullet) return "the state comes from the simulation";
   const auto leaning = std::find_if_not(structure.hinges.begin(), structure.hinges.end(),
                                         [](const model::RestHinge& hinge) { return is_vertical(hinge); });
   return "states are equilibria of rigid bodies, elastic hinges and walls in contact, followed from flat; " +
@@ -47,9 +47,9 @@ std::string designs_sentence(const model::PlanarStructure& planar, bool is_exact
 /// motion of the closed form.
 std::string floppy_sentence(const Plan& plan) {
   return fmt::format(
-      "FLOPPY: it moves in {} independent ways, and a drive of one of them leaves the others to the springs "
-      "and to chance; walls across cells would hold it, or where its rim is open `structure: {{rim: "
-      "closed}}`",
+      "underconstrained: {} degrees of freedom. Driving one leaves the rest undetermined. Add bracing walls "
+      "or "
+      "set `structure.rim: closed`",
       plan.mobility->dofs_along);
 }
 

@@ -23,7 +23,7 @@ double requested_theta(const Run& run) {
 }  // namespace
 
 std::string describe(StateOf of) {
-  constexpr std::array words = {"model", "equilibrium", "physics run"};
+  constexpr std::array words = {"model", "equilibrium", "simulation"};
   return words[static_cast<std::size_t>(of)];
 }
 
@@ -43,12 +43,6 @@ SearchResult planned(SearchResult found, bool brief) {
     throw InvalidInput("the design that was found has no exact motion: " + found.plan.exact.why);
   found.own = found.motion ? found.motion(found.theta) : found.plan.exact.at(found.theta);
   return found;
-}
-
-const char* describe_tolerance(const Run& run, bool is_within) {
-  if (run.met()) return "within tolerance";
-  if (run.strained) return "WITHIN TOLERANCE, BUT HINGES ARE STRAINED TOO FAR";
-  return is_within ? "WITHIN TOLERANCE, BUT NOT AS REQUIRED" : "MISSES THE TOLERANCE";
 }
 
 namespace {

@@ -204,9 +204,6 @@ const Kind* physics_measure_of(const Run& run) {
 /// Returns what the simulation is compared with, in words: "model", or "closed state" of imported bodies.
 inline const char* reference_name(const Run& run) { return run.closed_path ? "closed state" : "model"; }
 
-/// Returns the end of a line of the summary. @param is_within whether the value of the line keeps its tolerance
-const char* describe_tolerance(const Run& run, bool is_within);
-
 /// Returns the design as design.yaml has it, with the requested theta.
 Design written_design(const Run& run);
 

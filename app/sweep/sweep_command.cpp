@@ -6,6 +6,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/console/short_form.hpp"
 #include "app/io/atomic_file.hpp"
 #include "app/report/report.hpp"
 #include "app/sweep/table/sweep_output.hpp"
@@ -203,32 +204,35 @@ Json summary_json(const SweepPlan& plan, const Tally& counts, const Work& work, 
           {"table", folder + "/sweep.sqlite"}};
 }
 
-std::string summary_text(const SweepPlan& plan, const Tally& counts, const Work& work,
-                         const std::string& folder, const std::string& written) {
-  std::string text = fmt::format(
-      "{}: {} of {}, {}, model {}\n", plan.doe.name, targets::counted(plan.samples.size(), "sample"),
-      targets::counted(plan.samples.factors().size(), "factor"),
-      targets::counted(plan.responses.size(), "response"), to_string(plan.doe.model));
-  const auto line = [&](const char* label, const std::string& words) {
-    text += fmt::format("  {:<10} {}\n", label, words);
-  };
+/// Composes the output of a sweep. @param written files in the folder, in words
+ShortForm sweep_form(const SweepPlan& plan, const Tally& counts, const Work& work, const std::string& folder,
+                     const std::string& written) {
+  ShortForm out;
+  out.title = fmt::format("{}: {} of {}, {}, model {}", plan.doe.name,
+                          targets::counted(plan.samples.size(), "sample"),
+                          targets::counted(plan.samples.factors().size(), "factor"),
+                          targets::counted(plan.responses.size(), "response"), to_string(plan.doe.model));
   std::string ended = fmt::format("{} ok", counts.ok);
   if (counts.missed > 0) ended += fmt::format(", {} missed", counts.missed);
   if (counts.disagrees > 0) ended += fmt::format(", {} disagree", counts.disagrees);
-  if (counts.failed > 0) ended += fmt::format(", {} FAILED", counts.failed);
-  line("samples", ended);
-  if (counts.first_failed >= 0) line("failed", fmt::format("first {}: {}", counts.first_failed, counts.why));
-  if (work.before > 0) line("resumed", fmt::format("{} samples were already computed", work.before));
+  if (counts.failed > 0) ended += fmt::format(", {} failed", counts.failed);
+  out.lines = {{"samples", ended},
+               {"run", fmt::format("{} in {}, {:.3g} per second, {} {} of {} {}", work.computed,
+                                   duration_text(work.seconds),
+                                   static_cast<double>(work.computed) / std::max(work.seconds, 1e-9),
+                                   work.ranks, work.ranks == 1 ? "process" : "ranks", work.threads,
+                                   work.threads == 1 ? "thread" : "threads")}};
+  if (work.before > 0)
+    out.lines.push_back({"resumed", fmt::format("{} samples were already computed", work.before)});
+  if (counts.first_failed >= 0)
+    out.problems.push_back(
+        {"warning", fmt::format("sample {} is the first that failed: {}", counts.first_failed, counts.why)});
   if (work.damaged > 0)
-    line("damaged", fmt::format("{} of the table; their samples were computed again",
-                                targets::counted(static_cast<std::size_t>(work.damaged), "row")));
-  line("run",
-       fmt::format("{} in {}, {:.3g} a second, {} {} of {} {}", work.computed, duration_text(work.seconds),
-                   static_cast<double>(work.computed) / std::max(work.seconds, 1e-9), work.ranks,
-                   work.ranks == 1 ? "process" : "ranks", work.threads,
-                   work.threads == 1 ? "thread" : "threads"));
-  line("written", folder + "/" + written);
-  return text;
+    out.problems.push_back(
+        {"warning", fmt::format("{} of the table damaged; their samples were computed again",
+                                targets::counted(static_cast<std::size_t>(work.damaged), "row"))});
+  out.ends = {"Written: " + folder + "/" + written};
+  return out;
 }
 
 std::string fingerprint(const SweepIdentity& identity) {
@@ -296,7 +300,7 @@ class Lead {
     for (const auto& [folder, damaged] : tables) {
       if (damaged > 0)
         console.warning(
-            fmt::format("warning: {}/sweep.sqlite: {} damaged: checksum or factors do not fit; "
+            fmt::format("{}/sweep.sqlite: {} damaged: checksum or factors do not fit; "
                         "the samples are computed again",
                         folder, targets::counted(static_cast<std::size_t>(damaged), "row")));
       all += damaged;
@@ -317,7 +321,7 @@ class Lead {
       const char* written = share_.empty()
                                 ? "report.html, samples.csv, sweep.sqlite, sweep.json"
                                 : "sweep.sqlite; a run without --share takes it over and writes the rest";
-      std::cout << summary_text(plan_, counts, work, folder, written);
+      print_on_stdout(sweep_form(plan_, counts, work, folder, written), options_.verbose);
       return;
     }
     Json json = summary_json(plan_, counts, work, folder);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/console/short_form.hpp"
 #include "app/result/result_json.hpp"
 #include "model/base/algorithms.hpp"
 
@@ -37,8 +38,9 @@ struct CustomOutcome final : app::GoalOutcome {
   }
   std::vector<app::SummaryLine> summary_lines(const app::Run& run) const override {
     const Eigen::VectorXd& residuals = app::measure_of<CustomMeasure>(run).residuals;
-    return {{"error", fmt::format("{:.3g} of {} numbers (root of the sum of squares): {}", residuals.norm(),
-                                  residuals.size(), run.met() ? "within tolerance" : "MISSES THE TOLERANCE")},
+    return {{"error", fmt::format("{} (root of the sum of squares of {} numbers), limit {}",
+                                  app::format_figures(residuals.norm()), residuals.size(),
+                                  app::format_figures(app::tolerance_of(run, "error")))},
             app::search_line(run.timings.optimise, search, search.best, solver)};
   }
 };
@@ -98,7 +100,7 @@ std::shared_ptr<const app::Measure> CustomGoal::measure(const app::Run& run, app
   const double norm = known ? out->residuals.norm() : std::nan("");
   if (!(norm <= tolerance))
     out->violations.push_back(fmt::format("{}the error is {:.3g}; at most {:g} is allowed",
-                                          in_physics ? "in the physics run " : "", norm, tolerance));
+                                          in_physics ? "in the simulation " : "", norm, tolerance));
   if (in_physics) return out;
   model::append(collisions_during_motion(run, "use lower or thinner walls, or larger cells"),
                 out->violations);

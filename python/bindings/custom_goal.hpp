@@ -22,7 +22,7 @@ class CustomGoal final : public app::Goal {
 
   app::Forecast forecast() const override;
   app::SearchResult search(const app::RunOptions& options) const override;
-  /// Measures the error of the model's state, or of the final state of the physics run aligned with it.
+  /// Measures the error of the model's state, or of the final state of the simulation aligned with it.
   std::shared_ptr<const app::Measure> measure(const app::Run& run, app::StateOf of, const model::State& state,
                                               const app::RunOptions& options) const override;
 };

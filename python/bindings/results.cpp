@@ -4,6 +4,7 @@
 
 #include "app/exports/exporters.hpp"
 #include "app/result/result_json.hpp"
+#include "app/result/short_summary.hpp"
 #include "app/result/verdict.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/bindings.hpp"
@@ -79,7 +80,12 @@ void add_results(py::module_& core) {
       .def("sensitivity", sensitivity_of)
       .def("json", [](const app::Run& r) { return result_json(r).dump(1); })
       .def("metrics", [](const app::Run& r) { return metrics_json(r).dump(); })
-      .def("summary", [](const app::Run& r) { return summary(r); })
+      .def("summary",
+           [](const app::Run& r, bool verbose) {
+             app::ShortForm form = app::short_form(r);
+             form.details = "with verbose=True";
+             return verbose ? summary(r) : app::format_short(form);
+           })
       .def("design_text", [](const app::Run& r) { return content_of(app::design_export, r); })
       .def("report", [](const app::Run& r) { return content_of(app::report_export, r); })
       .def("write", write);

@@ -83,7 +83,7 @@ class Result:
 
     @property
     def agrees(self) -> Optional[bool]:
-        """Whether the physics run agrees with the model; None without a physics run."""
+        """Whether the simulation agrees with the model; None without a simulation."""
         return self.verdict.agrees
 
     @property
@@ -167,9 +167,12 @@ class Result:
         document: Dict[str, Any] = json.loads(self.json())
         return document
 
-    def summary(self) -> str:
-        """Returns the lines that the program prints."""
-        return self._core.summary()
+    def summary(self, verbose: bool = False) -> str:
+        """Returns the lines that the program prints.
+
+        :param verbose: those of ``-v``, with all results
+        """
+        return self._core.summary(verbose)
 
     def report(self) -> str:
         """Returns the report: one page of HTML that needs no other file."""

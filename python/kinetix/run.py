@@ -36,7 +36,7 @@ def optimise(target: Union[Source, Goal], *, folder: "str | os.PathLike[str]" = 
     :param seed: of the random starts; same seed, same answer.
     :param verify: run the physics engine.
     :param prints: number of prints with errors that are brought to their equilibrium, to confirm the print tolerance.
-    :param fidelity: also make physics runs of coarser steps, for the table of speed against error.
+    :param fidelity: repeat the simulation with coarser time steps, for the table of accuracy against run time.
     :param time_limit_s: s, after which the search ends; None: no limit.
     :param progress: see :data:`Progress`.
     :raises InvalidInput: with the place, for whatever the format does not allow; what a callable raises is raised
@@ -54,7 +54,7 @@ def simulate(design: Union[Design, Source], model: str = "exact", *, theta: Opti
 
     :param design: a :class:`Design`, the path of a design.yaml, or a dict with its keys.
     :param model: ``exact``: the closed form; ``equilibrium``: elastic hinges, from flat to the drive's goal;
-        ``bullet``: the physics run, compared with the model.
+        ``bullet``: the rigid-body simulation, compared with the model.
     :param theta: rad, instead of the design's own drive.
     :raises InvalidInput: with the place, for whatever the format does not allow, and for the exact model of a sheet
         that has no closed form.
@@ -69,7 +69,7 @@ def simulate(design: Union[Design, Source], model: str = "exact", *, theta: Opti
 
 def verify(design: Union[Design, Source, Result], *, folder: "str | os.PathLike[str]" = "", fidelity: bool = False,
            progress: Optional[Progress] = None) -> Result:
-    """Makes the physics run of a design, compared with the model if one fits (:attr:`Result.agrees`)."""
+    """Simulates a design, compared with the model if one fits (:attr:`Result.agrees`)."""
     of = design.design if isinstance(design, Result) else design
     return simulate(of, "bullet", folder=folder, fidelity=fidelity, progress=progress)
 

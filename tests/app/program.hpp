@@ -45,14 +45,19 @@ struct Outcome {
   std::string out, err;
 };
 
-/// Runs the program with arguments that are already quoted for the shell.
+/// Runs the program with arguments that are already quoted for the shell. Its output is the short form.
 /// @param before shell commands that run first
-inline Outcome kinetix_opt(const std::string& arguments, const std::string& before = "") {
+inline Outcome short_run(const std::string& arguments, const std::string& before = "") {
   const Scratch scratch;
   const std::string out = scratch / "out", err = scratch / "err";
   const int status = std::system(
       (before + KINETIX_OPT + " " + arguments + " >" + out + " 2>" + err + " </dev/null").c_str());
   return {WEXITSTATUS(status), text_of(out), text_of(err)};
+}
+
+/// Runs the program with `-v`, so that its output has all results.
+inline Outcome kinetix_opt(const std::string& arguments, const std::string& before = "") {
+  return short_run("-v " + arguments, before);
 }
 
 }  // namespace kinetix::testing

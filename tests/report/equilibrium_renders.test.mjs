@@ -1,4 +1,4 @@
-// The report of an equilibrium in the browser, with and without a physics run.
+// The report of an equilibrium in the browser, with and without a simulation.
 import assert from "node:assert/strict";
 import {writeFileSync} from "node:fs";
 import path from "node:path";
@@ -27,12 +27,13 @@ test("an equilibrium that the simulation confirms has its force, energy and cont
   const [file, out] = panel("verified", "{kind: plates, axis: y, compression: 0.25}");
   await runs(0, "verify", file, "--quiet", "-o", out);
   await page.draw(out);
-  page.holds("In equilibrium, and the physics run agrees");
+  page.holds("In equilibrium, and the simulation agrees");
   page.drawn("load", 'class="badge"');
   page.drawn("load", "walls touch");
   page.drawn("energy", 'class="heat"');
   page.drawn("plan", "Walls in contact");
-  page.holds(" N at most: a matter for both arms</dd>");
+  page.holds("<dt>Force</dt><dd>");
+  page.holds("hinge stiffness is assumed, set `hinge:` to change it</dd>");
   for (const id of ["errors", "tilts", "search", "stable"]) page.absent(id);
 });
 
@@ -48,7 +49,7 @@ test("a twist has a barrier and two stable states", async () => {
   await drawEquilibrium(design("twist", "structure: {cells: [1, 1], cell_mm: 20, wall_mm: {thickness: 0.4, height: 8}}",
     "design: {pattern: {even: {A_in_deg: [90, 60, 90, 60]}}}", "drive: {kind: hinge, wall: [[0, 0], [0, 1]], angle_deg: 96}",
     "hinge: {model: elastic, k_turn: 0.001}"));
-  page.holds(" N&nbsp;mm at most: a matter for a hand</dd>");
+  page.holds(" N mm at most, ");
   page.drawn("load", "barrier A–B");
   page.drawn("load", "load peaks");
   page.drawn("stable", 'aria-label="Stable state B"');
@@ -57,7 +58,7 @@ test("a twist has a barrier and two stable states", async () => {
 
 test("springs fold it without a force", async () => {
   await drawEquilibrium(panel("springs", "{kind: shape_memory, angle_deg: 20, k_turn: 5}"));
-  page.holds("its own springs fold it</dd>");
+  page.holds("<dt>Force</dt><dd>none; springs in the hinges fold it</dd>");
 });
 
 test("a sheet that one hinge moves has the size that its closed form has, however it lies", async () => {

@@ -11,7 +11,9 @@ async function draw(result) {
 test("all sections are drawn", async () => {
   await draw(SAMPLE);
   page.holds('id="headline"');
-  page.holds("Target met, and the physics run agrees");
+  page.holds("Target met, and the simulation agrees");
+  page.holds("<dt>Shape</dt><dd>0.3 mm rms from the curve, 0.6 mm at most; limit 0.8 mm rms</dd>");
+  page.lacks("<dt>Size</dt>");
   page.holds('id="folded"');
   page.drawn("layout", 'class="hinge"');
   page.drawn("layout", "the tilt of its front wall; from row to row the sign alternates.");
@@ -34,4 +36,4 @@ test("walls that all lean to one side have no alternating sign", async () => {
 });
 
 test("the plain search's design has prints that are not known, beside one that is chosen", () =>
-  page.drawn("errors", "of the design with the least error of its own that is not known."));
+  page.drawn("errors", "unknown for the design with the smallest nominal error."));

@@ -122,15 +122,15 @@ test("a drawn arch is searched for, and stands beside what was found", async () 
   await drawOn();
   await page.click("#search");
   await page.waitForFunction(() => !document.getElementById("found").hidden);
-  assert.match(await page.$eval("#found_title", ({textContent}) => textContent), /meets the goal/);
+  assert.match(await page.$eval("#found_title", ({textContent}) => textContent), /^Goal met/);
   const {off} = await ghostOf(page);
   assert.ok(off < 1, `the ghost is up to ${off} cell edges off`);
   await page.evaluate(() => window.kinetix.send("redo"));
-  assert.match(await page.$eval("#found_title", ({textContent}) => textContent), /^Found: it meets the goal$/, "nothing to redo");
+  assert.match(await page.$eval("#found_title", ({textContent}) => textContent), /^Goal met$/, "nothing to redo");
   await page.evaluate(() => window.kinetix.setHinge(0, {t: 0.4}));
-  await page.waitForFunction(() => /^Of another design/.test(document.getElementById("found_title").textContent));
+  await page.waitForFunction(() => /^Result of an earlier version/.test(document.getElementById("found_title").textContent));
   await page.evaluate(() => window.kinetix.send("undo"));
-  await page.waitForFunction(() => document.getElementById("found_title").textContent === "Found: it meets the goal");
+  await page.waitForFunction(() => document.getElementById("found_title").textContent === "Goal met");
   assert.deepEqual(complaints, []);
 });
 
@@ -181,11 +181,11 @@ async function found(place, use) {
   assert.deepEqual(beside.complaints, []);
 }
 
-test("a goal that the physics run does not confirm is no good news", async () => {
+test("a goal that the simulation does not confirm is no good news", async () => {
   // Pins keep the closed form in equilibrium too.
   const pins = "hinge: {model: rotary, kind: pin, diameter_mm: 1, clearance_mm: 0.05}\n";
   const place = await search("helmet_rib", (text) => text + pins), file = path.join(place, "result.json");
-  for (const [agrees, words, kind] of [[false, "Met, but the physics run does not confirm it: what was found before", "bad"], [true, "Met: what was found before", "good"]]) {
+  for (const [agrees, words, kind] of [[false, "Result of an earlier search: goal met, but the simulation disagrees", "bad"], [true, "Result of an earlier search: goal met", "good"]]) {
     const result = JSON.parse(readFileSync(file));
     writeFileSync(file, JSON.stringify({...result, verdict: {...result.verdict, agrees}}));
     const rib = await opened(place);

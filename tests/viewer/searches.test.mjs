@@ -122,7 +122,7 @@ test("a search is stopped with the best so far, and the thing moves in the physi
   await page.click("#tab_goal");
   await page.click("#stop");
   await page.waitForFunction(() => !window.kinetix.state.searching);
-  await page.waitForFunction(() => !document.getElementById("found").hidden && !/^Of another/.test(document.getElementById("found_title").textContent));
+  await page.waitForFunction(() => !document.getElementById("found").hidden && !/^Result of an earlier version/.test(document.getElementById("found_title").textContent));
   assert.equal(await page.evaluate(() => window.kinetix.design.name), "long");
   assert.deepEqual(complaints, []);
 });

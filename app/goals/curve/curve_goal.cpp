@@ -64,17 +64,17 @@ Json robust_json(const RobustCurve& robust) {
 std::string robust_text(const RobustCurve& robust) {
   const CurveCandidate &best = robust.tried[robust.chosen], &plain = robust.tried.front();
   if (robust.chosen == 0)
-    return fmt::format(
-        "of {} strips tried, prints of none that may be taken come nearer than those of the plain search's",
-        robust.tried.size());
+    return fmt::format("tried {} strips; none is expected to print more accurately than the original",
+                       robust.tried.size());
   const std::string gaps = best.gap_mm ? fmt::format(", gaps of {:.2g} mm", *best.gap_mm) : "";
   return fmt::format(
-      "{} columns at theta {:.1f} deg{}, of {} strips tried: prints{} are expected {:.3g} mm off; of the "
-      "design with the least error of its own, {} columns at {:.1f} deg, {}",
+      "{} columns at fold angle {:.1f} deg{}, of {} strips tried: print error{} {:.3g} mm; for the design "
+      "with "
+      "the smallest nominal error, {} columns at {:.1f} deg, {}",
       best.columns, best.theta / radians_per_degree, gaps, robust.tried.size(),
-      best.is_compensated ? "" : " of its closed form", best.printed_mm, plain.columns,
+      best.is_compensated ? "" : " of the ideal motion", best.printed_mm, plain.columns,
       plain.theta / radians_per_degree,
-      std::isfinite(plain.printed_mm) ? fmt::format("{:.3g} mm", plain.printed_mm) : "that is not known");
+      std::isfinite(plain.printed_mm) ? fmt::format("{:.3g} mm", plain.printed_mm) : "unknown");
 }
 
 optim::MultiStartOptions curve_search(const CurveFile& file, const RunOptions& options) {
@@ -116,21 +116,10 @@ struct CurveOutcome final : GoalOutcome {
   std::vector<SummaryLine> summary_lines(const Run& run) const override {
     const targets::CurveError& error = measure_of<CurveMeasure>(run).error;
     std::vector<SummaryLine> lines = {
-        {"shape",
-         fmt::format(
-             "rms {:.2e} of the goal's diagonal ({:.3f} mm from curve to curve), largest {:.3f} mm: {}",
-             error.rms, error.rms * error.scale_mm, error.max * error.scale_mm,
-             describe(run, error.rms <= file.shape_tolerance))}};
+        describe_shape(error.rms, error.max, error.scale_mm, file.shape_tolerance)};
     if (robust) lines.push_back({"robust", robust_text(*robust)});
     lines.push_back(search_line(run.timings.optimise, found.design.search, found.design.chosen, solver()));
     return lines;
-  }
-
- private:
-  std::string describe(const Run& run, bool is_close) const {
-    if (run.met() || run.strained || !is_close) return describe_tolerance(run, is_close);
-    return found.contact.touches ? "WITHIN TOLERANCE, BUT WALLS COLLIDE"
-                                 : "WITHIN TOLERANCE, BUT DOES NOT HOLD";
   }
 };
 

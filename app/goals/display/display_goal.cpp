@@ -60,9 +60,9 @@ std::string lost_in_equilibrium(const DisplayFile& file, const DisplayOutcome& d
     return e.kind == model::PathEvent::Kind::contact;
   });
   const double measured_value = file.goal.is_binary() ? display.exact.score.contrast : display.exact.rank;
-  return fmt::format("the exact motion shows it, with {} {:.2f}: in the equilibrium {} take that from it",
-                     file.goal.is_binary() ? "contrast" : "rank correlation", measured_value,
-                     touch ? "walls that touch and hinges that give" : "hinges that give");
+  return fmt::format("the ideal motion shows the picture ({} {:.2g}), but {} it",
+                     file.goal.is_binary() ? "separation d'" : "rank correlation", measured_value,
+                     touch ? "hinge compliance and walls in contact blur" : "hinge compliance blurs");
 }
 
 /// Returns the tolerances of the goal. Grey pictures have no contrast tolerance.
@@ -173,9 +173,9 @@ class DisplayGoal final : public Goal {
     out.goal = std::move(display);
     if (out.design.structure.bodies() <= max_bodies_of_physics) return out;
     out.physics.when = PhysicsRequest::When::never;  // a step costs seconds, and there are thousands
-    out.notes.push_back(fmt::format(
-        "no physics run: {} bodies would take hours; `verify` makes one of design.yaml all the same",
-        out.design.structure.bodies()));
+    out.notes.push_back(
+        fmt::format("no simulation: {} bodies would take hours. Run `verify` on design.yaml to make one",
+                    out.design.structure.bodies()));
     return out;
   }
 
@@ -188,7 +188,7 @@ class DisplayGoal final : public Goal {
     if (of == StateOf::physics) {
       out->violations = violations(file_, out->reading.score, out->reading.rank, describe(of));
       if (const std::string melted = describe_melting(display.goal, out->reading); !melted.empty())
-        out->violations.push_back("in the physics run " + melted);
+        out->violations.push_back("in the simulation " + melted);
       return out;
     }
     out->before = read_shown_panel(file_, panel, rest_state(panel));

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/result/result_json.hpp"
+
 namespace kinetix::app {
 namespace {
 
@@ -24,16 +26,31 @@ Json score_json(const DisplayOutcome& display, const DisplayReading& reading) {
   return out;
 }
 
+/// Describes the mean light of letter and rest; empty for pictures in greys.
+std::string describe_light(const DisplayOutcome& display, const DisplayReading& r) {
+  const auto light = light_of(display, r);
+  if (!light) return "";
+  return fmt::format("{:.3g} % light in letter, {:.3g} % elsewhere; ", 100 * (*light)[0], 100 * (*light)[1]);
+}
+
+/// Describes the reading with the limits of the goal.
+std::string describe_with_limits(const DisplayOutcome& display, const DisplayReading& r, const Run& run) {
+  if (!display.goal.is_binary())
+    return fmt::format("rank correlation {:.3f} with the picture's levels, limit {:g}", r.rank,
+                       tolerance_of(run, "auc"));
+  return describe_light(display, r) + fmt::format("d' {:.1f} (limit {:g}), AUC {:.3f} (limit {:g})",
+                                                  r.score.contrast, tolerance_of(run, "contrast"),
+                                                  r.score.auc, tolerance_of(run, "auc"));
+}
+
 std::string describe(const DisplayOutcome& display, const DisplayReading& r) {
   if (!display.goal.is_binary())
     return fmt::format("rank correlation {:.3f} with the picture's levels", r.rank);
-  std::string text = fmt::format("auc {:.3f}, contrast {:.1f}, ", r.score.auc, r.score.contrast);
-  if (display.channel != optim::Channel::light)
-    text += fmt::format("{} of letter and rest {:.3f} and {:.3f}, ", to_string(display.channel),
-                        r.score.letter, r.score.rest);
-  const auto light = light_of(display, r).value_or(std::array<double, 2>{NAN, NAN});
-  return text + fmt::format("light of letter and rest {:.3f} and {:.3f}, ratio {:.2f}", light[0], light[1],
-                            light[0] / light[1]);
+  std::string text = describe_light(display, r) +
+                     fmt::format("separation d' {:.1f}, AUC {:.3f}", r.score.contrast, r.score.auc);
+  if (display.channel == optim::Channel::light) return text;
+  return text +
+         fmt::format("; mean {} {:.3f} and {:.3f}", to_string(display.channel), r.score.letter, r.score.rest);
 }
 
 Json starts_json(const optim::DisplayDesign& design) {
@@ -85,15 +102,15 @@ Json printed_json(const PrintedDisplay& printed) {
 
 std::string printed_text(const PrintedDisplay& printed, const Run& run) {
   std::string text = fmt::format(
-      "printed by {}: contrast {:.1f}, above {:.1f} in 95 of 100 prints, auc {:.3f}; {} prints in the model: "
-      "{:.1f}, "
-      "{:.1f}, {:.3f}",
-      run.design.process.name, printed.expected.contrast, printed.expected.contrast_p05, printed.expected.auc,
-      printed.prints, printed.seen.contrast, printed.seen.contrast_p05, printed.seen.auc);
+      "separation d' {:.1f} expected, above {:.1f} in 95 % of prints, estimated for {}{}; AUC {:.3f}; {} "
+      "simulated "
+      "prints: {:.1f}, {:.1f}, {:.3f}",
+      printed.expected.contrast, printed.expected.contrast_p05, run.design.process.name,
+      printed.holds() ? "" : "; not every print meets the limits", printed.expected.auc, printed.prints,
+      printed.seen.contrast, printed.seen.contrast_p05, printed.seen.auc);
   if (printed.failed > 0)
-    text += fmt::format("; {} more found no equilibrium near the design", printed.failed);
-  if (!printed.is_confirmed()) text += "; FIRST ORDER IS FAR FROM THEM";
-  return text + (printed.holds() ? ": holds" : ": NOT EVERY PRINT HOLDS");
+    text += fmt::format("; {} more have no equilibrium near the design", printed.failed);
+  return text + (printed.is_confirmed() ? "" : "; the linear estimate is far from them");
 }
 
 std::string loads_text(const PanelLoads& loads) {
@@ -101,8 +118,8 @@ std::string loads_text(const PanelLoads& loads) {
       loads.turn
           ? fmt::format("turned by {:.1f} deg: ", std::abs(to_degrees(*loads.turn)))
           : fmt::format("compressed by {:.1f} %: {:.3g} N, ", 100 * loads.compression, loads.hinges.force_N);
-  return fmt::format("{}strain {:.2f}, auc {:.3f}, contrast {:.1f}", drive, loads.hinges.strain, loads.auc,
-                     loads.contrast);
+  return fmt::format("{}strain {:.2f}, AUC {:.3f}, separation d' {:.1f}", drive, loads.hinges.strain,
+                     loads.auc, loads.contrast);
 }
 
 /// Adds the required level of each cell, next to its bodies and hinges.
@@ -199,20 +216,20 @@ void DisplayOutcome::add_metrics(const Run& run, Json& metrics) const {
 std::vector<SummaryLine> DisplayOutcome::summary_lines(const Run& run) const {
   const auto& shown = measure_of<DisplayMeasure>(run);
   std::vector<SummaryLine> lines;
-  lines.push_back({"picture", describe(*this, shown.reading) + (run.met() ? "" : ": NOT AS REQUIRED")});
+  lines.push_back({"picture", describe_with_limits(*this, shown.reading, run)});
   if (!design.starts.empty())
-    lines.push_back({"rule", "the paper's rule alone: auc " +
-                                 fmt::format("{:.3f}, contrast {:.1f}", design.starts[0].view.score.auc,
+    lines.push_back({"rule", "rule of the paper alone: AUC " +
+                                 fmt::format("{:.3f}, separation d' {:.1f}", design.starts[0].view.score.auc,
                                              design.starts[0].view.score.contrast)});
   lines.push_back(
-      {"search", fmt::format("{:.2f} s, {}, {} {}, {}", run.timings.optimise, solver(), design.evaluations,
+      {"search", fmt::format("{:.2g} s, {}, {} {}, {}", run.timings.optimise, solver(), design.evaluations,
                              design.scaled ? "iterations" : "evaluations", to_string(design.status))});
-  if (shown.printed) lines.push_back({"as made", printed_text(*shown.printed, run)});
+  if (shown.printed) lines.push_back({"print", printed_text(*shown.printed, run)});
   if (loads) lines.push_back({"limits", loads_text(*loads)});
-  if (unlimited) lines.push_back({"", "without them " + loads_text(*unlimited)});
-  if (design.refined) lines.push_back({"strain", "on purpose: without it " + describe(*this, exact)});
+  if (unlimited) lines.push_back({"", "without limits " + loads_text(*unlimited)});
+  if (design.refined) lines.push_back({"strain", "intended; without it: " + describe(*this, exact)});
   if (const auto* physics = physics_measure_of<DisplayMeasure>(run))
-    lines.push_back({"seen", "in the physics run: " + describe(*this, physics->reading)});
+    lines.push_back({"check", "picture in the simulation: " + describe(*this, physics->reading)});
   return lines;
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "app/console/short_form.hpp"
 #include "app/goals/fold/fold_goal.hpp"
 #include "app/result/result_json.hpp"
 #include "app/run/run.hpp"
@@ -92,14 +93,15 @@ void FoldOutcome::add_metrics(const Run& run, Json& metrics) const {
 std::vector<SummaryLine> FoldOutcome::summary_lines(const Run& run) const {
   const auto& shown = measure_of<FoldMeasure>(run);
   std::vector<SummaryLine> lines = {
-      {"solid", shape.describe(shown.error) + (run.met() ? "" : ": DOES NOT FOLD AS REQUIRED")}};
+      {"solid", shape.describe(shown.error, FoldShape::Limits{tolerance_of(run, "angle_deg"),
+                                                              tolerance_of(run, "shape")})}};
   lines.insert(lines.end(), shape.lines.begin(), shape.lines.end());
   lines.push_back(
-      {"search", fmt::format("{:.3f} s, {} motions examined", run.timings.optimise, shape.evaluations)});
+      {"search", fmt::format("{:.2g} s, {} motions examined", run.timings.optimise, shape.evaluations)});
   if (shown.loads) lines.push_back({"limits", loads_text(*shown.loads)});
-  if (unlimited) lines.push_back({"", "without them " + loads_text(*unlimited)});
+  if (unlimited) lines.push_back({"", "without limits " + loads_text(*unlimited)});
   if (const auto* physics = physics_measure_of<FoldMeasure>(run))
-    lines.push_back({"folded", "in the physics run: " + shape.describe(physics->error)});
+    lines.push_back({"check", "in the simulation: " + shape.describe(physics->error)});
   return lines;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/console/short_form.hpp"
 #include "app/files/file_header.hpp"
 #include "app/files/process_section.hpp"
 #include "app/files/structure_section.hpp"
@@ -160,12 +161,12 @@ std::string describe_columns(const targets::NetLayout& layout) {
 }
 
 std::string size_text(const targets::FoldGoal& goal, const std::array<double, 3>& mm) {
-  std::string text = fmt::format("{:.1f} x {:.1f} x {:.1f} mm when it is {}", mm[0], mm[1], mm[2],
-                                 goal.open ? "folded" : "closed");
+  std::string text =
+      fmt::format("{} box {:.1f} x {:.1f} x {:.1f} mm", goal.open ? "folded" : "closed", mm[0], mm[1], mm[2]);
   const auto& asked = goal.box_mm;
   if (asked)
-    text += fmt::format(", of {:g} x {:g} x {:g} mm: {:.1f} % off at most", (*asked)[0], (*asked)[1],
-                        (*asked)[2], 100 * optim::size_miss(mm, *asked));
+    text += fmt::format("; requested {:g} x {:g} x {:g} mm, off by at most {:.1f} %", (*asked)[0],
+                        (*asked)[1], (*asked)[2], 100 * optim::size_miss(mm, *asked));
   return text;
 }
 
@@ -290,9 +291,9 @@ std::vector<std::string> FoldShape::violations(const FoldFile& file, const targe
                       creases[c].name, to_degrees(of.fold[c]), to_degrees(creases[c].angle),
                       to_degrees(file.angle_tolerance)));
   if (!(of.rms <= file.shape_tolerance))
-    why.push_back(
-        fmt::format("{}: faces are off the solid by {:.3g} of their edge; at most {:.3g} is allowed", who,
-                    of.rms, file.shape_tolerance));
+    why.push_back(fmt::format("{}: faces are {} mm rms off the solid, limit {} mm", who,
+                              format_figures(of.rms * face_mm()),
+                              format_figures(file.shape_tolerance * face_mm())));
   return why;
 }
 
@@ -303,11 +304,16 @@ double FoldShape::largest_miss(const targets::FoldError& of) const {
   return most;
 }
 
-std::string FoldShape::describe(const targets::FoldError& of) const {
-  return fmt::format(
-      "{} crease{} within {:.3g} deg, faces {} of their edge from the solid (rms)", creases.size(),
-      creases.size() == 1 ? "" : "s", std::max(to_degrees(largest_miss(of)), reported_miss),
-      of.rms < reported_miss ? fmt::format("less than {:g}", reported_miss) : fmt::format("{:.3g}", of.rms));
+double FoldShape::face_mm() const { return side * sheet.size().edge_mm * std::cos(theta); }
+
+std::string FoldShape::describe(const targets::FoldError& of, const std::optional<Limits>& limits) const {
+  const auto limit = [&](double value, const char* unit) {
+    return limits ? fmt::format(" (limit {}{})", format_figures(value), unit) : "";
+  };
+  return fmt::format("{} crease{} within {:.3g} deg{}, faces {} mm rms off{}", creases.size(),
+                     creases.size() == 1 ? "" : "s", std::max(to_degrees(largest_miss(of)), reported_miss),
+                     limit(limits ? limits->angle_deg : 0, ""), format_figures(of.rms * face_mm()),
+                     limit(limits ? limits->shape * face_mm() : 0, " mm"));
 }
 
 std::array<double, 3> edges_mm(const targets::FoldGoal& goal, const optim::FoldDesign& design) {
@@ -359,7 +365,7 @@ FoldShape shape_of(const targets::SolidGoal& goal, const optim::SolidDesign& des
   add_search(design, out);
   for (const optim::FoldAttempt& attempt : design.attempts) out.obstacles.push_back(attempt.why);
   out.why_not = "no number of columns tried folds freely";
-  out.lines = {{"net", fmt::format("{} face{} of {} cells a side, {} {} per crease", net.faces.size(),
+  out.lines = {{"net", fmt::format("{} face{} of {} cells per side, {} {} per crease", net.faces.size(),
                                    net.faces.size() == 1 ? "" : "s", 2 * goal.cells, net.columns,
                                    net.columns == 1 ? "column" : "columns")},
                {"size", fmt::format("edges of {:.1f} mm when it is closed",

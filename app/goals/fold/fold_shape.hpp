@@ -85,8 +85,15 @@ struct FoldShape {
                                       const std::string& who) const;
   /// Returns the largest angle error of a crease, rad.
   double largest_miss(const targets::FoldError& of) const;
-  /// Describes the error: "12 creases within 0.001 deg, faces less than 0.001 of their edge from the solid (rms)".
-  std::string describe(const targets::FoldError& of) const;
+  /// Returns the mean edge of the folded faces, mm.
+  double face_mm() const;
+  /// Limits of the angle error of a crease and of the rms error of faces.
+  struct Limits {
+    double angle_deg = 0;  ///< deg
+    double shape = 0;      ///< ratio to the edge of a face
+  };
+  /// Describes the error: "12 creases within 0.001 deg, faces 0.02 mm rms off". @param limits are added if given
+  std::string describe(const targets::FoldError& of, const std::optional<Limits>& limits = {}) const;
 };
 
 /// Returns the edges of the ideal box in mm; an open box ends at its rim. @pre goal.box

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/console/short_form.hpp"
 #include "app/files/file_header.hpp"
 #include "app/files/structure_section.hpp"
 #include "app/goals/ribs/ribs_goal.hpp"
@@ -195,8 +196,8 @@ Json openings_json(const std::vector<targets::DomeOpening>& openings) {
 }
 
 std::string describe(const optim::RibsError& error) {
-  return fmt::format("rms {:.3f} mm, largest {:.3f} mm, ribs up to {:.3f} mm rms from their sections",
-                     error.rms, error.max, worst_rib(error));
+  return fmt::format("{} mm rms from the head plus clearance, {} mm at most", format_figures(error.rms),
+                     format_figures(error.max));
 }
 
 /// Describes holes of the mesh in the covered part of the head. Empty without holes.
@@ -206,8 +207,9 @@ std::string invented(const std::vector<targets::DomeOpening>& openings) {
   for (const targets::DomeOpening& opening : openings) widest = std::max(widest, opening.width_mm);
   const std::string holes = openings.size() == 1 ? "a hole" : fmt::format("{} holes", openings.size());
   return fmt::format(
-      "the part of the head to be covered has {} in the mesh, {}{:.0f} mm across: there the "
-      "helmet follows an invented dome, not the head",
+      "the scan has {} in the covered part, {}{:.0f} mm across. A dome closes it, so the fit there is not to "
+      "the "
+      "real head",
       holes, openings.size() == 1 ? "" : "the widest ", widest);
 }
 
@@ -307,19 +309,19 @@ class HelmetOutcome final : public RibsOutcome {
 
   std::vector<SummaryLine> summary_lines(const Run& run) const override {
     const optim::RibsError& error = measure_of<RibsMeasure>(run).error;
-    const bool is_within = error.rms <= file_.rms_mm && error.max <= file_.max_mm && is_covered();
     std::vector<SummaryLine> out = {
+        {"fit", fmt::format("{}; limits {:g} and {:g} mm", describe(error), file_.rms_mm, file_.max_mm)},
+        {"", fmt::format(
+                 "ribs up to {} mm rms from their sections, {:.0f} % of the head within a cell edge of a rib",
+                 format_figures(worst_rib(error)), 100 * cover.share)},
         {"helmet",
          fmt::format("{} ribs on a spine of {} cells, {:g} mm over the head, {:g} mm down from the crown",
                      design.layout.spine_and_ribs.ribs.size(), design.layout.spine_and_ribs.rows,
-                     file_.spec.clearance_mm, file_.spec.coverage_mm)},
-        {"fit", describe(error) +
-                    fmt::format(", {:.0f} % of the head within a cell edge of a rib: ", 100 * cover.share) +
-                    describe_tolerance(run, is_within)}};
+                     file_.spec.clearance_mm, file_.spec.coverage_mm)}};
     for (const std::string& note : design.layout.notes) out.push_back({"note", note});
     out.push_back(search_line(run.timings.optimise, design.search));
     if (const auto* physics = physics_measure_of<RibsMeasure>(run))
-      out.push_back({"worn", "in the physics run: " + describe(physics->error)});
+      out.push_back({"check", "in the simulation: " + describe(physics->error)});
     return out;
   }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/console/short_form.hpp"
 #include "app/pictures/panel_picture.hpp"
 #include "app/result/result_json.hpp"
 #include "app/result/state_json.hpp"
@@ -19,16 +20,14 @@ Json error_json(const targets::OutlineError& error) {
 
 /// Describes the active bounds of a panel that misses its outline.
 std::string binding_limit(const optim::OutlineDesign& design) {
-  return fmt::format("{:.0f} % of the walls have the largest offset, {:.0f} % turn as far as they may",
+  return fmt::format("{:.0f} % of the walls have the largest offset, {:.0f} % the largest turn",
                      100 * design.at_bounds_offset, 100 * design.at_bounds_shift);
 }
 
 /// Describes how the search ended, for a panel whose walls do not collide.
 std::string describe_search_end(const optim::OutlineDesign& design) {
-  const std::string moves = design.settled
-                                ? "no vertex moves any more"
-                                : "it took as many rounds as it may, and vertices still move a little";
-  return moves + ", and no walls meet on the way";
+  const std::string moves = design.settled ? "converged" : "stopped at the iteration limit before converging";
+  return moves + ", no walls collide during folding";
 }
 
 std::string describe_size(double size) {
@@ -189,12 +188,11 @@ void OutlineOutcome::add_sections(const Run& run, Json& result) const {
   result["outline"] = section;
   result["optimiser"] = {
       {"solver", "alternating directions"}, {"starts", std::max(1, cuts)}, {"evaluations", design.rounds}};
-  add_end(
-      design.stopped, design.clear, describe_search_end(design),
-      fmt::format("walls still meet on the way after {} rounds, from each to the next with less turning of "
-                  "those that did",
-                  design.clearance_rounds),
-      result["optimiser"]);
+  add_end(design.stopped, design.clear, describe_search_end(design),
+          fmt::format(
+              "walls still collide during folding after {} rounds, each with less turning of those that did",
+              design.clearance_rounds),
+          result["optimiser"]);
   if (design.clear && !design.settled && !design.stopped)
     result["optimiser"]["status"] = to_string(optim::SolveStatus::evaluation_limit);
 }
@@ -217,24 +215,24 @@ void OutlineOutcome::add_metrics(const Run& run, Json& metrics) const {
 
 std::vector<SummaryLine> OutlineOutcome::summary_lines(const Run& run) const {
   const double edge = run.design.structure.size().edge_mm;
+  const double drawn_mm = size(edge) * file.folded.diagonal();
   const targets::OutlineError& error = measure_of<OutlineMeasure>(run).error;
   std::vector<SummaryLine> lines;
   lines.push_back(
-      {"outline", fmt::format("rim {:.2f} % of the diagonal off the outline (rms, {:.3f} mm), area {:.1f} % "
-                              "shared, {}: {}",
-                              100 * error.rms, error.rms * size(edge) * file.folded.diagonal(),
-                              100 * error.iou, describe_size(size(edge)),
-                              describe_tolerance(run, app::violations(file, error, "").empty()))});
+      {"outline",
+       fmt::format("{} mm rms from the outline, limit {} mm; {:.1f} % area overlap, limit {:g} %; {}",
+                   format_figures(error.rms * drawn_mm), format_figures(file.shape_tolerance * drawn_mm),
+                   100 * error.iou, 100 * file.iou_tolerance, describe_size(size(edge)))});
   if (file.flat)
-    lines.push_back(
-        {"flat", fmt::format("rim {:.2f} % of the diagonal off its outline (rms), area {:.1f} % shared",
-                             100 * design.flat.rms, 100 * design.flat.iou)});
+    lines.push_back({"flat", fmt::format("{} mm rms from its outline, {:.1f} % area overlap",
+                                         format_figures(design.flat.rms * size(edge) * file.flat->diagonal()),
+                                         100 * design.flat.iou)});
   if (!run.met()) lines.push_back({"bounds", binding_limit(design)});
   lines.push_back(
-      {"hinges", fmt::format("up to {:.2f} mm off the middle of their walls, t from {:.2f} to {:.2f}",
+      {"hinges", fmt::format("offset from the middle of their walls up to {:.2f} mm, t from {:.2f} to {:.2f}",
                              design.offset * edge, 0.5 - design.shift / 2, 0.5 + design.shift / 2)});
   lines.push_back(
-      {"search", fmt::format("{:.2f} s, {} convex problems{}", run.timings.optimise, design.rounds,
+      {"search", fmt::format("{:.2g} s, {} convex problems{}", run.timings.optimise, design.rounds,
                              cuts > 0 ? fmt::format(", {} cuts of the lattice", cuts) : "")});
   return lines;
 }
@@ -255,11 +253,10 @@ std::vector<std::string> violations(const OutlineFile& file, const targets::Outl
                                     const std::string& who) {
   std::vector<std::string> why;
   if (!(error.rms <= file.shape_tolerance))
-    why.push_back(
-        fmt::format("{}: the rim is {:.2f} % of the diagonal off the outline; at most {:.2f} % is allowed",
-                    who, 100 * error.rms, 100 * file.shape_tolerance));
+    why.push_back(fmt::format("{}: the boundary is {:.2f} % of the diagonal off the outline, limit {:.2f} %",
+                              who, 100 * error.rms, 100 * file.shape_tolerance));
   if (!(error.iou >= file.iou_tolerance))
-    why.push_back(fmt::format("{}: {:.1f} % of the area is shared; at least {:.1f} % is asked", who,
+    why.push_back(fmt::format("{}: {:.1f} % of the area overlaps, at least {:.1f} % is required", who,
                               100 * error.iou, 100 * file.iou_tolerance));
   return why;
 }

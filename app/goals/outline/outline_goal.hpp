@@ -33,7 +33,7 @@ class OutlineMeasure final : public Measure {
   targets::OutlineError error;
 };
 
-/// Describes violations of the tolerances. @param who name of the state, such as "model" or "physics run"
+/// Describes violations of the tolerances. @param who name of the state, such as "model" or "simulation"
 std::vector<std::string> violations(const OutlineFile& file, const targets::OutlineError& error,
                                     const std::string& who);
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/console/short_form.hpp"
 #include "app/files/file_header.hpp"
 #include "app/files/goal_settings.hpp"
 #include "app/files/structure_section.hpp"
@@ -191,24 +192,23 @@ struct SpaceBlockOutcome final : GoalOutcome {
     const optim::SpaceBlockDesign& found = file.found;
     const Eigen::Vector3d& g = found.gusset;
     std::vector<SummaryLine> lines = {
-        {"block",
-         fmt::format(
-             "{} at rest between its outermost rotors, {} pressed: {} of its lengths, off by {:.1e}: {}",
-             lengths_text(found.size_mm), lengths_text(error.factors.cwiseProduct(found.size_mm)),
-             factors_text(error.factors), error.off,
-             describe_tolerance(run, error.off <= file.factor_tolerance))},
+        {"block", fmt::format("factors off by {}, limit {:g}; {} at rest, {} pressed",
+                              format_figures(error.off), file.factor_tolerance, lengths_text(found.size_mm),
+                              lengths_text(error.factors.cwiseProduct(found.size_mm)))},
+        {"factors", factors_text(error.factors) + " of the lengths at rest, between the outermost rotors"},
         {"lattice",
          fmt::format("sodalite, {} x {} x {} cells with edges of {:.3g} mm, gussets of {:.3g}, {:.3g} "
                      "and {:.3g} edges in squares normal to x, y and z",
                      found.cells[0], found.cells[1], found.cells[2], found.edge_mm, g.x(), g.y(), g.z())}};
     if (const auto* physics = physics_measure_of<SpaceBlockMeasure>(run))
-      lines.push_back({"pressed", fmt::format("in the physics run: {} of its lengths, off by {:.1e}",
-                                              factors_text(physics->error.factors), physics->error.off)});
+      lines.push_back(
+          {"check", fmt::format("in the simulation: factors {}, off by {}",
+                                factors_text(physics->error.factors), format_figures(physics->error.off))});
     return lines;
   }
 };
 
-/// Describes violations of the factor tolerance. @param who name of the state, such as "model" or "physics run"
+/// Describes violations of the factor tolerance. @param who name of the state, such as "model" or "simulation"
 std::vector<std::string> violations(const SpaceBlockFile& file, const targets::SpaceBlockError& error,
                                     const std::string& who) {
   if (error.off <= file.factor_tolerance) return {};

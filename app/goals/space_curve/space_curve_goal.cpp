@@ -290,25 +290,21 @@ struct SpaceCurveOutcome final : GoalOutcome {
   }
   std::vector<SummaryLine> summary_lines(const Run& run) const override {
     const targets::SpaceError& error = measure_of<SpaceCurveMeasure>(run).error;
-    std::vector<SummaryLine> lines;
-    lines.push_back(
-        {"shape",
-         fmt::format(
-             "rms {:.2e} of the goal's diagonal ({:.3f} mm from curve to curve), largest {:.3f} mm: {}",
-             error.rms, error.rms * error.scale_mm, error.max * error.scale_mm,
-             describe_tolerance(run, error.rms <= file.shape_tolerance))});
+    std::vector<SummaryLine> lines = {
+        describe_shape(error.rms, error.max, error.scale_mm, file.shape_tolerance)};
     const Eigen::Vector3d& y = found.across.direction;
     lines.push_back(
-        {"across", fmt::format("the strip's width lies along [{:.3f}, {:.3f}, {:.3f}], along which the curve "
-                               "climbs by at most {:.3f} of its length",
-                               y.x(), y.y(), y.z(), found.across.slope)});
-    lines.push_back({"search", fmt::format("{:.3f} s, {} evaluations, {}", run.timings.optimise,
+        {"across",
+         fmt::format("strip width along [{:.3f}, {:.3f}, {:.3f}]; slope of the curve in this direction at "
+                     "most {:.3f}",
+                     y.x(), y.y(), y.z(), found.across.slope)});
+    lines.push_back({"search", fmt::format("{:.2g} s, {} evaluations, {}", run.timings.optimise,
                                            found.search.evaluations, to_string(found.search.status))});
     return lines;
   }
 };
 
-/// Describes violations of the shape tolerance. @param who "model", "equilibrium" or "physics run"
+/// Describes violations of the shape tolerance. @param who "model", "equilibrium" or "simulation"
 std::vector<std::string> violations(const SpaceCurveFile& file, const targets::SpaceError& error,
                                     const std::string& who) {
   if (error.rms <= file.shape_tolerance) return {};

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/console/short_form.hpp"
 #include "app/result/result_json.hpp"
 
 namespace kinetix::app {
@@ -44,7 +45,7 @@ std::vector<std::string> surface_violations(const SurfaceOutcome& o) {
                         ? fmt::format("; the sheet has {:.0f} % of its curvature", 100 * o.curvature.share)
                         : ""));
   if (!(error.cover >= o.file.cover_tolerance))
-    why.push_back(fmt::format("model: {:.0f} % of the area is shared; at least {:.0f} % is asked",
+    why.push_back(fmt::format("model: {:.0f} % of the area overlaps, at least {:.0f} % is required",
                               100 * error.cover, 100 * o.file.cover_tolerance));
   if (!o.needs_curvature()) return why;
   if (!(o.curvature.share >= o.file.curvature_tolerance))
@@ -278,11 +279,10 @@ void SurfaceOutcome::add_metrics(const Run& run, Json& metrics) const {
 std::vector<SummaryLine> SurfaceOutcome::summary_lines(const Run& run) const {
   std::vector<SummaryLine> lines;
   lines.push_back(
-      {"surface",
-       fmt::format(
-           "vertices {:.2f} % of the diagonal off its two layers (rms, {:.3f} mm), area {:.0f} % shared: {}",
-           100 * design.error.rms, design.error.rms * diagonal_mm, 100 * design.error.cover,
-           describe_tolerance(run, surface_violations(*this).empty()))});
+      {"surface", fmt::format("{} mm rms from the surface, limit {} mm; {:.0f} % area overlap, limit {:g} %",
+                              format_figures(design.error.rms * diagonal_mm),
+                              format_figures(file.shape_tolerance * diagonal_mm), 100 * design.error.cover,
+                              100 * file.cover_tolerance)});
   if (needs_curvature())
     lines.push_back(
         {"curvature",
@@ -296,14 +296,14 @@ std::vector<SummaryLine> SurfaceOutcome::summary_lines(const Run& run) const {
                                        to_degrees(design.tilt))});
   const double edge = run.design.structure.size().edge_mm;
   lines.push_back(
-      {"walls",
-       fmt::format("a mean wall is {:.2f} mm; {}", edge,
-                   free_height > 0 ? fmt::format("plates up to {:.2f} mm high never meet", free_height * edge)
-                                   : "plates of any height meet on the way")});
+      {"walls", fmt::format("a mean wall is {:.2f} mm; {}", edge,
+                            free_height > 0
+                                ? fmt::format("plates up to {:.2f} mm high never collide", free_height * edge)
+                                : "plates of any height collide during folding")});
   const std::vector<SurfaceMethod>& methods = measure_of<SurfaceMeasure>(run).methods;
-  if (methods.size() > 1) lines.push_back({"beside", describe({methods.begin() + 1, methods.end()})});
+  if (methods.size() > 1) lines.push_back({"others", describe({methods.begin() + 1, methods.end()})});
   lines.push_back(
-      {"search", fmt::format("{:.2f} s, {} evaluations", run.timings.optimise, design.evaluations)});
+      {"search", fmt::format("{:.2g} s, {} evaluations", run.timings.optimise, design.evaluations)});
   return lines;
 }
 
@@ -312,10 +312,10 @@ std::vector<std::string> violations(const SurfaceOutcome& o) {
   if (!o.design.within)
     why.push_back("no flat-foldable mesh within the bounds of its sectors, edges and tilts was found");
   if (!o.clear)
-    why.push_back(
-        o.free_height > 0
-            ? fmt::format("walls meet on the way; plates up to {:.3f} walls high would not", o.free_height)
-            : "walls meet on the way whatever their height");
+    why.push_back(o.free_height > 0
+                      ? fmt::format("walls collide during folding; plates up to {:.3f} walls high would not",
+                                    o.free_height)
+                      : "walls of any height collide during folding");
   return why;
 }
 

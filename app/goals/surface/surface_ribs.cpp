@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "app/console/short_form.hpp"
 #include "app/goals/ribs/ribs_goal.hpp"
 #include "app/goals/surface/surface_file.hpp"
 #include "app/result/result_json.hpp"
@@ -110,13 +111,12 @@ class SurfaceRibs final : public RibsOutcome {
     const std::vector<SurfaceMethod>& methods = measure_of<RibsMeasure>(run).methods;
     const SurfaceMethod& method = methods.front();
     std::vector<SummaryLine> out;
-    const bool is_within = is_near(method) && cover.share >= file_.covered_tolerance;
     out.push_back(
         {"surface",
-         fmt::format("bodies {:.3f} % of the diagonal off it (rms, {:.3f} mm), {:.0f} % of its area "
-                     "within a cell edge of a rib: {}",
-                     100 * method.rms, method.rms * file_.surface.diagonal, 100 * cover.share,
-                     describe_tolerance(run, is_within))});
+         fmt::format("{} mm rms from the surface, limit {} mm; {:.0f} % of it near a rib, limit {:g} %",
+                     format_figures(method.rms * file_.surface.diagonal),
+                     format_figures(file_.shape_tolerance * file_.surface.diagonal), 100 * cover.share,
+                     100 * file_.covered_tolerance)});
     out.push_back(
         {"ribs",
          fmt::format(
@@ -124,16 +124,16 @@ class SurfaceRibs final : public RibsOutcome {
              design.layout.spine_and_ribs.rows, file_.spec.size.edge_mm,
              design.trimmed > 0 ? fmt::format(", {} cells shorter so that none meet", design.trimmed) : "")});
     out.push_back(
-        {"bare",
-         fmt::format("the surface is {:.3g} mm from the nearest rib (rms), {:.3g} mm at most; cells lie on "
-                     "{:.0f} % of its area",
-                     cover.rms, cover.max, 100 * (1 - method.open))});
-    if (methods.size() > 1) out.push_back({"beside", app::describe({methods.begin() + 1, methods.end()})});
+        {"bare", fmt::format("surface {:.3g} mm rms from the nearest rib, {:.3g} mm at most; cells cover "
+                             "{:.0f} % of it",
+                             cover.rms, cover.max, 100 * (1 - method.open))});
+    if (methods.size() > 1) out.push_back({"others", app::describe({methods.begin() + 1, methods.end()})});
     out.push_back(search_line(run.timings.optimise, design.search));
     if (const auto* physics = physics_measure_of<RibsMeasure>(run))
       out.push_back(
-          {"settled", fmt::format("in the physics run: bodies {:.3f} % off, largest {:.3f} %",
-                                  100 * physics->methods.front().rms, 100 * physics->methods.front().max)});
+          {"check", fmt::format("in the simulation: {} mm rms from the surface, {} mm at most",
+                                format_figures(physics->methods.front().rms * file_.surface.diagonal),
+                                format_figures(physics->methods.front().max * file_.surface.diagonal))});
     return out;
   }
 

@@ -22,24 +22,24 @@ function describeRange({low, high}) {
 }
 
 function describeLimit({walls, contact}, side) {
-  if (walls.length < 2) return `To ${side} \u03b8 the proof ends with the search.`;
-  const seen = finite(contact) === null ? "come closer than rounding tells" : `do overlap at ${degrees(contact)}`;
-  return `To ${side} \u03b8 it ends with walls ${walls[0]} and ${walls[1]}, which ${seen}.`;
+  if (walls.length < 2) return `For ${side} \u03b8 no collision was found up to the end of the search.`;
+  const seen = finite(contact) === null ? "come closer than the rounding error" : `collide at ${degrees(contact)}`;
+  return `For ${side} \u03b8 it ends at walls ${walls[0]} and ${walls[1]}, which ${seen}.`;
 }
 
 function thetaPlace(covers, {hasLeft}) {
-  if (hasLeft) return "is not of that form";
-  return covers ? "lies within" : "lies beyond: walls may meet on the way";
+  if (hasLeft) return "does not follow this motion";
+  return covers ? "is inside" : "is outside: walls may collide during folding";
 }
 
 /** Draws a bar for each range, and a line at the theta of the reported state. */
 function drawRanges({certified, metrics}, width) {
-  const bars = [["as designed", certified.design], ["as printed", certified.printed]], row = 34, left = 92, height = bars.length * row + 34;
+  const bars = [["as designed", certified.design], ["with errors", certified.printed]], row = 34, left = 92, height = bars.length * row + 34;
   const theta = certified.hasLeft ? null : toDegrees(metrics.theta_rad), ends = [...bars.flatMap(([, {low, high}]) => [low.theta, high.theta]), theta ?? 0, 0];
   const X = mapping({range: padded([Math.min(...ends), Math.max(...ends)])}, left, width - 14);
   const line = (at, kind) => svg("path", {class: kind, d: path([[X(at), 4], [X(at), bars.length * row + 4]])});
   return drawing(
-      width, height, "Theta free of contact, as designed and as printed",
+      width, height, "Collision-free fold angles, as designed and with print errors",
       bars.map(([name, {low, high}], k) => [
         svg("text", {class: "label", x: 2, y: k * row + 24}, name),
         svg("rect", {class: "bar free", x: X(low.theta), y: k * row + 10, width: Math.max(X(high.theta) - X(low.theta), 1), height: 20})
@@ -55,21 +55,21 @@ function describeLeftOut({leftOut}) {
   return leftOut ? ` ${count(leftOut, "pair of plates touches", "pairs of plates touch")} as built, flat, and ${leftOut === 1 ? "is" : "are"} left out.` : "";
 }
 
-const ELASTIC_TEXT = " That is proven of the closed form; states shown are equilibria of elastic hinges near it.";
+const ELASTIC_TEXT = " Computed for ideal hinges; the elastic solution stays close to this motion.";
 
-const LEFT_TEXT = "Of the state shown nothing is proven: the equilibrium has left the closed form, and only that form is looked at here. Of it is proven";
+const LEFT_TEXT = "Collisions were not checked for this state: the elastic solution departs from the ideal motion that the check covers. For the ideal motion,";
 
 const isProvenOfOthers = ({certified}) => certified?.hasLeft === true;
 
 function certifiedSection(data) {
   const {certified} = data;
-  if (certified.whyNot) return html("p", {}, `No range of \u03b8 is proven: ${certified.whyNot}.`);
+  if (certified.whyNot) return html("p", {}, `Collisions were not checked: ${certified.whyNot}.`);
   const {design, printed} = certified;
   return [
-    html("p", {}, `${certified.hasLeft ? LEFT_TEXT : "Proven"} for every state between, not for samples of them: no two walls touch for ${describeRange(design)}; this state ${
+    html("p", {}, `${certified.hasLeft ? LEFT_TEXT + " no" : "No"} two walls collide for ${describeRange(design)}. The check is continuous, not at sampled angles. This state ${
         thetaPlace(certified.covers, certified)}.${certified.isExact || certified.hasLeft ? "" : ELASTIC_TEXT} ${describeLimit(design.high, "positive")} ${describeLimit(design.low, "negative")}${describeLeftOut(design)}`),
     responsive((width) => drawRanges(data, width)),
-    html("p", {}, `With each wall up to ${millimetres(printed.growth)} out of place, three standard deviations of the process: ${describeRange(printed)}; this state ${
-        thetaPlace(certified.coversPrinted, certified)}. Hinges themselves, their pins and films, are not walls.`)
+    html("p", {}, `With print errors (walls up to ${millimetres(printed.growth)} out of place, three standard deviations): ${describeRange(printed)}. This state ${
+        thetaPlace(certified.coversPrinted, certified)}. The hinges themselves are not included.`)
   ];
 }

@@ -19,9 +19,9 @@ function eventName({kind, what}) {
 const STOPS = {
   reached: "reached its goal",
   torn: "stopped: a hinge is overstretched",
-  locked: "stopped: walls in contact lock it",
+  locked: "stopped: walls in contact jam it",
   "not converged": "stopped: no equilibrium found further on",
-  "interrupted": "stopped: it was told to stop",
+  "interrupted": "stopped: on request",
 };
 
 function readEnergies(raw) {
@@ -118,27 +118,27 @@ function equilibriumVerdict(data) {
       mark: "\u2715",
       tone: "bad",
       title: `The drive ${STOPS[equilibrium.stop] ?? words(equilibrium.stop)}`,
-      text: `${held} It says: ${equilibrium.why}`
+      text: `${held} Reason: ${equilibrium.why}`
     };
   if (equilibrium.isOnTheOtherSide)
     return {
       mark: "\u2715",
       tone: "bad",
-      title: "In equilibrium, but folded to the other side",
-      text: `It stands at \u03b8 ${degrees(toDegrees(data.metrics.theta_rad))}, where ${degrees(toDegrees(equilibrium.goal))} was asked for. ${held}`
+      title: "In equilibrium, but folded in the opposite direction",
+      text: `Its fold angle is ${degrees(toDegrees(data.metrics.theta_rad))}, requested ${degrees(toDegrees(equilibrium.goal))}. ${held}`
     };
   if (hasRun && verified === false)
     return {
       mark: "!",
       tone: "bad",
-      title: "In equilibrium, but the physics run " + failing(data),
+      title: "In equilibrium, but the simulation " + failing(data),
       text: `${held} ${describePhysics(data)}`
     };
   return {
     mark: hasRun ? "\u2713" : "i",
     tone: hasRun ? "good" : "unsure",
-    title: hasRun ? "In equilibrium, and the physics run agrees" : "In equilibrium",
-    text: held + (hasRun ? " " + describePhysics(data) : " It was not checked by a physics run.")
+    title: hasRun ? "In equilibrium, and the simulation agrees" : "In equilibrium",
+    text: held + (hasRun ? " " + describePhysics(data) : " It was not checked by a simulation.")
   };
 }
 

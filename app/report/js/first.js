@@ -7,7 +7,6 @@ const FOLDED_COLUMN = 1.35;   // column width of the folded picture over that of
 const NARROW = "(max-width: 700px)";  // screens with one picture below the other, as in the style sheet
 const FIRST_SLANT = [-0.55, 0.42], FIRST_TOP = [0, 1.1];  // azimuth and elevation, rad
 const MOST_FACES = 6000;      // faces of bodies per picture: more take a browser seconds; the view in space shows them
-const SHAPE_MEMORY_SPRINGS = "its own springs";  // `effort` of a result with a shape-memory drive
 
 /** Returns whether a panel may be rotated in its plane. That is so without plates, which align its sides. */
 function liesAslant({view, equilibrium, goal, states}) {
@@ -142,40 +141,17 @@ function cellsText(structure) {
   return `${count(structure.cells, "cell", "cells")}, edges of ${millimetres(structure.cell)}`;
 }
 
-/** Describes the peak load of the drive, N or N mm, with its effort; null if no elastic model was run. */
-function forceText({equilibrium, raw, printTolerance}) {
-  if (!equilibrium) return softHingeForceText(printTolerance?.taken);
-  const {effort} = raw.equilibrium, steps = list(raw.equilibrium.path).filter((step) => finite(step.load) !== null);
-  if (effort === SHAPE_MEMORY_SPRINGS) return "nobody's: its own springs fold it";
-  if (!steps.length) return null;
-  const most = steps.reduce((a, {load}) => Math.max(a, Math.abs(load)), 0), unit = steps[0].load_unit === "N mm" ? `N${SPACE}mm` : "N";
-  return `${figures(most, 2)} ${unit} at most` + (effort ? `: a matter for ${effort}` : "");
-}
-
-/** Describes the load that folds soft hinges to the design; null if it is unknown. */
-function softHingeForceText(taken) {
-  const load = someDictionary(taken?.load);
-  if (!load || finite(load.value) === null) return null;
-  const unit = load.unit === "N mm" ? `N${SPACE}mm` : "N";
-  return `${figures(Math.abs(load.value), 2)} ${unit} with soft blocks in its hinges: a matter for ${load.effort}`;
-}
-
-/** Describes the strain of elastomer and living hinges; null if it is unknown, or if the print tolerance has it. */
-function strainText({metrics: {strain_max: most, strain_allowed: allowed}, printTolerance}) {
-  if (printTolerance?.taken || finite(most) === null || finite(allowed) === null) return null;
-  return `${figures(most, 2)} of the ${neat(allowed)} that the hinges' material bears${most > allowed ? ": more than it bears" : ""}`;
-}
-
-function formatPrintTolerance({printTolerance}) {
-  if (!printTolerance) return null;
-  return `${millimetres(printTolerance.rms)} off the goal by ${printTolerance.process}; 95 of 100 within ${millimetres(printTolerance.p95)}, allowed ${millimetres(printTolerance.tolerance)}`;
+/** Returns the lines of the console as rows, except the sizes, which are taken from the pictures. */
+function summaryFacts({summary}) {
+  const capital = (label) => label.charAt(0).toUpperCase() + label.slice(1);
+  return summary.filter(({label}) => label !== "size" && label !== "bodies").map(({label, text}) => [capital(label), text]);
 }
 
 function printText({print}) {
   if (!print) return null;
   const minutes = Math.max(1, Math.round(print.seconds / 60)), hours = Math.floor(minutes / 60);
   const time = hours ? `${hours} h ${minutes % 60} min` : `${minutes} min`, times = print.prints > 1 ? ` in ${print.prints} prints` : "";
-  return `${time}, ${figures(print.material / 1000, 2)} cm\u00b3${times}, by ${print.process} with ${print.hinges}s, as PrusaSlicer reckons`;
+  return `${time}, ${figures(print.material / 1000, 2)} cm\u00b3${times}, by ${print.process} with ${print.hinges}s, estimated by PrusaSlicer`;
 }
 
 function firstFacts(data) {
@@ -185,11 +161,8 @@ function firstFacts(data) {
     [isBodies ? "At rest" : "Flat", isDrawn && states.flat && sizeText(boxOfPlates(standingFlat(data)))],
     [isBodies ? "Moved" : "Folded", isDrawn && states.model && sizeText(boxOfPlates(standingPlates(data, states.model)))],
     isBodies ? ["Bodies", `${structure.bodies.length}, with ${count(structure.hinges.length, "hinge", "hinges")}`] : ["Sheet", `${cellsText(structure)}; ${walls}`],
-    ["Force", forceText(data)],
-    ["Strain", strainText(data)],
-    ["As made", formatPrintTolerance(data)],
-    ["Print", printText(data)],
-    ...(data.kind?.facts?.(data) ?? []),
+    ...summaryFacts(data),
+    ["Print time", printText(data)],
   ].filter(([, value]) => value);
   return html("dl", {class: "first-facts"}, rows.map(([name, value]) => html("div", {}, html("dt", {}, name), html("dd", {}, value))));
 }

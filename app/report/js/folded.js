@@ -133,7 +133,7 @@ function foldedPicture(data) {
           legend(
               hasGoal && ["goal", "target curve"], data.kind?.backdropKey, bareKey(data), ["wall", "walls, folded (model)"],
               seenFromSide(data) && ["model", "midline of the model"],
-              seenFromSide(data) && data.states.physics && data.verdict.verified !== false && ["physics", "midline of the physics run"]),
+              seenFromSide(data) && data.states.physics && data.verdict.verified !== false && ["physics", "midline of the simulation"]),
           seenFromSide(data) ? "Seen from the side, true proportions. " +
                   "The midline runs through the middle of the strip\u2019s width and height." :
                                data.view === "top" ? "Seen from above, compressed." : "Seen at a slant from above."));

@@ -10,7 +10,6 @@
 //   numbers: key numbers for the top of the page.
 //   fitText: formats the error of a start of the search, if it is not a share of the goal's size (optional).
 //   standing: function from data to a picture for the first screen that replaces the walls (optional).
-//   facts: more rows [name, words] of the first screen (optional).
 //   hasNoLayout: a section of the kind replaces the flat layout (optional).
 //   firstSections, lastSections: [id, title, content], before and after the sections of all results.
 const GOALS = [

@@ -201,7 +201,7 @@ class SceneView {
     const [start, end] = this.data.structure.isBodies ? ["at rest", "moved "] : ["flat", "folded "];
     const fold = moves ? html("label", {class: "slider"}, start, this.slider, end, this.readout) : null;
     const physics = this.data.states.physics ? html("fieldset", {}, choice("source", "model", true, () => this.showPhysics(false)),
-        choice("source", "physics run", false, () => this.showPhysics(true))) : null;
+        choice("source", "simulation", false, () => this.showPhysics(true))) : null;
     this.choices = this.colours();
     this.select = html("select", {class: "colours", change: () => this.paint()}, html("option", {value: ""}, "plain"),
         Object.entries(this.choices).map(([name, {text}]) => html("option", {value: name}, text)));

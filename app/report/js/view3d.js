@@ -137,7 +137,7 @@ function stopsOf(data) {
   const flat = states.flat && !(states.frames[0]?.theta < 1e-6) ? [stop(states.flat, "model", "flat")] : [];
   return {
     motion: [...flat, ...frames, ...final],
-    physics: states.physics ? stop(states.physics, "physics", "physics run") : null
+    physics: states.physics ? stop(states.physics, "physics", "simulation") : null
   };
 }
 
@@ -218,14 +218,14 @@ function controls(scene, motion, repaint) {
       "div", {class: "controls"},
       hasPhysics ? html(
                        "fieldset", {}, choice("source", "model", true, show("model")),
-                       choice("source", "physics run", false, show("physics"))) :
+                       choice("source", "simulation", false, show("physics"))) :
                    null,
       motionBox?.box, html("div", {class: "buttons"}, viewButtons(scene, repaint)));
 }
 
 function spaceSection(data) {
   const {hinges, isBodies, meshes} = data.structure;
-  if (isBodies && !meshes) return missing("The surfaces of its bodies are not on this page; kinetix-opt view shows them.");
+  if (isBodies && !meshes) return missing("The surfaces of its bodies are not on this page; the studio shows them.");
   if (data.states.model && hinges.length && hasScene()) return sceneSection(data);
   const {motion, physics} = stopsOf(data);
   if (!motion.length || !hinges.length) return missing("This result holds no state to draw.");

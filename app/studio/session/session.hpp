@@ -77,7 +77,7 @@ class Session : public SessionLoop {
   void show_newest(int number, NewestShape& newest);
   void dropped(int client, double id);
   void snap();
-  void search_for(const targets::Node& root, std::shared_ptr<const void> keeps);
+  void search_for(const targets::Node& root, std::shared_ptr<const std::filesystem::path> folder);
   void found(std::shared_ptr<Run> run);
 
   void send_design(int client = all_clients);

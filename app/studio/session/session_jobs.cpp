@@ -7,6 +7,7 @@
 #include "app/print/export_command.hpp"
 #include "app/print/fit.hpp"
 #include "app/result/result_json.hpp"
+#include "app/result/short_summary.hpp"
 #include "app/result/verdict.hpp"
 #include "app/studio/messages/message.hpp"
 #include "app/studio/session/session.hpp"
@@ -35,6 +36,15 @@ std::string plain_name(const std::string& name) {
   return name;
 }
 
+/// Removes the path of a temporary folder from a message: the user did not name it. @param folder null: none
+std::string without_folder(std::string message, const fs::path* folder) {
+  if (!folder) return message;
+  const std::string path = folder->string() + "/";
+  for (std::size_t at = 0; (at = message.find(path, at)) != std::string::npos;)
+    message.erase(at, path.size());
+  return message;
+}
+
 }  // namespace
 
 void Session::receive_part(const Message& message) {
@@ -55,14 +65,18 @@ void Session::search(const Message& message) {
   for (const auto& [name, content] : parts.files()) write_file((*folder / name).string(), content);
   const std::string file = (*folder / "target.yaml").string();
   write_file(file, message.text("target"));
-  const targets::Node root = targets::read_document(file, max_design_bytes);
-  read_target(root);
-  search_for(root, folder);
+  try {
+    const targets::Node root = targets::read_document(file, max_design_bytes);
+    read_target(root);
+    search_for(root, folder);
+  } catch (const InvalidInput& e) {
+    throw InvalidInput(without_folder(e.what(), folder.get()));
+  }
 }
 
-/// @param keeps objects that must live until the search ends
-void Session::search_for(const targets::Node& root, std::shared_ptr<const void> keeps) {
-  searcher_.start([this, root, keeps](const std::stop_token& stop) {
+/// @param folder of the target's files, which lives until the search ends; null for a target that the user named
+void Session::search_for(const targets::Node& root, std::shared_ptr<const fs::path> folder) {
+  searcher_.start([this, root, folder](const std::stop_token& stop) {
     std::string stage_shown;
     TimeLeft left;
     std::mutex text_mutex;
@@ -96,7 +110,7 @@ void Session::search_for(const targets::Node& root, std::shared_ptr<const void> 
       auto run = std::make_shared<Run>(run_goal(*target.goal, options));
       enqueue([this, run] { found(run); });
     } catch (const std::exception& e) {
-      enqueue([this, what = failure_message(e)] {
+      enqueue([this, what = without_folder(failure_message(e), folder.get())] {
         searching_ = false;
         send_message(error_message(what, 0, "search"));
         send_state();
@@ -114,7 +128,8 @@ void Session::found(std::shared_ptr<Run> run) {
   DesignResult design_result{run,
                              {{"type", "result"},
                               {"result", result_json(*run)},
-                              {"summary", summary(*run)},
+                              {"summary", page_summary(short_form(*run))},
+                              {"details", summary(*run)},
                               {"met", verdict_of(*run).met.value_or(false)},
                               {"stopped", run->stopped}},
                              design.theta};

@@ -26,7 +26,7 @@ class SearchEvaluator final : public Evaluator {
   SampleMaker maker_;
 };
 
-/// Returns the physics run's state if `physics` is set and there is one, else the model's state. Null without
+/// Returns the simulation's state if `physics` is set and there is one, else the model's state. Null without
 /// any.
 const NamedState* shown_state(const Run& run, bool physics) {
   const NamedState* shown = nullptr;
@@ -197,7 +197,7 @@ void DesignEvaluator::see_equilibrium(const Design& design, model::EquilibriumPa
 
 void DesignEvaluator::see_physics(SampleRow& row) {
   const Verification& v = *run_.verification;
-  if (!is_settled(v)) throw InvalidInput("physics run " + to_string(v.physics.status) + ": " + v.physics.why);
+  if (!is_settled(v)) throw InvalidInput("simulation " + to_string(v.physics.status) + ": " + v.physics.why);
   seen_.state = &v.physics.state;
   seen_.physics = &v.physics;
   seen_.from_model = v.distance;

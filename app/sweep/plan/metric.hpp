@@ -13,8 +13,8 @@ struct Observation {
   const model::State* nominal = nullptr;            ///< the base's state
   const Goal* goal = nullptr;                       ///< the sweep's `goal`
   const Equilibrium* equilibrium = nullptr;         ///< set by the equilibrium model
-  const sim::PhysicsResult* physics = nullptr;      ///< set by the physics run
-  model::StateDistance from_model = {};             ///< set by the physics run; NaN without a model's state
+  const sim::PhysicsResult* physics = nullptr;      ///< set by the simulation
+  model::StateDistance from_model = {};             ///< set by the simulation; NaN without a model's state
   const nlohmann::ordered_json* metrics = nullptr;  ///< set by a search, as in result.json
 };
 

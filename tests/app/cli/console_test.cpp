@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <pty.h>
+#include <sys/wait.h>
 #include <unistd.h>
+#include <sstream>
 
 #include "app/console/console.hpp"
 
@@ -14,7 +17,7 @@ using ::testing::Not;
 TEST(Console, SaysOfStagesThatTakeLongAloneWhereItIsAskedTo) {
   ::testing::internal::CaptureStderr();
   {
-    app::Console console(false, false);
+    app::Console console(false, false, std::chrono::seconds(1));
     console.stage("building solids", -1);
     console.stage("writing files", 0.5);
     usleep(1'600'000);
@@ -33,12 +36,12 @@ TEST(TimeLeft, CountsDownAndNeverGoesUp) {
   EXPECT_EQ(left.text(10), "about 40 s left");
   EXPECT_EQ(left.text(25), "about 25 s left");
   left.update(26, 0.7);  // extrapolation would give 39 s
-  EXPECT_EQ(left.text(26), "takes longer than it seemed");
+  EXPECT_EQ(left.text(26), "still working, longer than estimated");
   left.update(30, 0.9);
   EXPECT_EQ(left.text(30), "about 7.5 s left");
   left.update(31, 0.9);  // repeats the share, so it adds no evidence
   EXPECT_EQ(left.text(31), "about 6.5 s left");
-  EXPECT_EQ(left.text(40), "takes longer than it seemed");
+  EXPECT_EQ(left.text(40), "still working, longer than estimated");
   left.update(41, 1);
   EXPECT_EQ(left.text(41), "");
 }
@@ -57,10 +60,10 @@ TEST(TimeLeft, StandsWhereALaterShareIsALittleSlower) {
 }
 
 /// Prints lines if stderr is not a terminal.
-TEST(Console, SaysEverySecondHowFarAStageIs) {
+TEST(Console, ReportsHowFarAStageIsAtIntervals) {
   ::testing::internal::CaptureStderr();
   {
-    app::Console console(false);
+    app::Console console(false, true, std::chrono::seconds(1));
     console.stage("folding", 0);
     usleep(900'000);
     console.stage("folding", 0.2);  // 3.6 s are left
@@ -75,6 +78,38 @@ TEST(Console, SaysEverySecondHowFarAStageIs) {
   EXPECT_THAT(said,
               AllOf(HasSubstr("folding ...\nfolding ... 20 %, 1"), HasSubstr("left\nfolding ... 20 %, 2"),
                     HasSubstr("\nwriting ...\n"), Not(HasSubstr("silence"))));
+}
+
+/// Returns what a program prints on a terminal of 80 columns.
+std::string shown_on_terminal(const std::function<void()>& program) {
+  int terminal = 0;
+  winsize size{.ws_row = 24, .ws_col = 80, .ws_xpixel = 0, .ws_ypixel = 0};
+  const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
+  if (child == 0) {
+    program();
+    _exit(0);
+  }
+  std::string text;
+  char part[4096];
+  for (ssize_t count = 0; (count = read(terminal, part, sizeof part)) > 0;)
+    text.append(part, static_cast<std::size_t>(count));
+  waitpid(child, nullptr, 0);
+  close(terminal);
+  return text;
+}
+
+TEST(Console, KeepsProgressOnOneLineOfATerminal) {
+  const std::string shown = shown_on_terminal([] {
+    app::Console console(false);
+    console.stage("prints, contact", 0.25, {}, "start 3 of 8, best 0.12 mm off, " + std::string(60, 'x'));
+    console.stage("search", -1, {}, std::string(120, 'y'));
+    usleep(1'300'000);
+  });
+  EXPECT_THAT(shown, HasSubstr("prints, contact    [#####"));
+  EXPECT_EQ(shown.find('\n'), std::string::npos) << shown;
+  std::istringstream in(shown);
+  for (std::string line; std::getline(in, line, '\r');)
+    EXPECT_LE(line.size(), 79 + std::string("\033[K").size());
 }
 
 }  // namespace

@@ -32,8 +32,8 @@ TEST(Program, FindsVerifiesAndWritesADesign) {
   const std::string target = scratch.write("bow.yaml", bow), folder = scratch / "out";
   const Outcome run = kinetix_opt(target + " -o " + folder);
   EXPECT_EQ(run.code, 0) << run.out << run.err;
-  EXPECT_THAT(run.out, HasSubstr("within tolerance"));
-  EXPECT_THAT(run.out, HasSubstr("agrees"));
+  EXPECT_THAT(run.out, StartsWith("bow: goal met, "));
+  EXPECT_THAT(run.out, HasSubstr("simulation agrees"));
 
   const Json result = Json::parse(text_of(folder + "/result.json"));
   EXPECT_EQ(schema_errors(result), "");
@@ -176,7 +176,7 @@ TEST(Program, EndsWith3AndSaysWhyWhenTheBoundsMissTheTarget) {
       kinetix_opt(scratch.write("bow.yaml", std::string(bow) + "variables: {beta: {range_deg: [-5, 5]}}\n") +
                   " -o " + folder);
   EXPECT_EQ(run.code, 3) << run.out << run.err;
-  EXPECT_THAT(run.out, HasSubstr("MISSES THE TOLERANCE"));
+  EXPECT_THAT(run.out, HasSubstr("goal missed"));
   EXPECT_THAT(run.out, HasSubstr("mm along the curve"));
   EXPECT_THAT(run.out, HasSubstr("the bounds allow"));
   EXPECT_TRUE(fs::exists(folder + "/result.json"));
@@ -205,7 +205,7 @@ TEST(Program, EndsWith4WhenThePhysicsRunDoesNotAgree) {
   const Outcome run = kinetix_opt(
       scratch.write("bow.yaml", std::string(bow) + "tolerance: {verify: 1e-15}\n") + " -o " + scratch.path());
   EXPECT_EQ(run.code, 4) << run.out;
-  EXPECT_THAT(run.out, HasSubstr("DISAGREES"));
+  EXPECT_THAT(run.out, HasSubstr("simulation disagrees"));
 }
 
 TEST(Program, RunsAStructureOfNoExactFamilyByPhysicsAlone) {

@@ -98,8 +98,8 @@ TEST(Program, KeepsTheBestSoFarWhenItsTimeIsUp) {
   const std::string folder = scratch / "out";
   const Outcome run = kinetix_opt(scratch.write("long.yaml", long_search) + " --time-limit 0.1 -o " + folder);
   EXPECT_EQ(run.code, 3) << run.out << run.err;
-  EXPECT_THAT(run.err, HasSubstr("the time is up: keeping the best so far"));
-  EXPECT_THAT(run.out, HasSubstr("\n  warning    stopped before its end"));
+  EXPECT_THAT(run.err, HasSubstr("time limit reached: stopping and saving the best result so far"));
+  EXPECT_THAT(run.out, HasSubstr("\n  warning:   stopped early"));
   const Json result = Json::parse(text_of(folder + "/result.json"));
   EXPECT_EQ(schema_errors(result), "");
   EXPECT_EQ(result["stopped"], true);
@@ -112,7 +112,7 @@ void expect_best_so_far(const std::string& goal) {
   const Scratch scratch;
   const std::string folder = scratch / "out";
   EXPECT_THAT(interrupted_after({"search ..."}, {scratch.write("long.yaml", goal), "-o", folder}).first,
-              HasSubstr("interrupted: keeping the best so far"));
+              HasSubstr("interrupted: stopping and saving the best result so far"));
   EXPECT_EQ(Json::parse(text_of(folder + "/result.json"))["stopped"], true);
 }
 
@@ -129,9 +129,9 @@ structure: {cells: [20, 20]}
 TEST(Program, EndsAtTheSecondCtrlC) {
   const Scratch scratch;
   const std::string folder = scratch / "out";
-  const auto [said, status] = interrupted_after({"search ...", "keeping the best so far"},
+  const auto [said, status] = interrupted_after({"search ...", "saving the best result so far"},
                                                 {scratch.write("long.yaml", long_search), "-o", folder});
-  EXPECT_THAT(said, HasSubstr("interrupted: keeping the best so far"));
+  EXPECT_THAT(said, HasSubstr("interrupted: stopping and saving the best result so far"));
   EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << status;
   EXPECT_FALSE(fs::exists(folder + "/result.json"));
 }
@@ -145,7 +145,7 @@ TEST(Program, KeepsThePathSoFarAtCtrlC) {
                     "design: {theta_deg: 35}\n");
   const auto [said, status] = interrupted_after({"equilibrium path ..."},
                                                 {"simulate", large, "--model", "equilibrium", "-o", folder});
-  EXPECT_THAT(said, HasSubstr("interrupted: keeping the best so far"));
+  EXPECT_THAT(said, HasSubstr("interrupted: stopping and saving the best result so far"));
   ASSERT_TRUE(WIFEXITED(status)) << said;
   EXPECT_EQ(WEXITSTATUS(status), 3) << said;
   const Json result = Json::parse(text_of(folder + "/result.json"));
@@ -159,8 +159,8 @@ TEST(Program, SaysThatThereIsNothingToKeepOfAPhysicsRun) {
   const std::string folder = scratch / "out";
   const std::string large = scratch.write(
       "large.yaml", "kinetix: 1\nstructure: {cells: [24, 24], cell_mm: 10}\ndesign: {theta_deg: 35}\n");
-  const auto [said, status] = interrupted_after({"physics run ..."}, {"verify", large, "-o", folder});
-  EXPECT_THAT(said, HasSubstr("the physics run was stopped before it settled: nothing is written"));
+  const auto [said, status] = interrupted_after({"simulation ..."}, {"verify", large, "-o", folder});
+  EXPECT_THAT(said, HasSubstr("the simulation was stopped before it settled: nothing is written"));
   ASSERT_TRUE(WIFEXITED(status)) << said;
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_FALSE(fs::exists(folder + "/result.json"));

@@ -507,8 +507,8 @@ TEST(Import, IsSimulatedInEquilibriumAndVerified) {
   EXPECT_EQ(result["states"][1]["model"], "exact");
   const Outcome reported = kinetix_opt("simulate --model equilibrium --theta-deg 10 " + design + " -o " +
                                        (scratch / "run").string());
-  EXPECT_THAT(reported.out, HasSubstr(fmt::format("load       {:.4g} N mm at hinge angle", -k_turn * angle)));
-  EXPECT_THAT(reported.out, HasSubstr(fmt::format("energy     {:.4g} N mm", k_turn * angle * angle / 2)));
+  EXPECT_THAT(reported.out, HasSubstr(fmt::format("load       {:.3g} N mm at hinge angle", -k_turn * angle)));
+  EXPECT_THAT(reported.out, HasSubstr(fmt::format("energy     {:.3g} N mm", k_turn * angle * angle / 2)));
   const Outcome drives = kinetix_opt("simulate --model equilibrium --drives " + design);
   EXPECT_EQ(drives.code, 2);
   EXPECT_THAT(drives.err, HasSubstr("--drives compares drives of sheets"));

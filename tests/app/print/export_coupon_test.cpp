@@ -62,7 +62,7 @@ TEST(Export, CutsACouponIntoTilesBetweenItsHinges) {
   const std::string coupon = "export --coupon --process sla --format stl -o " + std::string(scratch / "out");
   const Outcome whole = kinetix_opt(coupon);
   ASSERT_EQ(whole.code, 0) << whole.err;
-  EXPECT_THAT(whole.out, HasSubstr("(kinetix-opt export --bed 145,145) it is cut into tiles"));
+  EXPECT_THAT(whole.out, HasSubstr("145 x 145 mm. Give the size of your bed (`--bed`) to cut it into tiles"));
   const Outcome cut = kinetix_opt(coupon + " --bed 145,145");
   ASSERT_EQ(cut.code, 0) << cut.err;
   EXPECT_THAT(cut.out, HasSubstr("2 x 1, one bed each: no hinge is between two of them"));

@@ -48,7 +48,7 @@ TEST(Export, MakesFilmsOfTheWallsMaterialWhereTheProcessPrintsThem) {
     EXPECT_EQ(config.find("key=\"extruder\" value=\"2\"") == std::string::npos, volumes == 1) << process;
     const std::string text = text_of(scratch / "out/print.txt");
     EXPECT_THAT(text, HasSubstr(std::string("films of ") + material + ":"));
-    EXPECT_EQ(text.find("to be glued") != std::string::npos, std::string(process) == "sla") << text;
+    EXPECT_EQ(text.find("glue them") != std::string::npos, std::string(process) == "sla") << text;
   }
 }
 
@@ -224,7 +224,7 @@ hinge: {{kind: block, material: tango, gap_mm: {}}}
   ASSERT_EQ(exported(scratch, panel_with("0.8"), "--format stl").code, 0);
   // strain: 70 degrees times half the thickness over the gap
   EXPECT_THAT(text_of(scratch / "out/print.txt"),
-              HasSubstr("is strained by 0.611 on the way to the fold; its material bears 0.5"));
+              ::testing::ContainsRegex("is strained by 0.611 .*, the limit of its material is 0.5"));
   ASSERT_EQ(exported(scratch, panel_with("1.2"), "--format stl").code, 0);
   EXPECT_EQ(text_of(scratch / "out/print.txt").find("strained"), std::string::npos);
 }

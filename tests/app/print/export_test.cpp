@@ -191,7 +191,7 @@ TEST(Export, KeepsToTheLimitsOfOnesOwnPrinter) {
   for (const char* options : {"--format stl --hinge pin", "--format stl --hinge pin --process polyjet"}) {
     const Scratch scratch;
     ASSERT_EQ(exported(scratch, design, options).code, 0);
-    EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("clearance 0.2 mm a side")) << options;
+    EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("clearance 0.2 mm per side")) << options;
   }
   expect_refused(std::string(panel) + "process: {base: fdm, least_wall_mm: 0.9}\n", "--format stl",
                  "a wall of 0.8 mm is less than fdm prints, 0.9 mm", not_printable);
@@ -214,7 +214,7 @@ TEST(Export, SaysWhatTheNarrowestPinLeaves) {
   ASSERT_EQ(exported(scratch, design, "--format stl --cell-mm 20").code, 0);
   EXPECT_NEAR(print_json_of(scratch)["swelling_mm"], 0.1 / 2, 0.005)
       << "polygons leave their circles by 0.01 mm";
-  EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("fold         0.1"));
+  EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("motion       solids stay 0.1"));
   const Outcome coupon = kinetix_opt("export --coupon -o " + std::string(scratch / "coupon"));
   ASSERT_EQ(coupon.code, 0) << coupon.err;
   EXPECT_NEAR(Json::parse(text_of(scratch / "coupon/print.json"))["swelling_mm"], 0.1 / 2, 0.005);
@@ -239,7 +239,8 @@ TEST(Export, SaysWhereThePrintIsHigherThanUsualPrinters) {
 TEST(Export, AdvisesNoTilesOfTheFold) {
   std::string design = panel;
   design.replace(design.find("[3, 2]"), 6, "[24, 1]");
-  const std::string words = "larger than the bed of a usual fdm printer, 220 x 220 mm", advice = "--bed 220";
+  const std::string words = "larger than the bed of a usual fdm printer, 220 x 220 mm",
+                    advice = "to cut it into tiles";
   for (const auto& [state, is_advised] : {std::pair("flat", true), {"folded", false}}) {
     const Scratch scratch;
     ASSERT_EQ(

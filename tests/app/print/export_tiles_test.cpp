@@ -65,7 +65,7 @@ TEST(Export, LeavesASheetWholeThatTheBedHolds) {
       EXPECT_EQ(print_json_of(scratch)["tiles"], Json::array({1, 1})) << hinge << " " << bed;
       EXPECT_FALSE(fs::exists(scratch / "out/tile_1.stl"));
     }
-    EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("holds the whole, turned on it by a quarter"));
+    EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("fits on the bed rotated by 90 degrees"));
     ASSERT_EQ(exported(scratch, panel, options + fmt::format(" --bed {},{}", x - 1, y)).code, 0);
     EXPECT_EQ(print_json_of(scratch)["tiles"], Json::array({2, 1})) << hinge;
     for (const char* tile : {"out/tile_1.stl", "out/tile_2.stl"})

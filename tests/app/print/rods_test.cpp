@@ -46,7 +46,7 @@ TEST(Rods, ThatTheProcessCannotPrintAreCutFromWire) {
   EXPECT_FALSE(fs::exists(scratch / "out/panel_rods.3mf"));
   const std::string cut = "17 rods of 1 mm, each 6 mm long, 102 mm of steel in all. Cut them from wire.";
   EXPECT_THAT(text_of(scratch / "out/print.txt"),
-              AllOf(HasSubstr(cut), HasSubstr("rods of steel: 1 x 6 mm, clearance 0.2 mm a side")));
+              AllOf(HasSubstr(cut), HasSubstr("rods of steel: 1 x 6 mm, clearance 0.2 mm per side")));
   EXPECT_THAT(text_of(scratch / "out/card.html"), HasSubstr(cut + " Push them in after printing"));
 }
 

@@ -225,7 +225,7 @@ TEST(Orientation, ThatIsProposedHasTheLeastOverhang) {
   const double here = json["overhang_mm2"][std::string(json["orientation"])];
   for (const auto& [way, area] : json["overhang_mm2"].items()) EXPECT_GE(double(area), here) << way;
   ASSERT_EQ(json["orientation"], "flat") << "both sides of upright pins are alike";
-  EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("flat on the bed, as it is in the files"));
+  EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("flat on the bed; "));
   expect_refused(panel, "--format stl --orient upp", "unknown orient `upp`");
 }
 

@@ -16,7 +16,7 @@ TEST_F(Studio, ExportsFilesForThePrinter) {
   const json out = client.text("exported");
   EXPECT_THAT(out["files"].get<std::vector<std::string>>(), ::testing::Contains("all.stl"));
   EXPECT_TRUE(std::filesystem::exists(out["folder"].get<std::string>() + "/all.stl"));
-  EXPECT_THAT(out["summary"].get<std::string>(), ::testing::HasSubstr("clearance 0.12 mm a side"));
+  EXPECT_THAT(out["summary"].get<std::string>(), ::testing::HasSubstr("clearance 0.12 mm per side"));
 }
 
 /// Returns a panel between plates with a compression of 0.3: theta is 45.6 degrees.

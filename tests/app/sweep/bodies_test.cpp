@@ -124,7 +124,7 @@ TEST(SweepOfBodies, StopsWhereWallsMeet) {
   EXPECT_EQ(fallen.rows[0].at("status"), "ok");
   EXPECT_LT(fallen.number(0, "verify_rms"), 1e-3);
   EXPECT_EQ(fallen.rows[1].at("status"), "failed");
-  EXPECT_THAT(fallen.rows[1].at("reason"), HasSubstr("physics run blocked"));
+  EXPECT_THAT(fallen.rows[1].at("reason"), HasSubstr("simulation blocked"));
 }
 
 TEST(SweepOfBodies, IsTheSameForAnyNumberOfThreads) {

@@ -50,7 +50,7 @@ function curveVerdict(data) {
     return {
       mark: "!",
       tone: "bad",
-      title: (met ? "Target met in the model, but the physics run " : "The physics run ") + failing(data),
+      title: (met ? "Target met in the model, but the simulation " : "The simulation ") + failing(data),
       text: describePhysics(data)
     };
   if (met === null)
@@ -60,12 +60,12 @@ function curveVerdict(data) {
       title: "No verdict recorded",
       text: "This result does not say whether the target was met."
     };
-  const title = verified ? "Target met, and the physics run agrees" : "Target met in the model";
+  const title = verified ? "Target met, and the simulation agrees" : "Target met in the model";
   return {
     mark: "\u2713",
     tone: verified ? "good" : "unsure",
     title,
-    text: describeDeviation(data) + (hasRun ? " " + describePhysics(data) : " It was not checked by a physics run.")
+    text: describeDeviation(data) + (hasRun ? " " + describePhysics(data) : " It was not checked by a simulation.")
   };
 }
 
@@ -233,7 +233,7 @@ function drawRobust(data, width) {
     width,
     label: "Error of the design and of its prints",
     x: {range: padded([0, ...near.map(off)]), label: "error of the design, mm rms"},
-    y: {range: padded([0, ...near.map((one) => one.as_made_rms_mm)]), label: "expected of prints, mm rms"}
+    y: {range: padded([0, ...near.map((one) => one.as_made_rms_mm)]), label: "expected print error, mm rms"}
   });
   const dot = (one) => svg("circle", {
     cx: axes.X(off(one)), cy: axes.Y(one.as_made_rms_mm), r: one.chosen ? 6 : 3.5,
@@ -254,11 +254,12 @@ function robustFigure(data) {
   return html(
       "div", {class: "part"}, html("h3", {}, "Designs and their prints"),
       html("p", {class: "lead"}, chosen && chosen !== plain ?
-          `Prints of ${named(chosen)} are expected ${millimetres(chosen.as_made_rms_mm)} off; of the design with the least error of ` +
-              (plain ? `its own, ${named(plain)}, ${millimetres(plain.as_made_rms_mm)}.` : "its own that is not known.") :
-          "No other strip that was tried promises better prints than the one with the least error of its own."),
+          `Expected print error: ${millimetres(chosen.as_made_rms_mm)} for this design (${named(chosen)}), ` +
+              (plain ? `${millimetres(plain.as_made_rms_mm)} for the design with the smallest nominal error (${named(plain)}).` :
+                       "unknown for the design with the smallest nominal error.") :
+          "No other strip is expected to print more accurately than the one with the smallest nominal error."),
       responsive((width) => drawRobust(data, width)),
-      legend(["tried", "strips that meet the goal"], ["tried plain", "least error of its own"], ["tried chosen", "this one"]));
+      legend(["tried", "strips that meet the goal"], ["tried plain", "smallest nominal error"], ["tried chosen", "this one"]));
 }
 
 function errorSection(data) {
@@ -271,10 +272,6 @@ const curveGoal = {
   view: "side",
   verdict: curveVerdict,
   numbers: shapeNumbers,
-  facts: (data) => {
-    const rms = lengthOf(data, data.metrics.shape_rms), most = lengthOf(data, data.metrics.shape_max);
-    return [["Shape", rms !== null && `${millimetres(rms)} from the curve (rms)` + (most === null ? "" : `, ${millimetres(most)} at worst`)]];
-  },
   firstSections: [["folded", "Over the curve", foldedPicture]],
   lastSections: [
     ["errors", "Error along the curve", errorSection],

@@ -33,15 +33,15 @@ function describeReading(display, reading) {
 function displayVerdict(data) {
   const {goal: display, verdict: {met, verified}} = data;
   const model = `In the model: ${describeReading(display, display.after)}.`;
-  const run = display.physics ? ` In the physics run: ${describeReading(display, display.physics)}.` : "";
+  const run = display.physics ? ` In the simulation: ${describeReading(display, display.physics)}.` : "";
   if (met === false) return {mark: "\u2715", tone: "bad", title: "The picture is not as clear as required", text: model + run};
   if (verified === false)
-    return {mark: "!", tone: "bad", title: "The model shows the picture, but the physics run " + failing(data),
+    return {mark: "!", tone: "bad", title: "The model shows the picture, but the simulation " + failing(data),
             text: model + run};
   const cells = describeRightSide(rightSide(display, display.physics ?? display.after)), shows = cells ? `The picture shows: ${cells}` : "The picture shows";
-  const title = verified ? `${shows}, and the physics run agrees` : `${shows}, in the model`;
+  const title = verified ? `${shows}, and the simulation agrees` : `${shows}, in the model`;
   return {mark: "\u2713", tone: verified ? "good" : "unsure", title,
-          text: model + (run || " It was not checked by a physics run.")};
+          text: model + (run || " It was not checked by a simulation.")};
 }
 
 /** Counts the cells of a two-level picture that are on the correct side of the middle between letter and rest. */
@@ -192,7 +192,7 @@ function displaySection(data) {
                       shot(states.flat, "Before", display.before ? describeReading(display, display.before) : ""),
                       shot(states.model, "After compression", describeRightSide(rightSide(display, display.after)) ?? describeReading(display, display.after)),
                       farViews(data), states.model && display.after?.letter !== null ? distanceView(data) : null,
-                      shot(states.physics, "After, in the physics run",
+                      shot(states.physics, "After, in the simulation",
                            display.physics ? describeReading(display, display.physics) : "not settled"),
                       shot(states.flat, "Where the hinges are",
                            "grey: in the middle of the wall; blue: towards its lower or left end; red: towards the other",
@@ -269,7 +269,5 @@ const displayGoal = {
   verdict: displayVerdict,
   numbers: displayNumbers,
   standing: litShot,
-  facts: ({goal: display}) => [["Picture", display.after && `${describeRightSide(rightSide(display, display.after)) ?? describeReading(display, display.after)}; ` +
-    (isGrey(display) ? "in greys" : `contrast ${figures(display.after.contrast, 2)}`)]],
   firstSections: [["display", "What the panel shows", displaySection]],
 };

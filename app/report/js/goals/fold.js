@@ -37,12 +37,12 @@ function foldVerdict(data) {
   const {goal: fold, metrics, verdict: {met, verified}} = data;
   const model = `In the model: ${describeFold(fold.creases, "model")}, faces ${percent(metrics.face_rms)} of their edge from the solid.`;
   const ran = finite(metrics.face_rms_physics) !== null;
-  const run = ran ? ` In the physics run: ${describeFold(fold.creases, "physics")}, faces ${percent(metrics.face_rms_physics)}.` : "";
+  const run = ran ? ` In the simulation: ${describeFold(fold.creases, "physics")}, faces ${percent(metrics.face_rms_physics)}.` : "";
   if (met === false) return {mark: "\u2715", tone: "bad", title: "It does not fold as required", text: model + run};
   if (verified === false)
-    return {mark: "!", tone: "bad", title: "It folds in the model, but the physics run " + failing(data), text: model + run};
-  return {mark: "\u2713", tone: verified ? "good" : "unsure", title: verified ? "It folds, and the physics run agrees" : "It folds in the model",
-          text: model + (run || " It was not checked by a physics run.")};
+    return {mark: "!", tone: "bad", title: "It folds in the model, but the simulation " + failing(data), text: model + run};
+  return {mark: "\u2713", tone: verified ? "good" : "unsure", title: verified ? "It folds, and the simulation agrees" : "It folds in the model",
+          text: model + (run || " It was not checked by a simulation.")};
 }
 
 function creaseColour(angle) {
@@ -156,9 +156,5 @@ const foldGoal = {
     ["fold_miss_deg", "Crease error, largest", "degrees", "angle_deg"],
     ["face_rms", "Face error, rms", "corners of the faces against the ideal solid, in edges", "shape"],
   ]),
-  facts: ({goal: fold}) => [
-    ["Creases", describeFold(fold.creases, "model")],
-    ["Solid", fold.edges && `${sizeText(fold.edges)} between the middles of its faces`],
-  ],
   firstSections: [["fold", "Net and creases", foldSection]],
 };

@@ -36,14 +36,14 @@ function describeFit({rms_mm: rms, max_mm: most}) {
 function helmetVerdict({goal: helmet, verdict: {met, verified}, ...data}) {
   const model = `Off head plus clearance by ${describeFit(helmet.error)}.`;
   const near = helmet.covered === null ? "" : `, ${percent(helmet.covered)} of the head within a cell edge of a rib`;
-  const run = helmet.physics ? ` In the physics run: ${describeFit(helmet.physics)}.` : "";
+  const run = helmet.physics ? ` In the simulation: ${describeFit(helmet.physics)}.` : "";
   const invented = helmet.invented ? ` But ${helmet.invented}.` : "";
   if (met === false) return {mark: "\u2715", tone: "bad", title: `It does not fit as required${near}`, text: model + run + invented};
   if (verified === false)
-    return {mark: "!", tone: "bad", title: `It fits in the model${near}, but the physics run ${failing(data)}`, text: model + run + invented};
-  const text = model + (run || " It was not checked by a physics run.") + invented;
-  if (helmet.invented) return {mark: "!", tone: "unsure", title: `It fits, in part over an invented dome${near}`, text};
-  return {mark: "\u2713", tone: verified ? "good" : "unsure", title: verified ? `It fits${near}, and the physics run agrees` : `It fits in the model${near}`, text};
+    return {mark: "!", tone: "bad", title: `It fits in the model${near}, but the simulation ${failing(data)}`, text: model + run + invented};
+  const text = model + (run || " It was not checked by a simulation.") + invented;
+  if (helmet.invented) return {mark: "!", tone: "unsure", title: `It fits, in part over a dome that closes a hole in the scan${near}`, text};
+  return {mark: "\u2713", tone: verified ? "good" : "unsure", title: verified ? `It fits${near}, and the simulation agrees` : `It fits in the model${near}`, text};
 }
 
 /** Returns the corners of each cell, as rows of body indices. */
@@ -146,8 +146,6 @@ const helmetGoal = {
     ["distance_rms_mm", "Distance, rms", "mm, of the bodies from head plus clearance", "rms_mm"],
     ["distance_max_mm", "Distance, largest", "mm, likewise", "max_mm"],
   ]),
-  facts: ({metrics}) => [["Fit", finite(metrics.distance_rms_mm) !== null &&
-    `${millimetres(metrics.distance_rms_mm)} from head plus clearance (rms), ${millimetres(metrics.distance_max_mm)} at worst`]],
   firstSections: [["helmet", "How it fits the head", helmetSection]],
   hasNoLayout: true,
 };

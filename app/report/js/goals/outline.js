@@ -25,14 +25,14 @@ function describeOutline({diagonal}, error) {
 function outlineVerdict(data) {
   const {goal: outline, verdict: {met, verified}} = data;
   const model = `In the model ${describeOutline(outline, outline.exact)}.`;
-  const run = outline.physics ? ` In the physics run ${describeOutline(outline, outline.physics)}.` : "";
+  const run = outline.physics ? ` In the simulation ${describeOutline(outline, outline.physics)}.` : "";
   if (met === false) return {mark: "\u2715", tone: "bad", title: "The pressed panel misses its outline", text: model + run};
   if (verified === false)
-    return {mark: "!", tone: "bad", title: "It takes its outline in the model, but the physics run " + failing(data), text: model + run};
+    return {mark: "!", tone: "bad", title: "It takes its outline in the model, but the simulation " + failing(data), text: model + run};
   return {
     mark: "\u2713", tone: verified ? "good" : "unsure",
-    title: verified ? "The pressed panel takes its outline, and the physics run agrees" : "The pressed panel takes its outline in the model",
-    text: model + (run || " It was not checked by a physics run."),
+    title: verified ? "The pressed panel takes its outline, and the simulation agrees" : "The pressed panel takes its outline in the model",
+    text: model + (run || " It was not checked by a simulation."),
   };
 }
 
@@ -53,7 +53,7 @@ function outlineSection(data) {
   const row = (name, error) => error && rows.push({cells: [name, percent(error.rms), percent(error.max), percent(error.iou)]});
   row("model, pressed", outline.exact);
   row("model, flat", outline.flat);
-  row("physics run, pressed", outline.physics);
+  row("simulation, pressed", outline.physics);
   return [
     table(["state", "rms", "largest", "area shared"], rows, "Rim against outline, in parts of the outline\u2019s diagonal"),
     html("p", {class: "note"},

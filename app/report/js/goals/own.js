@@ -16,11 +16,11 @@ function customVerdict(data) {
   const hasRun = finite(data.metrics.verify_rms) !== null || Boolean(data.physics.status), run = hasRun ? ` ${describePhysics(data)}` : "";
   if (met === false) return {mark: "\u2715", tone: "bad", title: "The strip misses its goal", text: model + run};
   if (verified === false)
-    return {mark: "!", tone: "bad", title: "It meets its goal in the model, but the physics run " + failing(data), text: model + run};
+    return {mark: "!", tone: "bad", title: "It meets its goal in the model, but the simulation " + failing(data), text: model + run};
   return {
     mark: "\u2713", tone: verified ? "good" : "unsure",
-    title: verified ? "The strip meets its goal, and the physics run agrees" : "The strip meets its goal in the model",
-    text: model + (run || " It was not checked by a physics run."),
+    title: verified ? "The strip meets its goal, and the simulation agrees" : "The strip meets its goal in the model",
+    text: model + (run || " It was not checked by a simulation."),
   };
 }
 
@@ -31,7 +31,6 @@ const customGoal = {
   verdict: customVerdict,
   numbers: (data) => measures(data, [["error", "Error", "in the unit of the function that judges", "error"]]),
   fitText: (error) => figures(error),
-  facts: ({metrics}) => [["Error", finite(metrics.error) !== null && figures(metrics.error)]],
   firstSections: [],
   lastSections: [["tilts", "Tilts per column", tiltSection]],
 };

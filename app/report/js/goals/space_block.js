@@ -4,7 +4,7 @@ function readSpaceBlock(raw) {
   if (!raw || typeof raw !== "object") return null;
   const words = (texts) => list(texts).filter((text) => typeof text === "string");
   const three = (values) => (list(values).length === 3 && values.every((one) => finite(one) !== null) ? values : null);
-  return {rest: three(raw.rest_mm), pressed: three(raw.pressed_mm), factors: three(raw.factors), gussets: three(raw.gussets),
+  return {factors: three(raw.factors), gussets: three(raw.gussets),
     physics: three(dictionary(raw.physics).factors), reasons: words(raw.reasons), physicsReasons: words(raw.reasons_physics)};
 }
 
@@ -15,14 +15,14 @@ function formatFactors(factors) {
 function spaceBlockVerdict(data) {
   const {goal: block, verdict: {met, verified}} = data;
   const model = `In the model its sides shrink to ${formatFactors(block.factors)} of their lengths, along x, y and z.`;
-  const run = block.physics ? ` In the physics run, between plates, to ${formatFactors(block.physics)}.` : "";
+  const run = block.physics ? ` In the simulation, between plates, to ${formatFactors(block.physics)}.` : "";
   if (met === false) return {mark: "\u2715", tone: "bad", title: "The block misses what was asked", text: model + run};
   if (verified === false)
-    return {mark: "!", tone: "bad", title: "It shrinks as asked in the model, but the physics run " + failing(data), text: model + run};
+    return {mark: "!", tone: "bad", title: "It shrinks as asked in the model, but the simulation " + failing(data), text: model + run};
   return {
     mark: "\u2713", tone: verified ? "good" : "unsure",
-    title: verified ? "The block shrinks as asked, and the physics run agrees" : "The block shrinks as asked in the model",
-    text: model + (run || " It was not checked by a physics run."),
+    title: verified ? "The block shrinks as asked, and the simulation agrees" : "The block shrinks as asked in the model",
+    text: model + (run || " It was not checked by a simulation."),
   };
 }
 
@@ -40,10 +40,6 @@ const space_blockGoal = {
   view: "slant",
   verdict: spaceBlockVerdict,
   numbers: spaceBlockNumbers,
-  facts: ({goal: block}) => [
-    ["Rest", block.rest && `${sizeText(block.rest)}, from rotor to rotor`],
-    ["Pressed", block.pressed && `${sizeText(block.pressed)}, in all directions at once`],
-  ],
   firstSections: [],
   lastSections: [],
 };

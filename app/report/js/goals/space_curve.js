@@ -24,15 +24,15 @@ function describeOffset(data, rms) {
 function spaceVerdict(data) {
   const {goal: wanted, verdict: {met, verified}, metrics} = data;
   const model = `In the model the middle of the strip lies ${describeOffset(data, metrics.shape_rms)} off the curve, rms.`;
-  const run = wanted.physics ? ` In the physics run ${describeOffset(data, wanted.physics.rms)}.` : "";
+  const run = wanted.physics ? ` In the simulation ${describeOffset(data, wanted.physics.rms)}.` : "";
   if (met === false)
     return {mark: "\u2715", tone: "bad", title: wanted.meets ? "Walls meet on the way to the curve" : "The strip misses its curve", text: model + run};
   if (verified === false)
-    return {mark: "!", tone: "bad", title: "It takes its curve in the model, but the physics run " + failing(data), text: model + run};
+    return {mark: "!", tone: "bad", title: "It takes its curve in the model, but the simulation " + failing(data), text: model + run};
   return {
     mark: "\u2713", tone: verified ? "good" : "unsure",
-    title: verified ? "The strip takes its curve, and the physics run agrees" : "The strip takes its curve in the model",
-    text: model + (run || " It was not checked by a physics run."),
+    title: verified ? "The strip takes its curve, and the simulation agrees" : "The strip takes its curve in the model",
+    text: model + (run || " It was not checked by a simulation."),
   };
 }
 

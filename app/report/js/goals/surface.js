@@ -26,11 +26,11 @@ function surfaceVerdict(data) {
   const near = surface.covered === null ? "" : `, ${percent(surface.covered)} of it within a cell edge of a rib`;
   if (met === false) return {mark: "\u2715", tone: "bad", title: `${what} misses its surface${near}`, text: off};
   if (verified === false)
-    return {mark: "!", tone: "bad", title: `It takes its surface in the model${near}, but the physics run ${failing(data)}`, text: off};
+    return {mark: "!", tone: "bad", title: `It takes its surface in the model${near}, but the simulation ${failing(data)}`, text: off};
   return {
     mark: "\u2713", tone: verified ? "good" : "unsure",
-    title: verified ? `${what} takes its surface${near}, and the physics run agrees` : `${what} takes its surface${near}, in the model`,
-    text: off + (verified ? "" : " It was not checked by a physics run."),
+    title: verified ? `${what} takes its surface${near}, and the simulation agrees` : `${what} takes its surface${near}, in the model`,
+    text: off + (verified ? "" : " It was not checked by a simulation."),
   };
 }
 

@@ -32,12 +32,12 @@ export function typed(value, digits = 4) {
   return Number.isFinite(value) ? String(Number(value.toFixed(digits))) : "";
 }
 
-/** Converts a run's summary to its first line and rows. Each line is a name and its value; a line without a name
- *  continues the row before. */
+/** Converts a run's summary to its first line and rows. Each line is a name and its value, or a severity and a problem;
+ *  a line without a name continues the row before. */
 export function summaryRows(summary) {
   const [first, ...lines] = summary.split("\n").filter((line) => line.trim()), rows = [];
   for (const line of lines) {
-    const [, name, words] = /^\s{0,2}(\S[^\s]*(?: \S+)*?)?\s{2,}(.*)$/.exec(line) ?? [null, "", line.trim()];
+    const [, name, words] = /^\s{0,2}((?:warning|error):(?=\s)|\S[^\s]*(?: \S+)*?(?=\s{2}))?\s+(.*)$/.exec(line) ?? [null, "", line.trim()];
     rows.push(element("div", {}, element("dt", {}, name ?? ""), element("dd", {}, words)));
   }
   return [element("p", {class: "note"}, first ?? ""), element("dl", {class: "rows"}, rows)];

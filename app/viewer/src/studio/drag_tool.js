@@ -111,7 +111,7 @@ export class DragTool {
     if (this.state.program.mode === "bullet") return true;
     try {
       await this.connection.send("mode", {mode: "bullet"});
-      status(`${what} takes the physics: switched to it`, () => this.state.program.mode === "bullet");
+      status(`Switched to Physics mode (${what} needs it)`, () => this.state.program.mode === "bullet");
       return true;
     } catch (error) {
       showMessage(error.message, {about: "mode"});

@@ -36,6 +36,7 @@ export class GoalPanel {
       ...this.kind.fields.map((field) => this.fieldOf(field))].filter(Boolean));
     this.pad?.paint();
     this.compose();
+    show($("found"), Boolean(this.state.result) && this.foundKind === this.kind);
   }
 
   padOf() {
@@ -154,30 +155,32 @@ export class GoalPanel {
   /** Lists objections of the verdict to a goal that is met. */
   get faults() {
     const {agrees, printable, reaches} = this.state.result.result?.verdict ?? {};
-    return [agrees === false && "the physics run does not confirm it", printable === false && "it cannot be printed like this",
-      reaches === false && "its drive does not take it there"].filter(Boolean);
+    return [agrees === false && "the simulation disagrees", printable === false && "not printable",
+      reaches === false && "not reached by its drive"].filter(Boolean);
   }
 
   /** Describes the outcome of the search. */
   get verdict() {
     const {met, stopped, earlier} = this.state.result, but = this.faults.length ? `, but ${this.faults.join(", and ")}` : "";
-    if (earlier) return (met ? `Met${but}` : met === false ? "Not met" : "Not known to be met") + ": what was found before";
-    return met ? `Found: it meets the goal${but}` : stopped ? "Stopped: the best so far" : "Not met: this is the nearest";
+    if (earlier) return "Result of an earlier search: " + (met ? `goal met${but}` : met === false ? "goal missed" : "not known to meet its goal");
+    return met ? `Goal met${but}` : stopped ? "Stopped: best result so far" : "Goal missed: this is the nearest design";
   }
 
   /** Marks the verdict as belonging to another design after a change of the design. */
   showWhose() {
     if (!this.state.result || this.state.design.has_result) return;
-    $("found_title").textContent = `Of another design than that shown: ${this.verdict}`;
+    $("found_title").textContent = `Result of an earlier version: ${this.verdict}`;
     $("found_title").className = "";
   }
 
   showResult() {
-    const {met, summary} = this.state.result;
+    const {met, summary, details} = this.state.result;
+    this.foundKind = this.kind;
     show($("found"), true);
     $("found_title").textContent = this.verdict;
     $("found_title").className = met && !this.faults.length ? "good" : "bad";
-    $("found_text").replaceChildren(...summaryRows(summary ?? ""));
+    $("found_text").replaceChildren(...summaryRows(summary ?? ""),
+      ...(details ? [element("details", {}, element("summary", {}, "Details"), ...summaryRows(details))] : []));
     status($("found_title").textContent);
   }
 }

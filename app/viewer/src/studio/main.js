@@ -184,7 +184,7 @@ state.remember = () => {
   if (state.design && state.frame) state.before = {design: state.design, poses: state.frame.poses.slice()};
 };
 function compare(on) {
-  if (on && !state.before) return status("nothing to compare with yet: search, or keep this design as before");
+  if (on && !state.before) return status("nothing to compare with yet: search, or set this design as the reference");
   $("compare").setAttribute("aria-pressed", String(on));
   show($("before_view"), on);
   show($("caption_now"), on);
@@ -199,7 +199,7 @@ function compare(on) {
 $("compare").addEventListener("click", () => compare($("compare").getAttribute("aria-pressed") !== "true"));
 $("remember").addEventListener("click", () => {
   state.remember();
-  status("kept: Compare shows it beside what comes", () => Boolean(state.before));
+  status("Reference saved. Compare shows it next to later versions", () => Boolean(state.before));
 });
 
 // ---- buttons and keys

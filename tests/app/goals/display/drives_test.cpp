@@ -61,7 +61,7 @@ TEST(DisplayDrive, OfPlatesThatPressAgreesWithTheModel) {
   const Outcome run =
       kinetix_opt(scratch.write("corner.yaml", corner + "drive: {press: true}\n") + " -o " + folder);
   EXPECT_EQ(run.code, 0) << run.out << run.err;
-  EXPECT_THAT(run.out, HasSubstr("press without gripping: "));
+  EXPECT_THAT(run.out, HasSubstr("push-only plates: "));
   EXPECT_THAT(text_of(folder + "/design.yaml"), HasSubstr(", press: true}"));
   const Json result = Json::parse(text_of(folder + "/result.json"));
   EXPECT_GE(result["metrics"]["auc_physics"], 0.97);

@@ -44,8 +44,7 @@ TEST(Fold, IsSearchedVerifiedAndDrawn) {
   const std::string text = std::string(box) + "tolerance: {angle_deg: 0.3}\n";
   const Outcome run = kinetix_opt(scratch.write("box.yaml", text) + " -o " + folder);
   EXPECT_EQ(run.code, 0) << run.out << run.err;
-  EXPECT_THAT(run.out, HasSubstr("in the physics run: 5 creases within 0.001 deg, faces less than "
-                                 "0.001 of their edge from the solid"));
+  EXPECT_THAT(run.out, HasSubstr("in the simulation: 5 creases within 0.001 deg, faces "));
 
   const Json result = Json::parse(text_of(folder + "/result.json"));
   EXPECT_EQ(schema_errors(result), "");
@@ -115,7 +114,7 @@ TEST(Fold, OfABoxThatMissesItsSizeNamesCellsThatDoNot) {
   ASSERT_TRUE(
       std::regex_search(missed.out, edge, std::regex("allowed: structure.cell_mm: ([0-9.]+) comes within")))
       << missed.out;
-  EXPECT_THAT(missed.out, HasSubstr("mm off the closed box of these cells (rms over points of the sheet"));
+  EXPECT_THAT(missed.out, HasSubstr(" of the closed box of these cells, limit "));
   const Outcome met = run(edge[1]);
   EXPECT_EQ(met.code, 0) << met.out << met.err;
 }
@@ -127,7 +126,7 @@ TEST(Fold, OfAnOpenBoxIsAsHighAsItsWalls) {
   const Outcome run = kinetix_opt(
       scratch.write("tray.yaml", "kinetix: 1\ntarget: {kind: fold, box_mm: [90, 60, 30], open: top}\n") +
       " --no-verify -o " + folder);
-  EXPECT_THAT(run.out, HasSubstr("mm when it is folded, of 90 x 60 x 30 mm"));
+  EXPECT_THAT(run.out, HasSubstr("; requested 90 x 60 x 30 mm"));
   const Json result = Json::parse(text_of(folder + "/result.json"));
   std::array<double, 3> least, most, spans;
   least.fill(INFINITY);
@@ -173,7 +172,7 @@ TEST(Fold, WhoseWallsCollideSaysAtWhichThetaAndHowFarItWouldHaveToGo) {
   EXPECT_THAT(run.out,
               ::testing::ContainsRegex("with 4 columns per crease, walls of crease `a-b` run into each other "
                                        "at theta 6\\.[0-9]+ deg; the fold needs 40\\.[0-9]+ deg"));
-  EXPECT_THAT(run.out, HasSubstr("DOES NOT FOLD AS REQUIRED"));
+  EXPECT_THAT(run.out, HasSubstr("goal missed"));
 }
 
 TEST(Fold, RefusesBadInputAndWritesNothing) {

@@ -300,7 +300,7 @@ TEST(Outline, IsTheSameForAnyNumberOfThreads) {
 TEST(Outline, SaysWhatHoldsARimBack) {
   app::Run run = run_of(target(ring(100, 120, 40), "structure: {cells: [6, 6]}\n"), false);
   EXPECT_FALSE(run.met());
-  EXPECT_THAT(run.violations.front(), HasSubstr("of the area is shared"));
+  EXPECT_THAT(run.violations.front(), HasSubstr("of the area overlaps"));
   std::string lines;
   for (const auto& [label, words] : run.goal->summary_lines(run)) lines += label + ": " + words + "\n";
   EXPECT_THAT(lines, HasSubstr("of the walls have the largest offset"));
@@ -345,13 +345,14 @@ TEST(Outline, ThatTookAsManyRoundsAsItMaySaysSo) {
     const nlohmann::json ended = written(run)["optimiser"];
     EXPECT_EQ(ended["status"], settled ? "converged" : "evaluation limit");
     EXPECT_THAT(ended["why"].get<std::string>(),
-                HasSubstr(settled ? "no vertex moves any more" : "vertices still move a little"));
+                HasSubstr(settled ? "converged, no" : "stopped at the iteration limit before converging"));
   }
   design.clear = false;
   design.clearance_rounds = 9;
   const nlohmann::json ended = written(run)["optimiser"];
   EXPECT_EQ(ended["status"], "failed");
-  EXPECT_THAT(ended["why"].get<std::string>(), HasSubstr("walls still meet on the way after 9 rounds"));
+  EXPECT_THAT(ended["why"].get<std::string>(),
+              HasSubstr("walls still collide during folding after 9 rounds"));
 }
 
 TEST(Outline, ThatIsStoppedSaysNeitherThatItEndedNorThatNothingHelps) {
