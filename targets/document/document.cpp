@@ -50,12 +50,15 @@ void Node::reject_kind(const std::string& wanted) const {
   throw error("is " + name(kind()) + "; give " + wanted);
 }
 
-void Node::reject_unknown_keys(const std::vector<std::string_view>& allowed) const {
+void Node::reject_unknown_keys(const std::vector<std::string_view>& allowed,
+                               const std::vector<std::string_view>& earlier) const {
   const Names names(allowed);
   if (kind() != Kind::map) reject_kind("a map of keys (" + joined(names) + ")");
   for (const int child : tree_->items[item_].children) {
     const std::string& key = tree_->items[child].key;
-    if (std::find(names.begin(), names.end(), key) != names.end()) continue;
+    if (std::find(names.begin(), names.end(), key) != names.end() ||
+        std::find(earlier.begin(), earlier.end(), key) != earlier.end())
+      continue;
     if (key.find_first_not_of("0123456789") == std::string::npos)
       throw Node(tree_, child)
           .key_error("a number stands where a key belongs; write decimals with a point, not a comma");
@@ -128,13 +131,16 @@ std::string Node::text(const std::string& what) const {
   return value;
 }
 
-std::size_t Node::one_of(const std::vector<std::string_view>& allowed) const {
+std::size_t Node::one_of(const std::vector<std::string_view>& allowed,
+                         const std::vector<std::string_view>& earlier) const {
   const std::string value = text("one of: " + joined(allowed));
   const auto it = std::find(allowed.begin(), allowed.end(), value);
-  if (it == allowed.end())
+  if (it != allowed.end()) return static_cast<std::size_t>(it - allowed.begin());
+  const auto old = std::find(earlier.begin(), earlier.end(), value);
+  if (old == earlier.end())
     throw error(in_ticks(value) + " is not known" + did_you_mean(value, allowed) +
                 "; allowed: " + joined(allowed));
-  return static_cast<std::size_t>(it - allowed.begin());
+  return allowed.size() + static_cast<std::size_t>(old - earlier.begin());
 }
 
 std::array<double, 2> Node::range(const Bounds& bounds) const {

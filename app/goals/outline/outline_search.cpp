@@ -31,11 +31,11 @@ targets::KeyTable outline_structure_keys(const OutlineFile& usual) {
                 "[columns, rows] of the panel, or of the rectangle that it is cut from"));
   keys.push_back(
       {"trim", value::choice(trims),
-       targets::otherwise("`none` where `cells` or `target.flat` is given, else `outline`"),
-       "`outline`: the flat panel is cut to the outline's shape; `none`: a whole rectangle of cells"});
+       targets::otherwise("`none` with `cells` or `target.flat`, else `outline`"),
+       "`outline`: the flat panel is cut to the shape of the outline. `none`: a whole rectangle of cells"});
   keys.push_back(
-      cell_mm_key(targets::otherwise("gives the pressed panel the outline's own size; where it is given, the "
-                                     "outline is as large as the panel makes it")));
+      cell_mm_key(targets::otherwise("gives the pressed panel the size of the outline. If the key is given, the "
+                                     "outline is scaled to the panel")));
   keys.push_back(wall_mm_key());
   return targets::KeyTable(std::move(keys));
 }
@@ -43,15 +43,15 @@ targets::KeyTable outline_structure_keys(const OutlineFile& usual) {
 targets::KeyTable outline_variables_keys() {
   const targets::KeyTable t(
       {{"range", &OutlineFile::t, value::range(targets::place_along),
-        "where hinges may sit on their walls; the side that is nearer to 0.5 counts for both"}});
+        "allowed positions of hinges along their walls. The end nearer to 0.5 limits both sides"}});
   const targets::KeyTable theta(
       {{"range_deg", &OutlineFile::theta, value::angle_range(fold_range),
-        "turn of the bodies in the pressed state: several within the range are tried"}});
+        "fold angle of the pressed state. The search tries several within the range"}});
   return targets::KeyTable({
       {"offset_mm", &OutlineFile::offset_mm, value::length(offset), targets::otherwise("0.08 of `cell_mm`"),
-       "how far hinges may sit off the middle of their walls, to either side"},
-      {"t", t, "where hinges sit on their walls"},
-      {"theta", theta, "how far the panel is pressed"},
+       "largest lateral offset of a hinge, to either side"},
+      targets::Key("hinge_position", t, "positions of the hinges along their walls").formerly("t"),
+      targets::Key("fold_angle", theta, "fold angle of the pressed panel").formerly("theta"),
   });
 }
 
@@ -61,9 +61,9 @@ void read_cells_of(const targets::Section& structure, OutlineFile& file) {
   structure.read("trim", file.trims, trims);
   if (!node) return;
   const auto sides = as_rectangle(read_cells(*node));
-  if (!sides) throw node->error("the cells of an outline must fill a rectangle; give [columns, rows]");
+  if (!sides) throw node->error("the cells do not fill a rectangle, which an outline needs. Give [columns, rows]");
   if ((*sides)[0] * (*sides)[1] > most_cells)
-    throw node->error("more cells than a search can fit; at most 10000");
+    throw node->error("there are too many cells for a search. Give at most 10000");
   file.columns = (*sides)[0];
   file.rows = (*sides)[1];
 }
@@ -78,16 +78,17 @@ void read_structure(const targets::Section& root, OutlineFile& file) {
   wall.read("height", file.height_mm);
   if (file.flat && file.trims)
     throw root.section("structure")
-        .error("a panel whose flat outline is prescribed is not trimmed; leave `trim` out");
+        .error("`trim: outline` cannot be combined with `target.flat`, which sets the flat outline. Remove one "
+               "of the two keys");
 }
 
 void read_variables(const targets::Section& root, OutlineFile& file) {
   root.read_into(file, file.cell_mm.value_or(file.folded.diagonal()));
   if (!(file.t[0] < 0.5 && file.t[1] > 0.5))
     throw root.section("variables")
-        .section("t")
+        .section("hinge_position")
         .optional("range")
-        ->error("must hold 0.5, where hinges start");
+        ->error("the range does not contain 0.5, where hinges start. Give a range around 0.5");
 }
 
 /// Limits the offset to the largest at which a made hinge fits on its wall. @throws InvalidInput for a larger offset_mm

@@ -47,13 +47,14 @@ const targets::Bounds gusset_lengths = targets::from_to(0.02, 0.9);
 targets::KeyTable block_variables_keys() {
   using Variables = optim::SpaceBlockVariables;
   const targets::KeyTable theta(
-      {{"range_deg", &Variables::theta, value::angle_range(block_turns), "half of the turn of the rotors"}});
+      {{"range_deg", &Variables::theta, value::angle_range(block_turns), "fold angle: half of the rotation of the rotors"}});
   const targets::KeyTable gusset(
       {{"range", &Variables::gusset, value::range(gusset_lengths),
-        "lengths of gussets, the pieces between two rotors that never turn, over the edge; the shortest are "
-        "0.2, or as near to it as theta keeps its range"}});
+        "lengths of gussets, the pieces between two rotors that never turn, relative to the edge. The shortest "
+        "are 0.2, or as near to 0.2 as the range of the fold angle allows"}});
   return targets::KeyTable(
-      {{"theta", theta, "how far rotors turn"}, {"gusset", gusset, "how long gussets may be"}});
+      {targets::Key("fold_angle", theta, "fold angle of the block").formerly("theta"),
+       {"gusset", gusset, "lengths of the gussets"}});
 }
 
 void read_block_structure(const targets::Section& root, SpaceBlockFile& file) {
@@ -71,7 +72,8 @@ void read_block_tolerance(const targets::Section& root, SpaceBlockFile& file) {
   root.read_into(file);
   const auto size = root.section("tolerance").optional("size");
   if (size && !file.goal.size_mm)
-    throw size->key_error("is of `target.size_mm`, which is not given; leave it out");
+    throw size->key_error(
+        "only applies together with target.size_mm. Add target.size_mm, or remove the key");
 }
 
 void check_factor(const targets::Section& target, const SpaceBlockFile& file) {
@@ -84,8 +86,8 @@ void check_bodies(const targets::Section& target, const SpaceBlockFile& file) {
   const double bodies = static_cast<double>(bodies_per_cell) * cells[0] * cells[1] * cells[2];
   if (bodies <= max_block_bodies) return;
   throw target.error(
-      fmt::format("{} x {} x {} cells have some {:.0f} bodies; at most {} are searched for: give "
-                  "larger cells",
+      fmt::format("{} x {} x {} cells have about {:.0f} bodies, and the limit of a search is {}. Give larger "
+                  "cells",
                   cells[0], cells[1], cells[2], bodies, max_block_bodies));
 }
 

@@ -31,9 +31,9 @@ const targets::Bounds tilt = targets::between(-89, 89, "degrees");
 targets::KeyTable space_curve_structure_keys(const SpaceCurveFile& usual) {
   return targets::KeyTable({
       cells_key(targets::by_default({static_cast<double>(usual.variables.columns), 1.0}),
-                "[columns, 1]; by default fewer, but at least 24, where the process could not print the "
-                "walls of so many and fewer can follow the curve; where only `cell_mm` is given, as many "
-                "columns as make the strip as long as the curve"),
+                "[columns, 1]. The default is reduced, to 24 columns at least, if the process cannot print such "
+                "thin walls and fewer columns can follow the curve. If only `cell_mm` is given, the number of "
+                "columns follows from the length of the curve"),
       cell_mm_key(targets::otherwise("gives the strip the curve's length")),
       wall_mm_key(),
   });
@@ -44,27 +44,27 @@ targets::KeyTable strip_variables_keys() {
   static const Variables usual{};
   const targets::KeyTable beta(
       {{"range_deg", value::angle_range(tilt), targets::by_default_deg(-usual.beta, usual.beta),
-        "tilts of bending columns; the side that is nearer to 0 counts for both"}});
+        "tilts of bending columns. The end nearer to 0 limits both signs"}});
   const targets::KeyTable t({{"range", &Variables::t, value::range(targets::place_along),
-                              "where hinges of shearing columns may sit on their walls; the side that is "
-                              "nearer to 0.5 counts for both"}});
+                              "allowed positions of hinges of shearing columns along their walls. The end "
+                              "nearer to 0.5 limits both sides"}});
   const targets::KeyTable theta(
       {{"range_deg", &Variables::theta, value::angle_range(folds),
-        "turn of the bodies in the folded state; several within the range are tried where `cell_mm` is left "
-        "out"}});
+        "fold angle of the folded state. Without `cell_mm` the search tries several within the range"}});
   return targets::KeyTable({
-      {"beta", beta, "the tilts of the hinges"},
-      {"t", t, "where hinges sit on their walls"},
-      {"theta", theta, "how far the strip is folded"},
+      targets::Key("tilt", beta, "tilts of the hinges").formerly("beta"),
+      targets::Key("hinge_position", t, "positions of the hinges along their walls").formerly("t"),
+      targets::Key("fold_angle", theta, "fold angle of the strip").formerly("theta"),
   });
 }
 
 int read_columns(const targets::Node& node) {
   const auto sides = as_rectangle(read_cells(node));
   if (!sides || (*sides)[1] != 1)
-    throw node.error("a strip for a curve in space is one row of cells; give [columns, 1]");
+    throw node.error("a curve in space needs a strip of one row of cells. Give [columns, 1]");
   if ((*sides)[0] < min_columns || (*sides)[0] > most_columns)
-    throw node.error(fmt::format("{} columns; give {} to {}", (*sides)[0], min_columns, most_columns));
+    throw node.error(fmt::format("a strip of {} columns is not possible here. Give {} to {}", (*sides)[0],
+                                 min_columns, most_columns));
   return (*sides)[0];
 }
 
@@ -103,9 +103,8 @@ int columns_between_walls(const targets::Section& structure, const SpaceCurveFil
 void check_unit(const targets::Section& root, const SpaceCurveFile& file) {
   if (typical_edge(file) >= smallest_cell_mm) return;
   throw root.required("target", "")
-      .error(fmt::format("the curve is {:.6g} mm long, so that {} cells would be {:.3g} mm small; points "
-                         "are in millimetres; are these "
-                         "metres? If not, give structure.cell_mm",
+      .error(fmt::format("the curve is {:.3g} mm long, and {} cells on it would have {:.3g} mm. Give points in "
+                         "millimetres, or structure.cell_mm for a curve this small",
                          file.wanted.length(), file.variables.columns, typical_edge(file)));
 }
 
@@ -131,7 +130,7 @@ void read_structure(const targets::Section& root, SpaceCurveFile& file) {
   const double fitting = std::round(length / (v.size.edge_mm * std::cos(default_strip_theta)));
   if (!(fitting >= min_columns && fitting <= most_columns))
     throw cell_mm->error(
-        fmt::format("a curve of {:.6g} mm would take {:.0f} cells of {:.6g} mm; give {} to {} columns",
+        fmt::format("a curve of {:.3g} mm needs {:.0f} cells of {:.3g} mm. Give cells for {} to {} columns",
                     length, fitting, v.size.edge_mm, min_columns, most_columns));
   v.columns = static_cast<int>(fitting);
 }
@@ -139,15 +138,17 @@ void read_structure(const targets::Section& root, SpaceCurveFile& file) {
 void read_variables(const targets::Section& root, SpaceCurveFile& file) {
   const targets::Section variables = root.section("variables");
   optim::SpaceVariables& v = file.variables;
-  const targets::Section beta = variables.section("beta");
+  const targets::Section beta = variables.section("tilt");
   std::array<double, 2> tilts = {-v.beta, v.beta};
   beta.read("range_deg", tilts);
   if (!(tilts[0] < 0 && tilts[1] > 0))
-    throw beta.optional("range_deg")->error("must hold 0, an upright hinge");
+    throw beta.optional("range_deg")->error("the range does not contain 0, an upright hinge. Give a range around 0");
   v.beta = std::min(-tilts[0], tilts[1]);
   root.read_into(v);
   if (!(v.t[0] < 0.5 && v.t[1] > 0.5))
-    throw variables.section("t").optional("range")->error("must hold 0.5, where hinges start");
+    throw variables.section("hinge_position")
+        .optional("range")
+        ->error("the range does not contain 0.5, where hinges start. Give a range around 0.5");
 }
 
 /// Checks that cells of a given size and number can have the length of the curve.
