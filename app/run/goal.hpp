@@ -68,6 +68,7 @@ struct GoalMeasure {
 struct GoalKind {
   std::string_view name;     ///< `target.kind`
   std::string_view example;  ///< the shortest `target:` of this kind
+  std::string_view meaning = {};  ///< for the list of kinds, a noun phrase
   /// Reads a target. @param root a target of this kind @throws InvalidInput for all that the format does not allow
   std::unique_ptr<Goal> (*read)(const targets::Node& root);
   /// Returns every key of its files.

@@ -317,6 +317,7 @@ std::unique_ptr<Goal> make_goal(CurveFile file) { return std::make_unique<CurveG
 extern const GoalKind curve_kind = {
     .name = "curve",
     .example = "target: {kind: curve, points: points.csv}",
+    .meaning = "strip that folds into a curve in a plane",
     .read = [](const targets::Node& root) { return make_goal(read_curve_file(root)); },
     .table = curve_keys,
     .metrics = {{"shape_rms", "",

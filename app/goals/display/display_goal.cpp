@@ -270,6 +270,7 @@ std::unique_ptr<Goal> make_goal(DisplayFile file) { return std::make_unique<Disp
 extern const GoalKind display_kind = {
     .name = "display",
     .example = "target: {kind: display, glyph: T}",
+    .meaning = "panel that shows a letter, a word or a picture",
     .read = [](const targets::Node& root) { return make_goal(read_display_file(root)); },
     .table = display_keys,
     .model = Model::equilibrium,

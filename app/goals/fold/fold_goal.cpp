@@ -385,6 +385,7 @@ std::unique_ptr<Goal> make_goal(FoldFile file) { return std::make_unique<FoldGoa
 extern const GoalKind fold_kind = {
     .name = "fold",
     .example = "target: {kind: fold, box: [4, 4, 4]}",
+    .meaning = "net that folds into a box, a tray or a solid",
     .read = [](const targets::Node& root) { return make_goal(read_fold_file(root)); },
     .table = fold_keys,
     .metrics = {

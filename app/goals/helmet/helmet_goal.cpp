@@ -372,6 +372,7 @@ std::unique_ptr<Goal> make_goal(HelmetFile file) {
 extern const GoalKind helmet_kind = {
     .name = "helmet",
     .example = "target: {kind: helmet, mesh: head.obj}",
+    .meaning = "flat sheet that folds onto a head",
     .read = [](const targets::Node& root) { return make_goal(read_helmet_file(root)); },
     .table = helmet_keys,
     .metrics = {

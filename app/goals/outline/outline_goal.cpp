@@ -269,6 +269,7 @@ std::unique_ptr<Goal> make_goal(OutlineFile file) { return std::make_unique<Outl
 extern const GoalKind outline_kind = {
     .name = "outline",
     .example = "target: {kind: outline, points: outline.csv}",
+    .meaning = "panel that changes its outline",
     .read = [](const targets::Node& root) { return make_goal(read_outline_file(root)); },
     .table = outline_keys,
     .metrics = {{"outline_rms", "",

@@ -307,6 +307,7 @@ std::unique_ptr<Goal> make_goal(SpaceBlockFile file) {
 extern const GoalKind space_block_kind = {
     .name = "space_block",
     .example = "target: {kind: space_block, factor: 0.85}",
+    .meaning = "block that shrinks by a given factor",
     .read = [](const targets::Node& root) { return make_goal(read_space_block_file(root)); },
     .table = space_block_keys,
     .metrics = {{"factor_off", "",

@@ -437,6 +437,7 @@ std::unique_ptr<Goal> make_goal(SpaceCurveFile file) {
 extern const GoalKind space_curve_kind = {
     .name = "space_curve",
     .example = "target: {kind: space_curve, points: helix.csv}",
+    .meaning = "strip that folds into a curve in space",
     .read = [](const targets::Node& root) { return make_goal(read_space_curve_file(root)); },
     .table = space_curve_keys,
     .metrics = {{"shape_rms", "",

@@ -329,6 +329,7 @@ static std::unique_ptr<Goal> read_goal(const targets::Node& root) {
 extern const GoalKind surface_kind = {
     .name = "surface",
     .example = "target: {kind: surface, shape: cap}",
+    .meaning = "sheet or ribs that cover a curved surface",
     .read = read_goal,
     .table = surface_file_keys,
     .metrics = {
