@@ -322,7 +322,7 @@ extern const GoalKind curve_kind = {
     .table = curve_keys,
     .metrics = {{"shape_rms", "",
                  "[distance of midline and goal](#shape_rms-and-shape_max), root mean square"},
-                {"shape_max", "", "likewise, the largest"}},
+                {"shape_max", "", "largest distance of midline and goal"}},
     .measures = {{"shape_rms", measured<&targets::CurveError::rms>},
                  {"shape_max", measured<&targets::CurveError::max>}},
     .keeps_length = true};

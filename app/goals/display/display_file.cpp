@@ -77,7 +77,7 @@ targets::KeyTable display_variables_keys() {
   return targets::KeyTable({
       {"offset_mm", value::length(allowed_offset),
        targets::otherwise(
-           "0.08 `cell_mm`; 0 with a `solver`, a `t.symmetry`, or a `channel` other than `light`"),
+           "0.08 `cell_mm`; 0 with a `solver`, a `hinge_position.symmetry`, or a `channel` other than `light`"),
        "largest lateral offset of a hinge. Such hinges show a picture without stretching. 0: hinges on their "
        "walls, which have to stretch"},
       {"stretch_mm", value::length(allowed_offset), targets::by_default(0.0),

@@ -390,10 +390,10 @@ extern const GoalKind fold_kind = {
     .table = fold_keys,
     .metrics = {
         {"fold_deg", "deg", "[fold of each crease](#face_rms), a list"},
-        {"fold_miss_deg", "deg", "the largest difference from what a crease was to fold by"},
-        {"face_rms", "", "[vertices of the faces from the ideal solid](#face_rms), over the edge of a face"},
-        {"fold_physics_deg", "deg", "fold of each crease in the physics run, a list"},
-        {"fold_miss_physics_deg", "deg", "the largest difference in the physics run"},
-        {"face_rms_physics", "", "face_rms in the physics run"}}};
+        {"fold_miss_deg", "deg", "largest difference between the fold of a crease and its goal"},
+        {"face_rms", "", "[distance of the faces' vertices from the ideal solid](#face_rms), relative to the edge of a face"},
+        {"fold_physics_deg", "deg", "fold of each crease in the simulation, a list"},
+        {"fold_miss_physics_deg", "deg", "fold_miss_deg in the simulation"},
+        {"face_rms_physics", "", "face_rms in the simulation"}}};
 
 }  // namespace kinetix::app

@@ -118,18 +118,17 @@ const targets::KeyTable& outline_keys() {
   static const targets::KeyTable keys = goal_keys(
       {
           {"target", targets::outline_target_keys(), "the goal", targets::needed},
-          {"structure", outline_structure_keys(usual), "the flat panel"},
-          {"variables", outline_variables_keys(), "what the search may change, and how far"},
+          {"structure", outline_structure_keys(usual), "flat panel"},
+          {"variables", outline_variables_keys(), "quantities that the search changes, with their ranges"},
           {"tolerance",
            targets::KeyTable({
                {"shape", &OutlineFile::shape_tolerance, value::number(targets::part_of_one),
-                "most of [outline_rms](#outline_rms-and-iou), over the diagonal of the outline's bounding "
-                "box"},
+                "limit of [outline_rms](#outline_rms-and-iou), relative to the diagonal of the outline's bounding box"},
                {"iou", &OutlineFile::iou_tolerance, value::number(targets::part_of_one),
-                "least of [iou](#outline_rms-and-iou)"},
+                "minimum of [iou](#outline_rms-and-iou)"},
                verify_key(),
            }),
-           "when the goal is met"},
+           "limits for a met goal"},
       },
       sized_hinge);
   return keys;
@@ -148,7 +147,7 @@ OutlineFile read_outline_file(const targets::Node& node) {
   read_hinges(root, file.cell_mm ? std::optional(file.size(*file.cell_mm)) : std::nullopt, file);
   if (!file.hinge_parts.empty())
     throw root.section("hinge").optional("except")->key_error(
-        "names creases, which a panel has none of: all its hinges stand upright");
+        "the hinges of a panel are upright, so it has no creases. Remove the key");
   limit_outline_offset(root, file);
   return file;
 }
@@ -185,7 +184,7 @@ std::vector<Cells> cuts_of(const OutlineFile& file, const targets::Outline& fold
                                                       : std::pair(&model::rhombus_lattice, pi / 2);
   std::vector<Cells> cuts = optim::trimmed_cells(*lattice, angle, file.columns, file.rows, folded);
   if (cuts.empty())
-    throw InvalidInput("no cells of the lattice lie within the outline; give more `structure.cells`");
+    throw InvalidInput("no cells of the lattice are within the outline. Give more `structure.cells`");
   return cuts;
 }
 

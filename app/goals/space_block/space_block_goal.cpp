@@ -99,22 +99,22 @@ const targets::KeyTable& space_block_keys() {
           {"structure",
            targets::KeyTable({
                {"cells", value::list(value::integer(1, max_block_cells), "`[x, y, z]`", 3, 3),
-                targets::otherwise("[2, 2, 2], or as `target.size_mm` asks"),
+                targets::otherwise("[2, 2, 2], or a number for `target.size_mm`"),
                 "cubic cells of the sodalite net, each 2.83 edges long"},
-               cell_mm_key(targets::otherwise("20, or as `target.size_mm` asks")),
-               thin_walls_key("edges", "the walls, from each rotor to the middle of a gusset"),
+               cell_mm_key(targets::otherwise("20, or a length for `target.size_mm`")),
+               thin_walls_key("edges", "size of the walls, from each rotor to the middle of a gusset"),
            }),
-           "the lattice"},
-          {"variables", block_variables_keys(), "how far the search may go"},
+           "lattice of the block"},
+          {"variables", block_variables_keys(), "ranges of the search"},
           {"tolerance",
            targets::KeyTable({
                {"factor", &SpaceBlockFile::factor_tolerance, value::number(targets::part_of_one),
-                "most that the factor of a direction may differ from `target.factor`"},
+                "limit of the difference between a direction's factor and `target.factor`"},
                {"size", &SpaceBlockFile::size_tolerance, value::number(targets::part_of_one),
-                "most that a length at rest may differ from `target.size_mm`, over it"},
+                "limit of the difference between a length at rest and `target.size_mm`, relative to it"},
                verify_key(),
            }),
-           "when the goal is met"},
+           "limits for a met goal"},
       },
       {});
   return keys;
@@ -311,10 +311,9 @@ extern const GoalKind space_block_kind = {
     .read = [](const targets::Node& root) { return make_goal(read_space_block_file(root)); },
     .table = space_block_keys,
     .metrics = {{"factor_off", "",
-                 "largest difference of a direction's length, over that at rest, from the factor asked for"},
-                {"factor_off_physics", "", "the same in the physics run"},
+                 "largest difference between a direction's factor and `target.factor`"},
+                {"factor_off_physics", "", "factor_off in the simulation"},
                 {"size_off", "",
-                 "largest difference of a length at rest from the one asked for, over it; where "
-                 "`target.size_mm` is given"}}};
+                 "largest difference between a length at rest and `target.size_mm`, relative to it"}}};
 
 }  // namespace kinetix::app

@@ -162,8 +162,7 @@ void check_length(const targets::Section& root, const SpaceCurveFile& file) {
   throw root.section("structure")
       .optional("cell_mm")
       ->error(fmt::format(
-          "{} cells of {:.6g} mm are {:.4g} to {:.4g} mm long within the range of theta, but the curve is "
-          "{:.4g} mm long",
+          "{} cells of {:.3g} mm span {:.3g} to {:.3g} mm within the range of the fold angle, and the curve is {:.3g} mm long. Change cell_mm or cells",
           v.columns, v.size.edge_mm, least, most, file.wanted.length()));
 }
 
@@ -182,17 +181,16 @@ const targets::KeyTable& space_curve_keys() {
   static const targets::KeyTable keys = goal_keys(
       {
           {"target", targets::space_curve_target_keys(), "the goal", targets::needed},
-          {"structure", space_curve_structure_keys(usual), "the flat strip"},
-          {"variables", strip_variables_keys(), "what the search may change, and how far"},
+          {"structure", space_curve_structure_keys(usual), "flat strip"},
+          {"variables", strip_variables_keys(), "quantities that the search changes, with their ranges"},
           {"tolerance",
            targets::KeyTable({
                {"shape", &SpaceCurveFile::shape_tolerance, value::number(targets::part_of_one),
                 targets::by_default(usual.shape_tolerance),
-                "most of [shape_rms](#shape_rms-and-shape_max), over the diagonal of the curve's bounding "
-                "box"},
+                "limit of [shape_rms](#shape_rms-and-shape_max), relative to the diagonal of the curve's bounding box"},
                verify_key(),
            }),
-           "when the goal is met"},
+           "limits for a met goal"},
       },
       sized_hinge, {robust_key()});
   return keys;
@@ -442,8 +440,8 @@ extern const GoalKind space_curve_kind = {
     .table = space_curve_keys,
     .metrics = {{"shape_rms", "",
                  "[distance of midline and goal](#shape_rms-and-shape_max), root mean square"},
-                {"shape_max", "", "likewise, the largest"},
-                {"shape_rms_physics", "", "shape_rms in the physics run"}},
+                {"shape_max", "", "largest distance of midline and goal"},
+                {"shape_rms_physics", "", "shape_rms in the simulation"}},
     .keeps_length = true};
 
 }  // namespace kinetix::app
