@@ -38,10 +38,10 @@ ModelFile read_by_ending(const std::string& file) {
   if (!std::filesystem::exists(file, failure)) throw InvalidInput("no such file", {file});
   if (std::filesystem::is_directory(file, failure))
     throw InvalidInput(
-        "is a folder without vertices.txt; give a folder of tiles, or a 3MF, STEP, GLB, OBJ, PLY or STL file",
+        "is a folder without vertices.txt. Give a folder of tiles, or a 3MF, STEP, GLB, OBJ, PLY or STL file",
         {file});
   throw InvalidInput(
-      "has no known model format, judged by its ending; give a 3MF, STEP, GLB, OBJ, PLY or STL file", {file});
+      "has no known model format, judged by its ending. Give a 3MF, STEP, GLB, OBJ, PLY or STL file", {file});
 }
 
 /// Vertices and faces of an OBJ file by its objects, groups and materials.
@@ -133,7 +133,7 @@ ModelFile read_model_file(const std::string& file) {
   if (triangles == 0) throw InvalidInput("has no triangles", {file});
   if (triangles > max_model_triangles)
     throw InvalidInput("has " + std::to_string(triangles) + " triangles; at most " +
-                           std::to_string(max_model_triangles) + " are allowed; thin the model out",
+                           std::to_string(max_model_triangles) + " are allowed. Thin the model out",
                        {file});
   return model;
 }
@@ -151,7 +151,7 @@ ModelFile read_step(const std::string& file) {
   } catch (const InvalidInput& e) {
     throw InvalidInput(e.reason(), {file});
   }
-  if (out.meshes.empty()) throw InvalidInput("has no solids; give a STEP file of solid bodies", {file});
+  if (out.meshes.empty()) throw InvalidInput("has no solids. Give a STEP file of solid bodies", {file});
   return out;
 }
 

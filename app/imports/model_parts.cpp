@@ -107,7 +107,7 @@ class Softness {
                          {file.file});
     if (materials_.size() > 1)
       throw InvalidInput(
-          "does not say which of its materials is soft" + found() + "; name it with --soft-material",
+          "does not say which of its materials is soft" + found() + ". Name it with --soft-material",
           {file.file});
   }
 

@@ -59,7 +59,7 @@ std::string describe_first_layer(const PrintJob& job) {
       "layers of {:g} mm or less, the first too: gaps between knuckles are "
       "at least two of them high",
       filament.layer_mm);
-  const std::string knife = "; separate parts that fuse on the bed with a knife";
+  const std::string knife = ". Separate parts that fuse on the bed with a knife";
   if (job.slicer == Slicer::cura) return layers + knife;
   return layers + knife +
          fmt::format(", as slicers do not narrow outlines below {:g} mm there", 2 * filament.line_mm);

@@ -107,7 +107,7 @@ class TileShape {
                      after = corners_[(k + 1) % n] - corners_[k];
       if (!(before.norm() > 0)) refuse_tile(tile_, "has corner " + std::to_string(k + 1) + " twice");
       if (!(normal_.dot(before.cross(after)) > 0))
-        refuse_tile(tile_, "is not convex at corner " + std::to_string(k + 1) + "; cut it into convex ones");
+        refuse_tile(tile_, "is not convex at corner " + std::to_string(k + 1) + ". Cut it into convex ones");
     }
   }
 

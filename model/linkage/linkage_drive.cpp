@@ -220,7 +220,7 @@ void check_cord(const Linkage& linkage, const std::vector<int>& through) {
     refuse_cord(
         "each two neighbouring walls share a vertex, whose rigid body carries both hinge points: no drive "
         "shortens this "
-        "cord; name walls that face each other, e.g. [[[0, 0], [0, 1]], [[1, 0], [1, 1]], ...], or every "
+        "cord. Name walls that face each other, e.g. [[[0, 0], [0, 1]], [[1, 0], [1, 1]], ...], or every "
         "other one");
 }
 

@@ -339,7 +339,7 @@ std::optional<SpaceObstacle> obstacle(const targets::SpaceGoal& goal, const Spac
         across.arc_mm,
         fmt::format("the curve climbs across the strip by {:.3g} of its length {}, more than the "
                     "{:.3g} that columns can shear at theta {:.3g} deg, in whatever direction the strip "
-                    "lies; allow a larger theta (variables.theta.range_deg) or t nearer to 0 and 1 "
+                    "lies. Allow a larger theta (variables.theta.range_deg) or t nearer to 0 and 1 "
                     "(variables.t.range)",
                     across.slope, describe_place(goal, across.arc_mm), most.climb / 2,
                     to_degrees(allowed_theta(v).upper))};
@@ -350,7 +350,7 @@ std::optional<SpaceObstacle> obstacle(const targets::SpaceGoal& goal, const Spac
   const double arc = goal.length() * (2.0 * static_cast<double>(where) + 1.5) / v.columns;
   return SpaceObstacle{
       arc, fmt::format("the curve turns by {:.3g} deg within two columns {}, more than the {:.3g} deg "
-                       "that a column can bend; use more columns or allow a larger tilt",
+                       "that a column can bend. Use more columns or allow a larger tilt",
                        to_degrees(turn), describe_place(goal, arc), to_degrees(most.turn))};
 }
 

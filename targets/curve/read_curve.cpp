@@ -132,7 +132,7 @@ class CsvReader {
              in_ticks(field.text) + " stands where `" + wanted + "` belongs; " + wanted_header());
     if (!title.unit.empty() && title.unit != "mm")
       refuse(field.position, in_ticks(field.text) +
-                                 " names another unit, but points are in millimetres; convert "
+                                 " names another unit, but points are in millimetres. Convert "
                                  "the numbers and write the header `" +
                                  joined_axes(axes_, ",") + "`");
   }
@@ -149,11 +149,11 @@ class CsvReader {
 
   [[noreturn]] void refuse_columns(std::size_t count) const {
     const bool has_semicolon = line_.find(';') != std::string_view::npos;
-    const char* hint = has_semicolon          ? "; separate the columns by a comma, not by `;`"
-                       : count > axes_.size() ? "; write decimals with a point, not a comma"
+    const char* hint = has_semicolon          ? ". Separate the columns by a comma, not by `;`"
+                       : count > axes_.size() ? ". Write decimals with a point, not a comma"
                                               : "";
     refuse(0, in_ticks(line_) + " has " + std::to_string(count) + (count == 1 ? " column" : " columns") +
-                  "; give " + spell_count(axes_) + ", " + describe(axes_) + " in millimetres" + hint);
+                  ". Give " + spell_count(axes_) + ", " + describe(axes_) + " in millimetres" + hint);
   }
 
   double number(const Field& field) const {

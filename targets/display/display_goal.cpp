@@ -46,7 +46,7 @@ std::vector<std::string> DisplayGoal::row_texts() const {
 
 void check_panel(PanelSize size) {
   const auto [shorter, longer] = std::minmax(size[0], size[1]);
-  if (shorter < min_panel_side) throw InvalidInput(panel_text(size) + " is too small; give at least 2 x 2");
+  if (shorter < min_panel_side) throw InvalidInput(panel_text(size) + " is too small. Give at least 2 x 2");
   if (longer > max_panel_side || static_cast<long>(shorter) * longer > max_panel_cells)
     throw InvalidInput(panel_text(size) + " is too large; at most " + std::to_string(max_panel_side) +
                        " cells a side and " + std::to_string(max_panel_cells) + " in all are allowed");
@@ -84,14 +84,14 @@ void check_row(const std::string& row, std::size_t columns) {
   const std::size_t wrong = row.find_first_not_of("01");
   if (wrong != std::string::npos)
     throw InvalidInput(in_ticks(row) +
-                       " holds more than 0 and 1; give 1 for a cell of the letter and 0 for the rest");
+                       " holds more than 0 and 1. Give 1 for a cell of the letter and 0 for the rest");
   if (row.size() != columns)
     throw InvalidInput("has " + std::to_string(row.size()) + " cells, and the first row has " +
-                       std::to_string(columns) + "; give rows of equal length");
+                       std::to_string(columns) + ". Give rows of equal length");
 }
 
 DisplayGoal rows_goal(const std::vector<std::string>& rows) {
-  if (rows.empty()) throw InvalidInput("holds no rows; give rows of 0 and 1, top row first");
+  if (rows.empty()) throw InvalidInput("holds no rows. Give rows of 0 and 1, top row first");
   std::vector<double> levels;
   for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
     check_row(*row, rows[0].size());

@@ -67,7 +67,7 @@ DisplayGoal read_rows(const Section& target, const Node& rows, const std::option
   if (asked[0] % own[0] != 0 || asked[1] % own[1] != 0)
     throw cells->error("is no multiple of the size of target.rows, which is [" + std::to_string(own[0]) +
                        ", " + std::to_string(own[1]) +
-                       "]; give that or a multiple, which draws each of its cells as several, or leave "
+                       "]. Give that or a multiple, which draws each of its cells as several, or leave "
                        "structure.cells out");
   return size ? goal.resized(asked) : goal;
 }
@@ -112,9 +112,9 @@ DisplayGoal read_display(const Node& node, const std::optional<Node>& cells, dou
   const auto glyph = target.optional("glyph"), image = target.optional("image"),
              rows = target.optional("rows");
   const int count = glyph.has_value() + image.has_value() + rows.has_value();
-  if (count == 0) throw target.error(std::string("says nothing to show; give ") + wanted_source);
+  if (count == 0) throw target.error(std::string("says nothing to show. Give ") + wanted_source);
   if (count > 1)
-    throw target.error(std::string("gives more than one thing to show; give only ") + wanted_source);
+    throw target.error(std::string("gives more than one thing to show. Give only ") + wanted_source);
   const auto size = cells ? std::optional(read_cells_of_panel(*cells)) : std::nullopt;
   if (glyph) return read_glyph(target, *glyph, size, cell_shape);
   if (image) return read_image_section(target, *image, size, cell_shape);

@@ -46,8 +46,8 @@ InvalidInput Node::key_error(const std::string& fault_text) const {
 std::string Node::folder() const { return std::filesystem::path(tree_->file).parent_path().string(); }
 
 void Node::reject_kind(const std::string& wanted) const {
-  if (kind() == Kind::empty) throw error("is empty; give " + wanted);
-  throw error("is " + name(kind()) + "; give " + wanted);
+  if (kind() == Kind::empty) throw error("is empty. Give " + wanted);
+  throw error("is " + name(kind()) + ". Give " + wanted);
 }
 
 void Node::reject_unknown_keys(const std::vector<std::string_view>& allowed,
@@ -61,7 +61,7 @@ void Node::reject_unknown_keys(const std::vector<std::string_view>& allowed,
       continue;
     if (key.find_first_not_of("0123456789") == std::string::npos)
       throw Node(tree_, child)
-          .key_error("a number stands where a key belongs; write decimals with a point, not a comma");
+          .key_error("a number stands where a key belongs. Write decimals with a point, not a comma");
     throw Node(tree_, child)
         .key_error("unknown key" + did_you_mean(key, names) + "; allowed: " + joined(names));
   }
@@ -76,7 +76,7 @@ std::optional<Node> Node::optional(std::string_view key) const {
 
 Node Node::required(std::string_view key, const std::string& what) const {
   if (const auto value = optional(key)) return *value;
-  throw error("the key `" + std::string(key) + "` is missing; give " + what);
+  throw error("the key `" + std::string(key) + "` is missing. Give " + what);
 }
 
 std::vector<Node> Node::list(const std::string& what) const {
@@ -90,14 +90,14 @@ std::vector<Node> Node::list_of(std::size_t length, const std::string& what) con
   auto nodes = list(what);
   if (nodes.size() != length)
     throw error("has " + std::to_string(nodes.size()) + (nodes.size() == 1 ? " entry" : " entries") +
-                "; give " + what);
+                ". Give " + what);
   return nodes;
 }
 
 const std::string& Node::plain_scalar(const std::string& wanted) const {
   if (kind() != Kind::scalar) reject_kind(wanted);
   const Tree::Item& item = tree_->items[item_];
-  if (item.is_quoted) throw error("stands in quotes and so is text; give " + wanted + ", without quotes");
+  if (item.is_quoted) throw error("stands in quotes and so is text. Give " + wanted + ", without quotes");
   return item.value;
 }
 
@@ -119,15 +119,15 @@ int Node::integer(int lower, int upper) const {
 bool Node::boolean() const {
   const std::string& value = plain_scalar("true or false");
   if (value != "true" && value != "false")
-    throw error(in_ticks(value) + " is not allowed; give true or false");
+    throw error(in_ticks(value) + " is not allowed. Give true or false");
   return value == "true";
 }
 
 std::string Node::text(const std::string& what) const {
   if (kind() != Kind::scalar) reject_kind(what);
   const std::string& value = tree_->items[item_].value;
-  if (value.empty()) throw error("is empty; give " + what);
-  if (has_control_character(value)) throw error("holds a control character; give " + what);
+  if (value.empty()) throw error("is empty. Give " + what);
+  if (has_control_character(value)) throw error("holds a control character. Give " + what);
   return value;
 }
 
@@ -146,10 +146,10 @@ std::size_t Node::one_of(const std::vector<std::string_view>& allowed,
 std::array<double, 2> Node::range(const Bounds& bounds) const {
   const auto ends = list_of(2, "[lower, upper], each " + bounds.describe());
   const std::array<double, 2> out = {ends[0].number(bounds), ends[1].number(bounds)};
-  if (out[0] == out[1]) throw error("lower and upper are equal; give [lower, upper] with lower below upper");
+  if (out[0] == out[1]) throw error("lower and upper are equal. Give [lower, upper] with lower below upper");
   if (out[0] > out[1])
     throw error("is upside down: " + shortest_text(out[0]) + " is above " + shortest_text(out[1]) +
-                "; give [lower, upper] with lower below upper");
+                ". Give [lower, upper] with lower below upper");
   return out;
 }
 

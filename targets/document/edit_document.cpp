@@ -11,7 +11,7 @@ constexpr int max_position = 100'000'000;  // in a list: beyond any that a file 
 
 InvalidInput malformed(std::string_view text, const std::string& why) {
   return InvalidInput(in_ticks(text) + " is not a path: " + why +
-                      "; write keys with points and positions in brackets, e.g. `design.hinges[3].t` or "
+                      ". Write keys with points and positions in brackets, e.g. `design.hinges[3].t` or "
                       "`design.hinges[*].t`");
 }
 

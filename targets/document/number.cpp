@@ -50,16 +50,16 @@ bool is_unit(std::string_view rest) {
 
 [[noreturn]] void reject(std::string_view text, std::string_view rest, std::errc error,
                          const std::string& wanted) {
-  if (text.empty()) throw InvalidInput("is empty; give " + wanted);
+  if (text.empty()) throw InvalidInput("is empty. Give " + wanted);
   if (is_infinite_or_nan(text))
-    throw InvalidInput(in_ticks(text) + " is not a finite number; give " + wanted);
+    throw InvalidInput(in_ticks(text) + " is not a finite number. Give " + wanted);
   if (has_decimal_comma(text))
-    throw InvalidInput(in_ticks(text) + " has a decimal comma; write a point, and give " + wanted);
+    throw InvalidInput(in_ticks(text) + " has a decimal comma. Write a point, and give " + wanted);
   if (rest.empty() && error == std::errc::result_out_of_range)
-    throw InvalidInput(in_ticks(text) + " is beyond what a number can hold; give " + wanted);
+    throw InvalidInput(in_ticks(text) + " is beyond what a number can hold. Give " + wanted);
   if (rest.size() < text.size() && is_unit(rest))
-    throw InvalidInput(in_ticks(text) + " carries a unit; give " + wanted + ", without writing the unit");
-  throw InvalidInput(in_ticks(text) + " is not a number; give " + wanted);
+    throw InvalidInput(in_ticks(text) + " carries a unit. Give " + wanted + ", without writing the unit");
+  throw InvalidInput(in_ticks(text) + " is not a number. Give " + wanted);
 }
 
 constexpr double min_without_exponent =
@@ -128,7 +128,7 @@ double parse_number(std::string_view text, const Bounds& bounds) {
   if (error != std::errc{} || !rest.empty() || !std::isfinite(value))
     reject(text, rest, error, bounds.describe());
   if (!bounds.contains(value))
-    throw InvalidInput(in_ticks(text) + " is out of range; give " + bounds.describe());
+    throw InvalidInput(in_ticks(text) + " is out of range. Give " + bounds.describe());
   return value;
 }
 
@@ -139,8 +139,8 @@ int parse_integer(std::string_view text, int lower, int upper) {
   const auto [end, error] = parse(digits, value);
   const bool whole = !text.empty() && end == digits.data() + digits.size();
   if (whole && error == std::errc{} && lower <= value && value <= upper) return static_cast<int>(value);
-  if (whole) throw InvalidInput(in_ticks(text) + " is out of range; give " + wanted);
-  throw InvalidInput((text.empty() ? "is empty" : in_ticks(text) + " is not a whole number") + "; give " +
+  if (whole) throw InvalidInput(in_ticks(text) + " is out of range. Give " + wanted);
+  throw InvalidInput((text.empty() ? "is empty" : in_ticks(text) + " is not a whole number") + ". Give " +
                      wanted);
 }
 

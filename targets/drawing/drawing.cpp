@@ -83,7 +83,7 @@ void check(const Drawing& drawing) {
       if (!(end.cwiseAbs().maxCoeff() <= max_drawn_mm))
         throw InvalidInput("has a line that ends more than a kilometre from 0; is its unit right?");
   if (drawing.empty() || !(mean_length(drawing) > 0))
-    throw InvalidInput("has no straight lines; draw each wall as one");
+    throw InvalidInput("has no straight lines. Draw each wall as one");
   if (!(mean_length(drawing) >= min_drawn_mm))
     throw InvalidInput("has lines shorter than a micrometre, on the mean; is its unit right?");
 }

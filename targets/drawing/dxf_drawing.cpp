@@ -106,8 +106,8 @@ class Entities {
                              " is not read; allowed are LINE, LWPOLYLINE and POLYLINE");
     if (group.value == "MLINE" || group.value == "3DFACE")
       throw wrong(group,
-                  std::string(group.value) + " is not read; draw walls as LINE, LWPOLYLINE or POLYLINE");
-    if (group.value == "INSERT") throw wrong(group, "a block is inserted here; explode it into lines");
+                  std::string(group.value) + " is not read. Draw walls as LINE, LWPOLYLINE or POLYLINE");
+    if (group.value == "INSERT") throw wrong(group, "a block is inserted here. Explode it into lines");
     end_line();
     if (group.value != "VERTEX") {
       end_polyline();
@@ -132,7 +132,7 @@ class Entities {
   void take_flags(const Group& group) {
     constexpr int closed = 1, smooth_or_mesh = 2 | 4 | 16 | 64;
     if (group.code == 230 && number_of(group) < 0)
-      throw wrong(group, "this polyline is drawn from below (extrusion along -z); flatten the drawing");
+      throw wrong(group, "this polyline is drawn from below (extrusion along -z). Flatten the drawing");
     if (group.code != 70) return;
     if ((integer_of(group) & smooth_or_mesh) != 0)
       throw wrong(group, "walls are straight: this polyline is a smooth curve or a mesh");
@@ -169,7 +169,7 @@ class Entities {
 // DXF in its text form is pairs of lines, a group code and a value. Of Debian's readers one is under version 2 of the
 // GPL alone, which does not go together with parts under the Apache licence; the other has had no release since 2011.
 Drawing parse_dxf(const std::string& text) {
-  if (text.starts_with("AutoCAD Binary DXF")) throw InvalidInput("is a binary DXF; save it as text (ASCII)");
+  if (text.starts_with("AutoCAD Binary DXF")) throw InvalidInput("is a binary DXF. Save it as text (ASCII)");
   Groups groups(text);
   Entities entities;
   std::string_view section, variable;

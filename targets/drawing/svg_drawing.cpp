@@ -143,7 +143,7 @@ class Reader {
     if (name == "defs" || name == "symbol" || name == "clipPath" || name == "mask") return;
     if (is_hidden(node)) return;
     if (name == "svg" && depth > 0)
-      throw InvalidInput("has an svg within its svg, which may have a scale of its own; ungroup it");
+      throw InvalidInput("has an svg within its svg, which may have a scale of its own. Ungroup it");
     const Affine2d at = above * transform_of(node);
     if (name == "line")
       add(at, {number(node, "x1"), number(node, "y1")}, {number(node, "x2"), number(node, "y2")});

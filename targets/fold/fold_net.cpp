@@ -13,7 +13,7 @@ namespace kinetix::targets {
 namespace {
 
 void check_faces(const FoldNet& net) {
-  if (net.faces.empty()) throw InvalidInput("holds no faces; give at least one");
+  if (net.faces.empty()) throw InvalidInput("holds no faces. Give at least one");
   std::set<std::string> names;
   for (const FoldFace& face : net.faces) {
     if (std::min(face.width, face.height) < 1 || std::max(face.width, face.height) > max_face_side)
@@ -21,7 +21,7 @@ void check_faces(const FoldNet& net) {
                          std::to_string(face.height) + " cells; allowed: 1 to " +
                          std::to_string(max_face_side) + " a side");
     if (!names.insert(face.name).second)
-      throw InvalidInput("two faces are named " + in_ticks(face.name) + "; give each its own name");
+      throw InvalidInput("two faces are named " + in_ticks(face.name) + ". Give each its own name");
   }
 }
 
@@ -31,7 +31,7 @@ void check_creases(const FoldNet& net) {
     const std::string name = "crease " + in_ticks(crease_name(net, crease));
     if (crease.first == crease.second) throw InvalidInput(name + " joins a face with itself");
     if (!pairs.insert(std::minmax(crease.first, crease.second)).second)
-      throw InvalidInput(name + " is given twice; give one crease for two faces");
+      throw InvalidInput(name + " is given twice. Give one crease for two faces");
     if (!(std::abs(crease.angle) <= pi))
       throw InvalidInput(name + " turns by " + shortest_text(to_degrees(crease.angle)) +
                          " degrees; allowed: -180 to 180");
@@ -133,7 +133,7 @@ void check_ring(const FoldNet& net, const Placing& placing, const std::vector<mo
     throw InvalidInput(named(net, crease) + ": as the other creases lay them out, face " +
                        in_ticks(net.faces[c.second].name) + " is no neighbour of face " +
                        in_ticks(net.faces[c.first].name) + " on its " + to_string(c.side) +
-                       "; leave the crease out or place the faces otherwise");
+                       ". Leave the crease out or place the faces otherwise");
   std::vector<int> ring = placing.path_to_root(c.first), other = placing.path_to_root(c.second);
   while (!ring.empty() && !other.empty() && ring.back() == other.back()) {
     ring.pop_back();
@@ -147,7 +147,7 @@ void check_ring(const FoldNet& net, const Placing& placing, const std::vector<mo
   if (along_x && along_y)
     throw InvalidInput("the ring of faces that " + named(net, crease) + " closes folds both ways, at " +
                        named(net, *along_x) + " and " + named(net, *along_y) +
-                       ": such a ring cannot move; cut it at one of its creases");
+                       ": such a ring cannot move. Cut it at one of its creases");
 }
 
 PlacedCrease crease_between(const FoldNet& net, const std::vector<model::CellRectangle>& faces, int crease) {

@@ -110,9 +110,9 @@ std::vector<FoldFace> read_faces(const Node& node) {
     faces.push_back(read_face(entry));
     const auto same = [&](const FoldFace& face) { return face.name == faces.back().name; };
     if (std::any_of(faces.begin(), faces.end() - 1, same))
-      throw entry.optional("name")->error("is the name of a face above; give each face its own");
+      throw entry.optional("name")->error("is the name of a face above. Give each face its own");
   }
-  if (faces.empty()) throw node.error("is empty; give at least one face {name: base, cells: [4, 4]}");
+  if (faces.empty()) throw node.error("is empty. Give at least one face {name: base, cells: [4, 4]}");
   if (faces.size() > max_faces) throw node.error("holds more than 100 faces");
   return faces;
 }
@@ -124,7 +124,7 @@ FoldCrease read_crease(const Node& entry, const std::vector<std::string_view>& n
   FoldCrease crease;
   crease.first = static_cast<int>(pair[0].one_of(names));
   crease.second = static_cast<int>(pair[1].one_of(names));
-  if (crease.first == crease.second) throw pair[1].error("joins a face with itself; name two faces");
+  if (crease.first == crease.second) throw pair[1].error("joins a face with itself. Name two faces");
   node.read_needed("side", "the side of the first face: left, right, bottom or top", crease.side,
                    side_choices);
   crease.columns = columns;
@@ -193,9 +193,9 @@ FoldGoal read_fold(const Node& node) {
   const auto box = target.optional("box"), box_mm = target.optional("box_mm"), net = target.optional("net"),
              solid = target.optional("solid");
   if (!box && !box_mm && !net && !solid)
-    throw target.error(std::string("says nothing to fold; give ") + wanted_shape);
+    throw target.error(std::string("says nothing to fold. Give ") + wanted_shape);
   if (box.has_value() + box_mm.has_value() + net.has_value() + solid.has_value() > 1)
-    throw target.error(std::string("gives more than one shape; give only ") + wanted_shape);
+    throw target.error(std::string("gives more than one shape. Give only ") + wanted_shape);
   int columns = 0;
   target.read("crease_columns", columns);
   if (solid) return read_solid(target, *solid, columns);

@@ -72,7 +72,7 @@ void check_coverage(const Head& head) {
       throw InvalidHead("coverage_mm", "goes beyond the mesh: to the " + std::string(way) +
                                            " the head can be followed down to " +
                                            number_text(std::max(0.0, std::floor(depth))) +
-                                           " mm below the crown; give at most that");
+                                           " mm below the crown. Give at most that");
   }
 }
 

@@ -82,7 +82,7 @@ Vector3d longer_direction(const TriangleMesh& mesh, const Vector3d& up) {
 
 Vector3d front_of(const TriangleMesh& mesh, const HeadPose& pose) {
   if (pose.front && pose.front->dot(pose.up) != 0)
-    throw InvalidHead("front", "is along the same axis as `up`; give one across it");
+    throw InvalidHead("front", "is along the same axis as `up`. Give one across it");
   return pose.front ? *pose.front : longer_direction(mesh, pose.up);
 }
 
@@ -107,7 +107,7 @@ Vector3d crown_of(const TriangleMesh& mesh, const HeadPose& pose) {
   const double gap = distance_from(mesh, *pose.crown);
   if (!(gap <= crown_reach_mm))
     throw InvalidHead("crown", "is " + number_text(gap) +
-                                   " mm from the mesh; give a point on it, in mm and in the " +
+                                   " mm from the mesh. Give a point on it, in mm and in the " +
                                    "mesh's axes, or leave it out for the highest, " + text(top));
   return *pose.crown;
 }

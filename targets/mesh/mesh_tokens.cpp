@@ -70,7 +70,7 @@ double MeshTokens::number_in(std::string_view text, const char* what) const {
   double number = 0;
   if (text.empty()) throw error(std::string("ends where ") + what + " belongs; the file is damaged");
   if (!parse(text, number) || !std::isfinite(number))
-    throw error(in_ticks(text) + " stands where " + what + " belongs; give a finite number");
+    throw error(in_ticks(text) + " stands where " + what + " belongs. Give a finite number");
   return number;
 }
 
@@ -82,7 +82,7 @@ long MeshTokens::integer_of_any_line(const char* what) {
   long integer = 0;
   if (text.empty()) throw error(std::string("ends where ") + what + " belongs; the file is damaged");
   if (!parse(text, integer))
-    throw error(in_ticks(text) + " stands where " + what + " belongs; give a whole number");
+    throw error(in_ticks(text) + " stands where " + what + " belongs. Give a whole number");
   return integer;
 }
 

@@ -306,7 +306,7 @@ class PlyReader {
     for (std::size_t k = 2; k < values_.size(); ++k) {
       if (mesh_.triangles.size() == max_mesh_triangles)
         throw InvalidInput("has too many triangles; at most " + std::to_string(max_mesh_triangles) +
-                           " are allowed; thin the mesh out");
+                           " are allowed. Thin the mesh out");
       mesh_.triangles.push_back({corner(0), corner(k - 1), corner(k)});
     }
   }

@@ -95,10 +95,10 @@ SurfacePatch read_shape(const Section& target, Shape shape) {
   Sizes of;
   target.read_into(of);
   if (shape != Shape::vase)
-    refuse(target, {"radius_mm", "height_mm", "swell_mm"}, "belongs to a vase; leave it out");
-  if (shape == Shape::vase) refuse(target, {"width_mm"}, "a vase has height_mm and radius_mm; leave it out");
-  if (shape != Shape::saddle) refuse(target, {"rise"}, "belongs to a saddle; leave it out");
-  if (shape == Shape::saddle) refuse(target, {"arc_deg"}, "a saddle has a rise; leave it out");
+    refuse(target, {"radius_mm", "height_mm", "swell_mm"}, "belongs to a vase. Leave it out");
+  if (shape == Shape::vase) refuse(target, {"width_mm"}, "a vase has height_mm and radius_mm. Leave it out");
+  if (shape != Shape::saddle) refuse(target, {"rise"}, "belongs to a saddle. Leave it out");
+  if (shape == Shape::saddle) refuse(target, {"arc_deg"}, "a saddle has a rise. Leave it out");
   if (shape == Shape::cap) return cap_patch(of.width, of.arc);
   if (shape == Shape::saddle) return saddle_patch(of.width, of.rise);
   return vase_patch(of.height, of.radius, of.swell.value_or(of.radius / 5), of.arc);
@@ -138,9 +138,9 @@ std::vector<Key> surface_keys() {
 SurfacePatch read_surface(const Section& target) {
   const auto mesh = target.optional("mesh"), shape = target.optional("shape"),
              profile = target.optional("profile");
-  if (mesh && shape) throw shape->key_error("and target.mesh both say what the surface is; give one of them");
+  if (mesh && shape) throw shape->key_error("and target.mesh both say what the surface is. Give one of them");
   if (profile && (mesh || shape))
-    throw profile->key_error("and a mesh or shape both say what the surface is; give one of them");
+    throw profile->key_error("and a mesh or shape both say what the surface is. Give one of them");
   if (!mesh && !shape && !profile)
     throw target.error("needs a `mesh` or a `shape`: cap, saddle or vase, or a `profile`");
   if (profile) {

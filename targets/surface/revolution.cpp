@@ -53,7 +53,7 @@ Profile::Profile(std::vector<Vector2d> points) : points_(std::move(points)) {
       const double part = static_cast<double>(look) / samples_per_piece;
       if (!(radius((1 - part) * points_[k].y() + part * points_[k + 1].y())[0] > 0))
         throw InvalidCurve(
-            "the smooth line through the points comes to the axis before this one; give more points",
+            "the smooth line through the points comes to the axis before this one. Give more points",
             static_cast<int>(k + 1));
     }
 }

@@ -164,7 +164,7 @@ std::string other_size(const FoldFile& file, const optim::FoldDesign& found, con
                        too_fine(file, box.size(better->edge_mm)));
   if (options.stop.stop_requested())
     return fmt::format(
-        "the search was stopped before it had tried all cells; try another cell edge (structure.cell_mm), or "
+        "the search was stopped before it had tried all cells. Try another cell edge (structure.cell_mm), or "
         "allow {}",
         looser);
   const auto mm = edges_mm(file.goal, found);

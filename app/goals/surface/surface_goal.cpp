@@ -164,7 +164,7 @@ class SurfaceGoal final : public Goal {
       throw Interrupted("no sheet that folds flat was found before the search was stopped");
     if (!surface->design.valid)
       throw InvalidInput(
-          "no sheet that folds flat was found for this surface; give more `structure.facets`, or more room "
+          "no sheet that folds flat was found for this surface. Give more `structure.facets`, or more room "
           "in `variables`");
     surface->diagonal_mm = file_.patch.diagonal();
     const targets::PointGrid vertices{file_.columns, file_.rows, surface->design.vertices};

@@ -364,7 +364,7 @@ void check_lockable(const PrintSheet& sheet, LockKind kind) {
                     to_string(kind), sheet.process.name));
   if (sheet.path.size() < 2)
     throw InvalidInput(
-        fmt::format("lock: {} needs a fold, and only the flat sheet is known; give "
+        fmt::format("lock: {} needs a fold, and only the flat sheet is known. Give "
                     "design.theta_deg or leave lock out",
                     to_string(kind)));
 }
