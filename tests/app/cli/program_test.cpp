@@ -79,7 +79,7 @@ TEST(Program, NeverReplacesItsOwnInput) {
     const Outcome run = kinetix_opt(command + " --quiet");
     EXPECT_EQ(run.code, 2) << command << run.out;
     EXPECT_THAT(run.err, HasSubstr("design.yaml: results in ")) << command;
-    EXPECT_THAT(run.err, HasSubstr("would replace this file; give another folder: -o DIR")) << command;
+    EXPECT_THAT(run.err, HasSubstr("would replace this file. Give another folder: -o DIR")) << command;
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
   }
   EXPECT_EQ(text_of(goal), std::string("# by hand\n") + bow);

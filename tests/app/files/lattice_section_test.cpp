@@ -299,7 +299,7 @@ TEST(LatticeSection, SaysWhereAndWhatIsAllowed) {
        3,
        26,
        "design.hinges[0].wall",
-       {"runs the other way; write [0, 3]"}},
+       {"runs the other way. Write [0, 3]"}},
       {honeycomb + "design: {hinges: [{wall: [0, 1]}]}\n",
        3,
        26,

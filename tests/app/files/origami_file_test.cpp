@@ -167,7 +167,7 @@ TEST(OrigamiFile, IsRefusedWhereItIsNestedTooDeep) {
     for (int k = 0; k < depth; ++k) text += close;
     return text;
   };
-  const std::string too_deep = "is nested too deep; give a FOLD file of at most 64 lists in one another";
+  const std::string too_deep = "is nested too deep. Give a FOLD file of at most 64 lists in one another";
   for (const int depth : {64, 100'000, 1'000'000}) {  // plus one level for the file itself
     expect_refused("{\"a\": " + nested(depth, "[", "]") + "}", too_deep);
     expect_refused("{\"a\": " + nested(depth, "{\"a\": ", "}") + "}", too_deep);

@@ -364,7 +364,7 @@ TEST(TargetFile, SaysWhereAndWhatIsAllowed) {
        1,
        1,
        "",
-       {"design, not a target; use it with simulate, verify, view or export"}},
+       {"design, not a target. Use it with simulate, verify, view or export"}},
       {target + "varables: {}\n", 3, 1, "varables", {"did you mean `variables`?", "allowed: kinetix, name"}},
       {target + "name: ../up\n", 3, 7, "name", {"letters, digits", "names a folder"}},
       {target + "name: .hidden\n", 3, 7, "name", {"not starting with a point"}},

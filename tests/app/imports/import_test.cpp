@@ -237,7 +237,7 @@ TEST(Import, SaysWhichMaterialsThereAreWhereNoneIsSaidToBeSoft) {
   const std::string colours =
       Obj().add("a", "red", left()).add("b", "red", right()).add("c", "blue", block()).text();
   expect_refused("pair.obj", colours,
-                 "does not say which of its materials is soft: `blue`, `red`; name it with --soft-material");
+                 "does not say which of its materials is soft: `blue`, `red`. Name it with --soft-material");
   expect_refused("pair.obj", colours, "no material, colour or part is called `green`: `blue`, `red`",
                  "--soft-material green");
   const Scratch scratch;

@@ -262,14 +262,14 @@ TEST(Matter, LimitsOfAFoldMustFitItsDrive) {
               HasSubstr("goal.yaml:6:13: tolerance.force_N: is for a drive from outside"));
   EXPECT_THAT(
       finished(scratch, "kinetix: 1\ntarget: {kind: fold, box: [2, 2, 2]}\ntolerance: {force_N: 3}\n").err,
-      HasSubstr("tolerance.force_N: applies to elastic hinges; give `hinge` as well"));
+      HasSubstr("tolerance.force_N: applies to elastic hinges. Give `hinge` as well"));
   const std::string rotary =
       "hinge: {model: rotary, kind: block, material: tango, gap_mm: 2, thickness_mm: 0.8}\n";
   EXPECT_THAT(
       finished(scratch, "kinetix: 1\ntarget: {kind: fold, box: [2, 2, 2]}\nstructure: {cell_mm: 20}\n" +
                             rotary + "tolerance: {strain: 0.3}\n")
           .err,
-      HasSubstr("goal.yaml:5:13: tolerance.strain: applies to elastic hinges; leave out `model: rotary`"));
+      HasSubstr("goal.yaml:5:13: tolerance.strain: applies to elastic hinges. Leave out `model: rotary`"));
 }
 
 TEST(Matter, AnOutlineIsJudgedInItsHinges) {

@@ -59,7 +59,7 @@ TEST(DisplayGoal, RefusesRowsThatAreNoPicture) {
   EXPECT_THAT(refusal([] { rows_goal({"01", "0x"}); }), HasSubstr("`0x` holds more than 0 and 1"));
   EXPECT_THAT(refusal([] { rows_goal({"11", "11"}); }), HasSubstr("every cell is letter"));
   EXPECT_THAT(refusal([] { rows_goal({"00", "00"}); }), HasSubstr("every cell is rest"));
-  EXPECT_THAT(refusal([] { rows_goal({"01"}); }), HasSubstr("2 x 1 cells is too small; give at least 2 x 2"));
+  EXPECT_THAT(refusal([] { rows_goal({"01"}); }), HasSubstr("2 x 1 cells is too small. Give at least 2 x 2"));
 }
 
 TEST(DisplayGoal, KeepsPanelsWithinBounds) {

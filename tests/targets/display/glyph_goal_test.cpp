@@ -219,7 +219,7 @@ TEST(SeenTopology, TellsDotsThatMeltFromDotsThatStandApart) {
 }
 
 TEST(GlyphGoal, RefusesWhatItCannotShow) {
-  EXPECT_THAT(refusal([] { bold("", 10, 10); }), HasSubstr("is empty; give a letter"));
+  EXPECT_THAT(refusal([] { bold("", 10, 10); }), HasSubstr("is empty. Give a letter"));
   EXPECT_THAT(refusal([] { bold("  ", 10, 10); }), HasSubstr("shows no ink, as spaces do"));
   EXPECT_THAT(refusal([] { bold("ABCDEFGHIJKLM", 10, 10); }), HasSubstr("has 13 characters; at most 12"));
   EXPECT_THAT(refusal([] { bold("a\xE4\xB8\xAD", 10, 10); }),

@@ -258,7 +258,7 @@ TEST(Node, SuggestsTheNearestKeyAndListsAllowedOnes) {
   EXPECT_THAT(says("{beta: 0,4}\n"), HasSubstr("in.yaml:1:10: 4: a number stands where a key belongs"));
   EXPECT_THAT(says("x: 1\n"), HasSubstr("unknown key; allowed"));
   EXPECT_THAT(says("colour: 1\n"), HasSubstr("unknown key; allowed"));
-  EXPECT_THAT(says("- 1\n"), HasSubstr("is a list; give a map of keys (theta_deg, beta, cells)"));
+  EXPECT_THAT(says("- 1\n"), HasSubstr("is a list. Give a map of keys (theta_deg, beta, cells)"));
 }
 
 // PyYAML and other readers of YAML 1.1 took 1e+05 for a text.

@@ -81,7 +81,7 @@ TEST(Section, AllowsWhatItsTableAllows) {
               }),
               HasSubstr("from 0.1 to 20, in mm (0.01 to 2 cells)"));
   EXPECT_THAT(refusal([] { section("{part: 1}").required("must", "a number"); }),
-              HasSubstr("the key `must` is missing; give a number"));
+              HasSubstr("the key `must` is missing. Give a number"));
 }
 
 TEST(Section, ReadsNoKeyThatItsTableDoesNotHave) {

@@ -424,7 +424,7 @@ TEST(Display, RefusesWhatCannotBeAndWritesNothing) {
   scratch.write("nine.pgm", "P2\n2 1 9\n0 9\n");
   scratch.write("huge.pgm", "P5\n80000 80000\n255\n");
   const std::vector<std::array<std::string, 2>> cases = {
-      {"glyph: \"\"", "is empty; give a letter or a short word"},
+      {"glyph: \"\"", "is empty. Give a letter or a short word"},
       {"glyph: \" \"", "shows no ink"},
       {"glyph: T, font: DejaVu Sanz", "is not installed"},
       {"glyph: T, font: DejaVu Sanz", "DejaVu Sans"},
@@ -460,7 +460,7 @@ TEST(PanelMemory, PanelsThatMemoryDoesNotHoldAreRefused) {
                 app::check_memory({500, 500}, 2, 4, 8 * gib);
               }),
               AllOf(HasSubstr("structure.cells"), HasSubstr("500 x 500 cells takes about 23.3 GiB"),
-                    HasSubstr("has 8.0 GiB; give fewer cells, or --threads 1")));
+                    HasSubstr("has 8.0 GiB. Give fewer cells, or --threads 1")));
 }
 
 TEST(PanelPicture, IsToScaleAndRefusesBrokenStates) {
