@@ -61,7 +61,7 @@ void Node::reject_unknown_keys(const std::vector<std::string_view>& allowed,
       continue;
     if (key.find_first_not_of("0123456789") == std::string::npos)
       throw Node(tree_, child)
-          .key_error("a number stands where a key belongs. Write decimals with a point, not a comma");
+          .key_error("a number is in the place of a key. Write decimals with a point, not a comma");
     throw Node(tree_, child)
         .key_error("unknown key" + did_you_mean(key, names) + "; allowed: " + joined(names));
   }
@@ -97,7 +97,7 @@ std::vector<Node> Node::list_of(std::size_t length, const std::string& what) con
 const std::string& Node::plain_scalar(const std::string& wanted) const {
   if (kind() != Kind::scalar) reject_kind(wanted);
   const Tree::Item& item = tree_->items[item_];
-  if (item.is_quoted) throw error("stands in quotes and so is text. Give " + wanted + ", without quotes");
+  if (item.is_quoted) throw error("is in quotes, which makes it text. Give " + wanted + ", without quotes");
   return item.value;
 }
 
@@ -127,7 +127,7 @@ std::string Node::text(const std::string& what) const {
   if (kind() != Kind::scalar) reject_kind(what);
   const std::string& value = tree_->items[item_].value;
   if (value.empty()) throw error("is empty. Give " + what);
-  if (has_control_character(value)) throw error("holds a control character. Give " + what);
+  if (has_control_character(value)) throw error("has a control character. Give " + what);
   return value;
 }
 
@@ -148,7 +148,7 @@ std::array<double, 2> Node::range(const Bounds& bounds) const {
   const std::array<double, 2> out = {ends[0].number(bounds), ends[1].number(bounds)};
   if (out[0] == out[1]) throw error("lower and upper are equal. Give [lower, upper] with lower below upper");
   if (out[0] > out[1])
-    throw error("is upside down: " + shortest_text(out[0]) + " is above " + shortest_text(out[1]) +
+    throw error("the range is reversed: " + shortest_text(out[0]) + " is above " + shortest_text(out[1]) +
                 ". Give [lower, upper] with lower below upper");
   return out;
 }

@@ -56,9 +56,9 @@ bool is_unit(std::string_view rest) {
   if (has_decimal_comma(text))
     throw InvalidInput(in_ticks(text) + " has a decimal comma. Write a point, and give " + wanted);
   if (rest.empty() && error == std::errc::result_out_of_range)
-    throw InvalidInput(in_ticks(text) + " is beyond what a number can hold. Give " + wanted);
+    throw InvalidInput(in_ticks(text) + " is too large for a number. Give " + wanted);
   if (rest.size() < text.size() && is_unit(rest))
-    throw InvalidInput(in_ticks(text) + " carries a unit. Give " + wanted + ", without writing the unit");
+    throw InvalidInput(in_ticks(text) + " has a unit. Give " + wanted + ", without writing the unit");
   throw InvalidInput(in_ticks(text) + " is not a number. Give " + wanted);
 }
 

@@ -76,7 +76,7 @@ double unit_mm(const Group& unit) {
   const auto found = known.find(integer_of(unit));
   if (found != known.end()) return found->second;
   throw wrong(unit, "the unit $INSUNITS " + std::string(unit.value) +
-                        " is not read; allowed: mm, cm, m, inches, feet");
+                        " is not supported. Give mm, cm, m, inches or feet");
 }
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();  // a coordinate that has not come yet
@@ -103,11 +103,11 @@ class Entities {
     static const std::set<std::string_view> curved = {"ARC", "CIRCLE", "ELLIPSE", "SPLINE"};
     if (curved.contains(group.value))
       throw wrong(group, "walls are straight: " + std::string(group.value) +
-                             " is not read; allowed are LINE, LWPOLYLINE and POLYLINE");
+                             " is not supported. Draw walls as LINE, LWPOLYLINE or POLYLINE");
     if (group.value == "MLINE" || group.value == "3DFACE")
       throw wrong(group,
-                  std::string(group.value) + " is not read. Draw walls as LINE, LWPOLYLINE or POLYLINE");
-    if (group.value == "INSERT") throw wrong(group, "a block is inserted here. Explode it into lines");
+                  std::string(group.value) + " is not supported. Draw walls as LINE, LWPOLYLINE or POLYLINE");
+    if (group.value == "INSERT") throw wrong(group, "there is a block here. Explode it into lines");
     end_line();
     if (group.value != "VERTEX") {
       end_polyline();
@@ -169,7 +169,7 @@ class Entities {
 // DXF in its text form is pairs of lines, a group code and a value. Of Debian's readers one is under version 2 of the
 // GPL alone, which does not go together with parts under the Apache licence; the other has had no release since 2011.
 Drawing parse_dxf(const std::string& text) {
-  if (text.starts_with("AutoCAD Binary DXF")) throw InvalidInput("is a binary DXF. Save it as text (ASCII)");
+  if (text.starts_with("AutoCAD Binary DXF")) throw InvalidInput("this is a binary DXF. Save it as text (ASCII)");
   Groups groups(text);
   Entities entities;
   std::string_view section, variable;

@@ -112,7 +112,7 @@ class ObjReader {
     long value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || value == 0)
-      throw tokens_.error(in_ticks(word) + " stands where a corner of a face belongs. Give vertex indices");
+      throw tokens_.error(in_ticks(word) + " is not a corner of a face. Give vertex indices");
     if (value < 0) value += vertices_ + 1;
     if (value < 1) throw missing_vertex(word);
     if (value > highest_) {
@@ -224,8 +224,8 @@ class StlText {
 
   [[noreturn]] void refuse(const std::string& wanted) const {
     const std::string_view word = tokens_.last_word();
-    if (word.empty()) throw tokens_.error("ends where `" + wanted + "` belongs; the file is cut short");
-    throw tokens_.error(in_ticks(word) + " stands where `" + wanted + "` belongs; the file is damaged");
+    if (word.empty()) throw tokens_.error("ends where `" + wanted + "` is expected: the file is incomplete. Export it again");
+    throw tokens_.error(in_ticks(word) + " is found instead of `" + wanted + "`: the file is damaged. Export it again");
   }
 
   MeshTokens tokens_;

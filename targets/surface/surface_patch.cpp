@@ -185,8 +185,7 @@ std::vector<int> boundary_of(const TriangleMesh& mesh) {
         throw InvalidInput("an edge of the mesh has more than two triangles. Give a single open surface");
       if (count == 1 && !next.try_emplace(from, to).second)
         throw InvalidInput(
-            "the mesh hangs together by a vertex, or its triangles are wound differently. Give a single open "
-            "surface");
+            "two parts of the mesh share a single vertex, or its triangles have different orientations. Give a single open surface");
     }
   if (next.empty()) throw InvalidInput("the mesh is closed. Give an open surface, such as a part of it");
   std::vector<int> rim;
@@ -194,7 +193,7 @@ std::vector<int> boundary_of(const TriangleMesh& mesh) {
     rim.push_back(at);
     const auto found = next.find(at);
     if (found == next.end() || rim.size() > next.size())
-      throw InvalidInput("the triangles of the mesh are wound differently. Give a single open surface");
+      throw InvalidInput("the triangles of the mesh have different orientations. Give a single open surface");
     at = found->second;
   }
   if (rim.size() != next.size())
@@ -340,7 +339,7 @@ SurfacePatch mesh_patch(const TriangleMesh& given) {
   if (!(miss <= max_miss * rectangle.box.sizes().norm()))
     throw InvalidInput("the surface is not smooth: the nearest smooth one is " +
                        number_text(100 * miss / rectangle.box.sizes().norm()) +
-                       " % of its size off; at most 1 % is allowed");
+                       " % of its size off, and the limit is 1 %");
   return {"mesh", round * std::sqrt(std::min(1.0, area / rectangle.area)),
           [weight, round](const Vector2d& at) { return height_at(weight, round, at); }};
 }
