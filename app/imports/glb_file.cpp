@@ -111,7 +111,7 @@ class GlbModel {
     const auto found = map.find(key);
     if (found == map.end() && otherwise) return *otherwise;
     if (found == map.end() || !found->is_number_unsigned() || found->get<std::uint64_t>() > max_json_number)
-      damaged(std::string("`") + key + "` is no whole number");
+      damaged(std::string("`") + key + "` is not a whole number");
     return found->get<std::size_t>();
   }
 
@@ -119,7 +119,7 @@ class GlbModel {
     static const PlainJson none = PlainJson::array();
     const auto found = map.find(key);
     if (found == map.end()) return none;
-    if (!found->is_array()) damaged(std::string("`") + key + "` is no list");
+    if (!found->is_array()) damaged(std::string("`") + key + "` is not a list");
     return *found;
   }
 

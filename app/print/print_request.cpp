@@ -43,7 +43,7 @@ std::string format_help() {
   std::string text;
   for (const PrintFormat* format : print_formats())
     text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", format->name, format->meaning);
-  return text + "; all: every one; several, with commas between them";
+  return text + "; all: every format. Separate several by commas";
 }
 
 model::Process process_of(const PrintRequest& request, const model::Process& of_design) {
@@ -97,8 +97,7 @@ void check_clearance_override(const PrintRequest& request, const Design& design)
   const std::optional<double> own = clearance_override_mm(design);
   if (own && *own < request.clearance_mm)
     throw InvalidInput(fmt::format(
-        "the design's own pins have a clearance of {:g} mm, and --clearance asks for {:g}: change "
-        "`clearance_mm` in the design",
+        "--clearance {1:g} is not the clearance of the design's pins, {0:g} mm. Change `clearance_mm` in the design",
         *own, request.clearance_mm));
 }
 
@@ -126,21 +125,21 @@ Design reopened(Design design, const PrintRequest& request) {
 
 void reject_design_options(const PrintRequest& request) {
   const auto refuse = [](bool given, const char* option, const char* why) {
-    if (given) throw InvalidInput(fmt::format("{} of designs: {}", option, why));
+    if (given) throw InvalidInput(fmt::format("{} only applies to designs: {}. Remove it", option, why));
   };
-  refuse(request.clearance_mm > 0, "--clearance is", "a coupon has gaps of its own");
-  refuse(request.caps, "--caps are", "a coupon's axes are in the middle");
-  refuse(!request.hinge.empty(), "--hinge is", "a coupon's hinges are pins");
-  refuse(request.cell_mm > 0, "--cell-mm is", "a coupon has no cells");
-  refuse(!request.lock.empty(), "--lock is", "a coupon does not fold");
-  refuse(request.loose_rods, "--loose-rods are", "a coupon's rods are printed in place");
-  refuse(request.folded, "--state folded is", "a coupon's hinges each turn by themselves");
+  refuse(request.clearance_mm > 0, "--clearance", "a coupon has several gaps");
+  refuse(request.caps, "--round-caps", "the axes of a coupon are in the middle");
+  refuse(!request.hinge.empty(), "--hinge", "the hinges of a coupon are pins");
+  refuse(request.cell_mm > 0, "--cell-mm", "a coupon has no cells");
+  refuse(!request.lock.empty(), "--lock", "a coupon does not fold");
+  refuse(request.loose_rods, "--loose-rods", "the rods of a coupon are printed in place");
+  refuse(request.folded, "--state folded", "a coupon does not fold");
 }
 
 void reject_sheet_options(const PrintRequest& request) {
-  constexpr const char* instead = "a design of bodies is written as ";
+  constexpr const char* instead = "and this is a design of bodies. ";
   const auto refuse = [&](bool given, const char* option) {
-    if (given) throw InvalidInput(fmt::format("{} makes sheets; {}its parts are", option, instead));
+    if (given) throw InvalidInput(fmt::format("{} only applies to sheets, {}Remove it", option, instead));
   };
   refuse(!request.hinge.empty(), "--hinge");
   refuse(request.clearance_mm > 0, "--clearance");
@@ -148,19 +147,19 @@ void reject_sheet_options(const PrintRequest& request) {
   refuse(!request.bed_mm.empty(), "--bed");
   refuse(!request.lock.empty(), "--lock");
   refuse(request.loose_rods, "--loose-rods");
-  refuse(request.caps, "--caps");
+  refuse(request.caps, "--round-caps");
   refuse(request.orient != "flat", "--orient");
   refuse(request.slice, "--slice");
   constexpr std::array<std::string_view, 3> meshes = {"stl", "3mf", "glb"};
   for (const std::string& name : request.formats)
     if (std::find(meshes.begin(), meshes.end(), name) == meshes.end())
-      throw InvalidInput(fmt::format("--format: {} is of sheets; {}{}", targets::in_ticks(name), instead,
+      throw InvalidInput(fmt::format("--format: {} only applies to sheets, {}Give {}", targets::in_ticks(name), instead,
                                      targets::joined(meshes)));
 }
 
 void check_state(const PrintRequest& request, const PrintSheet& sheet) {
   if (request.folded && !sheet.is_path_exact && !sheet.no_path_reason.empty())
-    throw InvalidInput("--state folded: how the design looks when it is folded is not known: " +
+    throw InvalidInput("--state folded: the folded state of the design is not known. Export it flat: " +
                        sheet.no_path_reason);
 }
 
@@ -187,16 +186,16 @@ std::vector<std::string> idle_options(const PrintRequest& request, const Design&
   };
   const bool has_pins = has(model::HingeKind::pin), has_rods = has(model::HingeKind::rod);
   if (const auto kind = kind_of(request); kind && !has(*kind))
-    all.push_back("--hinge changes nothing: the design says itself how its hinges are made");
+    all.push_back("--hinge has no effect: the design sets the kind of its hinges");
   if (request.clearance_mm > 0 && !has_pins && !has_rods)
-    all.push_back("--clearance changes nothing: no hinge is a pin");
+    all.push_back("--clearance has no effect: no hinge is a pin");
   if (const auto own = clearance_override_mm(design); own && request.clearance_mm > 0)
     all.push_back(fmt::format(
         "--clearance {:g} leaves the design's own pins as they are: their clearance is {:g} mm or more",
         request.clearance_mm, *own));
-  if (request.loose_rods && !has_pins) all.push_back("--loose-rods changes nothing: no hinge is a pin");
+  if (request.loose_rods && !has_pins) all.push_back("--loose-rods has no effect: no hinge is a pin");
   if (request.caps && !sheet.has_caps())
-    all.push_back("--caps changes nothing: all axes are in the middle of their walls");
+    all.push_back("--round-caps has no effect: all axes are in the middle of their walls");
   return all;
 }
 
