@@ -174,7 +174,7 @@ class Builder final : public YAML::EventHandler {
     check(mark, anchor, tag);
     if (awaits_key())
       refuse(mark,
-             "a list or a map is in the place of a key. Give plain words as keys, and check for a missing bracket");
+             "a list or a map is in the place of a key. Give plain words as keys, and check for a missing closing bracket");
     if (static_cast<int>(open_.size()) >= max_document_depth)
       refuse(mark, "nested too deep; at most " + std::to_string(max_document_depth) + " levels are allowed");
     const int item = add(mark, kind);

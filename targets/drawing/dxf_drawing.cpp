@@ -102,7 +102,7 @@ class Entities {
   void begin(const Group& group) {
     static const std::set<std::string_view> curved = {"ARC", "CIRCLE", "ELLIPSE", "SPLINE"};
     if (curved.contains(group.value))
-      throw wrong(group, "walls are straight: " + std::string(group.value) +
+      throw wrong(group, "the curve " + std::string(group.value) +
                              " is not supported. Draw walls as LINE, LWPOLYLINE or POLYLINE");
     if (group.value == "MLINE" || group.value == "3DFACE")
       throw wrong(group,
@@ -125,7 +125,7 @@ class Entities {
     if (group.code == 10) points_.emplace_back(number_of(group), missing);
     if (group.code == 20 && !points_.empty()) points_.back().y() = number_of(group);
     if (group.code == 42 && number_of(group) != 0)
-      throw wrong(group, "walls are straight: this polyline has an arc (a bulge)");
+      throw wrong(group, "this polyline has an arc (a bulge). Draw straight walls");
     if (name_ == "LWPOLYLINE") take_flags(group);
   }
 
@@ -135,7 +135,7 @@ class Entities {
       throw wrong(group, "this polyline is drawn from below (extrusion along -z). Flatten the drawing");
     if (group.code != 70) return;
     if ((integer_of(group) & smooth_or_mesh) != 0)
-      throw wrong(group, "walls are straight: this polyline is a smooth curve or a mesh");
+      throw wrong(group, "this polyline is a smooth curve or a mesh. Draw straight walls");
     is_closed_ = (integer_of(group) & closed) != 0;
   }
 

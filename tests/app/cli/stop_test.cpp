@@ -160,7 +160,7 @@ TEST(Program, SaysThatThereIsNothingToKeepOfAPhysicsRun) {
   const std::string large = scratch.write(
       "large.yaml", "kinetix: 1\nstructure: {cells: [24, 24], cell_mm: 10}\ndesign: {theta_deg: 35}\n");
   const auto [said, status] = interrupted_after({"physics run ..."}, {"verify", large, "-o", folder});
-  EXPECT_THAT(said, HasSubstr("the physics run was stopped before it settled: nothing is written"));
+  EXPECT_THAT(said, HasSubstr("the simulation was stopped before it settled: nothing is written"));
   ASSERT_TRUE(WIFEXITED(status)) << said;
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_FALSE(fs::exists(folder + "/result.json"));

@@ -28,13 +28,13 @@ TEST(Export, RefusesWhatItCannotMake) {
   expect_refused(panel, "--format stl --process fdmm", "unknown process `fdmm` (did you mean `fdm`?)");
   expect_refused(panel, "--format stl --hinge peg", "unknown hinge `peg`");
   const std::string thin = std::string(panel).replace(std::string(panel).find("0.8"), 3, "0.5");
-  expect_refused(thin, "--format stl --process fdm", "a wall of 0.5 mm is less than fdm prints, 0.8 mm",
+  expect_refused(thin, "--format stl --process fdm", "a wall of 0.5 mm is below the minimum of fdm, 0.8 mm",
                  not_printable);
   expect_refused(std::string(panel) + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.06}\n",
-                 "--format stl --process sla", "a clearance of 0.06 mm is less than sla prints, 0.25 mm",
+                 "--format stl --process sla", "a clearance of 0.06 mm is below the minimum of sla, 0.25 mm",
                  not_printable);
   expect_refused(std::string(panel) + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.4}\n",
-                 "--format stl --process fdm", "a rod of 1 mm is less than fdm prints, 3 mm", not_printable);
+                 "--format stl --process fdm", "a rod of 1 mm is below the minimum of fdm, 3 mm", not_printable);
 }
 
 /// Films of the walls' material are thin walls: one extruder, no glue.
@@ -87,7 +87,7 @@ TEST(Export, RefusesAHingeOnAJunctionAndSaysWhichCellWouldDo) {
 TEST(Export, MakesBlocksWherePinsDoNotFitAndSaysWhy) {
   const std::string design =
       std::string(panel).replace(std::string(panel).find("cell_mm: 12"), 11, "cell_mm: 8");
-  expect_refused(design, "--format stl --process fdm --hinge pin", "would do (kinetix-opt export --cell-mm ",
+  expect_refused(design, "--format stl --process fdm --hinge pin", "fits: give --cell-mm ",
                  not_printable);
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, design, "--format stl --process fdm").code, 0);
@@ -154,7 +154,7 @@ hinge: {model: elastic, k_point: 100, k_turn: 0.1}
 drive: {kind: plates, axis: y, compression: 0.45}
 )";
   expect_refused(design, "--format stl --hinge block --state folded",
-                 "--state folded: how the design looks when it is folded is not known");
+                 "--state folded: the folded state of the design is not known");
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, design, "--format stl --hinge block").code, 0);
   EXPECT_EQ(print_json_of(scratch)["state"], "flat");
@@ -404,7 +404,7 @@ TEST(Export, RefusesPinsWithoutRoomForAnEyeAndSaysHowHighTheirWallsHaveToBe) {
   const std::string pins = "--format stl --hinge pin --process fdm";
   expect_refused(low, pins, "a pin 1.5 mm high has no room for an eye between two clearances of 0.53 mm",
                  not_printable);
-  expect_refused(low, pins, "x 2.12 mm a cell_mm of 30 would do (kinetix-opt export --cell-mm 30)",
+  expect_refused(low, pins, "x 2.12 mm a cell_mm of 30 fits: give --cell-mm 30",
                  not_printable);
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, low, pins + " --cell-mm 30").code, 0);
@@ -420,9 +420,9 @@ design: {theta_deg: 20, hinges: [{wall: [[1, 0], [2, 0]], beta_deg: 30}, {wall: 
   const std::string own = leaning + "hinge: {kind: pin, diameter_mm: 2, clearance_mm: 0.2}\n";
   for (const char* options : {"--format stl", "--format stl --hinge block"})
     expect_refused(own, options,
-                   "change its `hinge:` to `kind: block`, or take it out and give --hinge block",
+                   "Change its `hinge:` to `kind: block`, or remove it and give --hinge block",
                    not_printable);
-  expect_refused(leaning, "--format stl --hinge pin", "pins cannot (kinetix-opt export --hinge block)",
+  expect_refused(leaning, "--format stl --hinge pin", "pins cannot. Give --hinge block",
                  not_printable);
 }
 

@@ -98,14 +98,14 @@ TEST(Export, SaysWhichOptionsChangeNothing) {
   ASSERT_EQ(exported(scratch, described, "--format stl --hinge block").code, 0);
   EXPECT_EQ(print_json_of(scratch)["hinge"], "pin");
   EXPECT_THAT(print_json_of(scratch)["warnings"].dump(),
-              HasSubstr("--hinge changes nothing: the design says"));
+              HasSubstr("--hinge has no effect: the design sets"));
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge block --clearance 0.2 --loose-rods").code, 0);
   const std::string said = print_json_of(scratch)["warnings"].dump();
-  EXPECT_THAT(said, HasSubstr("--clearance changes nothing: no hinge is a pin"));
-  EXPECT_THAT(said, HasSubstr("--loose-rods changes nothing: no hinge is a pin"));
+  EXPECT_THAT(said, HasSubstr("--clearance has no effect: no hinge is a pin"));
+  EXPECT_THAT(said, HasSubstr("--loose-rods has no effect: no hinge is a pin"));
   ASSERT_EQ(exported(scratch, panel, "--format stl --caps").code, 0);
   EXPECT_THAT(print_json_of(scratch)["warnings"].dump(),
-              HasSubstr("--caps changes nothing: all axes are in the middle"));
+              HasSubstr("--round-caps has no effect: all axes are in the middle"));
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge pin --clearance 0.2 --loose-rods").code, 0);
   EXPECT_EQ(print_json_of(scratch)["warnings"].dump().find("changes nothing"), std::string::npos);
 }
@@ -183,7 +183,7 @@ TEST(Export, MakesADesignForItsOwnProcess) {
   }
   const Outcome refused = kinetix_opt("simulate " + scratch.path() + " -o " + std::string(scratch / "none"));
   EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("no design.yaml in this folder"));
+  EXPECT_THAT(refused.err, HasSubstr("this folder has no design.yaml"));
 }
 
 TEST(Export, KeepsToTheLimitsOfOnesOwnPrinter) {
@@ -194,7 +194,7 @@ TEST(Export, KeepsToTheLimitsOfOnesOwnPrinter) {
     EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("clearance 0.2 mm a side")) << options;
   }
   expect_refused(std::string(panel) + "process: {base: fdm, least_wall_mm: 0.9}\n", "--format stl",
-                 "a wall of 0.8 mm is less than fdm prints, 0.9 mm", not_printable);
+                 "a wall of 0.8 mm is below the minimum of fdm, 0.9 mm", not_printable);
 }
 
 TEST(Export, SaysHowFarPartsMaySwell) {

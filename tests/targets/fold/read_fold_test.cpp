@@ -98,12 +98,12 @@ TEST(ReadFold, RefusesWhatIsNoFold) {
        1,
        27,
        "target.net",
-       {"`b-c`", "no neighbour"}},
+       {"`b-c`", "not a neighbour"}},
       {net(base_a + base_b + ",\n{faces: [a, c], side: top, angle_deg: 9, shift: 5}"),
        1,
        27,
        "target.net",
-       {"`a-c`", "no neighbours"}},
+       {"`a-c`", "not neighbours"}},
   };
   for (const BadInput& bad : cases) expect_refused(bad, "in.yaml", [&] { fold_of(bad.text); });
 }
