@@ -27,7 +27,8 @@ using kinetix::app::CommandLine;
 /// drawings.
 void choose_format(kinetix::app::PrintRequest& request) {
   if (!request.formats.empty()) return;
-  if (!request.coupon) throw kinetix::InvalidInput("--format is missing. Give e.g. --format 3mf (see --help)");
+  if (!request.coupon)
+    throw kinetix::InvalidInput("--format is missing. Give e.g. --format 3mf (see --help)");
   const kinetix::model::Process* process = kinetix::model::find_process(request.process);
   if (process && process->cuts_sheets())
     request.formats = {"dxf", "svg"};
@@ -40,8 +41,8 @@ void refuse_options_before(const CLI::App& app, const CLI::App& command) {
   for (const CLI::Option* option : app.get_options([](const CLI::Option* o) { return o->count() > 0; })) {
     if (command.get_option_no_throw(option->get_name())) continue;
     const std::string given = option->get_positional() ? option->results().front() : option->get_name();
-    throw kinetix::InvalidInput(
-        fmt::format("{} only applies to a search, not to {}. Remove it (see --help)", given, command.get_name()));
+    throw kinetix::InvalidInput(fmt::format("{} only applies to a search, not to {}. Remove it (see --help)",
+                                            given, command.get_name()));
   }
 }
 

@@ -21,8 +21,7 @@ struct CommandExamples {
 };
 
 constexpr CommandExamples all_examples[] = {
-    {"",
-     {"kinetix-opt targets/shapes/helmet_rib.yaml -o out", "kinetix-opt wave.yaml --process fdm --open"}},
+    {"", {"kinetix-opt targets/shapes/helmet_rib.yaml -o out", "kinetix-opt wave.yaml --process fdm --open"}},
     {"verify", {"kinetix-opt verify out", "kinetix-opt verify panel.yaml --fidelity -o checked"}},
     {"simulate",
      {"kinetix-opt simulate out --fold-angle-deg 20",

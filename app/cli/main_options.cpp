@@ -68,7 +68,8 @@ void add_fidelity(CLI::App& app, CommandOptions& options) {
 }
 
 constexpr const char* results_folder =
-    "folder for result.json, design.yaml and report.html (default: results/NAME; for a design with _verified, "
+    "folder for result.json, design.yaml and report.html (default: results/NAME; for a design with "
+    "_verified, "
     "_exact, _equilibrium or _bullet after the name)";
 
 void add_file(CLI::App& app, CommandOptions& options, const std::string& name, const std::string& meaning) {
@@ -116,18 +117,21 @@ void add_export(CLI::App& app, CommandOptions& options, PrintRequest& request) {
   app.add_option("--process", request.process,
                  "polyjet, fdm, sla, sls or laser: its limits are checked (default: the design's)")
       ->type_name("NAME");
-  app.add_option("--hinge", request.hinge,
-                 "pin, block, film or rod (a wire pushed in), for a design that leaves hinges open or computes "
-                 "them as joints (default: the design's, else the first kind of the process that fits)")
+  app.add_option(
+         "--hinge", request.hinge,
+         "pin, block, film or rod (a wire pushed in), for a design that leaves hinges open or computes "
+         "them as joints (default: the design's, else the first kind of the process that fits)")
       ->type_name("KIND");
-  app.add_option("--clearance", request.clearance_mm,
-                 "pin clearance per side. Use the smallest gap on your test coupon that turned freely (default: "
-                 "the process's)")
+  app.add_option(
+         "--clearance", request.clearance_mm,
+         "pin clearance per side. Use the smallest gap on your test coupon that turned freely (default: "
+         "the process's)")
       ->type_name("MM")
       ->check(within(0.01, 10.0));
-  app.add_option("--cell-mm", request.cell_mm,
-                 "cell edge of the print instead of the design's. Walls keep their thickness and height, within "
-                 "the limits of the process")
+  app.add_option(
+         "--cell-mm", request.cell_mm,
+         "cell edge of the print instead of the design's. Walls keep their thickness and height, within "
+         "the limits of the process")
       ->type_name("MM")
       ->check(within(0.1, 1e4));
   app.add_option("--bed", request.bed_mm,
@@ -150,11 +154,11 @@ void add_export(CLI::App& app, CommandOptions& options, PrintRequest& request) {
   app.add_option("--slicer", request.slicer,
                  "prusa, orca, bambu or cura: slicer for the 3mf file (default: one file for all)")
       ->type_name("NAME");
-  app.add_flag("--slice", request.slice,
-               "run PrusaSlicer for print time and material, with fdm and sla");
-  app.add_flag("--coupon", request.coupon,
-               "write a test coupon instead of a design: pins with gaps of 0.1 to 0.6 mm, or for laser bridges "
-               "of 0.4 to 1.6 mm. Use the smallest gap that turns, or the narrowest bridge that stays");
+  app.add_flag("--slice", request.slice, "run PrusaSlicer for print time and material, with fdm and sla");
+  app.add_flag(
+      "--coupon", request.coupon,
+      "write a test coupon instead of a design: pins with gaps of 0.1 to 0.6 mm, or for laser bridges "
+      "of 0.4 to 1.6 mm. Use the smallest gap that turns, or the narrowest bridge that stays");
   app.add_option_function<std::string>(
          "--state", [&request](const std::string& state) { request.folded = state == "folded"; },
          "flat (default, as printed) or folded")
@@ -171,13 +175,15 @@ void add_import(CLI::App& app, CommandOptions& options, ImportRequest& request) 
   add_output(app, options, "folder for design.yaml and its part files (default: results/NAME)");
   app.add_option("--hard", request.hard, "file of the hard parts, instead of MODEL")->type_name("FILE");
   app.add_option("--soft", request.soft, "file of the soft parts, with --hard")->type_name("FILE");
-  app.add_option("--unit", request.unit,
-                 "mm, cm, m, in or ft: unit of the model's numbers (default: the file's, else inferred from its "
-                 "size)")
+  app.add_option(
+         "--unit", request.unit,
+         "mm, cm, m, in or ft: unit of the model's numbers (default: the file's, else inferred from its "
+         "size)")
       ->type_name("UNIT");
-  app.add_option("--soft-material", request.soft_material,
-                 "name of the material, colour or part that is soft (default: recognised by words such as soft, "
-                 "tpu, tango)")
+  app.add_option(
+         "--soft-material", request.soft_material,
+         "name of the material, colour or part that is soft (default: recognised by words such as soft, "
+         "tpu, tango)")
       ->type_name("NAME");
   app.add_option("--material", request.material,
                  "tango (default), tpu95a, pp, pa12, acrylic or steel: material of the soft parts, for their "
@@ -227,9 +233,10 @@ void add_search(CLI::App& app, CommandOptions& options) {
 }
 
 void add_simulate(CLI::App& app, CommandLine& line) {
-  app.add_option("--model", line.options.model,
-                 "exact (default): analytic motion; equilibrium: elastic hinges; rigid_body (earlier: bullet): "
-                 "simulation")
+  app.add_option(
+         "--model", line.options.model,
+         "exact (default): analytic motion; equilibrium: elastic hinges; rigid_body (earlier: bullet): "
+         "simulation")
       ->type_name("NAME")
       ->check(CLI::IsMember({"exact", "equilibrium", "rigid_body", "bullet"}));
   add_time_limit(app, line.options, "the motion so far, or with --drives the drives so far");
@@ -242,9 +249,10 @@ void add_simulate(CLI::App& app, CommandLine& line) {
          "fold angle instead of that of the design and its drive (earlier: --theta-deg)")
       ->type_name("DEG")
       ->check(within(-89.0, 89.0));
-  app.add_flag("--drives", line.options.drives,
-               "compare plates, single hinges and tendons at the same fold angle, and print which needs the least "
-               "force. Needs --model equilibrium. Writes drives.json into -o DIR");
+  app.add_flag(
+      "--drives", line.options.drives,
+      "compare plates, single hinges and tendons at the same fold angle, and print which needs the least "
+      "force. Needs --model equilibrium. Writes drives.json into -o DIR");
 }
 
 void add_sweep(CLI::App& app, CommandLine& line) {
@@ -296,8 +304,8 @@ void add_options(CLI::App& app, CommandLine& line) {
   add_sweep(add_command(app, "sweep", "run a design of experiments, also under mpirun"), line);
   add_export(add_command(app, "export", "write a design for printers, CAD and simulators"), line.options,
              line.print);
-  add_import(add_command(app, "import", "turn a 3D model with hard and soft parts into a design"), line.options,
-             line.model);
+  add_import(add_command(app, "import", "turn a 3D model with hard and soft parts into a design"),
+             line.options, line.model);
   add_view(add_command(app, "view", "open the studio in the browser: press, drag, change, search, export"),
            line.options, line.view);
 }

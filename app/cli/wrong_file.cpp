@@ -87,9 +87,9 @@ std::string yaml_text(const std::string& name) {
 std::string advice(const FileUse& use, const fs::path& file) {
   fs::path yaml = file;
   yaml.replace_extension(".yaml");
-  return fmt::format(
-      "{}Save these lines as {} and run `{}{}`:\n  kinetix: 1\n  {}:\n    {}{}", use.advice, yaml.string(),
-      use.command, yaml.string(), use.section, use.keys, yaml_text(file.filename().string()));
+  return fmt::format("{}Save these lines as {} and run `{}{}`:\n  kinetix: 1\n  {}:\n    {}{}", use.advice,
+                     yaml.string(), use.command, yaml.string(), use.section, use.keys,
+                     yaml_text(file.filename().string()));
 }
 
 bool is_one_of(const std::string& ending, const auto& endings) {
@@ -108,9 +108,10 @@ void refuse_wrong_file(const std::string& file) {
                        {file});
   if (is_one_of(ending, unread_pictures)) {
     const fs::path png = fs::path(path).replace_extension(".png");
-    throw InvalidInput(fmt::format("this is a picture, and kinetix reads PNG, PBM and PGM. Convert it to {}. {}",
-                                   png.string(), advice(*use_of(png.string(), ".png"), png)),
-                       {file});
+    throw InvalidInput(
+        fmt::format("this is a picture, and kinetix reads PNG, PBM and PGM. Convert it to {}. {}",
+                    png.string(), advice(*use_of(png.string(), ".png"), png)),
+        {file});
   }
   if (const auto use = use_of(file, ending))
     throw InvalidInput(fmt::format("this is {}, not a YAML file. {}", use->noun, advice(*use, path)), {file});

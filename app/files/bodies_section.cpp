@@ -38,7 +38,8 @@ targets::ValueType direction() { return value::list(value::number(), "`[x, y, z]
 
 const targets::KeyTable& body_keys() {
   static const targets::KeyTable keys({
-      {"name", value::text("its name, once in the file"), targets::needed, "name of the body in hinges and results"},
+      {"name", value::text("its name, once in the file"), targets::needed,
+       "name of the body in hinges and results"},
       {"file", value::text("path of an STL, OBJ or PLY file"), targets::needed,
        "surface of the body at rest, mm, as one closed shell. The path is relative to this file"},
       {"position_mm", vector_mm(), targets::otherwise("the center of its volume"),
@@ -112,11 +113,13 @@ const targets::KeyTable& turn_keys() {
       {"poses",
        value::list(value::list(value::number(), "`[x, y, z, qw, qx, qy, qz]`", 7, 7), "a list of poses", 2),
        {},
-       "poses to which bodies are pulled, instead of a turned hinge: one per body in their order, in mm and the quaternion of the rotation from rest"},
+       "poses to which bodies are pulled, instead of a turned hinge: one per body in their order, in mm and "
+       "the quaternion of the rotation from rest"},
       {"expand",
        value::number(expand_bounds),
        {},
-       "alternative to poses: pulls bodies to this multiple of their distance from the middle, as far as hinges allow"},
+       "alternative to poses: pulls bodies to this multiple of their distance from the middle, as far as "
+       "hinges allow"},
   });
   return keys;
 }
@@ -243,7 +246,8 @@ class BodiesReader {
   Vector3d direction_of(const targets::Section& section, const model::AssemblyHinge& hinge) const {
     if (const auto along = section.optional("along")) {
       const Vector3d d = read_direction(*along);
-      if (!(std::abs(d.dot(hinge.axis)) <= square)) throw along->error("the direction is not perpendicular to the axis. Give a perpendicular one");
+      if (!(std::abs(d.dot(hinge.axis)) <= square))
+        throw along->error("the direction is not perpendicular to the axis. Give a perpendicular one");
       return (d - d.dot(hinge.axis) * hinge.axis).normalized();
     }
     return model::direction_across(out_.bodies[hinge.upper].position - out_.bodies[hinge.lower].position,
@@ -313,7 +317,9 @@ model::State read_poses(const targets::Node& node, std::size_t bodies) {
   model::State out;
   for (const targets::Node& pose : node.list("a list of poses")) out.push_back(read_pose(pose));
   if (out.size() != bodies)
-    throw node.error(fmt::format("the list has {} poses, and the structure has {} bodies. Give one pose per body", out.size(), bodies));
+    throw node.error(
+        fmt::format("the list has {} poses, and the structure has {} bodies. Give one pose per body",
+                    out.size(), bodies));
   return out;
 }
 
@@ -323,8 +329,9 @@ void read_bodies_drive(const targets::Section& drive, const BodiesReader& reader
   if (poses && expand) throw expand->error("cannot be combined with `poses`. Remove one of the two keys");
   for (const char* key : {"hinge", "angle_deg"})
     if (const auto turned = drive.optional(key); turned && (poses || expand))
-      throw turned->error(fmt::format("cannot be combined with `{}`, which pulls bodies. Remove one of the two keys",
-                                      poses ? "poses" : "expand"));
+      throw turned->error(
+          fmt::format("cannot be combined with `{}`, which pulls bodies. Remove one of the two keys",
+                      poses ? "poses" : "expand"));
   if (poses || expand) {
     model::BodyPull pull;
     if (poses) pull.poses = read_poses(*poses, design.structure.assembly()->bodies.size());
@@ -375,7 +382,8 @@ Design read_bodies(const targets::Node& node) {
   if (const targets::Section tolerance = root.section("tolerance"); tolerance.given()) {
     auto* pull = design.drive ? std::get_if<model::BodyPull>(&*design.drive) : nullptr;
     if (const auto given = tolerance.optional("pull"); given && !(pull && pull->poses))
-      throw given->error("only applies to bodies that are pulled to `drive.poses`. Add `drive.poses`, or remove the key");
+      throw given->error(
+          "only applies to bodies that are pulled to `drive.poses`. Add `drive.poses`, or remove the key");
     if (pull && pull->poses) tolerance.read("pull", pull->tolerance, pull_bounds);
   }
   return design;

@@ -168,9 +168,10 @@ void check_gaps(const targets::Section& root, const Design& file) {
         (file.structure.rest_position(wall.upper) - file.structure.rest_position(wall.lower)).norm();
     if (made->gap_mm < length) continue;
     const auto at = root.optional(file.hinge_overrides.contains(h) ? "design" : "hinge");
-    throw at->error(fmt::format("the gap of {:.4g} mm does not fit on wall {}, which is {:.4g} mm long. "
-                                "Give a smaller gap_mm, or a longer wall",
-                                made->gap_mm, wall_name(file.structure, h), length));
+    throw at->error(
+        fmt::format("the gap of {:.4g} mm does not fit on wall {}, which is {:.4g} mm long. "
+                    "Give a smaller gap_mm, or a longer wall",
+                    made->gap_mm, wall_name(file.structure, h), length));
   }
 }
 

@@ -158,7 +158,8 @@ const targets::KeyTable& drive_keys() {
            "shortening of the whole cord. A cord only pulls", "cord"},
           branch_key("cord"),
           {"angle_deg", value::angle(turn), targets::needed,
-           "rest angle of the hot springs. Hinges have this rotation at a fold angle of `angle_deg` / 2, with "
+           "rest angle of the hot springs. Hinges have this rotation at a fold angle of `angle_deg` / 2, "
+           "with "
            "the signs of the checkerboard",
            "shape_memory"},
           {"k_turn", value::number(targets::above(0, "N mm/rad")), targets::needed,

@@ -41,9 +41,9 @@ const targets::KeyTable& physics_keys() {
            "solver of the joints of a step. `direct` solves all at once by a sparse factorisation, which is "
            "exact also for long chains and closed loops"},
           {"step_s", &PhysicsSection::step_s, value::number({0, 0.1, false, true, "seconds"}),
-           targets::otherwise(
-               "0.01; 0.004, then 0.001 if that run does not end at the model's state; 0.001 without a model to "
-               "compare with"),
+           targets::otherwise("0.01; 0.004, then 0.001 if that run does not end at the model's state; 0.001 "
+                              "without a model to "
+                              "compare with"),
            "time step"},
           {"disturbance", &PhysicsSection::disturbance, value::number(targets::from_to(0, 1)),
            targets::by_default(usual.disturbance),
@@ -96,7 +96,8 @@ const targets::KeyTable& keys() {
       {
           {"kind", value::choice(kinds), targets::by_default("auto"),
            "`auto`: two plates or one turned hinge, depending on which folds the sheet's family most evenly. "
-           "`shape_memory`: a spring in each hinge, whose rest angle changes from flat to that of the design. "
+           "`shape_memory`: a spring in each hinge, whose rest angle changes from flat to that of the "
+           "design. "
            "A heated shape-memory material acts like this"},
           {"k_turn", value::number(targets::above(0, "N mm/rad")), targets::needed,
            "rotation stiffness of each such spring", "shape_memory"},
@@ -133,8 +134,9 @@ double read_tilt(const targets::Section& beta, double usual) {
   beta.read("range_deg", range);
   if (!(range[0] < 0 && range[1] > 0))
     throw beta.optional("range_deg")
-        ->error("the range has one sign only, and tilts alternate in sign along a crease. Give a range "
-                "around 0");
+        ->error(
+            "the range has one sign only, and tilts alternate in sign along a crease. Give a range "
+            "around 0");
   return std::min(-range[0], range[1]);
 }
 
@@ -222,14 +224,15 @@ void note_process(const GoalSettings& settings, const model::CellSize& size,
 }
 
 targets::Key robust_key(const std::string& over) {
-  return {"robust",
-          targets::value::either({targets::value::boolean(), targets::value::number(targets::part_of_one)}),
-          targets::by_default("false"),
-          "selects the design whose [prints](hinges.md#4-as-made) are expected to be nearest to the goal, among "
-          "those that meet it. The choice is over " +
-              over +
-              ". A number is the weight of the expected print error, and the error of the design itself has the "
-              "rest to 1. `true` is 1"};
+  return {
+      "robust",
+      targets::value::either({targets::value::boolean(), targets::value::number(targets::part_of_one)}),
+      targets::by_default("false"),
+      "selects the design whose [prints](hinges.md#4-as-made) are expected to be nearest to the goal, among "
+      "those that meet it. The choice is over " +
+          over +
+          ". A number is the weight of the expected print error, and the error of the design itself has the "
+          "rest to 1. `true` is 1"};
 }
 
 targets::KeyTable goal_keys(std::vector<targets::Key> own, const std::string& hinge,
@@ -295,7 +298,8 @@ targets::Key fold_angle_key(const optim::AngleRange& usual) {
 
 targets::KeyTable net_variables_keys(double tilt, const optim::AngleRange& theta) {
   targets::Key range = tilt_range_key({-tilt, tilt});
-  range.meaning += ". The range contains 0. Tilts alternate in sign, so the end nearer to 0 limits both signs";
+  range.meaning +=
+      ". The range contains 0. Tilts alternate in sign, so the end nearer to 0 limits both signs";
   return targets::KeyTable(
       {targets::Key("tilt", targets::KeyTable({range}), "tilts of the hinges").formerly("beta"),
        fold_angle_key(theta)});
@@ -309,9 +313,10 @@ optim::AngleRange read_theta(const targets::Section& root, const model::CellSize
   const double closing = closing_theta(size);
   if (range.lower < closing) return range;
   throw place_of_theta(root, variables, theta)
-      .error(fmt::format("the range of the fold angle starts above {:.3g} deg, where walls of {:.3g} mm close cells "
-                         "of {:.3g} mm. Lower variables.fold_angle.range_deg, or give thinner walls",
-                         to_degrees(closing), size.thickness_mm, size.edge_mm));
+      .error(fmt::format(
+          "the range of the fold angle starts above {:.3g} deg, where walls of {:.3g} mm close cells "
+          "of {:.3g} mm. Lower variables.fold_angle.range_deg, or give thinner walls",
+          to_degrees(closing), size.thickness_mm, size.edge_mm));
 }
 
 NetVariables read_net_variables(const targets::Section& root, const model::CellSize& size,

@@ -94,8 +94,8 @@ std::vector<targets::Key> stiffness_and_shape() {
        "gap. `rod`: a pin whose rod is a separate part or a wire, pushed in after printing. If `kind` is the "
        "only key, hinges are computed as revolute joints and get the sizes that the process needs"},
       {"material", value::either({value::choice(material_names()), value::map(material_keys())}),
-       targets::otherwise(
-           fmt::format("needed by blocks and films; `{}` for a pin, `{}` for a rod", default_pin, default_rod)),
+       targets::otherwise(fmt::format("needed by blocks and films; `{}` for a pin, `{}` for a rod",
+                                      default_pin, default_rod)),
        material_meaning()},
       {"gap_mm", &ManufacturedHinge::gap_mm,
        value::length(targets::between(0, 1, "mm (below the cell edge)")),
@@ -108,16 +108,18 @@ std::vector<targets::Key> stiffness_and_shape() {
       {"diameter_mm", &ManufacturedHinge::diameter_mm,
        value::length(targets::between(0, 0.5, "mm (below half a cell)")),
        targets::otherwise(fmt::format("needed by pins; {:g} mm for a rod", model::usual_rod_mm)),
-       "diameter of the rod of a pin. Its knuckle is wider by 1.6 mm and two clearances, and at most 0.7 cells"},
+       "diameter of the rod of a pin. Its knuckle is wider by 1.6 mm and two clearances, and at most 0.7 "
+       "cells"},
       {"clearance_mm", &ManufacturedHinge::clearance_mm,
        value::length({0, 0.5, true, false, "mm (below half a cell)"}),
        targets::by_default(default_clearance_mm), "clearance between rod and bore of a pin, per side"},
       {"play", &ManufacturedHinge::with_play, value::boolean(),
        "whether a pin moves freely within its clearance. Nothing resists in this dead band, so the "
        "equilibrium of a sheet is not unique"},
-      targets::Key("round_caps", &ManufacturedHinge::caps, value::boolean(),
-                   "whether all pins get identical round caps about the middle of their walls. The caps are as "
-                   "large as the hinge with the largest offset needs, and hide where the axes are")
+      targets::Key(
+          "round_caps", &ManufacturedHinge::caps, value::boolean(),
+          "whether all pins get identical round caps about the middle of their walls. The caps are as "
+          "large as the hinge with the largest offset needs, and hide where the axes are")
           .formerly("caps"),
   };
 }
@@ -135,10 +137,10 @@ std::vector<targets::Key> keys_with(targets::Key model) {
 constexpr int max_lines = 1000000;  // lines of a sheet: more than fit in a file
 
 targets::Key except_key() {
-  return {"except", value::list(value::map(hinge_part_keys()), "a list of exceptions", 0),
-          targets::no_default,
-          "hinges that differ from the rest, such as a living hinge along a crease in a panel of pins. If two "
-          "entries name the same hinge, the later one counts"};
+  return {
+      "except", value::list(value::map(hinge_part_keys()), "a list of exceptions", 0), targets::no_default,
+      "hinges that differ from the rest, such as a living hinge along a crease in a panel of pins. If two "
+      "entries name the same hinge, the later one counts"};
 }
 
 /// Checks that a file gives a hinge in one way only.
@@ -155,12 +157,12 @@ void check_stiffness_keys(const targets::Section& section) {
   refuse("kind", {"k_point", "k_turn", "k", "reach_mm"});
   refuse("k", {"k_point", "k_turn"});
   if (section.optional("kind")) return;
-  for (const char* key :
-       {"material", "gap_mm", "thickness_mm", "height_mm", "diameter_mm", "clearance_mm", "play",
-        "round_caps"})
+  for (const char* key : {"material", "gap_mm", "thickness_mm", "height_mm", "diameter_mm", "clearance_mm",
+                          "play", "round_caps"})
     if (const auto node = section.optional(key))
       throw node->key_error(
-          "only applies to a hinge with a `kind`. Add `kind: pin`, `block`, `film` or `rod`, or remove the key");
+          "only applies to a hinge with a `kind`. Add `kind: pin`, `block`, `film` or `rod`, or remove the "
+          "key");
 }
 
 model::Material read_material(const targets::Node& node) {
@@ -323,10 +325,9 @@ const targets::KeyTable& hinge_line_keys() {
 const targets::KeyTable& hinge_part_keys() {
   static const targets::KeyTable keys([] {
     std::vector<targets::Key> all = stiffness_and_shape();
-    all.insert(
-        all.begin(),
-        {"at", value::either({value::choice({"creases"}), value::map(hinge_line_keys())}), targets::needed,
-         "`creases`: all tilted hinges. In designs of squares also a column or a row"});
+    all.insert(all.begin(), {"at", value::either({value::choice({"creases"}), value::map(hinge_line_keys())}),
+                             targets::needed,
+                             "`creases`: all tilted hinges. In designs of squares also a column or a row"});
     return all;
   }());
   return keys;
@@ -359,9 +360,10 @@ HingeSection read_single_hinge(const targets::Section& section, const model::Cel
 }
 
 std::string offset_limit_text(const model::ManufacturedHinge& hinge, const model::CellSize& size) {
-  return fmt::format("this kind of hinge fits in walls of {:.4g} mm at most {:.3g} mm off their middle. Give a "
-                     "smaller offset, or thicker walls",
-                     size.thickness_mm, largest_offset_mm(hinge, size));
+  return fmt::format(
+      "this kind of hinge fits in walls of {:.4g} mm at most {:.3g} mm off their middle. Give a "
+      "smaller offset, or thicker walls",
+      size.thickness_mm, largest_offset_mm(hinge, size));
 }
 
 std::string hinge_text(const HingeSection& hinge) {
@@ -394,9 +396,8 @@ void read_place(const targets::Node& at, HingePart& part) {
 
 std::vector<targets::Node> entries(const targets::Section& root) {
   const auto list = root.section("hinge").optional("except");
-  return list
-             ? list->list("a list of exceptions, e.g. `- {at: creases, kind: film, ...}`")
-             : std::vector<targets::Node>{};
+  return list ? list->list("a list of exceptions, e.g. `- {at: creases, kind: film, ...}`")
+              : std::vector<targets::Node>{};
 }
 
 HingePart read_part(const targets::Node& node, const model::CellSize& size) {
@@ -471,9 +472,8 @@ void refuse_lines(const targets::Section& root, const std::vector<HingePart>& pa
   const std::vector<targets::Node> all = entries(root);
   for (std::size_t k = 0; k < parts.size(); ++k)
     if (parts[k].place != PartPlace::creases)
-      throw all[k].optional("at")->error(
-          fmt::format("only a design has a known {}. Give `creases` in a target",
-                      line_name_of_place(parts[k])));
+      throw all[k].optional("at")->error(fmt::format(
+          "only a design has a known {}. Give `creases` in a target", line_name_of_place(parts[k])));
 }
 
 std::vector<targets::Key> hinge_limit_keys(const std::string& instead,
@@ -494,9 +494,8 @@ HingeLimits read_hinge_limits(const targets::Section& tolerance, const HingeSect
     throw strain->key_error(
         "only applies to blocks and films. Add `hinge: {kind: block, ...}` or `film`, or remove the key");
   if (limits.strain && *limits.strain > most)
-    throw tolerance.optional("strain")->error(
-        fmt::format("{:g} is more than the material of `hinge` withstands. Give at most {:g}", *limits.strain,
-                    most));
+    throw tolerance.optional("strain")->error(fmt::format(
+        "{:g} is more than the material of `hinge` withstands. Give at most {:g}", *limits.strain, most));
   return limits;
 }
 

@@ -136,9 +136,9 @@ constexpr double default_tilt = 50 * radians_per_degree;  // rad: folds by 78 de
 double edge_of_pattern(const model::QuadMesh& mesh, double unit_mm) {
   const double edge_mm = unit_mm * mean_edge(mesh) / mean_edge(origami_sheet(mesh, default_size(1)).mesh);
   if (!cell_edges.contains(edge_mm))
-    throw InvalidInput(
-        fmt::format("the frame_unit of the file results in walls of {:.3g} mm. Give cell_mm from {:g} to {:g}",
-                    edge_mm, cell_edges.lower, cell_edges.upper));
+    throw InvalidInput(fmt::format(
+        "the frame_unit of the file results in walls of {:.3g} mm. Give cell_mm from {:g} to {:g}", edge_mm,
+        cell_edges.lower, cell_edges.upper));
   return edge_mm;
 }
 
@@ -228,10 +228,10 @@ targets::Key lattice_key(std::vector<std::string> words, targets::Default fallba
 }
 
 targets::Key boundary_key(bool closed = false) {
-  return {
-      "rim", value::choice(std::vector<std::string>(std::begin(rims), std::end(rims))),
-      closed ? targets::otherwise("closed") : targets::by_default("open"),
-      "`closed` braces the boundary: it adds cells in its notches and, if necessary, walls across cells, until one degree of freedom is left"};
+  return {"rim", value::choice(std::vector<std::string>(std::begin(rims), std::end(rims))),
+          closed ? targets::otherwise("closed") : targets::by_default("open"),
+          "`closed` braces the boundary: it adds cells in its notches and, if necessary, walls across cells, "
+          "until one degree of freedom is left"};
 }
 
 targets::Key angle_key() {
@@ -242,7 +242,8 @@ targets::Key angle_key() {
 /// Returns the key `cell_mm` for walls that have their lengths already.
 targets::Key drawn_cell_mm_key() {
   return cell_mm_key(
-      targets::otherwise("for a drawing and a list of walls their mean length. The key does not scale them: it is the unit of distances in cell edges and of the default walls"));
+      targets::otherwise("for a drawing and a list of walls their mean length. The key does not scale them: "
+                         "it is the unit of distances in cell edges and of the default walls"));
 }
 
 targets::Key any_cells_key() { return cells_key(targets::needed, "cells of the sheet"); }
@@ -271,7 +272,8 @@ const targets::KeyTable& block_keys() {
       {"cells", value::list(value::integer(1, max_cells_in_space), "`[n, n, n]`", 3, 3), targets::needed,
        "for `sodalite`: cubic cells along x, y and z"},
       {"gusset", value::number(gussets), targets::by_default(default_gusset),
-       "for `sodalite`: length of a gusset, the piece between two rotors that never turns, relative to the edge. Hinges are at its ends"},
+       "for `sodalite`: length of a gusset, the piece between two rotors that never turns, relative to the "
+       "edge. Hinges are at its ends"},
       cell_mm_key(targets::by_default(default_cell_mm)),
       wall_mm_key(slender_walls, slender_walls),
   });
@@ -294,11 +296,12 @@ const targets::KeyTable& origami_keys() {
   static const targets::KeyTable keys({
       lattice_key({by_hand}, targets::needed),
       {"origami", value::text("path of a FOLD file, from the folder of the design"), targets::needed,
-       "for `graph`: a crease pattern of quadrilaterals in columns and rows that folds flat and rigidly. Each quadrilateral gets 2 x 2 bodies, and the tilts of its creases follow from the pattern"},
+       "for `graph`: a crease pattern of quadrilaterals in columns and rows that folds flat and rigidly. "
+       "Each quadrilateral gets 2 x 2 bodies, and the tilts of its creases follow from the pattern"},
       {"tilt_deg", value::angle(pattern_tilts), targets::by_default_deg(default_tilt),
        "for `origami`: tilt of the hinges of the creases that fold most"},
-      cell_mm_key(targets::otherwise(
-          "for `origami` the size of the file if it has a unit (`frame_unit`), else 10")),
+      cell_mm_key(
+          targets::otherwise("for `origami` the size of the file if it has a unit (`frame_unit`), else 10")),
       wall_mm_key(),
   });
   return keys;
@@ -312,7 +315,8 @@ const targets::KeyTable& graph_keys() {
       {"walls",
        value::list(value::list(value::integer(0, max_vertices - 1), "`[from, to]`", 2, 2),
                    "`[[from, to], ...]`"),
-       targets::needed, "for `graph` without a drawing: walls, each by the numbers of its two vertices, from 0"},
+       targets::needed,
+       "for `graph` without a drawing: walls, each by the numbers of its two vertices, from 0"},
       boundary_key(),
       drawn_cell_mm_key(),
       wall_mm_key(),
@@ -342,7 +346,8 @@ LatticeChoice read_lattice_choice(const targets::Section& structure, bool closed
       choice.lattice = model::planar_lattices()[k - 1];
   if (const auto angle = structure.optional("angle_deg");
       angle && !(choice.lattice && choice.lattice->needs_angle))
-    throw angle->key_error(fmt::format("cells of lattice: {} have one shape only. Remove the key", choice.name()));
+    throw angle->key_error(
+        fmt::format("cells of lattice: {} have one shape only. Remove the key", choice.name()));
   if (const auto rim = structure.optional("rim"); rim && !choice.lattice)
     throw rim->key_error("a panel of squares already has one degree of freedom. Remove the key");
   structure.read("angle_deg", choice.angle);
@@ -364,7 +369,8 @@ targets::Key lattice_structure_key() {
           value::either({value::map(square_keys()), value::map(regular_keys()), value::map(drawing_keys()),
                          value::map(origami_keys()), value::map(graph_keys()), value::map(block_keys())}),
           targets::needed,
-          "flat sheet: squares, another regular lattice, a drawing, a crease pattern, a list of walls, or a lattice in space"};
+          "flat sheet: squares, another regular lattice, a drawing, a crease pattern, a list of walls, or a "
+          "lattice in space"};
 }
 
 model::Lattice read_sheet(const targets::Node& structure) {

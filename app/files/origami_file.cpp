@@ -58,9 +58,10 @@ Json with_inherited(const Json& root, std::size_t number, std::size_t deep = 0) 
   if (!parent.is_number_unsigned() || parent.get<std::size_t>() > frames.size() ||
       deep > targets::max_document_depth ||
       (parent != 0 && !frames[parent.get<std::size_t>() - 1].is_object()))
-    throw InvalidInput("frame " + std::to_string(number) +
-                       " inherits from a missing frame, from itself, or over more frames than allowed. Give at most " +
-                       std::to_string(targets::max_document_depth) + " ancestors");
+    throw InvalidInput(
+        "frame " + std::to_string(number) +
+        " inherits from a missing frame, from itself, or over more frames than allowed. Give at most " +
+        std::to_string(targets::max_document_depth) + " ancestors");
   Json whole = with_inherited(root, parent.get<std::size_t>(), deep + 1);
   whole.update(frame);
   return whole;
@@ -68,7 +69,8 @@ Json with_inherited(const Json& root, std::size_t number, std::size_t deep = 0) 
 
 /// Returns the first frame that has faces, its own or inherited.
 Json frame_of(const Json& root) {
-  if (!root.is_object()) throw InvalidInput("this is not a FOLD file: its JSON is not an object. Give a FOLD file");
+  if (!root.is_object())
+    throw InvalidInput("this is not a FOLD file: its JSON is not an object. Give a FOLD file");
   if (root.contains("faces_vertices") || !root.contains("file_frames")) return root;
   const Json& frames = list_in(root, "file_frames");
   for (std::size_t k = 1; k <= frames.size(); ++k) {
@@ -95,7 +97,9 @@ std::optional<double> unit_of(const Json& frame) {
 Vector2d point_of(const Json& at, std::size_t v) {
   const bool fits = at.is_array() && (at.size() == 2 || at.size() == 3) && at[0].is_number() &&
                     at[1].is_number() && (at.size() == 2 || at[2].is_number());
-  if (!fits) throw InvalidInput("vertices_coords: " + vertex_name(static_cast<int>(v)) + " is not a point. Give [x, y]");
+  if (!fits)
+    throw InvalidInput("vertices_coords: " + vertex_name(static_cast<int>(v)) +
+                       " is not a point. Give [x, y]");
   if (at.size() == 3 && at[2].get<double>() != 0)
     throw InvalidInput("vertices_coords: " + vertex_name(static_cast<int>(v)) +
                        " is not in the plane z = 0. Give the flat crease pattern as the first frame");
@@ -158,7 +162,8 @@ void check_degrees(const Pattern& p) {
   std::vector<int> degree(p.vertices.size(), 0);
   std::vector<bool> at_boundary(p.vertices.size(), false);
   for (const auto& [edge, faces] : p.sides) {
-    if (faces.size() > 2) throw InvalidInput(edge_name(edge) + " has more than two faces. Give a plane pattern");
+    if (faces.size() > 2)
+      throw InvalidInput(edge_name(edge) + " has more than two faces. Give a plane pattern");
     for (const int v : {edge.first, edge.second}) {
       ++degree[v];
       if (faces.size() == 1) at_boundary[v] = true;
@@ -188,7 +193,8 @@ class Grid {
 
  private:
   [[noreturn]] static void refuse() {
-    throw InvalidInput("the faces are not a grid of equally long columns and rows. Give a pattern with such a grid");
+    throw InvalidInput(
+        "the faces are not a grid of equally long columns and rows. Give a pattern with such a grid");
   }
 
   /// Returns the face of the first vertex that only one face has, with that vertex at its front.
@@ -294,12 +300,14 @@ class Reading {
     const bool level_flips = up == down && left != right;
     if (!level_flips && !(left == right && up != down))
       throw InvalidInput(name(i, j) +
-                         " does not fold. Give its opposite creases as one pair of equal folds, and one pair of a mountain and a valley");
+                         " does not fold. Give its opposite creases as one pair of equal folds, and one pair "
+                         "of a mountain and a valley");
     const double of_other = level_flips ? std::sin((a - b) / 2) / std::sin((a + b) / 2)
                                         : -std::cos((a + b) / 2) / std::cos((a - b) / 2);
     if (!(std::abs(of_other) >= min_ratio))
       throw InvalidInput(name(i, j) +
-                         " does not fold: two of its creases lie on one line, and the other two are at right angles to them. Change an angle" +
+                         " does not fold: two of its creases lie on one line, and the other two are at right "
+                         "angles to them. Change an angle" +
                          "right angles to them");
     if ((of_other > 0) != (right == up))
       throw InvalidInput(name(i, j) +
@@ -372,7 +380,8 @@ class Reading {
       }
     if (!(out.moved <= most_moved))
       throw InvalidInput("the pattern does not fold rigidly: " + name(worst_i, worst_j) + " is off by " +
-                         number_text(out.moved) + " mean edges from the place that the others need. Correct the pattern: at most " +
+                         number_text(out.moved) +
+                         " mean edges from the place that the others need. Correct the pattern: at most " +
                          number_text(most_moved) + " is corrected automatically");
   }
 

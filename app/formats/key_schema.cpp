@@ -79,7 +79,8 @@ Json key_schema(const targets::Key& key) {
 Json needed_keys(const targets::KeyTable& keys) {
   Json needed = Json::array();
   for (const targets::Key& key : keys.keys())
-    if (key.fallback.kind == targets::Default::Kind::needed && key.old_name.empty()) needed.push_back(key.name);
+    if (key.fallback.kind == targets::Default::Kind::needed && key.old_name.empty())
+      needed.push_back(key.name);
   return needed;
 }
 

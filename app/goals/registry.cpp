@@ -86,9 +86,8 @@ void check_robust(const targets::Node& root, const GoalKind& kind) {
   const auto asked = root.optional("robust");
   const auto keys = kind.table().names();
   if (!asked || std::find(keys.begin(), keys.end(), "robust") != keys.end()) return;
-  throw asked->error(
-      fmt::format("goals of kind {} have no robust search. Remove the key, or use one of: {}", kind.name,
-                  kinds_with("robust")));
+  throw asked->error(fmt::format("goals of kind {} have no robust search. Remove the key, or use one of: {}",
+                                 kind.name, kinds_with("robust")));
 }
 
 /// File of a target, and keys that are to be other than it has them.

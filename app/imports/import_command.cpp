@@ -118,7 +118,8 @@ void refuse_options_of_models(const ImportRequest& r) {
         std::pair("--material", &r.material), std::pair("--hinges", &r.hinges)})
     if (!value->empty())
       throw InvalidInput(
-          fmt::format("{} only applies to models with hard and soft parts. Use --tile-mm, --thickness-mm and --kerf-mm for a folder of tiles",
+          fmt::format("{} only applies to models with hard and soft parts. Use --tile-mm, --thickness-mm and "
+                      "--kerf-mm for a folder of tiles",
                       name));
 }
 
@@ -254,7 +255,8 @@ model::HingeChoices choices_of(const ImportRequest& request) {
 
 // Advice for a file whose parts are all hard, with no rod in a bore.
 constexpr const char* if_films =
-    ". Give both parts in separate files, --hard hard.stl --soft soft.stl, if the living hinges have the material of the walls. export writes such files for fdm and sls";
+    ". Give both parts in separate files, --hard hard.stl --soft soft.stl, if the living hinges have the "
+    "material of the walls. export writes such files for fdm and sls";
 
 /// Builds the assembly. Adds the files' names to bad input that is found after reading.
 model::Assembly assembled(const ModelParts& parts, const model::HingeChoices& choices) {
@@ -336,8 +338,8 @@ void refuse_options_of_tiles(const ImportRequest& r) {
        {std::pair("--tile-mm", r.tile_mm), std::pair("--thickness-mm", r.thickness_mm),
         std::pair("--kerf-mm", r.kerf_mm)})
     if (value)
-      throw InvalidInput(
-          fmt::format("{} only applies to a folder of tiles, with vertices.txt and constraints.txt. Remove it", name));
+      throw InvalidInput(fmt::format(
+          "{} only applies to a folder of tiles, with vertices.txt and constraints.txt. Remove it", name));
 }
 
 }  // namespace

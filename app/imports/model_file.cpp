@@ -38,10 +38,11 @@ ModelFile read_by_ending(const std::string& file) {
   if (!std::filesystem::exists(file, failure)) throw InvalidInput("no such file", {file});
   if (std::filesystem::is_directory(file, failure))
     throw InvalidInput(
-        "this is a folder without vertices.txt. Give a folder of tiles, or a 3MF, STEP, GLB, OBJ, PLY or STL file",
+        "this is a folder without vertices.txt. Give a folder of tiles, or a 3MF, STEP, GLB, OBJ, PLY or STL "
+        "file",
         {file});
-  throw InvalidInput(
-      "the ending is not that of a model. Give a 3MF, STEP, GLB, OBJ, PLY or STL file", {file});
+  throw InvalidInput("the ending is not that of a model. Give a 3MF, STEP, GLB, OBJ, PLY or STL file",
+                     {file});
 }
 
 /// Vertices and faces of an OBJ file by its objects, groups and materials.
@@ -128,7 +129,8 @@ ModelFile read_model_file(const std::string& file) {
     triangles += mesh.soup.triangles.size();
     for (const Eigen::Vector3d& p : mesh.soup.points)
       if (!(p.cwiseAbs().maxCoeff() <= max_coordinate))
-        throw InvalidInput("a coordinate is not a number within a thousand million. Correct the model", {file});
+        throw InvalidInput("a coordinate is not a number within a thousand million. Correct the model",
+                           {file});
   }
   if (triangles == 0) throw InvalidInput("has no triangles", {file});
   if (triangles > max_model_triangles)
@@ -141,7 +143,8 @@ ModelFile read_model_file(const std::string& file) {
 ModelFile read_step(const std::string& file) {
   const std::string start = targets::read_bytes(file, targets::max_mesh_bytes).substr(0, 200);
   if (start.find("ISO-10303-21") == std::string::npos)
-    throw InvalidInput("this is not a STEP file: it does not start with ISO-10303-21. Export it again", {file});
+    throw InvalidInput("this is not a STEP file: it does not start with ISO-10303-21. Export it again",
+                       {file});
   ModelFile out{file, {}, 1};
   try {
     for (cad::FoundSolid& solid : cad::solids_of_step(file))
@@ -151,7 +154,8 @@ ModelFile read_step(const std::string& file) {
   } catch (const InvalidInput& e) {
     throw InvalidInput(e.reason(), {file});
   }
-  if (out.meshes.empty()) throw InvalidInput("the file has no solids. Give a STEP file of solid bodies", {file});
+  if (out.meshes.empty())
+    throw InvalidInput("the file has no solids. Give a STEP file of solid bodies", {file});
   return out;
 }
 
@@ -223,9 +227,9 @@ Corners read_corners(const std::string& file) {
   Corners out;
   for (const NumberLine& line : number_lines(file)) {
     if (line.numbers.size() % 3 != 0 || line.numbers.size() < 9)
-      throw InvalidInput(
-          fmt::format("the line has {} numbers. Give x, y and z of three corners or more", line.numbers.size()),
-          {file, line.number, 1});
+      throw InvalidInput(fmt::format("the line has {} numbers. Give x, y and z of three corners or more",
+                                     line.numbers.size()),
+                         {file, line.number, 1});
     std::vector<Eigen::Vector3d>& tile = out.emplace_back();
     for (std::size_t k = 0; k < line.numbers.size(); k += 3)
       tile.emplace_back(line.numbers[k].value, line.numbers[k + 1].value, line.numbers[k + 2].value);
@@ -268,12 +272,13 @@ std::vector<model::TileJoint> read_joints(const std::string& file) {
 
 void check_target(const model::TileSheet& sheet, const std::string& file) {
   if (sheet.target.size() != sheet.tiles.size())
-    throw InvalidInput(
-        fmt::format("the file has {} tiles, and vertices.txt has {}. Give the same number", sheet.target.size(), sheet.tiles.size()), {file});
+    throw InvalidInput(fmt::format("the file has {} tiles, and vertices.txt has {}. Give the same number",
+                                   sheet.target.size(), sheet.tiles.size()),
+                       {file});
   for (std::size_t t = 0; t < sheet.tiles.size(); ++t)
     if (sheet.target[t].size() != sheet.tiles[t].size())
-      throw InvalidInput(fmt::format("tile {} has {} corners, and {} in vertices.txt. Give the same number", t + 1,
-                                     sheet.target[t].size(), sheet.tiles[t].size()),
+      throw InvalidInput(fmt::format("tile {} has {} corners, and {} in vertices.txt. Give the same number",
+                                     t + 1, sheet.target[t].size(), sheet.tiles[t].size()),
                          {file});
 }
 

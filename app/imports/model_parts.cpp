@@ -106,9 +106,8 @@ class Softness {
                              targets::in_ticks(request.soft_material) + found(),
                          {file.file});
     if (materials_.size() > 1)
-      throw InvalidInput(
-          "the soft material is not clear" + found() + ". Name it with --soft-material",
-          {file.file});
+      throw InvalidInput("the soft material is not clear" + found() + ". Name it with --soft-material",
+                         {file.file});
   }
 
   bool is_soft(const FoundMesh& mesh) const {

@@ -84,7 +84,8 @@ void check_cuttable(const Design& design, const model::Process& process,
   if (const auto hinge = first_leaning_hinge(design)) {
     const model::HingeParameters& at = design.structure.hinge(*hinge);
     throw NotPrintable(fmt::format(
-        "{} cuts flat sheets with upright walls, and wall {} is tilted (alpha {:.3g}, tilt {:.3g} degrees). Print the sheet instead (--process fdm), or design a panel such as `kind: outline`",
+        "{} cuts flat sheets with upright walls, and wall {} is tilted (alpha {:.3g}, tilt {:.3g} degrees). "
+        "Print the sheet instead (--process fdm), or design a panel such as `kind: outline`",
         process.name, wall_name(design.structure, *hinge), to_degrees(at.alpha), to_degrees(at.beta)));
   }
   if (!leaves_hinges_open(design)) kinds.clear();
@@ -92,7 +93,8 @@ void check_cuttable(const Design& design, const model::Process& process,
   for (const model::HingeKind kind : kinds)
     if (kind != model::HingeKind::film)
       throw NotPrintable(fmt::format(
-          "{} cuts walls and hinges in one piece, and the hinges are {}s. Make them bridges (`hinge: {{kind: film}}`, or leave them open), or print the sheet instead (--process fdm)",
+          "{} cuts walls and hinges in one piece, and the hinges are {}s. Make them bridges (`hinge: {{kind: "
+          "film}}`, or leave them open), or print the sheet instead (--process fdm)",
           process.name, to_string(kind)));
 }
 
@@ -182,7 +184,8 @@ bool has_custom_pins(const Design& design) {
 std::string instead_of_pins(const Order& order, const PrintChoice& choice) {
   if (order.path.is_exact) return "";
   if (has_custom_pins(order.design))
-    return ": its hinges stretch during the motion, and pins cannot. The design sets pins, and --hinge does not replace them. Change its `hinge:` to `kind: block`, or remove it and give --hinge block";
+    return ": its hinges stretch during the motion, and pins cannot. The design sets pins, and --hinge does "
+           "not replace them. Change its `hinge:` to `kind: block`, or remove it and give --hinge block";
   if (!is_pin(choice.kind) || !leaves_hinges_open(order.design)) return "";
   return ": its hinges stretch during the motion, and pins cannot. Give --hinge block";
 }
@@ -197,10 +200,9 @@ std::string describe_alternative(const Order& order, const Attempt& refused, Pri
   const model::CellSize size = resized(order.design.structure.size(), choice, order.process);
   const bool is_on_bed = !choice.bed_mm || best_attempt(order, choice, ClearanceSearch::verdict).print;
   const auto larger = describe_resizing(order.design.structure.size().edge_mm, *edge);
-  return fmt::format(
-      ". With walls of {:.3g} x {:.3g} mm a cell_mm of {:g} fits: give --cell-mm {:g}{}{}",
-      size.thickness_mm, size.height_mm, *edge, *edge, is_on_bed ? "" : ", on a larger bed",
-      larger ? ": " + *larger : "");
+  return fmt::format(". With walls of {:.3g} x {:.3g} mm a cell_mm of {:g} fits: give --cell-mm {:g}{}{}",
+                     size.thickness_mm, size.height_mm, *edge, *edge, is_on_bed ? "" : ", on a larger bed",
+                     larger ? ": " + *larger : "");
 }
 
 /// Refuses a print: by InvalidInput for a bed, an option of the command, and by NotPrintable for what the design sets.

@@ -96,9 +96,10 @@ std::vector<const PrintFormat*> formats_of(const PrintRequest& request) {
 void check_clearance_override(const PrintRequest& request, const Design& design) {
   const std::optional<double> own = clearance_override_mm(design);
   if (own && *own < request.clearance_mm)
-    throw InvalidInput(fmt::format(
-        "--clearance {1:g} is not the clearance of the design's pins, {0:g} mm. Change `clearance_mm` in the design",
-        *own, request.clearance_mm));
+    throw InvalidInput(
+        fmt::format("--clearance {1:g} is not the clearance of the design's pins, {0:g} mm. Change "
+                    "`clearance_mm` in the design",
+                    *own, request.clearance_mm));
 }
 
 bool changes_sheet(const PrintRequest& request, const Design& design) {
@@ -153,8 +154,8 @@ void reject_sheet_options(const PrintRequest& request) {
   constexpr std::array<std::string_view, 3> meshes = {"stl", "3mf", "glb"};
   for (const std::string& name : request.formats)
     if (std::find(meshes.begin(), meshes.end(), name) == meshes.end())
-      throw InvalidInput(fmt::format("--format: {} only applies to sheets, {}Give {}", targets::in_ticks(name), instead,
-                                     targets::joined(meshes)));
+      throw InvalidInput(fmt::format("--format: {} only applies to sheets, {}Give {}",
+                                     targets::in_ticks(name), instead, targets::joined(meshes)));
 }
 
 void check_state(const PrintRequest& request, const PrintSheet& sheet) {

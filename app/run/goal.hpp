@@ -66,8 +66,8 @@ struct GoalMeasure {
 
 /// Kind of goal: how its targets are read, and what the program must know about all of them.
 struct GoalKind {
-  std::string_view name;     ///< `target.kind`
-  std::string_view example;  ///< the shortest `target:` of this kind
+  std::string_view name;          ///< `target.kind`
+  std::string_view example;       ///< the shortest `target:` of this kind
   std::string_view meaning = {};  ///< for the list of kinds, a noun phrase
   /// Reads a target. @param root a target of this kind @throws InvalidInput for all that the format does not allow
   std::unique_ptr<Goal> (*read)(const targets::Node& root);

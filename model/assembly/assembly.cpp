@@ -53,7 +53,8 @@ class Builder {
 
   Assembly run() {
     if (out_.bodies.size() < 2)
-      throw InvalidInput("has " + std::to_string(out_.bodies.size()) + " hard parts. Split it, or give hinges that join two parts");
+      throw InvalidInput("has " + std::to_string(out_.bodies.size()) +
+                         " hard parts. Split it, or give hinges that join two parts");
     check_crossings();
     add_soft_hinges();
     add_pins();

@@ -144,7 +144,8 @@ void check_pin(const ManufacturedHinge& p, const CellSize& size) {
                        " mm and walls of 0.8 mm leave no room for a rod next to two knuckles of one body");
   require("diameter_mm", p.diameter_mm, false,
           "at most " + number_text(most) +
-              " mm: with its clearance and walls of 0.8 mm, two knuckles of one body are then next to each other");
+              " mm: with its clearance and walls of 0.8 mm, two knuckles of one body are then next to each "
+              "other");
 }
 
 }  // namespace

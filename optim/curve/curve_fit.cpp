@@ -31,7 +31,8 @@ BendTies make_bend_ties(int columns, Per per, Symmetry symmetry, AngleRange beta
         "a strip has one degree of freedom only if all tilts of a column are equal. Give column or all");
   if (symmetry == Symmetry::rotate_4)
     throw InvalidInput(
-        "a sheet that bends along x cannot have a four-fold symmetry. Give none, mirror_x, mirror_y or rotate_2");
+        "a sheet that bends along x cannot have a four-fold symmetry. Give none, mirror_x, mirror_y or "
+        "rotate_2");
   BendTies ties;
   for (int c = 0; c < columns; ++c) {
     ties.variable.push_back(group(c, columns, per, symmetry));

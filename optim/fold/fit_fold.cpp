@@ -64,7 +64,8 @@ class NetSearch {
   FoldDesign run() {
     if (!(upper_ > options_.theta.lower))
       throw InvalidInput(
-          fmt::format("walls of {:.3g} mm in cells of {:.3g} mm close at {:.3g} deg, below the range of the fold angle. Give thinner walls or smaller angles",
+          fmt::format("walls of {:.3g} mm in cells of {:.3g} mm close at {:.3g} deg, below the range of the "
+                      "fold angle. Give thinner walls or smaller angles",
                       options_.size.thickness_mm, options_.size.edge_mm, to_degrees(upper_)));
     const int finest = all_columns_are_given(goal_.nets[0]) ? 1 : max_columns_per_right_angle;
     for (int finer = 1; finer <= finest && !design_.folds && !options_.stop.stop_requested(); ++finer)
@@ -116,7 +117,8 @@ class NetSearch {
 
   Obstacle too_steep(const targets::FoldNet& net, const std::vector<int>& columns, std::size_t c,
                      double tilt) const {
-    return {fmt::format("crease `{}` of {} needs tilts of {:.1f} deg even at fold angle {:.1f} deg, and the limit is {:.1f} deg. Give it more columns",
+    return {fmt::format("crease `{}` of {} needs tilts of {:.1f} deg even at fold angle {:.1f} deg, and the "
+                        "limit is {:.1f} deg. Give it more columns",
                         crease_name(net, net.creases[c]), columns_text(columns[c]), to_degrees(tilt),
                         to_degrees(upper_), to_degrees(options_.tilt)),
             true};

@@ -147,9 +147,10 @@ Across across_of(const targets::SpaceGoal& goal, int columns) {
 AngleRange allowed_theta(const SpaceVariables& v) {
   const double closing = closing_theta(v.size) - model::closing_margin;
   if (!(v.theta.lower < closing))
-    throw InvalidInput(fmt::format(
-        "walls of {:.3g} mm in cells of {:.3g} mm close at {:.3g} deg, below the range of the fold angle. Give thinner walls or smaller angles",
-        v.size.thickness_mm, v.size.edge_mm, to_degrees(closing)));
+    throw InvalidInput(
+        fmt::format("walls of {:.3g} mm in cells of {:.3g} mm close at {:.3g} deg, below the range of the "
+                    "fold angle. Give thinner walls or smaller angles",
+                    v.size.thickness_mm, v.size.edge_mm, to_degrees(closing)));
   return {v.theta.lower, std::min(v.theta.upper, closing)};
 }
 
@@ -337,9 +338,12 @@ std::optional<SpaceObstacle> obstacle(const targets::SpaceGoal& goal, const Spac
   if (!(across.slope <= most.climb / 2))
     return SpaceObstacle{
         across.arc_mm,
-        fmt::format("the curve climbs across the strip by {:.3g} of its length {}, and columns can shear at most {:.3g} at fold angle {:.3g} deg, for every direction of the strip. Allow a larger variables.fold_angle.range_deg, or positions nearer to 0 and 1 (variables.hinge_position.range)",
-                    across.slope, describe_place(goal, across.arc_mm), most.climb / 2,
-                    to_degrees(allowed_theta(v).upper))};
+        fmt::format(
+            "the curve climbs across the strip by {:.3g} of its length {}, and columns can shear at most "
+            "{:.3g} at fold angle {:.3g} deg, for every direction of the strip. Allow a larger "
+            "variables.fold_angle.range_deg, or positions nearer to 0 and 1 (variables.hinge_position.range)",
+            across.slope, describe_place(goal, across.arc_mm), most.climb / 2,
+            to_degrees(allowed_theta(v).upper))};
   const SpaceStrip strip = followed(seen(goal, frame_across(goal, across.direction)), v.columns);
   std::size_t where = 0;
   const double turn = largest(strip.turn, where);

@@ -36,9 +36,8 @@ std::string number(std::size_t k) { return std::to_string(k + 1); }
 }  // namespace
 
 InvalidCurve repeated_point(std::size_t k) {
-  return InvalidCurve(
-      "points " + number(k - 1) + " and " + number(k) + " are the same. Remove one of them",
-      static_cast<int>(k));
+  return InvalidCurve("points " + number(k - 1) + " and " + number(k) + " are the same. Remove one of them",
+                      static_cast<int>(k));
 }
 
 template <class Point>

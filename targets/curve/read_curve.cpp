@@ -120,20 +120,22 @@ class CsvReader {
     const bool has_digits = line_.find_first_not_of("+-.,;0123456789eE \t") == std::string_view::npos;
     if (has_digits) refuse(0, "the header is missing. " + wanted_header());
     if (fields.size() != axes_.size())
-      refuse(0, in_ticks(line_) + " is not a header of " + spell_count(axes_) + " columns. " +
-                    wanted_header());
+      refuse(0,
+             in_ticks(line_) + " is not a header of " + spell_count(axes_) + " columns. " + wanted_header());
     for (std::size_t k = 0; k < fields.size(); ++k) check_title(fields[k], axes_[k]);
   }
 
   void check_title(const Field& field, const std::string& wanted) const {
     const Title title = title_of(field.text);
     if (title.axis != wanted)
-      refuse(field.position,
-             in_ticks(field.text) + " is not the name `" + wanted + "` that is expected here. " + wanted_header());
+      refuse(field.position, in_ticks(field.text) + " is not the name `" + wanted +
+                                 "` that is expected here. " + wanted_header());
     if (!title.unit.empty() && title.unit != "mm")
-      refuse(field.position, in_ticks(field.text) +
-                                 " has another unit, and points are in millimetres. Convert the numbers and write the header `" +
-                                 joined_axes(axes_, ",") + "`");
+      refuse(
+          field.position,
+          in_ticks(field.text) +
+              " has another unit, and points are in millimetres. Convert the numbers and write the header `" +
+              joined_axes(axes_, ",") + "`");
   }
 
   void read_point() {
@@ -255,7 +257,8 @@ const KeyTable& curve_target_keys() {
   static const KeyTable keys({
       goal_kind_key("curve"),
       {"points", points_type(second_axis), needed,
-       "goal curve, in mm: open, not crossing itself. The CSV file has the header `x,z`, then one point per row"},
+       "goal curve, in mm: open, not crossing itself. The CSV file has the header `x,z`, then one point per "
+       "row"},
   });
   return keys;
 }

@@ -56,10 +56,11 @@ void check_contrast(const DisplayGoal& goal) {
   const auto [least, most] = std::minmax_element(goal.levels.begin(), goal.levels.end());
   if (*least < *most) return;
   const std::string help =
-      goal.whole    ? "Give cells of both kinds"
-      : goal.needed ? "Give more cells: the smallest panel of these proportions that shows the whole picture is [" +
-                          std::to_string((*goal.needed)[0]) + ", " + std::to_string((*goal.needed)[1]) + "]"
-                    : "Give a simpler picture: no allowed panel of these proportions shows the whole of it";
+      goal.whole ? "Give cells of both kinds"
+      : goal.needed
+          ? "Give more cells: the smallest panel of these proportions that shows the whole picture is [" +
+                std::to_string((*goal.needed)[0]) + ", " + std::to_string((*goal.needed)[1]) + "]"
+          : "Give a simpler picture: no allowed panel of these proportions shows the whole of it";
   throw InvalidInput("every cell is " + std::string(*least >= letter_level ? "letter" : "rest") +
                      ", so there is nothing to distinguish. " + help);
 }
@@ -83,8 +84,9 @@ std::vector<double> thresholded(std::vector<double> levels) {
 void check_row(const std::string& row, std::size_t columns) {
   const std::size_t wrong = row.find_first_not_of("01");
   if (wrong != std::string::npos)
-    throw InvalidInput(in_ticks(row) +
-                       " has characters other than 0 and 1. Give 1 for a cell of the letter and 0 for the rest");
+    throw InvalidInput(
+        in_ticks(row) +
+        " has characters other than 0 and 1. Give 1 for a cell of the letter and 0 for the rest");
   if (row.size() != columns)
     throw InvalidInput("has " + std::to_string(row.size()) + " cells, and the first row has " +
                        std::to_string(columns) + ". Give rows of equal length");

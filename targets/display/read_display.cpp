@@ -79,7 +79,8 @@ const KeyTable& display_target_keys() {
           goal_kind_key("display"),
           {"glyph", value::text("a letter or a short word"), {}, "letter or word to show, in a font"},
           {"font", value::text("name of an installed font"),
-           otherwise("the first of DejaVu Serif, DejaVu Serif Bold and DejaVu Sans Bold whose strokes the panel can show"),
+           otherwise("the first of DejaVu Serif, DejaVu Serif Bold and DejaVu Sans Bold whose strokes the "
+                     "panel can show"),
            "font of the glyph", "glyph"},
           {"image", value::text("path of a PNG, PBM or PGM file"), {}, "picture to show"},
           {"levels", value::choice(level_choices), by_default("2"),
@@ -88,7 +89,8 @@ const KeyTable& display_target_keys() {
            "image"},
           {"rows", value::list(value::text("0 and 1 a cell"), "rows such as `[\"0110\", \"1001\"]`"),
            no_default,
-           "picture to show, cell by cell: 1 is letter, top row first. If `structure.cells` is a multiple of the size, each of its cells becomes several"},
+           "picture to show, cell by cell: 1 is letter, top row first. If `structure.cells` is a multiple of "
+           "the size, each of its cells becomes several"},
           {"channel", value::choice({"light", "aperture", "area", "rotation"}),
            otherwise("`light`; `aperture` where `variables.offset_mm` is 0"),
            "property of a cell that shows the picture ([definitions](#channels-of-a-display))"},

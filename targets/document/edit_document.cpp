@@ -11,7 +11,8 @@ constexpr int max_position = 100'000'000;  // in a list: beyond any that a file 
 
 InvalidInput malformed(std::string_view text, const std::string& why) {
   return InvalidInput(in_ticks(text) + " is not a path: " + why +
-                      ". Write keys with points and positions in brackets, e.g. `design.hinges[3].tilt_deg` or `design.hinges[*].tilt_deg`");
+                      ". Write keys with points and positions in brackets, e.g. `design.hinges[3].tilt_deg` "
+                      "or `design.hinges[*].tilt_deg`");
 }
 
 PathStep parse_position(std::string_view text, std::string_view inside) {

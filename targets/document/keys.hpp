@@ -42,7 +42,7 @@ struct ValueType {
   std::vector<std::string> words = {};  ///< choice: at least one
   /// choice: earlier words that files may still use, each with the word that replaces it
   std::vector<std::pair<std::string, std::string>> old_words = {};
-  std::vector<ValueType> parts = {};    ///< list: the type of every entry; either: its ways
+  std::vector<ValueType> parts = {};               ///< list: the type of every entry; either: its ways
   std::size_t shortest = 0, longest = any_length;  ///< list
   std::shared_ptr<const KeyTable> keys = {};       ///< map
 };
@@ -153,9 +153,9 @@ struct Key {
   std::string name;
   ValueType type;
   Default fallback;
-  std::string meaning;   ///< meaning in Markdown; units are the type's
-  With with = {};        ///< the alternatives to which it belongs
-  Binding binding = {};  ///< the member that it fills
+  std::string meaning;        ///< meaning in Markdown; units are the type's
+  With with = {};             ///< the alternatives to which it belongs
+  Binding binding = {};       ///< the member that it fills
   std::string old_name = {};  ///< earlier name; empty: none
 };
 

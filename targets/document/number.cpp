@@ -116,12 +116,14 @@ bool Bounds::contains(double x) const {
 std::string Bounds::describe() const {
   std::string text = "a number";
   const bool has_lower = std::isfinite(lower), has_upper = std::isfinite(upper);
-  const std::string least = limit_text(rounded_limit(lower, true)), most = limit_text(rounded_limit(upper, false));
+  const std::string least = limit_text(rounded_limit(lower, true)),
+                    most = limit_text(rounded_limit(upper, false));
   if (has_lower && has_upper && lower_allowed && upper_allowed)
     text += " from " + least + " to " + most;
   else {
     if (has_lower) text += (lower_allowed ? " of at least " : " above ") + least;
-    if (has_upper) text += (has_lower ? " and " : " ") + std::string(upper_allowed ? "at most " : "below ") + most;
+    if (has_upper)
+      text += (has_lower ? " and " : " ") + std::string(upper_allowed ? "at most " : "below ") + most;
   }
   return unit.empty() ? text : text + ", in " + std::string(unit);
 }

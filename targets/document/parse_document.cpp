@@ -138,8 +138,8 @@ class Builder final : public YAML::EventHandler {
     map.awaits_key = false;
     const auto [first, is_new] = map.line_of_key.try_emplace(map.key, map.key_position.line);
     if (!is_new)
-      refuse(mark,
-             "this key is given twice, first in line " + std::to_string(first->second) + ". Remove one of the two entries");
+      refuse(mark, "this key is given twice, first in line " + std::to_string(first->second) +
+                       ". Remove one of the two entries");
   }
 
   int add(const YAML::Mark& mark, Node::Kind kind) {
@@ -174,7 +174,8 @@ class Builder final : public YAML::EventHandler {
     check(mark, anchor, tag);
     if (awaits_key())
       refuse(mark,
-             "a list or a map is in the place of a key. Give plain words as keys, and check for a missing closing bracket");
+             "a list or a map is in the place of a key. Give plain words as keys, and check for a missing "
+             "closing bracket");
     if (static_cast<int>(open_.size()) >= max_document_depth)
       refuse(mark, "nested too deep; at most " + std::to_string(max_document_depth) + " levels are allowed");
     const int item = add(mark, kind);
@@ -202,7 +203,8 @@ std::string explain(const std::string& message) {
       {"anchor", no_anchors},
       {"alias", no_anchors},
       {"illegal map value",
-       "a `:` is not possible here. Check the indentation and the space after each `:`, here and in the line above"},
+       "a `:` is not possible here. Check the indentation and the space after each `:`, here and in the line "
+       "above"},
       {"end of map not found", "this does not fit the lines above. Check indentation and quotes"},
       {"end of sequence not found", "this does not fit the list above. Check indentation and quotes"},
       {"end of map flow", "a `}` or a comma is missing before this place"},

@@ -72,7 +72,8 @@ void check_characters(const std::string& file, const std::string& text) {
   for (std::size_t k = 0; k < text.size();) {
     const std::size_t length = character_length(text, k);
     if (length == 0)
-      throw InvalidInput("the file has a byte that is not UTF-8 text. Save the file as UTF-8", place_of(file, text, k));
+      throw InvalidInput("the file has a byte that is not UTF-8 text. Save the file as UTF-8",
+                         place_of(file, text, k));
     if (is_control(text[k]))
       throw InvalidInput("a control character (byte " + std::to_string(static_cast<unsigned char>(text[k])) +
                              "). Give plain text",

@@ -169,7 +169,8 @@ class Entities {
 // DXF in its text form is pairs of lines, a group code and a value. Of Debian's readers one is under version 2 of the
 // GPL alone, which does not go together with parts under the Apache licence; the other has had no release since 2011.
 Drawing parse_dxf(const std::string& text) {
-  if (text.starts_with("AutoCAD Binary DXF")) throw InvalidInput("this is a binary DXF. Save it as text (ASCII)");
+  if (text.starts_with("AutoCAD Binary DXF"))
+    throw InvalidInput("this is a binary DXF. Save it as text (ASCII)");
   Groups groups(text);
   Entities entities;
   std::string_view section, variable;

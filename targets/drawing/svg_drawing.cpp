@@ -143,7 +143,8 @@ class Reader {
     if (name == "defs" || name == "symbol" || name == "clipPath" || name == "mask") return;
     if (is_hidden(node)) return;
     if (name == "svg" && depth > 0)
-      throw InvalidInput("the drawing has an svg within its svg, which may have a different scale. Ungroup it");
+      throw InvalidInput(
+          "the drawing has an svg within its svg, which may have a different scale. Ungroup it");
     const Affine2d at = above * transform_of(node);
     if (name == "line")
       add(at, {number(node, "x1"), number(node, "y1")}, {number(node, "x2"), number(node, "y2")});
@@ -154,9 +155,8 @@ class Reader {
     else if (name == "path")
       add_path(at, node.attribute("d").value());
     else if (name == "circle" || name == "ellipse" || name == "use")
-      throw InvalidInput(
-          "has a " + std::string(name) +
-          ". Draw walls as line, polyline, polygon, rect or straight paths");
+      throw InvalidInput("has a " + std::string(name) +
+                         ". Draw walls as line, polyline, polygon, rect or straight paths");
     for (const pugi::xml_node& child : node.children()) read(child, at, depth + 1);
   }
 

@@ -18,8 +18,8 @@ void check_faces(const FoldNet& net) {
   for (const FoldFace& face : net.faces) {
     if (std::min(face.width, face.height) < 1 || std::max(face.width, face.height) > max_face_side)
       throw InvalidInput("face " + in_ticks(face.name) + " has " + std::to_string(face.width) + " x " +
-                         std::to_string(face.height) + " cells. Give 1 to " +
-                         std::to_string(max_face_side) + " a side");
+                         std::to_string(face.height) + " cells. Give 1 to " + std::to_string(max_face_side) +
+                         " a side");
     if (!names.insert(face.name).second)
       throw InvalidInput("two faces are named " + in_ticks(face.name) + ". Give each its own name");
   }

@@ -112,7 +112,8 @@ std::vector<FoldFace> read_faces(const Node& node) {
     if (std::any_of(faces.begin(), faces.end() - 1, same))
       throw entry.optional("name")->error("a face above has this name. Give each face a separate name");
   }
-  if (faces.empty()) throw node.error("the list is empty. Give at least one face {name: base, cells: [4, 4]}");
+  if (faces.empty())
+    throw node.error("the list is empty. Give at least one face {name: base, cells: [4, 4]}");
   if (faces.size() > max_faces) throw node.error("holds more than 100 faces");
   return faces;
 }
@@ -124,7 +125,8 @@ FoldCrease read_crease(const Node& entry, const std::vector<std::string_view>& n
   FoldCrease crease;
   crease.first = static_cast<int>(pair[0].one_of(names));
   crease.second = static_cast<int>(pair[1].one_of(names));
-  if (crease.first == crease.second) throw pair[1].error("the crease joins a face with itself. Give two faces");
+  if (crease.first == crease.second)
+    throw pair[1].error("the crease joins a face with itself. Give two faces");
   node.read_needed("side", "the side of the first face: left, right, bottom or top", crease.side,
                    side_choices);
   crease.columns = columns;
@@ -167,7 +169,8 @@ const KeyTable& fold_target_keys() {
           {"box", value::list(value::integer(1, max_face_side), "`[a, b, c]`, cells", 3, 3), no_default,
            "edge lengths along x, y and z: the bottom has a x b cells. Every unfolding of it is tried"},
           {"box_mm", value::list(value::number(box_edge_mm), "`[a, b, c]`, mm", 3, 3), no_default,
-           "edge lengths in mm along x, y and z of the folded box. The number of cells, and their size without `structure.cell_mm`, follow from them"},
+           "edge lengths in mm along x, y and z of the folded box. The number of cells, and their size "
+           "without `structure.cell_mm`, follow from them"},
           {"open",
            value::choice(box_face_names()),
            otherwise("the box is closed"),

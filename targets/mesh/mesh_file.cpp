@@ -224,8 +224,10 @@ class StlText {
 
   [[noreturn]] void refuse(const std::string& wanted) const {
     const std::string_view word = tokens_.last_word();
-    if (word.empty()) throw tokens_.error("ends where `" + wanted + "` is expected: the file is incomplete. Export it again");
-    throw tokens_.error(in_ticks(word) + " is found instead of `" + wanted + "`: the file is damaged. Export it again");
+    if (word.empty())
+      throw tokens_.error("ends where `" + wanted + "` is expected: the file is incomplete. Export it again");
+    throw tokens_.error(in_ticks(word) + " is found instead of `" + wanted +
+                        "`: the file is damaged. Export it again");
   }
 
   MeshTokens tokens_;

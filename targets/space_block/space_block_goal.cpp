@@ -52,7 +52,10 @@ const KeyTable& space_block_target_keys() {
 
 SpaceBlockGoal read_space_block(const Section& target) {
   SpaceBlockGoal goal;
-  const Node factor = target.required("factor", "length of the pressed block relative to its length at rest: in all directions, or along x, y and z. No direction can shrink by more than the sum of the other two");
+  const Node factor =
+      target.required("factor",
+                      "length of the pressed block relative to its length at rest: in all directions, or "
+                      "along x, y and z. No direction can shrink by more than the sum of the other two");
   if (factor.kind() == Node::Kind::list)
     goal.factors = three_numbers(factor, "[x, y, z]", shrinks);
   else

@@ -96,9 +96,12 @@ SurfacePatch read_shape(const Section& target, Shape shape) {
   target.read_into(of);
   if (shape != Shape::vase)
     refuse(target, {"radius_mm", "height_mm", "swell_mm"}, "only applies to a vase. Remove the key");
-  if (shape == Shape::vase) refuse(target, {"width_mm"}, "does not apply to a vase, which has height_mm and radius_mm. Remove the key");
+  if (shape == Shape::vase)
+    refuse(target, {"width_mm"},
+           "does not apply to a vase, which has height_mm and radius_mm. Remove the key");
   if (shape != Shape::saddle) refuse(target, {"rise"}, "only applies to a saddle. Remove the key");
-  if (shape == Shape::saddle) refuse(target, {"arc_deg"}, "does not apply to a saddle, which has a rise. Remove the key");
+  if (shape == Shape::saddle)
+    refuse(target, {"arc_deg"}, "does not apply to a saddle, which has a rise. Remove the key");
   if (shape == Shape::cap) return cap_patch(of.width, of.arc);
   if (shape == Shape::saddle) return saddle_patch(of.width, of.rise);
   return vase_patch(of.height, of.radius, of.swell.value_or(of.radius / 5), of.arc);
@@ -109,30 +112,38 @@ SurfacePatch read_shape(const Section& target, Shape shape) {
 std::vector<Key> surface_keys() {
   return {
       {"mesh", value::text("path of an OBJ, STL or PLY file"), otherwise("`shape` is given"),
-       "mesh of the surface. A sheet needs an open surface without holes, and covers its rectangle or a rectangle of its area. Ribs cover any surface"},
+       "mesh of the surface. A sheet needs an open surface without holes, and covers its rectangle or a "
+       "rectangle of its area. Ribs cover any surface"},
       {"units", value::choice(length_units), by_default("mm"), "unit of the mesh"},
       {"shape", value::choice(shapes), otherwise("`mesh` is given"),
-       "`cap`: part of a sphere over the square in its rim. `saddle`: z = rise (x\u00b2 \u2212 y\u00b2) / half of the width. `vase`: the front of a vase, with belly and neck"},
+       "`cap`: part of a sphere over the square in its rim. `saddle`: z = rise (x\u00b2 \u2212 y\u00b2) / "
+       "half of the width. `vase`: the front of a vase, with belly and neck"},
       {"profile", points_type(height_axis), otherwise("`mesh` or `shape` is given"),
-       "surface of revolution: points `[x, z]` with the radius x and the height z on the axis, ascending. A smooth line goes through them"},
+       "surface of revolution: points `[x, z]` with the radius x and the height z on the axis, ascending. A "
+       "smooth line goes through them"},
       {"width_mm", &Sizes::width, value::number(size), "width of the square of a cap or saddle"},
       {"arc_deg", &Sizes::arc, value::angle(arc_turn),
-       "for a cap: angle of its surface from corner to corner. For a vase: angle about its axis from edge to edge, at most 120. For a `profile` the same, and up to 360, the default, with `ribs`"},
+       "for a cap: angle of its surface from corner to corner. For a vase: angle about its axis from edge to "
+       "edge, at most 120. For a `profile` the same, and up to 360, the default, with `ribs`"},
       {"rise", &Sizes::rise, value::number({0, 1, false, true}),
        "for a saddle: height in the middle of a side, relative to half its width"},
       {"height_mm", &Sizes::height, value::number(size), "height of a vase along its axis"},
       {"radius_mm", &Sizes::radius, value::number(size), "radius of a vase in the middle of its height"},
       {"swell_mm", &Sizes::swell, value::number(from_to(0, 2500, "mm")), otherwise("a fifth of `radius_mm`"),
-       "for a vase: radius of the belly minus that of the middle, and of the middle minus that of the neck. At most half the radius. The neck must be as wide as the front, which is `arc_deg` of the middle"},
+       "for a vase: radius of the belly minus that of the middle, and of the middle minus that of the neck. "
+       "At most half the radius. The neck must be as wide as the front, which is `arc_deg` of the middle"},
   };
 }
 
 SurfacePatch read_surface(const Section& target) {
   const auto mesh = target.optional("mesh"), shape = target.optional("shape"),
              profile = target.optional("profile");
-  if (mesh && shape) throw shape->key_error("cannot be combined with target.mesh, which also sets the surface. Remove one of the two keys");
+  if (mesh && shape)
+    throw shape->key_error(
+        "cannot be combined with target.mesh, which also sets the surface. Remove one of the two keys");
   if (profile && (mesh || shape))
-    throw profile->key_error("cannot be combined with a mesh or shape, which also sets the surface. Remove one of the two keys");
+    throw profile->key_error(
+        "cannot be combined with a mesh or shape, which also sets the surface. Remove one of the two keys");
   if (!mesh && !shape && !profile)
     throw target.error("needs a `mesh` or a `shape`: cap, saddle or vase, or a `profile`");
   if (profile) {

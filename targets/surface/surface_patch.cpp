@@ -185,7 +185,8 @@ std::vector<int> boundary_of(const TriangleMesh& mesh) {
         throw InvalidInput("an edge of the mesh has more than two triangles. Give a single open surface");
       if (count == 1 && !next.try_emplace(from, to).second)
         throw InvalidInput(
-            "two parts of the mesh share a single vertex, or its triangles have different orientations. Give a single open surface");
+            "two parts of the mesh share a single vertex, or its triangles have different orientations. Give "
+            "a single open surface");
     }
   if (next.empty()) throw InvalidInput("the mesh is closed. Give an open surface, such as a part of it");
   std::vector<int> rim;

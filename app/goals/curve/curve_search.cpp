@@ -88,7 +88,8 @@ std::optional<std::array<int, 2>> read_sides(const targets::Section& structure) 
   const auto node = structure.optional("cells");
   if (!node) return std::nullopt;
   const auto sides = as_rectangle(read_cells(*node));
-  if (!sides) throw node->error("the cells do not fill a rectangle, which a curve needs. Give [columns, rows]");
+  if (!sides)
+    throw node->error("the cells do not fill a rectangle, which a curve needs. Give [columns, rows]");
   if ((*sides)[0] < 2)
     throw node->error(
         "a curve needs at least 2 columns of cells along x. Give [columns, rows] such as [40, 1]");
@@ -113,10 +114,10 @@ void read_structure(const targets::Section& root, CurveFile& file) {
   check_cell_against_curve(*cell_mm, file.size.edge_mm, length);
   const double fitting = std::round(length / (file.size.edge_mm * std::cos(theta)));
   if (!sides && fitting > max_columns)
-    throw cell_mm->error(fmt::format("a curve of {} needs {:.0f} cells of {}, and the limit is {} columns. Give "
-                                     "larger cells",
-                                     length_text(length), fitting, length_text(file.size.edge_mm),
-                                     max_columns));
+    throw cell_mm->error(
+        fmt::format("a curve of {} needs {:.0f} cells of {}, and the limit is {} columns. Give "
+                    "larger cells",
+                    length_text(length), fitting, length_text(file.size.edge_mm), max_columns));
   if (!sides) file.columns = static_cast<int>(std::max(fitting, 2.0));
 }
 
@@ -124,10 +125,10 @@ optim::Per read_per(const targets::Node& node) {
   const std::vector<std::string_view> all = {"column", "all", "row", "cell", "hinge"};
   const std::size_t choice = node.one_of(all);
   if (choice > 1)
-    throw node.error(
-        "`" + std::string(all[choice]) +
-        "` is not possible for a curve: a strip has one degree of freedom only if all hinges of a column tilt "
-        "equally. Give `column` or `all`");
+    throw node.error("`" + std::string(all[choice]) +
+                     "` is not possible for a curve: a strip has one degree of freedom only if all hinges of "
+                     "a column tilt "
+                     "equally. Give `column` or `all`");
   return choice == 0 ? optim::Per::column : optim::Per::all;
 }
 
@@ -154,12 +155,14 @@ double usual_shape_tolerance(const CurveFile& file) {
 
 targets::KeyTable curve_structure_keys(const CurveFile& usual) {
   return targets::KeyTable({
-      cells_key(targets::by_default({static_cast<double>(usual.columns), static_cast<double>(usual.rows)}),
-                "cells of the strip, a rectangle of at least 2 columns. The default is reduced, to 8 columns at "
-                "least, if the process cannot print such thin walls. If only `cell_mm` is given, the number of "
-                "columns follows from the length of the curve"),
-      cell_mm_key(targets::otherwise("gives the strip the curve's length at a fold angle of 30 degrees, or at "
-                                     "the nearest one within `variables.fold_angle`")),
+      cells_key(
+          targets::by_default({static_cast<double>(usual.columns), static_cast<double>(usual.rows)}),
+          "cells of the strip, a rectangle of at least 2 columns. The default is reduced, to 8 columns at "
+          "least, if the process cannot print such thin walls. If only `cell_mm` is given, the number of "
+          "columns follows from the length of the curve"),
+      cell_mm_key(
+          targets::otherwise("gives the strip the curve's length at a fold angle of 30 degrees, or at "
+                             "the nearest one within `variables.fold_angle`")),
       wall_mm_key(),
   });
 }

@@ -46,7 +46,8 @@ targets::KeyTable display_drive_keys() {
   return targets::KeyTable(
       {
           {"kind", value::choice(drives), targets::by_default("plates"),
-           "`plates`: two plates press on the boundary, whose rows stay straight. `hinge`: one hinge is turned "
+           "`plates`: two plates press on the boundary, whose rows stay straight. `hinge`: one hinge is "
+           "turned "
            "and all rows are free, which shows a clearer picture"},
           {"axis", value::choice(axes), targets::by_default("y"), "normal of the plates", "plates"},
           {"compression", &DisplayFile::compression, value::number(allowed_compression),
@@ -76,8 +77,8 @@ targets::KeyTable display_variables_keys() {
                                         "range of the search, which starts from `drive.compression`"}});
   return targets::KeyTable({
       {"offset_mm", value::length(allowed_offset),
-       targets::otherwise(
-           "0.08 `cell_mm`; 0 with a `solver`, a `hinge_position.symmetry`, or a `channel` other than `light`"),
+       targets::otherwise("0.08 `cell_mm`; 0 with a `solver`, a `hinge_position.symmetry`, or a `channel` "
+                          "other than `light`"),
        "largest lateral offset of a hinge. Such hinges show a picture without stretching. 0: hinges on their "
        "walls, which have to stretch"},
       {"stretch_mm", value::length(allowed_offset), targets::by_default(0.0),
@@ -113,7 +114,9 @@ std::optional<targets::Node> under(const targets::Section& root, std::string_vie
   return root.section(section).optional(key);
 }
 
-targets::Section t_section(const targets::Section& root) { return root.section("variables").section("hinge_position"); }
+targets::Section t_section(const targets::Section& root) {
+  return root.section("variables").section("hinge_position");
+}
 
 /// Returns whether a file has settings that only apply to hinges on their walls.
 bool requests_walls(const targets::Section& root, const DisplayFile& file) {
@@ -148,8 +151,9 @@ void read_offset(const targets::Section& root, DisplayFile& file) {
   if (stretch_mm)
     throw root.section("variables")
         .optional("stretch_mm")
-        ->key_error("has no effect if variables.offset_mm is 0. Remove the key, or set tolerance.stretch "
-                    "instead");
+        ->key_error(
+            "has no effect if variables.offset_mm is 0. Remove the key, or set tolerance.stretch "
+            "instead");
   if (file.lattice.lattice)
     throw root.section("structure")
         .optional("lattice")
@@ -180,11 +184,13 @@ void reject_plate_options(const targets::Section& root, const targets::Section& 
   for (const char* key : {"compression", "axis", "stretch_mm"})
     if (const auto node = variables.optional(key))
       throw node->key_error(
-          "only applies to plates, and the drive is a hinge, which turns to drive.angle_deg. Remove the key, or "
+          "only applies to plates, and the drive is a hinge, which turns to drive.angle_deg. Remove the key, "
+          "or "
           "give `drive: {kind: plates}`");
   if (!(file.offset > 0))
     throw drive.optional("kind")->error(
-        "hinges on their walls have to stretch, which needs plates. Set variables.offset_mm above 0 and remove "
+        "hinges on their walls have to stretch, which needs plates. Set variables.offset_mm above 0 and "
+        "remove "
         "`solver`, or give `kind: plates`");
 }
 
@@ -210,7 +216,8 @@ void read_drive(const targets::Section& root, DisplayFile& file) {
 void check_tied_t(const targets::Section& t, const DisplayFile& file) {
   if (file.symmetry == optim::Symmetry::none || (file.t[0] < 0.5 && file.t[1] > 0.5)) return;
   throw t.optional("range")->error(
-      "the range does not contain 0.5, and a symmetry puts hinges in the middle of walls. Give a range around "
+      "the range does not contain 0.5, and a symmetry puts hinges in the middle of walls. Give a range "
+      "around "
       "0.5");
 }
 
@@ -224,8 +231,10 @@ void check_scaled_t(const targets::Section& t, const DisplayFile& file) {
         "the range does not contain 0.5, which offsets of hinges need. Give a range around 0.5, or set "
         "variables.offset_mm: 0");
   if (file.symmetry != optim::Symmetry::none)
-    throw t.optional("symmetry")->error(
-        "a symmetry only applies to hinges on their walls. Remove the key, or set variables.offset_mm: 0");
+    throw t.optional("symmetry")
+        ->error(
+            "a symmetry only applies to hinges on their walls. Remove the key, or set variables.offset_mm: "
+            "0");
 }
 
 void read_t(const targets::Section& t, DisplayFile& file) {
@@ -236,8 +245,10 @@ void read_t(const targets::Section& t, DisplayFile& file) {
     const double least = *corner_mm / file.size.edge_mm;
     file.t = {std::max(file.t[0], least), std::min(file.t[1], 1 - least)};
     if (!(file.t[0] < file.t[1]))
-      throw t.optional("corner_mm")->error(
-          "no position is left within variables.hinge_position.range. Give a smaller corner_mm, or a wider range");
+      throw t.optional("corner_mm")
+          ->error(
+              "no position is left within variables.hinge_position.range. Give a smaller corner_mm, or a "
+              "wider range");
   }
   check_scaled_t(t, file);
   check_tied_t(t, file);
@@ -260,7 +271,8 @@ void read_compression(const targets::Section& root, const targets::Section& comp
 
 void read_axes(const targets::Section& root, const targets::Node& list, DisplayFile& file) {
   if (under(root, "drive", "axis"))
-    throw list.error("cannot be combined with drive.axis, which sets the direction. Remove one of the two keys");
+    throw list.error(
+        "cannot be combined with drive.axis, which sets the direction. Remove one of the two keys");
   file.axes.clear();
   for (const targets::Node& node : list.list("x, y or both, such as [x, y]")) {
     const Axis axis = read_word(node, axes);

@@ -302,7 +302,8 @@ void check_memory(targets::PanelSize size, int threads, int runs, std::size_t av
   const double needed = bytes_per_cell * size[0] * size[1] * parallel_runs, gib = 1 << 30;
   if (needed <= static_cast<double>(available)) return;
   throw InvalidInput(
-      fmt::format("a search of {} x {} cells needs about {:.1f} GiB of memory on {} threads, and this machine has {:.1f} GiB. Give fewer cells{}",
+      fmt::format("a search of {} x {} cells needs about {:.1f} GiB of memory on {} threads, and this "
+                  "machine has {:.1f} GiB. Give fewer cells{}",
                   size[0], size[1], needed / gib, parallel_runs, static_cast<double>(available) / gib,
                   parallel_runs > 1 ? ", or --threads 1" : ""),
       {"", 0, 0, "structure.cells"});

@@ -391,7 +391,8 @@ extern const GoalKind fold_kind = {
     .metrics = {
         {"fold_deg", "deg", "[fold of each crease](#face_rms), a list"},
         {"fold_miss_deg", "deg", "largest difference between the fold of a crease and its goal"},
-        {"face_rms", "", "[distance of the faces' vertices from the ideal solid](#face_rms), relative to the edge of a face"},
+        {"face_rms", "",
+         "[distance of the faces' vertices from the ideal solid](#face_rms), relative to the edge of a face"},
         {"fold_physics_deg", "deg", "fold of each crease in the simulation, a list"},
         {"fold_miss_physics_deg", "deg", "fold_miss_deg in the simulation"},
         {"face_rms_physics", "", "face_rms in the simulation"}}};

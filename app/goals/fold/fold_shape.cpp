@@ -25,7 +25,8 @@ targets::KeyTable fold_tolerance_keys() {
       {"shape", &FoldFile::shape_tolerance, value::number(targets::part_of_one),
        "limit of [face_rms](#face_rms), relative to the edge of a face"},
       {"size", &FoldFile::size_tolerance, value::number(targets::part_of_one),
-       "limit of the difference between an edge of the folded box and `target.box_mm`, relative to its length"},
+       "limit of the difference between an edge of the folded box and `target.box_mm`, relative to its "
+       "length"},
       verify_key(),
   };
   const auto limits = hinge_limit_keys("The net folds at a smaller angle to stay within it");
@@ -53,7 +54,8 @@ void read_structure(const targets::Section& root, FoldFile& file) {
   const auto node = root.optional("structure");
   if (const auto cells = node ? node->optional("cells") : std::nullopt)
     throw cells->key_error(
-        "the cells of a fold follow from its faces. Remove the key, and give faces in target.box or target.net");
+        "the cells of a fold follow from its faces. Remove the key, and give faces in target.box or "
+        "target.net");
   file.size = read_size(root.section("structure"), fold_cell_mm);
   file.size =
       walls_for(root.section("structure"), file.size, read_process(root).min_wall_mm)(file.size.edge_mm);
@@ -83,7 +85,9 @@ void choose_cells(const targets::Section& root, FoldFile& file) {
 void check_force_limit(const targets::Node& force, const FoldFile& file) {
   if (file.hinge.model != HingeSection::Model::elastic)
     throw force.key_error("only applies to elastic hinges. Add `hinge`, or remove the key");
-  if (file.drive) throw force.key_error("only applies to an external drive, and springs in the hinges need none. Remove the key");
+  if (file.drive)
+    throw force.key_error(
+        "only applies to an external drive, and springs in the hinges need none. Remove the key");
 }
 
 /// Rejects a strain limit without elastic hinges, because strain is known only in their equilibrium.
@@ -134,7 +138,8 @@ FoldFile read_fold_file(const targets::Node& node) {
   read_hinges(root, file.size, file);
   read_tolerance(root, file);
   if (file.goal.solid && file.robust)
-    throw root.optional("robust")->error("only applies to boxes and nets of squares. Remove the key for a solid");
+    throw root.optional("robust")->error(
+        "only applies to boxes and nets of squares. Remove the key for a solid");
   if (file.goal.solid && file.limits.any())
     throw root.optional("tolerance")
         ->error("force_N and strain only apply to boxes and nets of squares. Remove them for a solid");

@@ -26,11 +26,11 @@ targets::KeyTable helmet_target_keys() {
   keys.insert(keys.begin(), targets::goal_kind_key("helmet"));
   keys.insert(
       keys.end(),
-      {{"ribs", &Spec::ribs, value::integer(1, max_ribs),
-        "number of ribs, evenly spaced along the spine"},
+      {{"ribs", &Spec::ribs, value::integer(1, max_ribs), "number of ribs, evenly spaced along the spine"},
        {"spacing_mm", &Spec::spacing_mm, value::number(targets::from_to(min_helmet_cell_mm, 1000, "mm")),
         targets::otherwise("follows from `ribs`"),
-        "distance of the ribs, instead of their number. The number of evenly spaced ribs with the nearest distance is used"},
+        "distance of the ribs, instead of their number. The number of evenly spaced ribs with the nearest "
+        "distance is used"},
        targets::coverage_key(),
        {"clearance_mm", &Spec::clearance_mm, value::number(targets::from_to(0, 100, "mm")),
         "distance of the helmet from the head"}});
@@ -46,13 +46,17 @@ targets::KeyTable helmet_structure_keys() {
 void read_structure(const targets::Section& root, HelmetFile& file) {
   const auto node = root.optional("structure");
   if (const auto cells = node ? node->optional("cells") : std::nullopt)
-    throw cells->key_error("the cells of a helmet follow from the head. Remove the key, and set target.ribs and structure.cell_mm");
+    throw cells->key_error(
+        "the cells of a helmet follow from the head. Remove the key, and set target.ribs and "
+        "structure.cell_mm");
   file.spec.size = read_size(root.section("structure"), helmet_cell_mm);
 }
 
 void read_ribs(const targets::Section& target, HelmetFile& file) {
   const auto ribs = target.optional("ribs"), spacing = target.optional("spacing_mm");
-  if (ribs && spacing) throw spacing->key_error("cannot be combined with target.ribs, which also sets the distance. Remove one of the two keys");
+  if (ribs && spacing)
+    throw spacing->key_error(
+        "cannot be combined with target.ribs, which also sets the distance. Remove one of the two keys");
   target.read_into(file.spec);
   if (spacing && *file.spec.spacing_mm < 2 * file.spec.size.edge_mm * std::cos(file.spec.start_theta))
     throw spacing->error("ribs at this distance overlap in the flat sheet. Give at least two cells, " +
@@ -108,9 +112,9 @@ const targets::KeyTable& helmet_keys() {
                     fmt::format("{:g}; less with a smaller `max_mm` by default", HelmetFile::default_rms_mm)),
                 "limit of the [distance](#distances-of-a-helmet) from head plus clearance, root mean square"},
                {"max_mm", &HelmetFile::max_mm, value::number(targets::above(0, "mm")),
-                targets::otherwise(fmt::format(
-                    "{:g}, or less: half a cell or a thirtieth of `target.coverage_mm`",
-                    HelmetFile::default_max_mm)),
+                targets::otherwise(
+                    fmt::format("{:g}, or less: half a cell or a thirtieth of `target.coverage_mm`",
+                                HelmetFile::default_max_mm)),
                 "limit of the largest distance"},
                {"covered_share", &HelmetFile::covered_share, value::number(targets::Bounds{0, 1, true, true}),
                 targets::otherwise("no limit"), "minimum of [covered_share](#covered_share)"},

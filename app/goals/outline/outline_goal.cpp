@@ -272,14 +272,15 @@ extern const GoalKind outline_kind = {
     .meaning = "panel that changes its outline",
     .read = [](const targets::Node& root) { return make_goal(read_outline_file(root)); },
     .table = outline_keys,
-    .metrics = {{"outline_rms", "",
-                 "[distance of the boundary's vertices from the outline](#outline_rms-and-iou), root mean square"},
-                {"outline_max", "", "largest distance of the boundary's vertices from the outline"},
-                {"iou", "", "[area that panel and outline share](#outline_rms-and-iou), relative to that of both"},
-                {"flat_rms", "", "outline_rms of the flat panel, with `target.flat`"},
-                {"flat_iou", "", "iou of the flat panel, with `target.flat`"},
-                {"outline_rms_physics", "", "outline_rms in the simulation"},
-                {"iou_physics", "", "iou in the simulation"}},
+    .metrics =
+        {{"outline_rms", "",
+          "[distance of the boundary's vertices from the outline](#outline_rms-and-iou), root mean square"},
+         {"outline_max", "", "largest distance of the boundary's vertices from the outline"},
+         {"iou", "", "[area that panel and outline share](#outline_rms-and-iou), relative to that of both"},
+         {"flat_rms", "", "outline_rms of the flat panel, with `target.flat`"},
+         {"flat_iou", "", "iou of the flat panel, with `target.flat`"},
+         {"outline_rms_physics", "", "outline_rms in the simulation"},
+         {"iou_physics", "", "iou in the simulation"}},
     .keeps_length = true,
     .usual_cells = {{usual_side, usual_side}}};
 

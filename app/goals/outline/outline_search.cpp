@@ -33,9 +33,9 @@ targets::KeyTable outline_structure_keys(const OutlineFile& usual) {
       {"trim", value::choice(trims),
        targets::otherwise("`none` with `cells` or `target.flat`, else `outline`"),
        "`outline`: the flat panel is cut to the shape of the outline. `none`: a whole rectangle of cells"});
-  keys.push_back(
-      cell_mm_key(targets::otherwise("gives the pressed panel the size of the outline. If the key is given, the "
-                                     "outline is scaled to the panel")));
+  keys.push_back(cell_mm_key(
+      targets::otherwise("gives the pressed panel the size of the outline. If the key is given, the "
+                         "outline is scaled to the panel")));
   keys.push_back(wall_mm_key());
   return targets::KeyTable(std::move(keys));
 }
@@ -61,7 +61,8 @@ void read_cells_of(const targets::Section& structure, OutlineFile& file) {
   structure.read("trim", file.trims, trims);
   if (!node) return;
   const auto sides = as_rectangle(read_cells(*node));
-  if (!sides) throw node->error("the cells do not fill a rectangle, which an outline needs. Give [columns, rows]");
+  if (!sides)
+    throw node->error("the cells do not fill a rectangle, which an outline needs. Give [columns, rows]");
   if ((*sides)[0] * (*sides)[1] > most_cells)
     throw node->error("there are too many cells for a search. Give at most 10000");
   file.columns = (*sides)[0];
@@ -78,8 +79,9 @@ void read_structure(const targets::Section& root, OutlineFile& file) {
   wall.read("height", file.height_mm);
   if (file.flat && file.trims)
     throw root.section("structure")
-        .error("`trim: outline` cannot be combined with `target.flat`, which sets the flat outline. Remove one "
-               "of the two keys");
+        .error(
+            "`trim: outline` cannot be combined with `target.flat`, which sets the flat outline. Remove one "
+            "of the two keys");
 }
 
 void read_variables(const targets::Section& root, OutlineFile& file) {
@@ -123,7 +125,8 @@ const targets::KeyTable& outline_keys() {
           {"tolerance",
            targets::KeyTable({
                {"shape", &OutlineFile::shape_tolerance, value::number(targets::part_of_one),
-                "limit of [outline_rms](#outline_rms-and-iou), relative to the diagonal of the outline's bounding box"},
+                "limit of [outline_rms](#outline_rms-and-iou), relative to the diagonal of the outline's "
+                "bounding box"},
                {"iou", &OutlineFile::iou_tolerance, value::number(targets::part_of_one),
                 "minimum of [iou](#outline_rms-and-iou)"},
                verify_key(),

@@ -46,15 +46,14 @@ const targets::Bounds gusset_lengths = targets::from_to(0.02, 0.9);
 
 targets::KeyTable block_variables_keys() {
   using Variables = optim::SpaceBlockVariables;
-  const targets::KeyTable theta(
-      {{"range_deg", &Variables::theta, value::angle_range(block_turns), "fold angle: half of the rotation of the rotors"}});
-  const targets::KeyTable gusset(
-      {{"range", &Variables::gusset, value::range(gusset_lengths),
-        "lengths of gussets, the pieces between two rotors that never turn, relative to the edge. The shortest "
-        "are 0.2, or as near to 0.2 as the range of the fold angle allows"}});
-  return targets::KeyTable(
-      {targets::Key("fold_angle", theta, "fold angle of the block").formerly("theta"),
-       {"gusset", gusset, "lengths of the gussets"}});
+  const targets::KeyTable theta({{"range_deg", &Variables::theta, value::angle_range(block_turns),
+                                  "fold angle: half of the rotation of the rotors"}});
+  const targets::KeyTable gusset({{"range", &Variables::gusset, value::range(gusset_lengths),
+                                   "lengths of gussets, the pieces between two rotors that never turn, "
+                                   "relative to the edge. The shortest "
+                                   "are 0.2, or as near to 0.2 as the range of the fold angle allows"}});
+  return targets::KeyTable({targets::Key("fold_angle", theta, "fold angle of the block").formerly("theta"),
+                            {"gusset", gusset, "lengths of the gussets"}});
 }
 
 void read_block_structure(const targets::Section& root, SpaceBlockFile& file) {
@@ -72,8 +71,7 @@ void read_block_tolerance(const targets::Section& root, SpaceBlockFile& file) {
   root.read_into(file);
   const auto size = root.section("tolerance").optional("size");
   if (size && !file.goal.size_mm)
-    throw size->key_error(
-        "only applies together with target.size_mm. Add target.size_mm, or remove the key");
+    throw size->key_error("only applies together with target.size_mm. Add target.size_mm, or remove the key");
 }
 
 void check_factor(const targets::Section& target, const SpaceBlockFile& file) {
@@ -310,8 +308,7 @@ extern const GoalKind space_block_kind = {
     .meaning = "block that shrinks by a given factor",
     .read = [](const targets::Node& root) { return make_goal(read_space_block_file(root)); },
     .table = space_block_keys,
-    .metrics = {{"factor_off", "",
-                 "largest difference between a direction's factor and `target.factor`"},
+    .metrics = {{"factor_off", "", "largest difference between a direction's factor and `target.factor`"},
                 {"factor_off_physics", "", "factor_off in the simulation"},
                 {"size_off", "",
                  "largest difference between a length at rest and `target.size_mm`, relative to it"}}};

@@ -30,10 +30,11 @@ const targets::Bounds tilt = targets::between(-89, 89, "degrees");
 
 targets::KeyTable space_curve_structure_keys(const SpaceCurveFile& usual) {
   return targets::KeyTable({
-      cells_key(targets::by_default({static_cast<double>(usual.variables.columns), 1.0}),
-                "[columns, 1]. The default is reduced, to 24 columns at least, if the process cannot print such "
-                "thin walls and fewer columns can follow the curve. If only `cell_mm` is given, the number of "
-                "columns follows from the length of the curve"),
+      cells_key(
+          targets::by_default({static_cast<double>(usual.variables.columns), 1.0}),
+          "[columns, 1]. The default is reduced, to 24 columns at least, if the process cannot print such "
+          "thin walls and fewer columns can follow the curve. If only `cell_mm` is given, the number of "
+          "columns follows from the length of the curve"),
       cell_mm_key(targets::otherwise("gives the strip the curve's length")),
       wall_mm_key(),
   });
@@ -103,9 +104,10 @@ int columns_between_walls(const targets::Section& structure, const SpaceCurveFil
 void check_unit(const targets::Section& root, const SpaceCurveFile& file) {
   if (typical_edge(file) >= smallest_cell_mm) return;
   throw root.required("target", "")
-      .error(fmt::format("the curve is {:.3g} mm long, and {} cells on it would have {:.3g} mm. Give points in "
-                         "millimetres, or structure.cell_mm for a curve this small",
-                         file.wanted.length(), file.variables.columns, typical_edge(file)));
+      .error(
+          fmt::format("the curve is {:.3g} mm long, and {} cells on it would have {:.3g} mm. Give points in "
+                      "millimetres, or structure.cell_mm for a curve this small",
+                      file.wanted.length(), file.variables.columns, typical_edge(file)));
 }
 
 /// Reads `structure`. @pre the variables are read
@@ -142,7 +144,8 @@ void read_variables(const targets::Section& root, SpaceCurveFile& file) {
   std::array<double, 2> tilts = {-v.beta, v.beta};
   beta.read("range_deg", tilts);
   if (!(tilts[0] < 0 && tilts[1] > 0))
-    throw beta.optional("range_deg")->error("the range does not contain 0, an upright hinge. Give a range around 0");
+    throw beta.optional("range_deg")
+        ->error("the range does not contain 0, an upright hinge. Give a range around 0");
   v.beta = std::min(-tilts[0], tilts[1]);
   root.read_into(v);
   if (!(v.t[0] < 0.5 && v.t[1] > 0.5))
@@ -161,9 +164,9 @@ void check_length(const targets::Section& root, const SpaceCurveFile& file) {
   if (file.wanted.length() >= 0.9 * least && file.wanted.length() <= 1.33 * most) return;
   throw root.section("structure")
       .optional("cell_mm")
-      ->error(fmt::format(
-          "{} cells of {:.3g} mm span {:.3g} to {:.3g} mm within the range of the fold angle, and the curve is {:.3g} mm long. Change cell_mm or cells",
-          v.columns, v.size.edge_mm, least, most, file.wanted.length()));
+      ->error(fmt::format("{} cells of {:.3g} mm span {:.3g} to {:.3g} mm within the range of the fold "
+                          "angle, and the curve is {:.3g} mm long. Change cell_mm or cells",
+                          v.columns, v.size.edge_mm, least, most, file.wanted.length()));
 }
 
 void check_reach(const SpaceCurveFile& file, const targets::Node& points, const std::vector<Place>& places) {
@@ -187,7 +190,8 @@ const targets::KeyTable& space_curve_keys() {
            targets::KeyTable({
                {"shape", &SpaceCurveFile::shape_tolerance, value::number(targets::part_of_one),
                 targets::by_default(usual.shape_tolerance),
-                "limit of [shape_rms](#shape_rms-and-shape_max), relative to the diagonal of the curve's bounding box"},
+                "limit of [shape_rms](#shape_rms-and-shape_max), relative to the diagonal of the curve's "
+                "bounding box"},
                verify_key(),
            }),
            "limits for a met goal"},

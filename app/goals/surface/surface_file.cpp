@@ -25,17 +25,19 @@ const targets::Bounds edges = targets::between(0, 10);
 targets::KeyTable surface_target_keys() {
   std::vector<targets::Key> keys = targets::surface_keys();
   keys.insert(keys.begin(), targets::goal_kind_key("surface"));
-  keys.push_back({"ribs", value::integer(1, max_ribs), targets::otherwise("a sheet of facets"),
-                  "number of ribs on a spine, which replace the sheet of facets. They cover any surface, open or "
-                  "closed"});
+  keys.push_back(
+      {"ribs", value::integer(1, max_ribs), targets::otherwise("a sheet of facets"),
+       "number of ribs on a spine, which replace the sheet of facets. They cover any surface, open or "
+       "closed"});
   return targets::KeyTable(std::move(keys));
 }
 
 void read_structure(const targets::Section& root, SurfaceFile& file) {
   const targets::Section structure = root.section("structure");
   if (const auto cell = structure.optional("cell_mm"))
-    throw cell->key_error("only applies to ribs: the walls of a sheet follow from its facets. Remove the key, or "
-                          "add `target.ribs`");
+    throw cell->key_error(
+        "only applies to ribs: the walls of a sheet follow from its facets. Remove the key, or "
+        "add `target.ribs`");
   if (const auto facets = structure.optional("facets")) {
     const auto sides = facets->list_of(2, "[columns, rows]");
     file.columns = sides[0].integer(2, max_facets);
@@ -53,7 +55,8 @@ void read_variables_and_tolerance(const targets::Section& root, SurfaceFile& fil
       sector && !(file.sector[0] < pi / 2 && file.sector[1] > pi / 2))
     throw sector->error("the range does not contain 90. Give a range around 90 degrees");
   if (const auto covered = root.section("tolerance").optional("covered_share"))
-    throw covered->key_error("only applies to ribs. Give `tolerance.cover` for a sheet, or add `target.ribs`");
+    throw covered->key_error(
+        "only applies to ribs. Give `tolerance.cover` for a sheet, or add `target.ribs`");
 }
 
 /// Rejects a surface that turns by more than max_curvature over one flat facet.

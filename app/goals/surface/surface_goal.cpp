@@ -334,10 +334,13 @@ extern const GoalKind surface_kind = {
     .table = surface_file_keys,
     .metrics = {
         {"surface_rms", "",
-         "[distance of the mesh's vertices from the surface's layers](#surface_rms), root mean square, relative to the diagonal"},
-        {"surface_max", "", "largest distance of the mesh's vertices from the surface's layers, relative to the diagonal"},
+         "[distance of the mesh's vertices from the surface's layers](#surface_rms), root mean square, "
+         "relative to the diagonal"},
+        {"surface_max", "",
+         "largest distance of the mesh's vertices from the surface's layers, relative to the diagonal"},
         {"cover", "",
-         "[area that sheet and surface share](#surface_rms), relative to that of both. For ribs: area of their cells"},
+         "[area that sheet and surface share](#surface_rms), relative to that of both. For ribs: area of "
+         "their cells"},
         {"curvature_share", "",
          "for a sheet: [its Gauss curvature](#curvature_share) relative to that of the surface"},
         {"developable_rms", "",
@@ -346,8 +349,11 @@ extern const GoalKind surface_kind = {
         {"covered_share", "",
          "for ribs: [share of the surface's area within a cell edge of a rib](#covered_share)"},
         {"goal_rms", "",
-         "for ribs: distance of the surface from the nearest rib, root mean square, relative to the diagonal"},
-        {"goal_max", "", "for ribs: largest distance of the surface from the nearest rib, relative to the diagonal"},
-        {"free_height", "", "largest height of plates, in mean walls, at which no walls collide during the motion"}}};
+         "for ribs: distance of the surface from the nearest rib, root mean square, relative to the "
+         "diagonal"},
+        {"goal_max", "",
+         "for ribs: largest distance of the surface from the nearest rib, relative to the diagonal"},
+        {"free_height", "",
+         "largest height of plates, in mean walls, at which no walls collide during the motion"}}};
 
 }  // namespace kinetix::app

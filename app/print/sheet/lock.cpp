@@ -364,7 +364,8 @@ void check_lockable(const PrintSheet& sheet, LockKind kind) {
                     to_string(kind), sheet.process.name));
   if (sheet.path.size() < 2)
     throw InvalidInput(
-        fmt::format("lock: {} needs a fold, and only the flat sheet is known. Give design.fold_angle_deg, or remove the lock",
+        fmt::format("lock: {} needs a fold, and only the flat sheet is known. Give design.fold_angle_deg, or "
+                    "remove the lock",
                     to_string(kind)));
 }
 
@@ -374,10 +375,11 @@ void add_lock(PrintSheet& sheet, LockKind kind) {
   check_lockable(sheet, kind);
   if (LockMaker(sheet, kind).add(requested_effort)) return;
   remove_lock(sheet);
-  throw InvalidInput(
-      kind == LockKind::clip
-          ? "lock: clip does not fit: no two bodies that meet in the fold have room for posts and a clip. Give larger cells, lock: strap or lock: none"
-          : "lock: strap does not fit: no two bodies that meet in the fold have room for eyes and a straight strap. Give larger cells or lock: none");
+  throw InvalidInput(kind == LockKind::clip
+                         ? "lock: clip does not fit: no two bodies that meet in the fold have room for posts "
+                           "and a clip. Give larger cells, lock: strap or lock: none"
+                         : "lock: strap does not fit: no two bodies that meet in the fold have room for eyes "
+                           "and a straight strap. Give larger cells or lock: none");
 }
 
 bool add_default_lock(PrintSheet& sheet) {

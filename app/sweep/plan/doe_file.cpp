@@ -13,11 +13,10 @@ using targets::otherwise;
 
 constexpr int max_levels = 1'000'000;  // per factor; their product has a separate limit
 // Values of the key `model`. `bullet` is the earlier name of `rigid_body`.
-constexpr targets::Word<Model> models[] = {
-    {"exact", Model::exact},
-    {"equilibrium", Model::equilibrium},
-    {"rigid_body", Model::bullet},
-    {"bullet", Model::bullet}};
+constexpr targets::Word<Model> models[] = {{"exact", Model::exact},
+                                           {"equilibrium", Model::equilibrium},
+                                           {"rigid_body", Model::bullet},
+                                           {"bullet", Model::bullet}};
 /// Values of the key `start`: whether samples start from the base's state.
 constexpr targets::Word<bool> starts[] = {{"flat", false}, {"base", true}};
 /// Values of the key `method.kind`.
@@ -36,7 +35,8 @@ const targets::KeyTable& method_keys() {
       {"kind", value::choice(methods), needed, "sampling method ([methods](#methods-of-a-sweep))"},
       {"samples", value::integer(1, static_cast<int>(max_samples)),
        targets::by_default(static_cast<double>(usual.samples)),
-       "number of samples. For `saltelli`: the base N of N (d + 2) rows with d factors. For `morris`: the number "
+       "number of samples. For `saltelli`: the base N of N (d + 2) rows with d factors. For `morris`: the "
+       "number "
        "of trajectories. `factorial` and `one_at_a_time` do not use it"},
       {"levels", value::integer(2, max_levels),
        targets::by_default(static_cast<double>(optim::Factor{}.levels)),
@@ -109,7 +109,8 @@ Model read_model(const targets::Section& root) {
 bool read_start(const targets::Section& root, Model model) {
   const auto node = root.optional("start");
   if (!node) return false;
-  if (model != Model::equilibrium) throw node->error("only applies to `model: equilibrium`. Remove the key, or change the model");
+  if (model != Model::equilibrium)
+    throw node->error("only applies to `model: equilibrium`. Remove the key, or change the model");
   return read_word(*node, starts);
 }
 
@@ -138,7 +139,8 @@ FactorPath read_path(const targets::Node& node) {
   const targets::Section section(node, path_keys());
   FactorPath path = read_path(section.required("path", "a path into the base file"));
   section.read_into(path);
-  if (path.times == 0) throw node.error("`times: 0` removes the effect of the factor. Give another multiplier");
+  if (path.times == 0)
+    throw node.error("`times: 0` removes the effect of the factor. Give another multiplier");
   return path;
 }
 
@@ -165,10 +167,12 @@ optim::Factor read_values(const targets::Section& factor) {
              list = factor.optional("values");
   if (range.has_value() + normal.has_value() + list.has_value() != 1)
     throw factor.error(
-        "the values of the factor are not clear. Give exactly one of `range: [lower, upper]`, `normal: {mean: m, "
+        "the values of the factor are not clear. Give exactly one of `range: [lower, upper]`, `normal: "
+        "{mean: m, "
         "std_dev: s}` and `values: [...]`");
   if (const auto levels = factor.optional("levels")) {
-    if (list) throw levels->error("cannot be combined with `values`, each of which is a level. Remove `levels`");
+    if (list)
+      throw levels->error("cannot be combined with `values`, each of which is a level. Remove `levels`");
     values.levels = levels->integer(2, max_levels);
   }
   if (list)
@@ -190,7 +194,8 @@ DoeFactor read_factor(const targets::Node& node) {
   if (factor.add && factor.scale)
     throw node.error("`add: true` and `scale: true` exclude each other. Remove one of the two keys");
   if (factor.each && section.optional("name"))
-    throw section.optional("name")->error("names one column, and `each: true` makes several. Remove `name`, or `each`");
+    throw section.optional("name")->error(
+        "names one column, and `each: true` makes several. Remove `name`, or `each`");
   if (factor.each && factor.paths.size() > 1)
     throw node.error("`each: true` needs a single path. Remove `each`, or give one path");
   return factor;
@@ -213,15 +218,19 @@ std::vector<targets::Node> read_responses(const targets::Section& root) {
   std::vector<std::string> names;
   for (const targets::Node& entry : responses) {
     names.push_back(entry.text("the name of a metric"));
-    if (std::count(names.begin(), names.end(), names.back()) > 1) throw entry.error("the response is listed twice. Remove one entry");
+    if (std::count(names.begin(), names.end(), names.back()) > 1)
+      throw entry.error("the response is listed twice. Remove one entry");
   }
   return responses;
 }
 
 void check_kind_of_file(const targets::Node& root) {
   if (root.kind() == targets::Node::Kind::map && !root.optional("factors")) {
-    if (root.optional("design")) throw root.error("this file is a design, not a sweep. Run `kinetix-opt simulate DESIGN.yaml`, or give a sweep");
-    if (root.optional("target")) throw root.error("this file is a target, not a sweep. Run `kinetix-opt TARGET.yaml`, or give a sweep");
+    if (root.optional("design"))
+      throw root.error(
+          "this file is a design, not a sweep. Run `kinetix-opt simulate DESIGN.yaml`, or give a sweep");
+    if (root.optional("target"))
+      throw root.error("this file is a target, not a sweep. Run `kinetix-opt TARGET.yaml`, or give a sweep");
   }
 }
 
@@ -237,7 +246,8 @@ const targets::KeyTable& doe_keys() {
        "model of a sample. `exact`: the analytic motion. `equilibrium`: elastic hinges. `rigid_body`: the "
        "simulation"},
       {"start", value::choice(starts), targets::by_default("flat"),
-       "for `model: equilibrium`: `flat` follows the load from flat. `base` starts from the base's state at the "
+       "for `model: equilibrium`: `flat` follows the load from flat. `base` starts from the base's state at "
+       "the "
        "end of its drive, for small errors"},
       {"method", method_keys(), "sampling method and number of samples", needed},
       {"factors", value::list(value::map(factor_keys()), "a list of factors"), needed,

@@ -107,7 +107,7 @@ const targets::Key* find_key(const targets::ValueType& type, std::string_view na
 }
 
 targets::ValueType file_type(const SweepBase& base) {
-  return targets::value::map(base.target    ? base.target->kind->table()
+  return targets::value::map(base.target         ? base.target->kind->table()
                              : base.has_bodies() ? bodies_keys()
                                                  : design_keys());
 }
@@ -267,8 +267,8 @@ std::vector<Match> find_matches(const SweepBase& base, targets::DocumentEditor& 
   std::vector<Match> matches = structural(base, path);
   if (!matches.empty()) return matches;
   const targets::DocumentPath in_file = renamed(base, path, true);
-  const auto items = is_optional_key(base, renamed(base, path, false)) ? editor.find_or_add(in_file)
-                                                                       : editor.find(in_file);
+  const auto items =
+      is_optional_key(base, renamed(base, path, false)) ? editor.find_or_add(in_file) : editor.find(in_file);
   for (const int item : items) matches.push_back({editor.path(item), {{Kind::document, item}}});
   if (matches.empty()) throw InvalidInput(describe_unknown_path(base, editor, path));
   return matches;

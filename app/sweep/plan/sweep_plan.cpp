@@ -92,7 +92,8 @@ void check_names(const Columns& columns) {
   for (std::size_t k = 0; k < columns.factors.size(); ++k)
     for (std::size_t n = 0; n < k; ++n)
       if (targets::lower_case(columns.factors[n].name) == targets::lower_case(columns.factors[k].name))
-        throw columns.nodes[k].error("two factors have the name " + targets::in_ticks(columns.factors[k].name) +
+        throw columns.nodes[k].error("two factors have the name " +
+                                     targets::in_ticks(columns.factors[k].name) +
                                      ". Give one of them another `name`");
 }
 
@@ -118,17 +119,20 @@ void check_edits(const DoeFile& doe, const Columns& columns, const SweepBase& ba
   for (const Edit& edit : columns.edits) {
     const targets::Node& node = columns.nodes[edit.factor];
     if (edit.kind == Edit::Kind::theta_deg && base.design->drive)
-      throw node.error("the `drive` of the base sets the fold angle. Vary the drive, or remove it from the base");
+      throw node.error(
+          "the `drive` of the base sets the fold angle. Vary the drive, or remove it from the base");
     if (doe.from_base && moves_goal(document, edit))
       throw node.error(
           "cannot vary if samples start from the base's state. Vary hinges and stiffnesses, or remove "
           "`start: base`");
     const auto kind = edit.kind == Edit::Kind::t_mm ? Edit::Kind::t : edit.kind;
     if (!written.emplace(kind, edit.index).second)
-      throw node.error("another factor already varies this number of the base. Remove one of the two factors");
+      throw node.error(
+          "another factor already varies this number of the base. Remove one of the two factors");
     const bool structural = edit.kind != Edit::Kind::document && edit.kind != Edit::Kind::theta_deg;
     if (structural && cells_change)
-      throw node.error("single hinges cannot vary together with `structure.cells`. Remove one of the two factors");
+      throw node.error(
+          "single hinges cannot vary together with `structure.cells`. Remove one of the two factors");
   }
 }
 
@@ -141,7 +145,8 @@ void check_moved(const DoeFile& doe, const Columns& columns, const targets::Docu
   for (std::size_t r = 0; r < responses.size(); ++r)
     if (responses[r].needs_nominal)
       throw doe.responses[r].error(
-          "compares bodies with those of the base, and their number varies with `structure.cells`. Remove the "
+          "compares bodies with those of the base, and their number varies with `structure.cells`. Remove "
+          "the "
           "response, or that factor");
 }
 
@@ -150,7 +155,8 @@ std::vector<double> base_of(const Columns& columns) {
   for (std::size_t k = 0; k < columns.factors.size(); ++k)
     if (std::isnan(columns.bases[k]))
       throw columns.nodes[k].error(
-          "`one_at_a_time` starts from the base, which has no single value here. Add the number to the base, or "
+          "`one_at_a_time` starts from the base, which has no single value here. Add the number to the base, "
+          "or "
           "give `add: true` or `scale: true`");
   return columns.bases;
 }
@@ -190,9 +196,10 @@ void check_columns(const DoeFile& doe, const Columns& columns, const std::vector
 
 void check_model(const DoeFile& doe, const SweepBase& base) {
   if (!base.target || doe.model == Model::bullet || doe.model == base.target->kind->model) return;
-  throw doe.root.error(fmt::format("a search for a {} needs another model. Give `model: {}`, or `rigid_body` for the "
-                                   "simulation",
-                                   base.target->kind->name, to_string(base.target->kind->model)));
+  throw doe.root.error(
+      fmt::format("a search for a {} needs another model. Give `model: {}`, or `rigid_body` for the "
+                  "simulation",
+                  base.target->kind->name, to_string(base.target->kind->model)));
 }
 
 /// Rejects keys of the sweep that only designs allow.
@@ -209,9 +216,12 @@ void refuse_for_targets(const DoeFile& doe, const SweepBase& base) {
 /// Rejects keys of the sweep that only sheets allow.
 void check_bodies(const DoeFile& doe, const SweepBase& base) {
   if (!base.has_bodies()) return;
-  if (doe.goal) throw doe.root.optional("goal")->error("only applies to sheets, and the base is a design of bodies. Remove the key");
+  if (doe.goal)
+    throw doe.root.optional("goal")->error(
+        "only applies to sheets, and the base is a design of bodies. Remove the key");
   if (doe.from_base)
-    throw doe.root.optional("start")->error("only applies to sheets, and the base is a design of bodies. Remove the key");
+    throw doe.root.optional("start")->error(
+        "only applies to sheets, and the base is a design of bodies. Remove the key");
 }
 
 /// Reads a goal that measures the distance of any state from it.
@@ -221,8 +231,9 @@ Target read_goal(const std::string& file) {
   std::vector<std::string_view> kinds;
   for (const GoalKind* kind : goal_kinds())
     if (!kind->measures.empty()) kinds.push_back(kind->name);
-  throw InvalidInput(fmt::format("the goal of a sweep has another kind. Give a target of kind {}", fmt::join(kinds, " or ")),
-                     {file, 0, 0, "target.kind"});
+  throw InvalidInput(
+      fmt::format("the goal of a sweep has another kind. Give a target of kind {}", fmt::join(kinds, " or ")),
+      {file, 0, 0, "target.kind"});
 }
 
 /// Returns the ends of a factor's values; for a normal distribution its mean.
@@ -271,7 +282,8 @@ void check_exact(const SweepPlan& plan) {
     why = exact.why;
   }
   if (!why.empty())
-    throw plan.doe.root.error(why + ". Give `model: equilibrium` or `rigid_body`, which need no exact family");
+    throw plan.doe.root.error(why +
+                              ". Give `model: equilibrium` or `rigid_body`, which need no exact family");
 }
 
 SweepBase read_base_of(const DoeFile& doe, const targets::DocumentChanges& changes) {

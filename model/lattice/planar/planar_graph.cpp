@@ -280,7 +280,8 @@ void validate(const PlanarGraph& graph) {
     throw InvalidInput("a lattice needs at least two vertices and a wall between them");
   for (int v = 0; v < static_cast<int>(graph.vertices.size()); ++v)
     if (!graph.vertices[v].allFinite())
-      throw InvalidInput("vertex " + std::to_string(v) + " has a coordinate that is not finite. Give finite numbers");
+      throw InvalidInput("vertex " + std::to_string(v) +
+                         " has a coordinate that is not finite. Give finite numbers");
   check_edges(graph);
   NearEdges near(graph);
   const double distance = touching * near.mean_length();

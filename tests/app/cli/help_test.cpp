@@ -30,7 +30,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 std::set<std::string> options_in(const std::string& text) {
   static const std::regex option("(^|[ ,])(--[a-z-]+|-[a-z])(?=[ ,\n]|$)");
   std::set<std::string> found;
-  for (std::sregex_iterator at(text.begin(), text.end(), option), end; at != end; ++at) found.insert((*at)[2].str());
+  for (std::sregex_iterator at(text.begin(), text.end(), option), end; at != end; ++at)
+    found.insert((*at)[2].str());
   return found;
 }
 
@@ -69,7 +70,8 @@ TEST(Help, NamesUnitsAndNoRangesInPlaceholders) {
   EXPECT_THAT(help, HasSubstr("--clearance MM "));
   EXPECT_THAT(help, HasSubstr("--bed MM,MM "));
   EXPECT_THAT(help_of(""), HasSubstr("--time-limit SECONDS"));
-  for (const char* command : commands) EXPECT_EQ(help_of(command).find("FLOAT"), std::string::npos) << command;
+  for (const char* command : commands)
+    EXPECT_EQ(help_of(command).find("FLOAT"), std::string::npos) << command;
 }
 
 TEST(Help, NamesTheKindsOfGoalsAlsoWithoutArguments) {

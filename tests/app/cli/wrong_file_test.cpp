@@ -56,9 +56,10 @@ TEST(WrongFile, MayBeAPictureOrADrawing) {
   for (int row = 0; row < 12; ++row) bar += "0 0 0 0 1 1 1 1 0 0 0 0\n";
   scratch.write("my logo.pbm", bar);
   expect_useful_yaml(scratch, "my logo.pbm", "image: \"my logo.pbm\"");
-  scratch.write("walls.SVG",
-                "<svg xmlns='http://www.w3.org/2000/svg' width='20mm' height='10mm' viewBox='0 0 20 10'>"
-                "<path d='M0 0 L10 0 L20 0 L20 10 L10 10 L0 10 Z'/><line x1='10' y1='0' x2='10' y2='10'/></svg>");
+  scratch.write(
+      "walls.SVG",
+      "<svg xmlns='http://www.w3.org/2000/svg' width='20mm' height='10mm' viewBox='0 0 20 10'>"
+      "<path d='M0 0 L10 0 L20 0 L20 10 L10 10 L0 10 Z'/><line x1='10' y1='0' x2='10' y2='10'/></svg>");
   expect_useful_yaml(scratch, "walls.SVG", "drawing: walls.SVG");
 }
 

@@ -32,7 +32,8 @@ struct Renamed {
 };
 
 const Renamed designs[] = {
-    {"design: {fold_angle_deg: 20}", "design: {theta_deg: 20}", "design: {fold_angle_deg: 20, theta_deg: 20}"},
+    {"design: {fold_angle_deg: 20}", "design: {theta_deg: 20}",
+     "design: {fold_angle_deg: 20, theta_deg: 20}"},
     {"design: {hinges: [" + wall + "hinge_position: 0.4}]}", "design: {hinges: [" + wall + "t: 0.4}]}",
      "design: {hinges: [" + wall + "hinge_position: 0.4, t: 0.4}]}"},
     {"design: {hinges: [" + wall + "tilt_deg: 30}]}", "design: {hinges: [" + wall + "beta_deg: 30}]}",
@@ -42,7 +43,8 @@ const Renamed designs[] = {
      "drive: {kind: plates, compression: 0.1, push_only: true, press: true}"},
     {"hinge: {kind: pin, diameter_mm: 2, round_caps: true}", "hinge: {kind: pin, diameter_mm: 2, caps: true}",
      "hinge: {kind: pin, diameter_mm: 2, round_caps: true, caps: true}"},
-    {"process: {min_wall_mm: 0.4, std_dev: {tilt_deg: 1}}", "process: {least_wall_mm: 0.4, sd: {tilt_deg: 1}}",
+    {"process: {min_wall_mm: 0.4, std_dev: {tilt_deg: 1}}",
+     "process: {least_wall_mm: 0.4, sd: {tilt_deg: 1}}",
      "process: {std_dev: {tilt_deg: 1}, sd: {tilt_deg: 1}}"},
     {"process: {base: laser, min_film_mm: 2}", "process: {base: laser, least_film_mm: 2}",
      "process: {base: laser, min_film_mm: 2, least_film_mm: 2}"}};
@@ -67,10 +69,9 @@ TEST(EarlierNames, AreRefusedTogetherWithTheCurrentOnes) {
 TEST(EarlierNames, AreNotListedAmongTheAllowedOnes) {
   EXPECT_THAT(refusal([] { design(sheet + "design: {angle: 20}\n"); }),
               HasSubstr("allowed: fold_angle_deg, pattern, hinges"));
-  EXPECT_THAT(refusal([] {
-                read_goal("kinetix: 1\ntarget: {kind: fold, box: [2, 2, 2]}\ndrive: {kind: usal}\n");
-              }),
-              HasSubstr("allowed: auto, shape_memory"));
+  EXPECT_THAT(
+      refusal([] { read_goal("kinetix: 1\ntarget: {kind: fold, box: [2, 2, 2]}\ndrive: {kind: usal}\n"); }),
+      HasSubstr("allowed: auto, shape_memory"));
 }
 
 TEST(EarlierNames, OfTargetsAreRead) {
@@ -85,8 +86,8 @@ TEST(EarlierNames, OfTargetsAreRead) {
     const auto named = [&](const std::array<std::string, 4>& names) {
       std::string out = head + text;
       for (std::size_t k = 0; k < names.size(); ++k)
-        for (std::size_t at; (at = out.find(std::string(1, static_cast<char>('A' + k)), head.size())) !=
-                             std::string::npos;)
+        for (std::size_t at;
+             (at = out.find(std::string(1, static_cast<char>('A' + k)), head.size())) != std::string::npos;)
           out.replace(at, 1, names[k]);
       return out;
     };

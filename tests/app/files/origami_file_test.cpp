@@ -122,8 +122,7 @@ TEST(OrigamiFile, SaysWhereMountainAndValleyMustChangePlaces) {
   ASSERT_EQ(inner.size(), 4u);
   const bool level = text[inner[1]] != text[inner[2]];
   std::swap(text[inner[level ? 1 : 0]], text[inner[level ? 2 : 3]]);
-  expect_refused(text,
-                 "vertex 4 does not fold. Exchange the mountain and the valley of its unequal pair");
+  expect_refused(text, "vertex 4 does not fold. Exchange the mountain and the valley of its unequal pair");
 }
 
 TEST(OrigamiFile, KnowsItsUnit) {
@@ -156,7 +155,8 @@ TEST(OrigamiFile, FramesInheritFromTheirParents) {
   EXPECT_EQ(unit(cm, inherits + "\"frame_unit\": \"mm\", "), 1);
   expect_refused(file("", "\"frame_inherit\": true, \"frame_parent\": 1, "),
                  "frame 1 inherits from a missing frame, from itself");
-  expect_refused(file("", "\"frame_inherit\": true, \"frame_parent\": 7, "), "frame 1 inherits from a missing frame");
+  expect_refused(file("", "\"frame_inherit\": true, \"frame_parent\": 7, "),
+                 "frame 1 inherits from a missing frame");
 }
 
 TEST(OrigamiFile, IsRefusedWhereItIsNestedTooDeep) {

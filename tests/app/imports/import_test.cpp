@@ -89,9 +89,9 @@ TEST(Import, TakesMaterialsAndNamesOfObj) {
   EXPECT_EQ(hinge["name"], "joint");
   EXPECT_EQ(hinge["bodies"], Json({"left_wall", "right_wall"}));
   EXPECT_EQ(hinge["axis"], Json({0, 0, 1}));
-  EXPECT_EQ(
-      found["unit"],
-      "millimetres, inferred: the file has no unit, and the model is 18 of them long. Give --unit for another one");
+  EXPECT_EQ(found["unit"],
+            "millimetres, inferred: the file has no unit, and the model is 18 of them long. Give --unit for "
+            "another one");
   EXPECT_TRUE(fs::exists(scratch / "out/parts/left_wall.stl"));
   EXPECT_EQ(kinetix_opt("check " + (scratch / "out/design.yaml").string()).code, 0);
 }
@@ -457,7 +457,8 @@ TEST(Import, IsExportedAndImportedAgain) {
   const Outcome refused =
       kinetix_opt("export " + design + " --format step -o " + (scratch / "step").string());
   EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("`step` only applies to sheets, and this is a design of bodies. Give stl, 3mf, glb"));
+  EXPECT_THAT(refused.err,
+              HasSubstr("`step` only applies to sheets, and this is a design of bodies. Give stl, 3mf, glb"));
 }
 
 /// Parts of a sheet whose loops do not close are not exported folded if the drive ends before that fold.

@@ -246,7 +246,8 @@ TEST(TileImport, RefusesDrivesThatContradictThemselves) {
     EXPECT_THAT(run.err, HasSubstr(says)) << text;
   };
   refused("drive: {expand: 2, angle_deg: 20}\n", "drive.angle_deg: cannot be combined with `expand`");
-  refused("drive: {expand: 2, poses: [[0,0,0,1,0,0,0],[0,0,0,1,0,0,0]]}\n", "cannot be combined with `poses`");
+  refused("drive: {expand: 2, poses: [[0,0,0,1,0,0,0],[0,0,0,1,0,0,0]]}\n",
+          "cannot be combined with `poses`");
   refused("drive: {poses: [[0,0,0,1,0,0,0],[0,0,0,1,0,0,0],[0,0,0,1,0,0,0]]}\n",
           "has 3 poses, and the structure has 2 bodies");
   refused("drive: {poses: [[0,0,0,1,0,0,0],[0,0,0,2,0,0,0]]}\n", "the quaternion has length 2");

@@ -161,7 +161,8 @@ TEST(Certify, FindsWallsThatOverlapAsBuilt) {
           hinges,
       "exact");
   EXPECT_THAT(reported.words, HasSubstr("NOT PROVEN"));
-  EXPECT_THAT(reported.words, HasSubstr("walls [[2, 0], [2, 1]] and [[2, 1], [3, 1]] overlap in the flat sheet"));
+  EXPECT_THAT(reported.words,
+              HasSubstr("walls [[2, 0], [2, 1]] and [[2, 1], [3, 1]] overlap in the flat sheet"));
   const Json& certified = reported.result["certified"];
   EXPECT_EQ(certified["covers_theta"], false);
   EXPECT_EQ(certified["design"]["high"]["contact_rad"], 0.0);

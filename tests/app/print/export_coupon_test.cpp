@@ -28,7 +28,8 @@ TEST(Export, TakesTheClearanceOfACouponInsteadOfTheProcesss) {
   EXPECT_THAT(text_of(scratch / "out/print.txt"),
               HasSubstr("--clearance 0.15 leaves the design's own pins as they are"));
   expect_refused(described, "--format stl --process sla --clearance 0.3",
-                 "--clearance 0.3 is not the clearance of the design's pins, 0.2 mm. Change `clearance_mm` in the design");
+                 "--clearance 0.3 is not the clearance of the design's pins, 0.2 mm. Change `clearance_mm` "
+                 "in the design");
   const Outcome coupon =
       kinetix_opt("export --coupon --format stl --clearance 0.2 -o " + std::string(scratch / "coupon"));
   EXPECT_EQ(coupon.code, 2);

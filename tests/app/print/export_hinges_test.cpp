@@ -34,7 +34,8 @@ TEST(Export, RefusesWhatItCannotMake) {
                  "--format stl --process sla", "a clearance of 0.06 mm is below the minimum of sla, 0.25 mm",
                  not_printable);
   expect_refused(std::string(panel) + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.4}\n",
-                 "--format stl --process fdm", "a rod of 1 mm is below the minimum of fdm, 3 mm", not_printable);
+                 "--format stl --process fdm", "a rod of 1 mm is below the minimum of fdm, 3 mm",
+                 not_printable);
 }
 
 /// Films of the walls' material are thin walls: one extruder, no glue.
@@ -87,8 +88,7 @@ TEST(Export, RefusesAHingeOnAJunctionAndSaysWhichCellWouldDo) {
 TEST(Export, MakesBlocksWherePinsDoNotFitAndSaysWhy) {
   const std::string design =
       std::string(panel).replace(std::string(panel).find("cell_mm: 12"), 11, "cell_mm: 8");
-  expect_refused(design, "--format stl --process fdm --hinge pin", "fits: give --cell-mm ",
-                 not_printable);
+  expect_refused(design, "--format stl --process fdm --hinge pin", "fits: give --cell-mm ", not_printable);
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, design, "--format stl --process fdm").code, 0);
   const Json json = print_json_of(scratch);
@@ -404,8 +404,7 @@ TEST(Export, RefusesPinsWithoutRoomForAnEyeAndSaysHowHighTheirWallsHaveToBe) {
   const std::string pins = "--format stl --hinge pin --process fdm";
   expect_refused(low, pins, "a pin 1.5 mm high has no room for an eye between two clearances of 0.53 mm",
                  not_printable);
-  expect_refused(low, pins, "x 2.12 mm a cell_mm of 30 fits: give --cell-mm 30",
-                 not_printable);
+  expect_refused(low, pins, "x 2.12 mm a cell_mm of 30 fits: give --cell-mm 30", not_printable);
   const Scratch scratch;
   ASSERT_EQ(exported(scratch, low, pins + " --cell-mm 30").code, 0);
   EXPECT_NEAR(double(print_json_of(scratch)["bounds_mm"][2]), 2.12, 1e-6) << "in floats";
@@ -419,11 +418,9 @@ design: {theta_deg: 20, hinges: [{wall: [[1, 0], [2, 0]], beta_deg: 30}, {wall: 
 )";
   const std::string own = leaning + "hinge: {kind: pin, diameter_mm: 2, clearance_mm: 0.2}\n";
   for (const char* options : {"--format stl", "--format stl --hinge block"})
-    expect_refused(own, options,
-                   "Change its `hinge:` to `kind: block`, or remove it and give --hinge block",
+    expect_refused(own, options, "Change its `hinge:` to `kind: block`, or remove it and give --hinge block",
                    not_printable);
-  expect_refused(leaning, "--format stl --hinge pin", "pins cannot. Give --hinge block",
-                 not_printable);
+  expect_refused(leaning, "--format stl --hinge pin", "pins cannot. Give --hinge block", not_printable);
 }
 
 }  // namespace

@@ -97,8 +97,7 @@ TEST(Export, SaysWhichOptionsChangeNothing) {
       std::string(panel) + "hinge: {kind: pin, diameter_mm: 1, clearance_mm: 0.2}\n";
   ASSERT_EQ(exported(scratch, described, "--format stl --hinge block").code, 0);
   EXPECT_EQ(print_json_of(scratch)["hinge"], "pin");
-  EXPECT_THAT(print_json_of(scratch)["warnings"].dump(),
-              HasSubstr("--hinge has no effect: the design sets"));
+  EXPECT_THAT(print_json_of(scratch)["warnings"].dump(), HasSubstr("--hinge has no effect: the design sets"));
   ASSERT_EQ(exported(scratch, panel, "--format stl --hinge block --clearance 0.2 --loose-rods").code, 0);
   const std::string said = print_json_of(scratch)["warnings"].dump();
   EXPECT_THAT(said, HasSubstr("--clearance has no effect: no hinge is a pin"));

@@ -94,8 +94,7 @@ TEST(Rods, TakeCapsAndAreAlwaysSeparate) {
   ASSERT_EQ(exported(scratch, open, "--format stl --process fdm --cell-mm 16 --caps").code, 0);
   EXPECT_EQ(print_json_of(scratch)["hinge"], "rod");
   ASSERT_EQ(exported(scratch, open, "--format stl --process fdm --loose-rods").code, 0);
-  EXPECT_THAT(text_of(scratch / "out/print.txt"),
-              HasSubstr("--loose-rods has no effect: no hinge is a pin"));
+  EXPECT_THAT(text_of(scratch / "out/print.txt"), HasSubstr("--loose-rods has no effect: no hinge is a pin"));
 }
 
 /// A search of `--hinge rod` ends with rods of their usual size, in cells that `export` prints.

@@ -38,8 +38,7 @@ const Bad bad_sweeps[] = {
      "0 is out of range"},
     {sweep_of("{kind: factorial}", "  - {path: hinge.k_point, range: [-1, 40]}\n", "end_mm"),
      "hinge.k_point: `-1`"},
-    {sweep_of("{kind: factorial}", "  - {path: design.theta_deg, range: [40, 5]}\n", "end_mm"),
-     "reversed"},
+    {sweep_of("{kind: factorial}", "  - {path: design.theta_deg, range: [40, 5]}\n", "end_mm"), "reversed"},
     {sweep_of("{kind: factorial}", "  - {path: design.theta_deg}\n", "end_mm"),
      "Give exactly one of `range:"},
     {sweep_of("{kind: factorial}", "  - {path: design.theta_deg, normal: {mean: 20, sd: 0}}\n", "end_mm"),
@@ -131,9 +130,7 @@ TEST(SweepBadInput, ColumnsAreOfSquaresAlone) {
       sweep_of("{kind: factorial}", "  - {path: \"design.columns[0].t\", range: [0.4, 0.6]}\n", "end_mm"), "",
       "kinetix: 1\nstructure: {lattice: honeycomb, cells: [3, 2], cell_mm: 10}\ndesign: {theta_deg: 20}\n");
   EXPECT_EQ(run.code, 2);
-  EXPECT_THAT(
-      run.err,
-      HasSubstr("the base has no number at `design.columns[0].t`. Did you mean `"));
+  EXPECT_THAT(run.err, HasSubstr("the base has no number at `design.columns[0].t`. Did you mean `"));
 }
 
 TEST(SweepBadInput, WhatMeasuresDesignsIsRefusedWhereTheBaseIsATarget) {

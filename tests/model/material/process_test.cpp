@@ -56,7 +56,8 @@ TEST(Process, DoesNotPrintRodsOfWire) {
   wire.clearance_mm = 0.05;
   const auto problems = print_problems(fdm, sheet(10, 0.8), wire);
   ASSERT_EQ(problems.size(), 1u);
-  EXPECT_THAT(problems[0].what, HasSubstr("a rod's clearance of 0.05 mm is below the minimum of fdm, 0.1 mm"));
+  EXPECT_THAT(problems[0].what,
+              HasSubstr("a rod's clearance of 0.05 mm is below the minimum of fdm, 0.1 mm"));
   EXPECT_EQ(clearance_scatter(wire, fdm.sd).place_mm, clearance_scatter(pin(0.5, 0.05), fdm.sd).place_mm);
 }
 

@@ -67,7 +67,10 @@ TEST(DisplayGoal, KeepsPanelsWithinBounds) {
   EXPECT_NO_THROW(check_panel({1000, 250}));
   EXPECT_THAT(refusal([] { check_panel({1, 10}); }), HasSubstr("1 x 10 cells is too small"));
   EXPECT_THAT(refusal([] { check_panel({-3, 10}); }), HasSubstr("too small"));
-  EXPECT_THAT(refusal([] { check_panel({1001, 10}); }), HasSubstr("too large. Give at most 1000 cells per side"));
+  EXPECT_THAT(refusal([] {
+                check_panel({1001, 10});
+              }),
+              HasSubstr("too large. Give at most 1000 cells per side"));
   EXPECT_THAT(refusal([] { check_panel({501, 500}); }), HasSubstr("250000 in all"));
 }
 

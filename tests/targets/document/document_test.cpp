@@ -350,7 +350,8 @@ TEST(Wording, CountsOneThingInTheSingular) {
 
 TEST(Bounds, HaveFewDigitsWithinWhatTheyAllow) {
   const double edge_mm = 9.066687;
-  EXPECT_EQ(from_to(1e-6 * edge_mm, 0.5 * edge_mm, "mm").describe(), "a number from 0.000009067 to 4.533, in mm");
+  EXPECT_EQ(from_to(1e-6 * edge_mm, 0.5 * edge_mm, "mm").describe(),
+            "a number from 0.000009067 to 4.533, in mm");
   EXPECT_EQ(between(0, 0.7 * 3).describe(), "a number above 0 and below 2.1");
   EXPECT_EQ(at_least(0.123456).describe(), "a number of at least 0.123456");
 }

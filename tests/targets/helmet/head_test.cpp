@@ -210,8 +210,7 @@ TEST(Head, OfAnotherSizeIsRefusedWithTheUnitThatWouldDo) {
   EXPECT_THAT(says(sized(0.23), {}, "units"), HasSubstr("Give `units: m` for 230 mm"));
   EXPECT_THAT(says(sized(23), {}, "units"), HasSubstr("Give `units: cm` for 230 mm"));
   EXPECT_THAT(says(sized(9), {}, "units"), HasSubstr("Give `units: in` for 228.6 mm"));
-  EXPECT_THAT(says(sized(230), {.unit = LengthUnit::m}, "units"),
-              HasSubstr("Give `units: mm` for 230 mm"));
+  EXPECT_THAT(says(sized(230), {.unit = LengthUnit::m}, "units"), HasSubstr("Give `units: mm` for 230 mm"));
   EXPECT_THAT(says(sized(2e6), {}, "units"),
               HasSubstr("is 2e+06 mm long, and a head or a bust is 100 to 1000 mm"));
 }

@@ -288,9 +288,8 @@ TEST(PlanarDrive, RefusesRowsThatCurveInTheExactMotion) {
   const ExactMotion motion = exact_motion(s);
   ASSERT_TRUE(motion) << motion.why;
   EXPECT_FALSE(keeps_rows_straight(y, Axis::y, boundary_rows(s, Axis::y)));
-  EXPECT_THAT(
-      refusal([&] { motion.theta_of(plate_drive(s, Axis::y, 0.1, 1)); }),
-      HasSubstr("plates normal to y would keep rows straight that curve in this panel's motion"));
+  EXPECT_THAT(refusal([&] { motion.theta_of(plate_drive(s, Axis::y, 0.1, 1)); }),
+              HasSubstr("plates normal to y would keep rows straight that curve in this panel's motion"));
   const LinkageDrive drive = drive_to(s, 0.3);
   EXPECT_EQ(drive.kind, LinkageDrive::Kind::hinge) << "rows across x curve as well";
   EXPECT_NEAR(motion.theta_of(drive), 0.3, 1e-9);
