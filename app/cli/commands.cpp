@@ -340,8 +340,8 @@ std::string time_text(const Forecast& f, const model::Linkage& linkage) {
   const double memory_mb = memory_needed(linkage) / 1e6;
   std::string parts;
   if (f.search_s + physics >= 1)
-    parts = fmt::format(" (search {}, physics run {})", about(f.search_s),
-                        f.has_physics ? about(physics) : "none");
+    parts = fmt::format(" (search {}, simulation {})", about(f.search_s),
+                        f.has_physics ? about(physics) : "skipped: too large");
   return fmt::format("{}{}, {:.0f} MB of memory", about(f.search_s + physics), parts, memory_mb);
 }
 
@@ -353,7 +353,7 @@ std::string text_of(const Forecast& f, const char* lies) {
                                 f.sheet.bodies(), f.sheet.hinges(), size_text(flat_size(linkage)),
                                 f.sheet.size().edge_mm, f.sheet.size().thickness_mm));
   if (f.folded_mm) out += line("folded", "about " + size_text(*f.folded_mm) + lies);
-  out += line("takes", time_text(f, linkage));
+  out += line("run time", time_text(f, linkage));
   for (const std::string& note : f.notes) out += line("note", note);
   return out;
 }
@@ -438,9 +438,10 @@ CheckedFile check_file(const std::string& file, const targets::DocumentChanges& 
   if (design.structure.bodies() <= max_bodies_for_contact)
     out.contact = contact_of(design);
   else
-    out.forecast->notes.push_back(fmt::format(
-        "the collision-free range is computed here for up to {} bodies; `simulate` needs {} for it",
-        max_bodies_for_contact, about(contact_seconds(design.structure))));
+    out.forecast->notes.push_back(
+        fmt::format("the collision-free range is computed here for up to {} bodies. Run `simulate`, which "
+                    "needs {} for it",
+                    max_bodies_for_contact, about(contact_seconds(design.structure))));
   return out;
 }
 

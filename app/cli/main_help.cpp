@@ -11,8 +11,10 @@
 namespace kinetix::app {
 namespace {
 
-constexpr int name_width = 28;  // characters: of the column of names
-constexpr int usual_width = 80, min_width = 60, max_width = 100;
+constexpr int name_width = 28;   // characters: of the column of names
+constexpr int usual_width = 80;  // characters: of a line without a terminal
+constexpr int min_width = 60;    // characters: less leaves no room next to the names
+constexpr int max_width = 100;   // characters: longer lines are hard to read
 
 /// Two examples of a command.
 struct CommandExamples {

@@ -117,10 +117,9 @@ void add_export(CLI::App& app, CommandOptions& options, PrintRequest& request) {
   app.add_option("--process", request.process,
                  "polyjet, fdm, sla, sls or laser: its limits are checked (default: the design's)")
       ->type_name("NAME");
-  app.add_option(
-         "--hinge", request.hinge,
-         "pin, block, film or rod (a wire pushed in), for a design that leaves hinges open or computes "
-         "them as joints (default: the design's, else the first kind of the process that fits)")
+  app.add_option("--hinge", request.hinge,
+                 "pin, block, film or rod (a wire pushed in), for open hinges and for hinges computed as "
+                 "joints (default: the design's, else the first kind of the process that fits)")
       ->type_name("KIND");
   app.add_option(
          "--clearance", request.clearance_mm,

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "app/goals/registry.hpp"
 #include "model/base/invalid_input.hpp"
 #include "targets/document/wording.hpp"
 
@@ -17,60 +18,59 @@ namespace fs = std::filesystem;
 
 /// Kind of files that are not YAML, and the YAML file that uses them.
 struct FileUse {
-  std::vector<std::string_view> endings;
   std::string noun;
-  std::string section;      ///< of the YAML file
-  std::string keys;         ///< two lines of the section, without the name of the file at their end
-  std::string command;      ///< that reads the YAML file, without its path at the end
-  std::string advice = {};  ///< for another intention; a sentence
+  std::string section;  ///< of the YAML file
+  std::string keys;     ///< two lines of the section, without the name of the file at their end
+  std::string command;  ///< that reads the YAML file, without its path at the end
+  std::string advice;   ///< for another intention, a sentence
 };
 
+constexpr std::string_view picture_endings[] = {".png", ".pbm", ".pgm"};
+constexpr std::string_view mesh_endings[] = {".obj", ".stl", ".ply"};
+constexpr std::string_view drawing_endings[] = {".svg", ".dxf"};
 constexpr std::string_view model_endings[] = {".3mf", ".step", ".stp", ".glb"};
 constexpr std::string_view unread_pictures[] = {".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp"};
 
-const std::vector<FileUse>& file_uses() {
-  static const std::vector<FileUse> uses = {
-      {{".png", ".pbm", ".pgm"}, "a picture", "target", "kind: display\n    image: ", "kinetix-opt "},
-      {{".obj", ".stl", ".ply"},
-       "a mesh",
-       "target",
-       "kind: helmet  # for a head; `surface` for an open surface\n    mesh: ",
-       "kinetix-opt ",
-       "If it has hard and soft parts, run `kinetix-opt import` instead. "},
-      {{".svg", ".dxf"},
-       "a drawing",
-       "structure",
-       "lattice: graph  # its lines are the walls, in mm\n    drawing: ",
-       "kinetix-opt check ",
-       "If it is a picture to show, convert it to PNG. "},
-      {{".fold"},
-       "a crease pattern",
-       "structure",
-       "lattice: graph\n    origami: ",
-       "kinetix-opt simulate --fold-angle-deg 20 "}};
-  return uses;
+bool is_one_of(const std::string& ending, const auto& endings) {
+  return std::find(std::begin(endings), std::end(endings), ending) != std::end(endings);
 }
 
-/// Returns the use of a table of points, by the columns of its header.
-FileUse use_of_table(const std::string& file) {
+/// Returns the use of a file by the first kind of goal that reads its form. A comment lists all such kinds.
+FileUse use_by_goals(const char* noun, std::string_view form, const char* advice = "") {
+  const GoalKind* first = nullptr;
+  std::string comment;
+  for (const GoalKind* kind : goal_kinds()) {
+    if (!kind->file || kind->file->form != form) continue;
+    comment += first ? fmt::format("; {}: {}", kind->name, kind->meaning) : std::string(kind->meaning);
+    if (!first) first = kind;
+  }
+  return {noun, "target", fmt::format("kind: {}  # {}\n    {}: ", first->name, comment, first->file->key),
+          "kinetix-opt ", advice};
+}
+
+/// Returns the form of a table of points, by the columns of its header.
+std::string_view form_of_table(const std::string& file) {
   std::ifstream in(file);
-  std::string line;
-  while (std::getline(in, line) && (line.empty() || line[0] == '#')) continue;
-  const auto columns = std::count(line.begin(), line.end(), ',') + 1;
-  const bool is_plane = line.find('z') == std::string::npos && line.find('Z') == std::string::npos;
-  const char* kind = columns == 3 ? "space_curve" : is_plane ? "outline" : "curve";
-  const char* header = columns == 3 ? "x,y,z" : is_plane ? "x,y" : "x,z";
-  return {{},
-          "a table of points",
-          "target",
-          fmt::format("kind: {}  # points in mm, with the header {}\n    points: ", kind, header),
-          "kinetix-opt "};
+  std::string header;
+  while (std::getline(in, header) && (header.empty() || header[0] == '#')) continue;
+  header = targets::lower_case(header);
+  if (std::count(header.begin(), header.end(), ',') == 2) return "x,y,z";
+  return header.find('y') == std::string::npos ? "x,z" : "x,y";
 }
 
 std::optional<FileUse> use_of(const std::string& file, const std::string& ending) {
-  if (ending == ".csv") return use_of_table(file);
-  for (const FileUse& use : file_uses())
-    if (std::find(use.endings.begin(), use.endings.end(), ending) != use.endings.end()) return use;
+  if (ending == ".csv") return use_by_goals("a table of points", form_of_table(file));
+  if (is_one_of(ending, picture_endings)) return use_by_goals("a picture", "picture");
+  if (is_one_of(ending, mesh_endings))
+    return use_by_goals("a mesh", "mesh",
+                        "If it has hard and soft parts, run `kinetix-opt import` instead. ");
+  if (is_one_of(ending, drawing_endings))
+    return FileUse{"a drawing", "structure",
+                   "lattice: graph  # its lines are the walls, in mm\n    drawing: ", "kinetix-opt check ",
+                   "If it is a picture to show, convert it to PNG. "};
+  if (ending == ".fold")
+    return FileUse{"a crease pattern", "structure",
+                   "lattice: graph\n    origami: ", "kinetix-opt simulate --fold-angle-deg 20 ", ""};
   return std::nullopt;
 }
 
@@ -90,10 +90,6 @@ std::string advice(const FileUse& use, const fs::path& file) {
   return fmt::format("{}Save these lines as {} and run `{}{}`:\n  kinetix: 1\n  {}:\n    {}{}", use.advice,
                      yaml.string(), use.command, yaml.string(), use.section, use.keys,
                      yaml_text(file.filename().string()));
-}
-
-bool is_one_of(const std::string& ending, const auto& endings) {
-  return std::find(std::begin(endings), std::end(endings), ending) != std::end(endings);
 }
 
 }  // namespace

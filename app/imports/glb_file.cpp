@@ -174,7 +174,7 @@ class GlbModel {
     out.component = component_of(accessor);
     const std::size_t start = whole(accessor, "byteOffset", 0), row = columns * out.component.bytes;
     out.count = whole(accessor, "count");
-    if (accessor.value("type", PlainJson()) != type) damaged(std::string("numbers that are no ") + type);
+    if (accessor.value("type", PlainJson()) != type) damaged(std::string("numbers that are not ") + type);
     if (accessor.value("normalized", PlainJson(false)) == PlainJson(true))
       out.unit = 1 / out.component.largest;
     if (out.stride == 0) out.stride = row;

@@ -354,7 +354,7 @@ int import_command(const CommandOptions& options, const ImportRequest& request) 
   console.stage("finding hinges", -1);
   model::Assembly bodies = assembled(parts, choices);
   tidy_up(bodies);
-  console.stage("how it moves", -1);
+  console.stage("motion", -1);
   const AssemblyMobility mobility = examine(bodies);
   Design design{.name = import_name(request), .structure = model::Lattice(std::move(bodies))};
   if (mobility.hinge >= 0) {

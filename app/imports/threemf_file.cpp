@@ -129,7 +129,7 @@ class ThreemfModel {
     ModelPart& part = found->second;
     if (!is_new) return part;
     const pugi::xml_parse_result parsed = part.document.load_string(package_.text(name).c_str());
-    if (!parsed) fail("is damaged: `" + name + "` is no XML: " + parsed.description());
+    if (!parsed) fail("is damaged: `" + name + "` is not XML: " + parsed.description());
     part.root = part.document.child("model");
     if (!part.root) fail("is damaged: `" + name + "` has no `model`");
     for (const pugi::xml_node& node : part.root.child("resources").children()) {

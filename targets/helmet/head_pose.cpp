@@ -108,7 +108,7 @@ Vector3d crown_of(const TriangleMesh& mesh, const HeadPose& pose) {
   if (!(gap <= crown_reach_mm))
     throw InvalidHead("crown", "is " + number_text(gap) +
                                    " mm from the mesh. Give a point on it, in mm and in the " +
-                                   "mesh's axes, or leave it out for the highest, " + text(top));
+                                   "mesh's axes, or remove the key for the highest, " + text(top));
   return *pose.crown;
 }
 

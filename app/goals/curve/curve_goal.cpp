@@ -318,6 +318,7 @@ extern const GoalKind curve_kind = {
     .name = "curve",
     .example = "target: {kind: curve, points: points.csv}",
     .meaning = "strip that folds into a curve in a plane",
+    .file = {{"points", "x,z"}},
     .read = [](const targets::Node& root) { return make_goal(read_curve_file(root)); },
     .table = curve_keys,
     .metrics = {{"shape_rms", "",

@@ -271,6 +271,7 @@ extern const GoalKind display_kind = {
     .name = "display",
     .example = "target: {kind: display, glyph: T}",
     .meaning = "panel that shows a letter, a word or a picture",
+    .file = {{"image", "picture"}},
     .read = [](const targets::Node& root) { return make_goal(read_display_file(root)); },
     .table = display_keys,
     .model = Model::equilibrium,

@@ -364,7 +364,7 @@ FoldShape shape_of(const targets::SolidGoal& goal, const optim::SolidDesign& des
   add_search(design, out);
   for (const optim::FoldAttempt& attempt : design.attempts) out.obstacles.push_back(attempt.why);
   out.why_not = "no number of columns tried folds freely";
-  out.lines = {{"net", fmt::format("{} face{} of {} cells a side, {} {} per crease", net.faces.size(),
+  out.lines = {{"net", fmt::format("{} face{} of {} cells per side, {} {} per crease", net.faces.size(),
                                    net.faces.size() == 1 ? "" : "s", 2 * goal.cells, net.columns,
                                    net.columns == 1 ? "column" : "columns")},
                {"size", fmt::format("edges of {:.1f} mm when it is closed",

@@ -376,6 +376,7 @@ extern const GoalKind helmet_kind = {
     .name = "helmet",
     .example = "target: {kind: helmet, mesh: head.obj}",
     .meaning = "flat sheet that folds onto a head",
+    .file = {{"mesh", "mesh"}},
     .read = [](const targets::Node& root) { return make_goal(read_helmet_file(root)); },
     .table = helmet_keys,
     .metrics = {

@@ -270,6 +270,7 @@ extern const GoalKind outline_kind = {
     .name = "outline",
     .example = "target: {kind: outline, points: outline.csv}",
     .meaning = "panel that changes its outline",
+    .file = {{"points", "x,y"}},
     .read = [](const targets::Node& root) { return make_goal(read_outline_file(root)); },
     .table = outline_keys,
     .metrics =

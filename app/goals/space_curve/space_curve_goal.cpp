@@ -440,6 +440,7 @@ extern const GoalKind space_curve_kind = {
     .name = "space_curve",
     .example = "target: {kind: space_curve, points: helix.csv}",
     .meaning = "strip that folds into a curve in space",
+    .file = {{"points", "x,y,z"}},
     .read = [](const targets::Node& root) { return make_goal(read_space_curve_file(root)); },
     .table = space_curve_keys,
     .metrics = {{"shape_rms", "",

@@ -84,7 +84,7 @@ const targets::KeyTable& surface_file_keys() {
                {"cell_mm", value::number(targets::above(0, "mm")),
                 targets::otherwise("leaves room between ribs, with 25 cells along the diagonal"),
                 "cell edge of ribs"},
-               thin_walls_key("of a mean wall, or of a cell of ribs",
+               thin_walls_key("mean walls, or cells of ribs",
                               "size of the walls. Their lengths follow from the surface"),
            }),
            "flat sheet"},

@@ -330,6 +330,7 @@ extern const GoalKind surface_kind = {
     .name = "surface",
     .example = "target: {kind: surface, shape: cap}",
     .meaning = "sheet or ribs that cover a curved surface",
+    .file = {{"mesh", "mesh"}},
     .read = read_goal,
     .table = surface_file_keys,
     .metrics = {

@@ -219,7 +219,7 @@ TEST(Head, RefusesACrownAwayFromTheMesh) {
   const TriangleMesh mesh = head_with_ears(90, 60);
   EXPECT_THAT(says(mesh, {.crown = Vector3d(0, 0, 145)}, "crown"), HasSubstr("is 30 mm from the mesh"));
   EXPECT_THAT(says(mesh, {.crown = Vector3d(0, 0, 0)}, "crown"),
-              HasSubstr("leave it out for the highest, [0, 0, 115]"));
+              HasSubstr("remove the key for the highest, [0, 0, 115]"));
   EXPECT_EQ(says(mesh, {.crown = Vector3d(0, 0, 125)}, "crown"), "");
 }
 

@@ -129,7 +129,7 @@ TEST(MeshFile, RefusesCornersThatNameNoVertex) {
   mesh.triangles[1][2] = 4;
   EXPECT_THAT(says(folder, "a.ply", ply_binary(mesh)), HasSubstr("there are only 4"));
   mesh.triangles[1][2] = -1;
-  EXPECT_THAT(says(folder, "a.ply", ply_text(mesh)), HasSubstr("-1 is no index"));
+  EXPECT_THAT(says(folder, "a.ply", ply_text(mesh)), HasSubstr("-1 is not an index"));
 }
 
 TEST(MeshFile, RefusesCountsThatTheFileCannotHold) {
