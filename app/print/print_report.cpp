@@ -65,7 +65,7 @@ std::string describe_hinge_sort(const HingeSort& sort, const PrintSheet& sheet) 
   const auto all = [&](const Size& size) { return sizes(sort, size); };
   if (is_pin(sort.kind))
     return fmt::format(
-        "{} {} x {} mm, clearance {} mm a side, {} mm along the axis, {} {} mm",
+        "{} {} x {} mm, clearance {} mm per side, {} mm along the axis, {} {} mm",
         sort.kind == model::HingeKind::pin ? "pins: rod" : "rods of " + describe_material(sort) + ":",
         all([](const auto& h) { return h.made.diameter_mm; }),
         all([](const auto& h) { return h.made.height_mm; }),
@@ -90,7 +90,7 @@ std::vector<std::string> material_warnings(const PrintSheet& sheet) {
     const bool chosen = sheet.is_one_material() || sheet.process.is_multi_material;
     if (chosen && sort.material != printed)
       out.push_back(fmt::format(
-          "{} prints {} of {}: {} of {} are as stiff as the design says only if they are printed of that",
+          "{} prints {} of {}: {} of {} have the stiffness of the design only if they are printed of that",
           sheet.process.name, sheet.is_one_material() ? "walls and films in one," : "soft parts", printed,
           plural(sort.kind), describe_material(sort)));
   }
@@ -112,8 +112,8 @@ std::optional<std::string> thin_film_warning(const PrintSheet& sheet) {
     if (hinge.made.kind == model::HingeKind::film) thinnest = std::min(thinnest, hinge.made.thickness_mm);
   if (!(thinnest < filament->line_mm)) return std::nullopt;
   return fmt::format(
-      "films of {:.3g} mm are thinner than the line of {:g} mm that {} lays: slicers leave them out or "
-      "print them thicker, and stiffer than the design says",
+      "films of {:.3g} mm are thinner than the line of {:g} mm that {} lays. Slicers omit them, or print "
+      "them thicker and stiffer than designed",
       thinnest, filament->line_mm, sheet.process.name);
 }
 
@@ -305,19 +305,19 @@ constexpr double digits_of_reports = 1e-5;        // relative, or mm and rad: re
 std::vector<std::string> print_warnings(const PrintJob& job) {
   std::vector<std::string> out = job.sheet.warnings;
   if (!job.sheet.no_path_reason.empty())
-    out.push_back("the way to the fold was not checked: " + job.sheet.no_path_reason);
+    out.push_back("the motion to the fold was not checked for collisions: " + job.sheet.no_path_reason);
   if (!job.sheet.is_path_exact && job.sheet.path.size() > 1)
     out.push_back(
-        "the way to the fold was checked along the equilibrium of the design's hinges: it has no exact "
-        "motion");
+        "the motion to the fold was checked along the equilibrium of the design's hinges, since it has no "
+        "analytic motion");
   if (!job.sheet.jumps.empty())
     out.push_back(
-        fmt::format("the sheet snaps at theta {:.1f} deg: on the way of the snap itself parts were checked "
-                    "as if it were straight",
+        fmt::format("the sheet snaps through at fold angle {:.1f} deg. During the snap, parts were checked "
+                    "along a straight path",
                     to_degrees(job.sheet.thetas[job.sheet.jumps.front() + 1])));
   if (job.sheet.has_soft() && !job.sheet.process.is_multi_material && !job.sheet.is_one_material())
     out.push_back(job.sheet.process.name +
-                  " prints one material: soft parts are a print of their own, to be glued to the walls");
+                  " prints one material. Print the soft parts separately, and glue them to the walls");
   for (const auto& notes : {material_warnings(job.sheet), room_warnings(job)})
     out.insert(out.end(), notes.begin(), notes.end());
   if (auto separation = separation_warning(job)) out.push_back(std::move(*separation));

@@ -205,9 +205,9 @@ std::optional<std::string> sheet_note(const Design& design, const PrintSheet& sh
   const double height_mm = design.structure.size().height_mm;
   if (!sheet.process.cuts_sheets() || sheet.process.sheet_mm == height_mm) return std::nullopt;
   return fmt::format(
-      "walls are {:g} mm high, as the sheet is thick, instead of {:g}: bridges are softer or stiffer by as "
-      "much; "
-      "for another sheet give the design `process: {{base: {}, sheet_mm: ...}}` and walls of that height",
+      "walls are {:g} mm high, the thickness of the sheet, instead of {:g}. This changes the stiffness of "
+      "bridges. For another sheet give the design `process: {{base: {}, sheet_mm: ...}}` and walls of that "
+      "height",
       sheet.process.sheet_mm, height_mm, sheet.process.name);
 }
 
@@ -218,10 +218,10 @@ std::optional<std::string> size_note(const Design& design, const PrintSheet& she
   const auto resized = describe_resizing(design_edge_mm, edge_mm);
   if (!resized) return std::nullopt;
   return fmt::format(
-      "made with cells of {:.3g} mm instead of {:.3g}: {}; for the size that its goal asked for search again "
-      "with {} cells{}",
+      "made with cells of {:.3g} mm instead of {:.3g}: {}. For the size of the goal search again with {} "
+      "cells{}",
       edge_mm, design_edge_mm, *resized, edge_mm > design_edge_mm ? "fewer" : "more",
-      sheet.is_path_exact ? "" : "; its fold is the equilibrium at its own size, scaled");
+      sheet.is_path_exact ? "" : ". Its fold is the scaled equilibrium of the original size");
 }
 
 /// Describes the hinge that is strained farthest beyond what its material bears along the path to the fold.
@@ -232,7 +232,7 @@ std::optional<std::string> strain_note(const PrintSheet& sheet) {
     if (one && one->share() > (worst ? worst->share() : 1 + strain_report_threshold)) worst = one;
   }
   if (!worst) return std::nullopt;
-  return describe_strain(*worst, sheet.linkage.wall_name(worst->hinge), " on the way to the fold");
+  return describe_strain(*worst, sheet.linkage.wall_name(worst->hinge), " during the motion to the fold");
 }
 
 /// Describes how the elastic hinges' equilibrium, which result.json reports, differs from the fold of the closed form.
@@ -258,16 +258,14 @@ std::optional<std::string> always_flat_note(const PrintRequest& request, const F
   const std::string flat = names_of(formats, [](const PrintFormat& format) { return format.is_always_flat; });
   if (!request.folded || flat.empty()) return std::nullopt;
   return fmt::format(
-      "--state folded changes nothing in {}, where the sheet is always flat; sizes here are of the fold",
-      flat);
+      "--state folded has no effect in {}, where the sheet is always flat. Sizes here are of the fold", flat);
 }
 
 /// Describes that tiles are printed flat, if the folded state is requested.
 std::optional<std::string> flat_tiles_note(const PrintRequest& request, const PrintSheet& sheet) {
   if (!request.folded || sheet.tiles.count() < 2) return std::nullopt;
-  return "--state folded changes nothing in tiles, which are printed flat, on the sheet's own side; sizes "
-         "here "
-         "are of the fold";
+  return "--state folded has no effect on tiles, which are printed flat, with the designed side up. Sizes "
+         "here are of the fold";
 }
 
 /// Describes the formats that ignore the orientation on the bed. @param lie the chosen orientation
@@ -295,9 +293,8 @@ std::optional<std::string> unstretched_note(const PrintSheet& sheet, const Forma
   const std::string rigid = names_of(formats, [](const PrintFormat& format) { return format.turns_alone; });
   if (sheet.is_path_exact || sheet.path.size() < 2 || rigid.empty()) return std::nullopt;
   return fmt::format(
-      "hinges of {} turn and do not stretch, as those of the design do on the way: its actuator need not "
-      "reach "
-      "the fold",
+      "hinges of {} turn and do not stretch, and those of the design stretch during the motion. The drive "
+      "may not reach the fold",
       rigid);
 }
 

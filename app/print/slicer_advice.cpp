@@ -32,7 +32,7 @@ std::string describe_gaps(const PrintJob& job, const GapSettings& gaps) {
   const std::string radius = fmt::format("slice gap closing radius {:g} mm", gaps.closing_radius_mm),
                     foot = fmt::format("elephant foot compensation {:g} mm", gaps.elephant_foot_mm);
   if (is_foot_of_printer(job.sheet))
-    return fmt::format("{}: {}; {}: set it in the printer's settings, since a 3MF file cannot", radius,
+    return fmt::format("{}: {}. Set {} in the printer's settings, since a 3MF file cannot", radius,
                        set_by_hand, foot);
   return fmt::format("{}, {}, XY size compensation {:g} mm: {}", radius, foot, gaps.expansion_mm,
                      set_by_hand);

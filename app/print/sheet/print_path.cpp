@@ -66,7 +66,7 @@ PrintPath traced_path(const Design& design, const model::ExactMotion& exact, int
   path.thetas.resize(1);
   path.states.resize(1);
   path.jumps.clear();
-  path.flat_only_reason = exact.why + "; and its equilibrium does not get there: " + traced.why;
+  path.flat_only_reason = exact.why + ", and its equilibrium does not reach it: " + traced.why;
   return path;
 }
 

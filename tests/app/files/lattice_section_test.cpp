@@ -278,7 +278,7 @@ TEST(LatticeSection, SaysWhereAndWhatIsAllowed) {
        2,
        57,
        "structure.cells[2]",
-       {"cell [0, 0] is given twice"}},
+       {"cell [0, 0] is listed twice"}},
       {structure("lattice: rhombus, cells: [[0, 0], [1, 1]]"),
        2,
        38,

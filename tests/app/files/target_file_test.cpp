@@ -391,7 +391,7 @@ TEST(TargetFile, SaysWhereAndWhatIsAllowed) {
        3,
        29,
        "structure.cells[1]",
-       {"[0, 0] is given twice"}},
+       {"[0, 0] is listed twice"}},
       {target + "structure: {cells: [[0, 0], [-1, 0]]}\n",
        3,
        30,

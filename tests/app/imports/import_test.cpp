@@ -477,11 +477,11 @@ hinge: {kind: block, material: tango, gap_mm: 3}
   const Outcome folded = kinetix_opt(command + " --state folded --quiet");
   EXPECT_EQ(folded.code, 2);
   EXPECT_THAT(folded.err,
-              HasSubstr("--state folded: it does not come to its drive's goal: `hinge_1` turns by"));
+              HasSubstr("--state folded: it does not reach the goal of its drive: `hinge_1` turns by"));
   EXPECT_FALSE(fs::exists(scratch / "parts"));
   const Outcome flat = kinetix_opt(command);
   EXPECT_EQ(flat.code, 0) << flat.err;
-  EXPECT_THAT(flat.out, HasSubstr("it does not come to its drive's goal"));
+  EXPECT_THAT(flat.out, HasSubstr("it does not reach the goal of its drive"));
 }
 
 TEST(Import, IsSimulatedInEquilibriumAndVerified) {

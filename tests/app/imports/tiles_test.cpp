@@ -214,8 +214,8 @@ TEST(TileImport, SaysWhereAFileIsWrong) {
     folder.scratch.write(std::string("squares/") + file, text);
     folder.expect_refused(says);
   };
-  with("vertices.txt", "0 0 0 1 0 0 1 1 0\n1 0 0 two 0 0 2 1 0\n", "vertices.txt:2:7: is no number");
-  with("vertices.txt", "0 0 0 1 0 0 1 1 nan\n", "vertices.txt:1:17: is no number");
+  with("vertices.txt", "0 0 0 1 0 0 1 1 0\n1 0 0 two 0 0 2 1 0\n", "vertices.txt:2:7: this is not a number");
+  with("vertices.txt", "0 0 0 1 0 0 1 1 nan\n", "vertices.txt:1:17: this is not a number");
   with("vertices.txt", "0 0 0 1 0 0 1 1\n", "vertices.txt:1:1: has 8 numbers");
   with("vertices.txt", "\n\n", "vertices.txt: the file has no tiles");
   with("constraints.txt", "0 1 1 0 4\n",

@@ -114,9 +114,8 @@ TEST(Export, SaysThatOtherCellsMakeTheSheetLargerOrSmaller) {
   for (const auto& [edge_mm, words] :
        {std::pair{"30",
                   "made with cells of 30 mm instead of 12: the sheet and what it folds to are 2.5 times as "
-                  "large; for the size that its goal asked for search again with fewer cells"},
-        {"9",
-         "are 0.75 times as large; for the size that its goal asked for search again with more cells"}}) {
+                  "large. For the size of the goal search again with fewer cells"},
+        {"9", "are 0.75 times as large. For the size of the goal search again with more cells"}}) {
     ASSERT_EQ(exported(scratch, panel, std::string("--format stl --hinge block --cell-mm ") + edge_mm).code,
               0);
     EXPECT_THAT(print_json_of(scratch)["warnings"].dump(), HasSubstr(words));
@@ -131,10 +130,10 @@ TEST(Export, SaysThatDrawingsAreAlwaysFlat) {
   const std::string folded = "--hinge block --state folded --format ";
   ASSERT_EQ(exported(scratch, panel, folded + "svg,dxf,stl").code, 0);
   EXPECT_THAT(print_json_of(scratch)["warnings"].dump(),
-              HasSubstr("--state folded changes nothing in svg and dxf, where the sheet is always flat"));
+              HasSubstr("--state folded has no effect in svg and dxf, where the sheet is always flat"));
   ASSERT_EQ(exported(scratch, panel, folded + "mjcf").code, 0);
   EXPECT_THAT(print_json_of(scratch)["warnings"].dump(),
-              HasSubstr("--state folded changes nothing in mjcf, where the sheet is always flat"));
+              HasSubstr("--state folded has no effect in mjcf, where the sheet is always flat"));
   ASSERT_EQ(exported(scratch, panel, folded + "stl").code, 0);
   EXPECT_EQ(print_json_of(scratch)["warnings"].dump().find("changes nothing"), std::string::npos);
   EXPECT_THAT(text_of(scratch / "out/print.txt"),
