@@ -62,8 +62,10 @@ void Node::reject_unknown_keys(const std::vector<std::string_view>& allowed,
     if (key.find_first_not_of("0123456789") == std::string::npos)
       throw Node(tree_, child)
           .key_error("a number is in the place of a key. Write decimals with a point, not a comma");
+    std::vector<std::string_view> known = allowed;
+    known.insert(known.end(), earlier.begin(), earlier.end());
     throw Node(tree_, child)
-        .key_error("unknown key" + did_you_mean(key, names) + "; allowed: " + joined(names));
+        .key_error("unknown key" + did_you_mean(key, known) + "; allowed: " + joined(names));
   }
 }
 

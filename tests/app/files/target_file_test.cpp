@@ -463,7 +463,7 @@ TEST(TargetFile, SaysWhereAndWhatIsAllowed) {
        25,
        "variables.beta.per",
        {"`row` is not possible for a curve", "Give `column` or `all`"}},
-      {target + "variables: {beta: {per: hinge}}\n", 3, 25, "variables.beta.per", {"`hinge` would leave"}},
+      {target + "variables: {beta: {per: hinge}}\n", 3, 25, "variables.beta.per", {"`hinge` is not possible"}},
       {target + "variables: {beta: {per: colunm}}\n",
        3,
        25,

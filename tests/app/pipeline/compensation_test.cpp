@@ -581,7 +581,7 @@ TEST(Matter, RefusesWhatCannotBeMade) {
        "variables.offset_mm: this kind of hinge fits in walls of 2 mm at most 0.4 mm off their middle"},
       {letter + "tolerance: {strain: 0.8}\n",
        "tolerance.strain: 0.8 is more than the material of `hinge` withstands. Give at most 0.5"},
-      {letter + "drive: {kind: hinge}\ntolerance: {force_N: 3}\n", "tolerance.force_N: is for plates"},
+      {letter + "drive: {kind: hinge}\ntolerance: {force_N: 3}\n", "tolerance.force_N: applies to plates only"},
       {"kinetix: 1\ntarget: {kind: display, glyph: T}\ntolerance: {strain: 0.3}\n",
        "tolerance.strain: only applies to blocks and films"},
       {arc + rubber + "drive: {kind: usual, k_turn: 5}\n", "drive.k_turn"},

@@ -70,7 +70,7 @@ const Bad bad_sweeps[] = {
      "1e+12 samples are too many. Give at most 10000000"},
     {sweep_of("{kind: sobal, samples: 8}", theta, "end_mm"), "did you mean `sobol`?"},
     {sweep_of("{kind: factorial}", theta, "end_m"), "did you mean `end_mm`?"},
-    {sweep_of("{kind: factorial}", theta, "end_mm, end_mm"), "is given twice"},
+    {sweep_of("{kind: factorial}", theta, "end_mm, end_mm"), "is listed twice"},
     {sweep_of("{kind: factorial}", theta, "energy_Nmm"), "is not a metric of this model"},
     {sweep_of("{kind: factorial}", theta, "shape_rms"), "Add `goal: FILE.yaml`"},
     {sweep_of("{kind: factorial}", theta, "end_mm", "modle: exact\n"), "did you mean `model`?"},

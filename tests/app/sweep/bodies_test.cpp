@@ -148,7 +148,7 @@ TEST(SweepOfBodies, RefusesWhatIsForSheets) {
   const std::string angle = angles("10, 30");
   const std::string equilibrium = pair_sweep("equilibrium", angle, "end_mm");
   const std::pair<std::string, std::string> bad[] = {
-      {equilibrium + "start: base\n", "start: is for sheets"},
+      {equilibrium + "start: base\n", "start: only applies to sheets"},
       {equilibrium + "goal: curve.yaml\n", "goal: measures sheets"},
       {pair_sweep("exact", angle, "area_ratio"), "`area_ratio` is not a metric of this model"},
       {pair_sweep("exact", angle, "load_Nmm"), "`load_Nmm` is not a metric of this model"},

@@ -88,7 +88,7 @@ TEST(SpaceBlockTarget, RefusesWhatNoBlockDoes) {
   EXPECT_THAT(refused("factor: 0.9, size_mm: [1000, 1000, 1000]}\nstructure: {cell_mm: 0.88}"),
               HasSubstr("402 x 402 x 402 cells have about 2338733088 bodies"));
   EXPECT_THAT(refused("factor: 0.9}\ntolerance: {size: 0.01}"),
-              HasSubstr("tolerance.size: is of `target.size_mm`"));
+              HasSubstr("tolerance.size: only applies together with target.size_mm"));
 }
 
 }  // namespace
