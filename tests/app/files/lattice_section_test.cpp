@@ -284,7 +284,7 @@ TEST(LatticeSection, SaysWhereAndWhatIsAllowed) {
        38,
        "structure.cells",
        {"cells [0, 0] and [1, 1]", "are not connected by a wall"}},
-      {structure("lattice: honeycomb, cells: [[0, 0], [3, 3]]"), 2, 40, "structure.cells", {"hang together"}},
+      {structure("lattice: honeycomb, cells: [[0, 0], [3, 3]]"), 2, 40, "structure.cells", {"are not connected"}},
       {honeycomb + "design: {pattern: {even: {P: [0.5, 0.5, 0.5, 0.5]}}}\n",
        3,
        10,
